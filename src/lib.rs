@@ -80,7 +80,6 @@ pub mod geometry;
 pub mod import;
 pub mod material;
 pub mod measure;
-pub mod message;
 pub mod model;
 pub mod numerics;
 #[cfg(feature = "app")]

@@ -10,7 +10,7 @@ mod spacing;
 
 pub use crate::units::{Unit, UnitError};
 
-use crate::message::{Form, Told};
+use crate::units::DisplayUnit;
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
 pub use spacing::Spacing;
@@ -45,7 +45,6 @@ pub struct Axis {
     labels: Vec<Cow<'static, str>>,
     unit: Unit,
     symbol: &'static str,
-    form: Form,
     names: Vec<String>,
     spacing: Spacing,
 }
@@ -69,7 +68,7 @@ impl Column {
 
 impl Axis {
     fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
-        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new(), spacing: Spacing::Even }
+        Self { labels, unit, symbol: unit.symbol(), names: Vec::new(), spacing: Spacing::Even }
     }
 
     /// Of what is no column: a label, and the unit of the values.
@@ -116,23 +115,17 @@ impl Axis {
         Self::new(labels, unit)
     }
 
-    /// In the words of a form, for values up to `largest` in the unit of the columns; and the unit that they are told in.
-    pub fn told(self, form: Form, largest: f64) -> (Self, Told) {
-        let unit = form.system.unit(self.unit, largest);
+    /// Axis in display units for values up to `largest`, and the conversion to them.
+    pub fn displayed(self, largest: f64) -> (Self, DisplayUnit) {
+        let unit = self.unit.display(largest);
         let symbol = if unit.symbol.is_empty() { self.symbol } else { unit.symbol };
-        (Self { symbol, form, ..self }, unit)
+        (Self { symbol, ..self }, unit)
     }
 
     /// The text to draw: `Punch force [N]`.
     pub fn text(&self) -> String {
-        let labels = self.labels.iter().map(|label| self.form.language.of_text(label));
-        let labels = labels.collect::<Vec<_>>().join(", ");
+        let labels = self.labels.join(", ");
         if self.names.is_empty() { format!("{labels} [{}]", self.symbol) } else { labels }
-    }
-
-    /// A decimal number along it.
-    pub fn number(&self, number: &str) -> String {
-        self.form.language.number(number)
     }
 }
 

@@ -6,8 +6,8 @@ use super::neck::torn;
 use super::place::{on_part, place, thinnest};
 use super::{Finding, Light, forming_limit, judgements, thinning};
 use crate::case::Case;
-use crate::message::{Amount, Message, message};
 use crate::solver::solution::{StageSolution, Stop};
+use crate::units::{Amount, joined};
 use serde::Serialize;
 
 /// The verdict in one sentence, and the numbers that a part is known by.
@@ -16,10 +16,10 @@ pub struct Answer {
     /// The worst of the verdict's lights but grey.
     pub light: Light,
     /// Whether it tears and where, or what else speaks against it.
-    pub sentence: Message,
+    pub sentence: String,
     /// How the last stage ended, where that is as wished but not at its full travel; else empty.
     #[serde(skip)]
-    pub end: Message,
+    pub end: String,
     /// In the order of telling.
     pub numbers: Vec<KeyNumber>,
 }
@@ -44,66 +44,65 @@ impl Answer {
         Self {
             light,
             sentence: sentence(stages, findings, light, tear.as_ref()),
-            end: end.map_or_else(Message::default, Stop::message),
+            end: end.map_or_else(String::new, Stop::message),
             numbers: numbers(case, stages, tear.is_some()),
         }
     }
 }
 
 /// What speaks loudest: a tear, a run that did not end, red lights, amber ones.
-fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: Option<&Tear>) -> Message {
-    let labels =
-        |of: Light| Message::joined(judgements(findings).filter(|f| f.light == of).map(|f| f.label.into()), ", ");
+fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: Option<&Tear>) -> String {
+    let labels = |of: Light| joined(judgements(findings).filter(|f| f.light == of).map(|f| f.label.into()), ", ");
     let is = |key: &str, light: Light| judgements(findings).any(|f| f.key == key && f.light == light);
     let is_red = |key: &str| is(key, Light::Red);
     if let Some(tear) = tear {
-        return Message::joined([tear.sentence(stages.len()), tear.when()], ", ");
+        return joined([tear.sentence(stages.len()), tear.when()], ", ");
     }
     if stages.last().is_some_and(|stage| matches!(stage.stop, Stop::Interrupted { .. })) {
         return "interrupted by the user".into();
     }
     if let Some(stop) = stages.last().map(|stage| &stage.stop).filter(|stop| !stop.is_complete() && is_red("stop")) {
-        return message!("not solved to its end: {why}", why = stop.kind());
+        return format!("not solved to its end: {why}", why = stop.kind());
     }
     // Of the thinnest place, and of a finding in percent.
-    let at = || stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
+    let at = || stages.last().and_then(thinnest).map_or_else(String::new, |(_, s0)| place(stages, s0));
     let share = |key: &str| judgements(findings).find(|f| f.key == key)?.value.map(|percent| 0.01 * percent);
     let bottom = share("bottom_tearing");
     match light {
         _ if is_red("bottom_tearing") => "it tears at the bottom: the punch pulls harder than the wall can bear".into(),
-        _ if is_red("localisation") || is_red("thinning") => Message::joined(["it thins too far".into(), at()], " "),
+        _ if is_red("localisation") || is_red("thinning") => joined(["it thins too far".into(), at()], " "),
         _ if is_red("wrinkling") => "it wrinkles: the holder presses too little for this flange".into(),
-        Light::Amber if bottom.is_some_and(|used| used > 1.0) => message!(
+        Light::Amber if bottom.is_some_and(|used| used > 1.0) => format!(
             "it may tear at the bottom: the punch needs {used} of what the wall surely carries",
             used = Amount::share(bottom.unwrap_or_default())
         ),
         Light::Red if bottom.is_some_and(|used| used > 1.0) => {
-            message!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
+            format!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
         }
-        Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
-        Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit").is_none() => message!(
+        Light::Red => format!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
+        Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit").is_none() => format!(
             "whether it tears is not known: it thins by {thinning} {place}, and the forming limit ends before",
             thinning = Amount::share(share("thinning").unwrap_or_default()),
             place = at()
         ),
         // By the number itself: what only its error bar makes amber is among the others, here as of the thinning.
         Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit") > Some(forming_limit::CAREFUL) => {
-            Message::joined(["it comes near to tearing".into(), at()], " ")
+            joined(["it comes near to tearing".into(), at()], " ")
         }
         Light::Amber if is("thinning", Light::Amber) && share("thinning") > Some(thinning::CAREFUL) => {
-            let thins = message!(
+            let thins = format!(
                 "it thins by {thinning} {place}, more than the {rule} rule of thumb",
                 thinning = Amount::share(share("thinning").unwrap_or_default()),
                 place = at(),
                 rule = Amount::given_share(thinning::CAREFUL)
             );
             let limit = match share("forming_limit") {
-                Some(used) => message!("the forming limit is used to {used}", used = Amount::share(used)),
+                Some(used) => format!("the forming limit is used to {used}", used = Amount::share(used)),
                 None => "no forming limit is given".into(),
             };
-            Message::joined([thins, limit], "; ")
+            joined([thins, limit], "; ")
         }
-        Light::Amber => message!("it does not tear; look at {labels}", labels = labels(Light::Amber)),
+        Light::Amber => format!("it does not tear; look at {labels}", labels = labels(Light::Amber)),
         _ => "it does not tear, and nothing speaks against it".into(),
     }
 }
@@ -131,10 +130,10 @@ fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
 }
 
 /// Whether and where it tears: `it tears on the dome`.
-pub(super) fn whether_it_tears(stages: &[StageSolution]) -> Message {
+pub(super) fn whether_it_tears(stages: &[StageSolution]) -> String {
     match (tear(stages), stages.last().and_then(torn)) {
         (Some(tear), _) => tear.sentence(stages.len()),
-        (None, Some(neck)) => Message::joined(["it thins too far".into(), place(stages, neck.s0)], " "),
+        (None, Some(neck)) => joined(["it thins too far".into(), place(stages, neck.s0)], " "),
         (None, None) => "no tear is seen".into(),
     }
 }
@@ -149,18 +148,18 @@ pub fn tears_at(stage: &StageSolution) -> Option<f64> {
 
 impl Tear<'_> {
     /// `it tears in the wall, next to the punch radius, in stage 2`
-    fn sentence(&self, stages: usize) -> Message {
-        let place = self.s0.map_or_else(Message::default, |s0| on_part(self.on, s0));
-        let stage = if stages > 1 { message!("in stage {n}", n = self.stage + 1) } else { Message::default() };
-        Message::joined([Message::joined(["it tears".into(), place], " "), stage], ", ")
+    fn sentence(&self, stages: usize) -> String {
+        let place = self.s0.map_or_else(String::new, |s0| on_part(self.on, s0));
+        let stage = if stages > 1 { format!("in stage {n}", n = self.stage + 1) } else { String::new() };
+        joined([joined(["it tears".into(), place], " "), stage], ", ")
     }
 
     /// `after 18.2 of 32.0 mm of travel`
-    fn when(&self) -> Message {
+    fn when(&self) -> String {
         let whole = self.on.model.travel;
-        self.travel.map_or_else(Message::default, |travel| {
+        self.travel.map_or_else(String::new, |travel| {
             let (reached, all) = (Amount::place(travel), Amount::place(whole));
-            message!("after {travel} of {all} of travel", travel = reached, all = all)
+            format!("after {reached} of {all} of travel")
         })
     }
 }

@@ -1,10 +1,10 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
 use super::{Finding, Light, run::Run};
-use crate::message::{Amount, message};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// What to change where a bend is sharp, and what a shell leaves out of it, of the radius R of its mid-surface.
 pub(super) const ADVICE: &str = "larger radii; else take strains and spring-back there with care: the shell's normal stress is right to second order in t/R \
@@ -20,16 +20,15 @@ pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
     (smallest.radius < THIN * model.blank.thickness).then(|| {
-        let found = message!(
+        let found = format!(
             "the {tool}'s radius of {radius} is {ratio}, over which the sheet carries {share} of its strength: {what}",
             tool = tool.role.name(),
             radius = Amount::size(smallest.radius),
             ratio = Amount::thicknesses(ratio),
-            share = Amount::share(bent_strength(ratio)),
-            what = what
+            share = Amount::share(bent_strength(ratio))
         );
         Finding::warning("tool_radius", "Tool radius", found)
-            .against(ratio, Unit::None, message!("{thin} at least", thin = Amount::given_thicknesses(THIN)))
+            .against(ratio, Unit::None, format!("{thin} at least", thin = Amount::given_thicknesses(THIN)))
             .at_least(THIN, None)
     })
 }
@@ -43,13 +42,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         r if r < THIN => Light::Amber,
         _ => Light::Green,
     };
-    let found = message!("{radius} at the sharpest", radius = Amount::thicknesses(ratio));
+    let found = format!("{radius} at the sharpest", radius = Amount::thicknesses(ratio));
     Some(
         Finding::judged("bend_radius", "Bending radius", light, found)
             .against(
                 ratio,
                 Unit::None,
-                message!(
+                format!(
                     "{thin} at least, red below {sharp}: thin-shell theory",
                     thin = Amount::given_thicknesses(THIN),
                     sharp = Amount::given_thicknesses(SHARP)

@@ -2,11 +2,11 @@
 
 use super::{Finding, Light, bending_radius::ADVICE, nose::nose, run::Run};
 use crate::geometry::Arc;
-use crate::message::{Amount, message};
 use crate::model::{Role, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// A corner that the sheet is bent over as soon as the punch moves.
 struct Corner {
@@ -41,7 +41,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => Light::Green,
     };
     let share = bent_strength(ratio);
-    let found = message!(
+    let found = format!(
         "the sheet carries {share} of its strength over the {corner} of {radius}, {ratio}",
         share = Amount::share(share),
         corner = sharpest.name,
@@ -49,7 +49,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         ratio = Amount::thicknesses(ratio)
     );
     let [asked, least] = [bent_strength(THIN), bent_strength(SHARP)];
-    let limit = message!(
+    let limit = format!(
         "{asked} = ρ ln(1 + 1/ρ) at ρ = {thin}, red below {sharp}",
         asked = Amount::share(asked),
         thin = Amount::given_thicknesses(THIN),

@@ -3,11 +3,11 @@
 use super::nose::NoseEnd;
 use super::run::{Run, at_event};
 use super::{Finding, Light, thinning};
-use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 use std::f64::consts::PI;
 
 /// Tear-off factor a_R \[–\]: 1 for a metal and an edge that nothing is known of, 1.6 the largest that is measured.
@@ -30,10 +30,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, (peak, tears)) = forces.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
     let factor = peak.punch_force / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
-    let force = message!("punch force up to {force}", force = Amount::force(peak.punch_force, Unit::N));
-    let force = Message::joined([force, at_event(&run.stages[i], peak)], " ");
-    let found = message!("{force}, {share} of the limit", force = force, share = Amount::share(factor));
-    let limit = message!(
+    let force = format!("punch force up to {force}", force = Amount::force(peak.punch_force, Unit::N));
+    let force = joined([force, at_event(&run.stages[i], peak)], " ");
+    let found = format!("{force}, {share} of the limit", share = Amount::share(factor));
+    let limit = format!(
         "{force} = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {near} on; some metals and noses carry up to {most} \
          times that",
         force = Amount::force(tears, Unit::N),

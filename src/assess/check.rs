@@ -10,11 +10,11 @@ pub use line::Line;
 
 use super::{Kind, before, sentences};
 use crate::case::Case;
-use crate::message::{Amount, Digits, Form, Message, NO_BREAK, message};
 use crate::model::{Extent, Geometry, Model, Theory};
 use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::ZERO_CELSIUS;
+use crate::units::{Amount, Digits, joined};
 use line::{line, size_of};
 use std::fmt;
 
@@ -28,9 +28,9 @@ pub struct Check {
     /// What a report adds, so that the run can be judged and repeated: constants of the sheet, mesh and settings.
     pub details: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
-    pub warnings: Vec<Message>,
+    pub warnings: Vec<String>,
     /// Declared assumptions, and what was assumed while reading.
-    pub notes: Vec<Message>,
+    pub notes: Vec<String>,
 }
 
 /// Looks a case over without solving it.
@@ -38,7 +38,7 @@ pub fn report(case: &Case) -> Check {
     let model = case.model();
     let mut lines = Vec::new();
     blank(model, &mut lines);
-    lines.push(line("material", Message::Formula(model.material.describe()), ""));
+    lines.push(line("material", String::from(model.material.describe()), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material);
     lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
@@ -47,19 +47,19 @@ pub fn report(case: &Case) -> Check {
     loads::holder(model, strength, &mut lines);
     mesh(model, &mut lines);
     for (i, stage) in case.later().iter().enumerate() {
-        lines.push(line(message!("stage {n}", n = i + 2), stage.name.clone(), stages::describe(stage)));
+        lines.push(line(format!("stage {n}", n = i + 2), stage.name.clone(), stages::describe(stage)));
     }
     let compare = case.compare.iter().map(|spec| {
         let against = spec.against.to_string();
         let meaning = match spec.data {
             Some(_) => against.into(),
-            None => message!("{against} (not there: drop the CSV in to see the overlay)", against = against),
+            None => format!("{against} (not there: drop the CSV in to see the overlay)"),
         };
         line("compare", spec.reference.display().to_string(), meaning)
     });
     lines.extend(compare);
     let findings = before(case);
-    let notes = model.notes.iter().cloned().map(Message::from).chain(sentences(&findings, Kind::Assumption)).collect();
+    let notes = model.notes.iter().cloned().map(String::from).chain(sentences(&findings, Kind::Assumption)).collect();
     Check {
         title: model.title.clone(),
         lines,
@@ -72,23 +72,23 @@ pub fn report(case: &Case) -> Check {
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let whole = Amount::set(2.0 * blank.length);
-    let (geometry, meaning): (Message, _) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric".into(), Message::default()),
-        Geometry::PlaneStrain => ("plane strain".into(), message!("half length, {whole} in all", whole = whole)),
+    let (geometry, meaning): (String, _) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric".into(), String::new()),
+        Geometry::PlaneStrain => ("plane strain".into(), format!("half length, {whole} in all")),
     };
-    lines.push(line("geometry", Message::joined([geometry, model.extent().described()], "; "), ""));
+    lines.push(line("geometry", joined([geometry, model.extent().described()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
-    let (volume, meaning): (Message, _) = match model.extent() {
+    let (volume, meaning): (String, _) = match model.extent() {
         Extent::PerDepth => (volume(Unit::Mm2).into(), "times the depth"),
         _ => (volume(Unit::Mm3).into(), ""),
     };
     lines.push(line("volume", volume, meaning));
     let theory = match blank.theory {
-        Theory::Bending => message!("bending, {n} points through the thickness", n = blank.layers),
+        Theory::Bending => format!("bending, {n} points through the thickness", n = blank.layers),
         Theory::Membrane => "membrane".into(),
-        Theory::Selective => message!(
+        Theory::Selective => format!(
             "bending with {n} points where t/R is above {ratio}, else membrane",
             n = blank.layers,
             ratio = Amount::number(model.settings.bend_ratio)
@@ -98,7 +98,7 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     if let Some(heat) = &model.heat {
         let [low, high] =
             [heat.initial.smallest(), heat.initial.largest()].map(|t| Amount::temperature(t - ZERO_CELSIUS));
-        let range = if low == high { low.into() } else { message!("{low} to {high}", low = low, high = high) };
+        let range = if low == high { low.into() } else { format!("{low} to {high}") };
         let stays = if heat.flow.is_some() { "at first" } else { "throughout" };
         lines.push(line("temperature", range, stays));
     }
@@ -107,7 +107,7 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
 fn mesh(model: &Model, lines: &mut Vec<Line>) {
     lines.push(line("elements", Amount::count(model.blank.elements), ""));
     if let Some(fit) = estimate::coarsest_corner(model) {
-        let meaning = message!(
+        let meaning = format!(
             "at the {tool}'s radius of {radius}: {n} elements per 90°",
             tool = fit.role.name(),
             radius = Amount::drawn(fit.radius),
@@ -118,21 +118,20 @@ fn mesh(model: &Model, lines: &mut Vec<Line>) {
 }
 
 impl Check {
-    /// As aligned text; a number and its unit are kept together by no-break spaces.
-    pub fn told(&self, form: Form) -> String {
+    fn text(&self) -> String {
         let mut text = format!("{}\n\n", self.title);
-        let labels: Vec<String> = self.lines.iter().map(|line| line.label.told(form)).collect();
+        let labels: Vec<String> = self.lines.iter().map(|line| line.label.to_string()).collect();
         let width = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
         for (label, Line { value, meaning, .. }) in labels.iter().zip(&self.lines) {
-            let said = Message::joined([value.clone(), meaning.clone()], " ").told(form);
+            let said = joined([value.clone(), meaning.clone()], " ").to_string();
             text += &format!("  {label:<width$}  {said}\n");
         }
         for (heading, entries) in [("notes", &self.notes), ("warnings", &self.warnings)] {
             if !entries.is_empty() {
-                text += &format!("\n{}\n", Message::from(heading).told(form));
+                text += &format!("\n{}\n", String::from(heading).to_string());
             }
             for entry in entries {
-                text += &format!("  - {}\n", entry.told(form));
+                text += &format!("  - {}\n", entry.to_string());
             }
         }
         text
@@ -141,6 +140,6 @@ impl Check {
 
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(Form::default()).replace(NO_BREAK, " "))
+        f.write_str(&self.text())
     }
 }

@@ -2,10 +2,10 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, run::Run};
-use crate::message::{Amount, Digits, message};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;
+use crate::units::{Amount, Digits};
 
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
@@ -16,7 +16,7 @@ const WIDE: f64 = 1.5;
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
-    let found = message!(
+    let found = format!(
         "at the full travel punch and die are {gap} apart, less than the thickness of {thickness}: sheet that does not thin to \
          that is ironed",
         gap = Amount::size(gap),
@@ -33,14 +33,14 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let light = Light::doubtful(gap < LEAST || straight && gap > WIDE);
     let limit = match straight {
         true => {
-            message!(
+            format!(
                 "one thickness at least, {wide} at most beside a straight wall",
                 wide = Amount::given_thicknesses(WIDE)
             )
         }
         false => "one thickness at least".into(),
     };
-    let found = message!("{gap} between punch and die", gap = Amount::thicknesses(gap).to(Digits::Decimals(2)));
+    let found = format!("{gap} between punch and die", gap = Amount::thicknesses(gap).to(Digits::Decimals(2)));
     let judged = Finding::judged("clearance", "Clearance", light, found).against(gap, Unit::None, limit);
     let judged = if gap > WIDE { judged.at_most(straight.then_some(WIDE), None) } else { judged.at_least(1.0, None) };
     Some(

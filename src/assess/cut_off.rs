@@ -3,8 +3,8 @@
 use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
-use crate::message::{Amount, message};
 use crate::solver::solution::StageSolution;
+use crate::units::Amount;
 
 /// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].
 const LARGEST: f64 = 0.05;
@@ -20,7 +20,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
     let share = run.stages.iter().filter_map(share).fold(0.0, f64::max);
     let found =
-        message!("{share} of the plastic work is done in zones that hardly deform", share = Amount::share(share));
+        format!("{share} of the plastic work is done in zones that hardly deform", share = Amount::share(share));
     Some(
         Finding::judged("cutoff", "Nearly rigid zones", Light::within(share, LARGEST), found)
             .share(share, LARGEST)
@@ -32,7 +32,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 /// A stage with more.
 pub(super) fn large(stage: &StageSolution) -> Option<Finding> {
     let share = share(stage).filter(|share| *share > LARGEST)?;
-    let found = message!(
+    let found = format!(
         "{share} of the plastic work is done in zones that hardly deform, more slowly than solver.cutoff_strain: stresses there \
          are not the true ones",
         share = Amount::share(share)

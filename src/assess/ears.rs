@@ -1,9 +1,9 @@
 //! What the computed rim, alike all round, stands for in a sheet that is not alike in its directions.
 
 use super::{Finding, Light, run::Run};
-use crate::message::{Amount, message};
 use crate::model::{Edge, Geometry};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// The ears to be expected about the computed rim, where the r-values by direction are given; nothing of a part whose edge
 /// is not drawn in.
@@ -20,12 +20,9 @@ pub(super) fn expected(run: &Run) -> Option<Finding> {
     let ears = r.ears(lengths.zip(hoops));
     let [low, high] = [f64::min, f64::max].map(|of| ears.into_iter().reduce(of).unwrap_or_default());
     let [along, diagonal, across] = ears.map(Amount::place);
-    let found = message!(
+    let found = format!(
         "the edge is the mean over the directions: at 0, 45 and 90° to rolling {along}, {diagonal} and {across} beyond it are \
          expected (Δr = {planar})",
-        along = along,
-        diagonal = diagonal,
-        across = across,
         planar = Amount::ratio(r.planar())
     );
     Some(

@@ -1,6 +1,5 @@
 //! How far a number can be trusted.
 
-use crate::message::Message;
 use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -14,7 +13,7 @@ pub enum ErrorBar {
     /// The truth lies within this of the number, in its unit.
     Half(f64),
     /// There is none, and why.
-    Missing(Message),
+    Missing(String),
 }
 
 impl Serialize for ErrorBar {

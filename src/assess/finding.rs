@@ -1,8 +1,8 @@
 //! The one way in which the program tells a user what to know.
 
 use super::error_bar::ErrorBar;
-use crate::message::{Amount, Message, message};
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 use serde::{Serialize, Serializer};
 
 /// How a finding stands to its limit.
@@ -113,13 +113,13 @@ pub struct Finding {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Limits>,
     /// The number or the words, with the unit, and where.
-    pub found: Message,
+    pub found: String,
     /// The limit in words, with its unit.
-    pub limit: Message,
+    pub limit: String,
     /// Where the limit comes from; a declared rule of thumb is called so.
-    pub source: Message,
+    pub source: String,
     /// What to change; empty where all is well.
-    pub advice: Message,
+    pub advice: String,
     /// When it can be made.
     pub when: When,
     /// Where it is told.
@@ -140,7 +140,7 @@ pub(super) const ACCURACY: &str = "declared accuracy of the solver";
 const DECLARED: &str = "declared rule of thumb";
 
 impl Finding {
-    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: Message) -> Self {
+    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: String) -> Self {
         Self {
             key,
             label,
@@ -150,9 +150,9 @@ impl Finding {
             unit: Unit::None,
             limits: None,
             found,
-            limit: Message::default(),
+            limit: String::new(),
             source: DECLARED.into(),
-            advice: Message::default(),
+            advice: String::new(),
             when: When::After,
             kind,
             stage: None,
@@ -160,23 +160,23 @@ impl Finding {
     }
 
     /// A row of the verdict.
-    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<Message>) -> Self {
+    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<String>) -> Self {
         Self::new(Kind::Judgement, key, label, light, found.into())
     }
 
     /// A warning; with [`Self::advice`] its sentence is `found: advice`.
-    pub(crate) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
+    pub(crate) fn warning(key: &'static str, label: &'static str, found: impl Into<String>) -> Self {
         Self::new(Kind::Warning, key, label, Light::Amber, found.into())
     }
 
     /// What was assumed while a case was read.
-    pub(super) fn assumed(found: impl Into<Message>) -> Self {
+    pub(super) fn assumed(found: impl Into<String>) -> Self {
         let limit = "what the case says".into();
         Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.into()) }
     }
 
     /// With its number and the limit that it is held against.
-    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<Message>) -> Self {
+    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<String>) -> Self {
         Self { value: value.into(), unit, ..self }.limit(limit)
     }
 
@@ -196,19 +196,19 @@ impl Finding {
     }
 
     /// With its limit, a declared rule of thumb until a source is given.
-    pub(super) fn limit(mut self, limit: impl Into<Message>) -> Self {
+    pub(super) fn limit(mut self, limit: impl Into<String>) -> Self {
         self.limit = limit.into();
         self
     }
 
     /// With the source of its limit.
-    pub(super) fn source(mut self, source: impl Into<Message>) -> Self {
+    pub(super) fn source(mut self, source: impl Into<String>) -> Self {
         self.source = source.into();
         self
     }
 
     /// With what to change, unless all is well.
-    pub(super) fn advice(mut self, advice: impl Into<Message>) -> Self {
+    pub(super) fn advice(mut self, advice: impl Into<String>) -> Self {
         if self.light != Light::Green {
             self.advice = advice.into();
         }
@@ -216,8 +216,8 @@ impl Finding {
     }
 
     /// As one sentence: what was found, and of a warning what to change.
-    pub fn sentence(&self) -> Message {
-        Message::joined([self.found.clone(), self.advice.clone()], ": ")
+    pub fn sentence(&self) -> String {
+        joined([self.found.clone(), self.advice.clone()], ": ")
     }
 }
 
@@ -227,23 +227,23 @@ pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
 }
 
 /// The sentences of a kind.
-pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<Message> {
+pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
     findings.iter().filter(|finding| finding.kind == kind).map(Finding::sentence).collect()
 }
 
 /// One sentence on the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
-pub fn headline(findings: &[Finding]) -> Message {
+pub fn headline(findings: &[Finding]) -> String {
     let of = |light: Light| judgements(findings).filter(move |f| f.light == light);
-    let named = |light: Light| (of(light).count(), Message::joined(of(light).map(|f| f.label.into()), ", "));
+    let named = |light: Light| (of(light).count(), joined(of(light).map(|f| f.label.into()), ", "));
     let parts =
         [Light::Red, Light::Amber, Light::Grey, Light::Green].into_iter().map(|light| match (light, named(light)) {
-            (_, (0, _)) => Message::default(),
-            (Light::Red, (n, labels)) => message!("{n} red ({labels})", n = n, labels = labels),
-            (Light::Amber, (n, labels)) => message!("{n} amber ({labels})", n = n, labels = labels),
-            (Light::Grey, (n, labels)) => message!("{n} not judged ({labels})", n = n, labels = labels),
-            (Light::Green, (n, _)) => message!("{n} green", n = n),
+            (_, (0, _)) => String::new(),
+            (Light::Red, (n, labels)) => format!("{n} red ({labels})"),
+            (Light::Amber, (n, labels)) => format!("{n} amber ({labels})"),
+            (Light::Grey, (n, labels)) => format!("{n} not judged ({labels})"),
+            (Light::Green, (n, _)) => format!("{n} green"),
         });
-    Message::joined(parts, ", ")
+    joined(parts, ", ")
 }
 
 /// The verdict's rows of a light, those with one advice together, where the first of them stands.
@@ -259,8 +259,8 @@ pub fn by_advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<Vec<&F
 }
 
 /// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
-pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(Message, &Message)> {
+pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
     let groups = by_advice(findings, is).into_iter().filter(|group| !group[0].advice.is_empty());
-    let labels = |group: &[&Finding]| Message::joined(group.iter().map(|finding| finding.label.into()), ", ");
-    groups.map(|group| (labels(&group), &group[0].advice)).collect()
+    let labels = |group: &[&Finding]| joined(group.iter().map(|finding| finding.label.into()), ", ");
+    groups.map(|group| (labels(&group), group[0].advice.as_str())).collect()
 }

@@ -4,10 +4,10 @@ use super::nearest::Nearest;
 use super::{Finding, Light, run::Run, thinning};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{CROOKED, Judged};
-use crate::message::{Amount, Message, message};
 use crate::rules::design::THIN;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
@@ -44,14 +44,14 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     // What speaks against the bend itself is said by its radius.
     let faces = (bend * THIN > 1.0).then(|| {
         let strain = Amount::strain((1.0 + 0.5 * bend).ln());
-        message!("of the mid-surface: bends strain the faces by up to {strain}", strain = strain)
+        format!("of the mid-surface: bends strain the faces by up to {strain}")
     });
     let reached = assessment.reached.map(|reached| {
         let when = match stage.model.travel > 0.0 {
-            true => message!("{travel} of travel", travel = Amount::place(reached.travel)),
+            true => format!("{travel} of travel", travel = Amount::place(reached.travel)),
             false => Amount::time(reached.time).into(),
         };
-        message!("first reached at {when}, s0 = {s0}", when = when, s0 = Amount::place(reached.s0))
+        format!("first reached at {when}, s0 = {s0}", s0 = Amount::place(reached.s0))
     });
     if let (Some(open), None) = (open, assessment.reached) {
         return Some(unjudged(name, open, light));
@@ -59,22 +59,12 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let (used, s0) = (Amount::share(worst.ratio()), Amount::place(worst.s0));
     let margin = Amount::strain(worst.margin().abs());
     let used = match worst.margin() < 0.0 {
-        true => message!(
-            "uses {used} of the limit at s0 = {s0}, {margin} of major true strain beyond it",
-            used = used,
-            s0 = s0,
-            margin = margin
-        ),
-        false => message!(
-            "uses {used} of the limit at s0 = {s0}, {margin} of major true strain left",
-            used = used,
-            s0 = s0,
-            margin = margin
-        ),
+        true => format!("uses {used} of the limit at s0 = {s0}, {margin} of major true strain beyond it"),
+        false => format!("uses {used} of the limit at s0 = {s0}, {margin} of major true strain left"),
     };
-    let found = Message::joined([Some(used), reached, faces].into_iter().flatten(), "; ");
+    let found = joined([Some(used), reached, faces].into_iter().flatten(), "; ");
     let limit =
-        message!("{curve}: not reached, below {share} of it", curve = *name, share = Amount::given_share(CAREFUL));
+        format!("{curve}: not reached, below {share} of it", curve = *name, share = Amount::given_share(CAREFUL));
     Some(
         Finding::judged("forming_limit", "Forming limit", light, found)
             .against(100.0 * worst.ratio(), Unit::Percent, limit)
@@ -88,26 +78,20 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
 /// lets off is let off.
 fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
     let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::strain);
-    let found = message!(
+    let found = format!(
         "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, and its end, {level}, is below the major \
          strain of {major}",
-        s0 = Amount::place(open.s0),
-        minor = minor,
-        level = level,
-        major = major
+        s0 = Amount::place(open.s0)
     );
     Finding::judged("forming_limit", "Forming limit", light, found)
-        .limit(message!("{curve}, which ends in plane strain", curve = name))
+        .limit(format!("{name}, which ends in plane strain"))
         .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
-        .advice(Message::joined(
-            [other_condition(), "or give measured points of the coil in [forming_limit]".into()],
-            ", ",
-        ))
+        .advice(joined([other_condition(), "or give measured points of the coil in [forming_limit]".into()], ", "))
 }
 
 /// What to write where Hill's condition says too little.
-pub(super) fn other_condition() -> Message {
-    message!("write {line} in [material] (bcc for steel)", line = YieldCondition::FCC.to_owned())
+pub(super) fn other_condition() -> String {
+    format!("write {line} in [material] (bcc for steel)", line = YieldCondition::FCC)
 }
 
 fn missing() -> Finding {
@@ -123,14 +107,13 @@ pub(super) fn path(run: &Run) -> Option<Finding> {
     let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
     let found = match crooked {
         0 => "all straight".into(),
-        n => message!(
+        n => format!(
             "{n} of {all} elements not straight, they use up to {used} of the limit",
-            n = n,
             all = assessment.elements.len(),
             used = Amount::share(used)
         ),
     };
-    let limit = message!(
+    let limit = format!(
         "within {crooked} of a straight line, or below {bent} of the limit",
         crooked = Amount::given_share(CROOKED),
         bent = Amount::given_share(BENT)

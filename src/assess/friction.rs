@@ -1,9 +1,9 @@
 //! Whether the friction is known or guessed.
 
 use super::{Finding, Light, run::Run};
-use crate::message::{Amount, message};
 use crate::model::{Model, Tool};
 use crate::table::Unit;
+use crate::units::Amount;
 use std::ops::RangeInclusive;
 
 /// Coefficients of sheet on tools \[–\]: from the best of lubricants to dry steel on steel; beyond, a slip of the decimal
@@ -15,14 +15,13 @@ pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), USUAL.end());
     (friction > *dry && !tool.friction.needs_shear_yield()).then(|| {
         let limit = Amount::number(*dry);
-        let found = message!(
-            "the {tool}'s friction of {friction} is above that of dry steel, {dry}",
+        let found = format!(
+            "the {tool}'s friction of {friction} is above that of dry steel, {limit}",
             tool = tool.role.name(),
-            friction = Amount::number(friction),
-            dry = limit
+            friction = Amount::number(friction)
         );
         Finding::warning("dry_friction", "Friction", found)
-            .against(friction, Unit::None, message!("{limit} at most", limit = limit))
+            .against(friction, Unit::None, format!("{limit} at most"))
             .at_most(*dry, None)
     })
 }
@@ -34,11 +33,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let usual = coefficients().all(|mu| USUAL.contains(&mu));
     let largest = Amount::number(most);
     let (light, found) = match &run.case.sources.friction {
-        _ if !usual => (Light::Amber, message!("{most} at most, outside what sheet on tools has", most = largest)),
-        Some(source) => (Light::Green, message!("{most} at most: {source}", most = largest, source = source.clone())),
-        None => (Light::Amber, message!("{most} at most, no source is given", most = largest)),
+        _ if !usual => (Light::Amber, format!("{largest} at most, outside what sheet on tools has")),
+        Some(source) => (Light::Green, format!("{largest} at most: {source}")),
+        None => (Light::Amber, format!("{largest} at most, no source is given")),
     };
-    let limit = message!(
+    let limit = format!(
         "a measured or cited number, {low} to {high}",
         low = Amount::number(*USUAL.start()),
         high = Amount::number(*USUAL.end())

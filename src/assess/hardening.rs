@@ -2,10 +2,10 @@
 
 use super::run::{Run, largest};
 use super::{Finding, Light};
-use crate::message::{Amount, message};
 use crate::model::Model;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::Amount;
 use crate::units::ZERO_CELSIUS;
 
 /// Strain at which a table should not have ended \[–\]: draws strain the sheet by as much.
@@ -18,11 +18,11 @@ const OWN: &str = "the case's material";
 /// A table that ends at a small strain.
 pub(super) fn short(model: &Model) -> Option<Finding> {
     let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
-    let found = message!(
+    let found = format!(
         "the hardening table ends at a strain of {strain}; beyond it the law is extrapolated",
         strain = Amount::number(strain)
     );
-    let limit = message!("{limit} at least", limit = Amount::number(FAR));
+    let limit = format!("{limit} at least", limit = Amount::number(FAR));
     let warning = Finding::warning("short_table", "Hardening law", found);
     Some(warning.against(strain, Unit::None, limit).at_least(FAR, None))
 }
@@ -43,8 +43,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Some(end) => (
             Light::within(strain, end),
             match material.fitted_up_to {
-                Some(_) => message!("it is fitted up to {end}", end = Amount::number(end)),
-                None => message!("its table ends at {end}", end = Amount::number(end)),
+                Some(_) => format!("it is fitted up to {end}", end = Amount::number(end)),
+                None => format!("its table ends at {end}", end = Amount::number(end)),
             },
             "points at larger strains, from a bulge test; else the stress is extrapolated",
         ),
@@ -54,7 +54,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             "write the range of the fit as [material] fitted_up_to; the law's source has it",
         ),
     };
-    let found = message!("used up to a true strain of {strain}", strain = Amount::strain(strain));
+    let found = format!("used up to a true strain of {strain}", strain = Amount::strain(strain));
     let judged = Finding::judged("hardening_range", "Hardening law", light, found).against(strain, Unit::None, limit);
     let judged = if range.is_some() { judged.at_most(range, None) } else { judged };
     Some(judged.source(OWN).advice(advice))
@@ -68,16 +68,10 @@ pub(super) fn beyond(stage: &StageSolution) -> Option<Finding> {
     let end = material.measured_up_to().filter(|end| strain > *end)?;
     let [to, reached] = [Amount::number(end), Amount::strain(strain)];
     let found = match material.fitted_up_to {
-        Some(_) => message!(
-            "the hardening law is fitted up to a strain of {end}; the run reaches {strain} on its extrapolation",
-            end = to,
-            strain = reached
+        Some(_) => format!(
+            "the hardening law is fitted up to a strain of {to}; the run reaches {reached} on its extrapolation"
         ),
-        None => message!(
-            "the hardening table ends at a strain of {end}; the run reaches {strain} on its extrapolation",
-            end = to,
-            strain = reached
-        ),
+        None => format!("the hardening table ends at a strain of {to}; the run reaches {reached} on its extrapolation"),
     };
     Some(
         Finding::warning("extrapolated", "Hardening law", found)
@@ -96,15 +90,9 @@ pub(super) fn other_temperatures(stage: &StageSolution) -> Option<Finding> {
     (coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH).then(|| {
         let [cold, hot, coldest, hottest] = [cold, hot, coldest, hottest].map(|kelvin| kelvin - ZERO_CELSIUS);
         let [low, high] = [cold, hot].map(Amount::temperature);
-        let found = message!(
-            "hardening is given from {low} to {high}; the sheet has {coldest} to {hottest}, and the outermost curves are held \
-             beyond",
-            low = low,
-            high = high,
-            coldest = Amount::temperature(coldest),
-            hottest = Amount::temperature(hottest)
-        );
-        let limit = message!("{low} to {high}", low = low, high = high);
+        let found = format!("hardening is given from {low} to {high}; the sheet has {coldest} to {hottest}, and the outermost curves are held \
+             beyond", coldest = Amount::temperature(coldest), hottest = Amount::temperature(hottest));
+        let limit = format!("{low} to {high}");
         let warning = Finding::warning("temperature_range", "Hardening law", found);
         let warning = match hottest > hot {
             true => warning.against(hottest, Unit::Celsius, limit).at_most(hot, None),

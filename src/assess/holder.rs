@@ -3,11 +3,11 @@
 use super::run::Run;
 use super::{Finding, Light, closing, strength};
 use crate::measure::rests_on_blocks;
-use crate::message::{Amount, Message, message};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 
 /// Lift over the thickness that is worth a word, and at which the holder has left the flange to itself \[–\].
 const LIFTED: f64 = 0.3;
@@ -34,7 +34,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
     let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
-    let found = message!(
+    let found = format!(
         "the holder presses with {pressure}, more than the sheet's tensile strength of {strength}",
         pressure = Amount::stress(pressure),
         strength = Amount::stress(strength)
@@ -67,7 +67,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let model = &first.model;
     let lift = holder_lift(first)? / model.blank.thickness;
     if let Some(gap) = closing::open(first) {
-        let found = message!("not judged: it stands open by {gap} on its bead", gap = Amount::thickness(gap));
+        let found = format!("not judged: it stands open by {gap} on its bead", gap = Amount::thickness(gap));
         let judged = Finding::judged("holder", "Holder", Light::Grey, found);
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
@@ -78,17 +78,17 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Light::Green => "more holder force; a larger die shoulder raises the flange less",
         _ => "less holder force: the flange is squeezed thinner",
     };
-    let found = message!(
+    let found = format!(
         "{lifted}; presses with {pressure} at first",
         lifted = lifted_by(lift * model.blank.thickness),
         pressure = Amount::stress(pressure)
     );
     let rim = (last.rim_share > RIM_SHARE).then(|| {
         let (share, rim) = (Amount::share(last.rim_share), Amount::size(StepRecord::RIM * model.blank.thickness));
-        message!("in the end {share} of its force on the outer {rim}", share = share, rim = rim)
+        format!("in the end {share} of its force on the outer {rim}")
     });
-    let found = Message::joined([found, rim.unwrap_or_default()], "; ");
-    let limit = message!(
+    let found = joined([found, rim.unwrap_or_default()], "; ");
+    let limit = format!(
         "lifted by {lifted}, red above {off}; {pressure}",
         lifted = Amount::thickness(LIFTED * model.blank.thickness),
         off = Amount::thickness(OFF * model.blank.thickness),
@@ -103,8 +103,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 }
 
 /// A lift \[mm\].
-fn lifted_by(lift: f64) -> Message {
-    message!("lifted by {lift} at most", lift = Amount::thickness(lift))
+fn lifted_by(lift: f64) -> String {
+    format!("lifted by {lift} at most", lift = Amount::thickness(lift))
 }
 
 /// A holder that is lifted far while there is a flange to be held.
@@ -113,7 +113,7 @@ pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     (lift > LIFTED).then(|| {
         let thickness = stage.model.blank.thickness;
         let lifted = lifted_by(lift * thickness);
-        let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted);
+        let found = format!("the holder is {lifted}: the flange thickens or rises under it");
         Finding::warning("holder_lift", "Holder", found)
             .against(lift * thickness, Unit::Mm, Amount::thickness(LIFTED * thickness))
             .at_most(LIFTED * thickness, None)
@@ -123,13 +123,13 @@ pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
 /// A holder that rests on its distance blocks presses no sheet there, however hard it is pressed.
 pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     let [from, to] = resting(stage.model.travel, &stage.steps)?;
-    let found = message!(
+    let found = format!(
         "the holder rests on its distance blocks from {from} to {to} of travel, not on the sheet: it does not hold it there, \
          whatever its force",
         from = Amount::place(from),
         to = Amount::place(to)
     );
-    let limit = message!("{share} of the travel", share = Amount::given_share(RESTS));
+    let limit = format!("{share} of the travel", share = Amount::given_share(RESTS));
     let warning = Finding::warning("holder_rests", "Distance blocks", found).against(to - from, Unit::Mm, limit);
     Some(warning.at_most(RESTS * stage.model.travel, None))
 }
@@ -151,9 +151,8 @@ fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
-    let found = message!(
+    let found = format!(
         "the sheet left the {tool} at {travel} of travel; the {tool} stands still from there on",
-        tool = tool,
         travel = Amount::place(travel)
     );
     let warning = Finding::warning("holder_lost", "Holder", found).against(travel, Unit::Mm, "the whole travel");

@@ -2,9 +2,9 @@
 
 use super::run::Run;
 use super::{Finding, Light};
-use crate::message::{Amount, message};
 use crate::rules::design::IRONING_LIMIT;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
 const IRONED: f64 = 0.01;
@@ -15,7 +15,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let light = Light::of(most.ironing, [IRONED, IRONING_LIMIT]);
     let found = match run.steps().find(|step| step.ironing > IRONED) {
         None => "no wall is ironed between two tools".into(),
-        Some(first) => message!(
+        Some(first) => format!(
             "wall ironed by {share} between two tools at s0 = {s0}, from {travel} of travel, with up to {pressure}",
             share = Amount::share(most.ironing),
             s0 = Amount::place(most.ironing_s0),
@@ -28,7 +28,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             .against(
                 100.0 * most.ironing,
                 Unit::Percent,
-                message!("{share} in one pass", share = Amount::given_share(IRONING_LIMIT)),
+                format!("{share} in one pass", share = Amount::given_share(IRONING_LIMIT)),
             )
             .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
             .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")

@@ -5,11 +5,11 @@ use super::place::{place, thinnest};
 use super::press::{Load, RESERVE};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Geometry, Model, Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use crate::units::rounded;
+use crate::units::{Amount, Digits, joined};
 use serde::{Serialize, Serializer};
 
 /// One of the numbers that a part is known by.
@@ -22,13 +22,13 @@ pub struct KeyNumber {
     /// The number.
     pub amount: Amount,
     /// Where, when, and against what.
-    pub about: Message,
+    pub about: String,
     /// How far it can be trusted; a number with a bar has it in `amount` too.
     pub bar: ErrorBar,
 }
 
 impl KeyNumber {
-    fn new(key: &'static str, label: &'static str, amount: Amount, about: Message) -> Self {
+    fn new(key: &'static str, label: &'static str, amount: Amount, about: String) -> Self {
         Self { key, label, amount, about, bar: ErrorBar::Unasked }
     }
 
@@ -48,7 +48,7 @@ impl Serialize for KeyNumber {
             #[serde(flatten)]
             bar: &'a ErrorBar,
             unit: &'a str,
-            about: &'a Message,
+            about: &'a String,
         }
         let Self { key, amount, about, bar, .. } = self;
         Fields { key, value: rounded(amount.value), bar, unit: amount.unit.spelled(), about }.serialize(serializer)
@@ -75,10 +75,10 @@ fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber>
     let stage = stages.last()?;
     let (thickness, s0) = thinnest(stage)?;
     let thinning = 1.0 - thickness / stage.model.blank.thickness;
-    let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
+    let about = format!("{thinning} thinner", thinning = Amount::share(thinning));
     // What comes after it is another sheet.
-    let after = if is_torn { "after the tear".into() } else { Message::default() };
-    let about = Message::joined([about, place(stages, s0), after], ", ");
+    let after = if is_torn { "after the tear".into() } else { String::new() };
+    let about = joined([about, place(stages, s0), after], ", ");
     Some(KeyNumber::new("thinnest", "Thinnest", Amount::thickness(thickness), about))
 }
 
@@ -101,30 +101,30 @@ pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
 /// The largest force over all stages, or the largest gas pressure where no punch moves.
 fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
     let several = formed(stages).count() > 1;
-    let stage = |i: usize| if several { message!("in stage {n}", n = i + 1) } else { Message::default() };
+    let stage = |i: usize| if several { format!("in stage {n}", n = i + 1) } else { String::new() };
     let Some((i, peak)) = largest_force(stages) else {
         let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
-        let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
-        let about = Message::joined([stage(i), at], ", ");
+        let at = format!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
+        let about = joined([stage(i), at], ", ");
         return Some(KeyNumber::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()), about));
     };
     let unit = stages[i].model.extent().force_unit();
-    let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
-    let at = Message::joined([stage(i), at], ", ");
+    let at = format!("at {travel} of travel", travel = Amount::place(peak.travel));
+    let at = joined([stage(i), at], ", ");
     let pressed = Load::largest(stages)?;
     let (press, reserve) = match case.press.force {
         Some(rating) => {
             let (share, rating) = (Amount::share(pressed.force() / rating), Amount::force(rating, unit));
-            (message!("{share} of the press's {rating}", share = share, rating = rating), Message::default())
+            (format!("{share} of the press's {rating}"), String::new())
         }
         None => {
-            let reserve = message!("({times} times the load)", times = Amount::number(RESERVE));
-            (message!("a press of at least {rating}", rating = pressed.rating()), reserve)
+            let reserve = format!("({times} times the load)", times = Amount::number(RESERVE));
+            (format!("a press of at least {rating}", rating = pressed.rating()), reserve)
         }
     };
-    let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { Message::default() };
-    let press = Message::joined([press, with_holder, reserve], " ");
-    let about = Message::joined([at, press], "; ");
+    let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { String::new() };
+    let press = joined([press, with_holder, reserve], " ");
+    let about = joined([at, press], "; ");
     Some(KeyNumber::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit), about))
 }
 
@@ -133,7 +133,7 @@ fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
     let stage = stages.first()?;
     let holder = stage.model.tool(Role::Holder)?;
     if let Motion::Gap(gap) = holder.motion {
-        let about = message!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
+        let about = format!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
         return Some(KeyNumber::new("holder_gap", "Holder gap", Amount::size(gap), about));
     }
     let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
@@ -144,8 +144,8 @@ fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
 fn blank(model: &Model) -> KeyNumber {
     let t = Amount::size(model.blank.thickness);
     let about = match model.geometry {
-        Geometry::Axisymmetric => message!("in diameter, {t} thick", t = t),
-        Geometry::PlaneStrain => message!("wide, {t} thick", t = t),
+        Geometry::Axisymmetric => format!("in diameter, {t} thick"),
+        Geometry::PlaneStrain => format!("wide, {t} thick"),
     };
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
     KeyNumber::new("blank", "Blank", amount, about)
@@ -158,7 +158,7 @@ fn opening_angle(stages: &[StageSolution]) -> Option<KeyNumber> {
     let changes = changes(&Shape::of(before), &Shape::of(after));
     let angle = changes.iter().find(|change| change.quantity.key == OPENING_ANGLE.key)?;
     let about = match angle.before {
-        Some(before) => message!("sprung back, {angle} under load", angle = Amount::angle(before)),
+        Some(before) => format!("sprung back, {angle} under load", angle = Amount::angle(before)),
         None => "sprung back".into(),
     };
     Some(KeyNumber::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?), about))
@@ -176,7 +176,7 @@ fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
 
 fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
     let ring = case.springback.ring?;
-    let about = message!(
+    let about = format!(
         "when slit; a ring {height} high, cut {from} over the bottom",
         height = Amount::size(ring.height),
         from = Amount::size(ring.from)

@@ -1,9 +1,9 @@
 //! Tools whose line ends where the sheet still bends over them.
 
 use super::Finding;
-use crate::message::{Amount, message};
 use crate::model::{Model, Role, Tool};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Cosine of a lean to the axis that is none, to 2°: the sheet runs on along an upright wall where its line ends.
 const UPRIGHT: f64 = 0.9994;
@@ -23,7 +23,7 @@ pub(super) fn passed(model: &Model, tool: &Tool) -> Option<Finding> {
     if at.x >= model.blank.length || depth >= model.travel || away.y.abs() >= UPRIGHT {
         return None;
     }
-    let found = message!(
+    let found = format!(
         "the {tool}'s line ends at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's middle), {depth} of the {travel} of \
          travel behind its face: the sheet passes the end and bends over it as over a sharp edge",
         tool = tool.role.name(),
@@ -38,10 +38,6 @@ pub(super) fn passed(model: &Model, tool: &Tool) -> Option<Finding> {
             .against(depth, Unit::Mm, Amount::size(model.travel))
             .at_least(model.travel, None)
             .source("a tool acts only where it is drawn")
-            .advice(message!(
-                "draw {whole} on to an upright wall, or as far as z = {to}",
-                whole = whole,
-                to = Amount::size(to)
-            )),
+            .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}", to = Amount::size(to))),
     )
 }

@@ -58,7 +58,6 @@ pub use key_number::{KeyNumber, largest_force};
 pub use size::size_doubts;
 
 use crate::case::Case;
-use crate::message::Message;
 use crate::model::{Model, Tool};
 use crate::solver::solution::StageSolution;
 use nearest::Nearest;
@@ -192,7 +191,7 @@ pub fn told(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
 }
 
 /// What a user should know before trusting a solved stage, as sentences.
-pub fn warnings(stage: &StageSolution) -> Vec<Message> {
+pub fn warnings(stage: &StageSolution) -> Vec<String> {
     sentences(&of_stage(0, stage), Kind::Warning)
 }
 

@@ -1,10 +1,10 @@
 //! Whether one place of the sheet takes all the stretching.
 
 use super::{Finding, Light, run::Run, thinning};
-use crate::message::{Amount, message};
 use crate::solver::solution::neck::{Neck, neck};
 use crate::solver::solution::{StageSolution, Stop};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].
 const TORN: f64 = 0.5;
@@ -17,7 +17,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let thinnest = last.steps.last()?.thinnest_s0;
     let seen = match &last.stop {
         stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }) => {
-            Some(message!("the run ended by it: {kind}", kind = stop.kind()))
+            Some(format!("the run ended by it: {kind}", kind = stop.kind()))
         }
         _ => seen(last).map(|finding| finding.found),
     };
@@ -39,14 +39,12 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
     let neck = torn(stage)?;
     let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
     let found = if neck.stands_out {
-        message!(
+        format!(
             "all thinning has gathered at s0 = {s0}, down to {left} of the thickness: the sheet tears there, and what is \
-             computed after that depends on the mesh",
-            s0 = s0,
-            left = left
+             computed after that depends on the mesh"
         )
     } else {
-        message!("the sheet is down to {left} of its thickness at s0 = {s0}: it has torn before", left = left, s0 = s0)
+        format!("the sheet is down to {left} of its thickness at s0 = {s0}: it has torn before")
     };
     Some(Finding::warning("neck", "Neck", found).against(left.value, Unit::Percent, LIMIT).source(SOURCE))
 }

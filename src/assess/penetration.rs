@@ -3,9 +3,9 @@
 use super::finding::ACCURACY;
 use super::run::{Run, largest};
 use super::{Finding, Light};
-use crate::message::{Amount, message};
 use crate::model::{ContactMethod, Settings};
 use crate::solver::solution::StageSolution;
+use crate::units::Amount;
 
 /// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST: f64 = 0.05;
@@ -14,7 +14,7 @@ const LARGEST: f64 = 0.05;
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let deepest = run.largest(|step| step.penetration)?;
     let found =
-        message!("tools sink into the sheet by {share} of its thickness at most", share = Amount::share(deepest));
+        format!("tools sink into the sheet by {share} of its thickness at most", share = Amount::share(deepest));
     Some(
         Finding::judged("penetration", "Penetration", Light::within(deepest, LARGEST), found)
             .share(deepest, LARGEST)
@@ -27,7 +27,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 pub(super) fn deep(stage: &StageSolution) -> Option<Finding> {
     let deepest = largest(stage, |step| step.penetration);
     (deepest > LARGEST).then(|| {
-        let found = message!("a tool sinks into the sheet by {share} of its thickness", share = Amount::share(deepest));
+        let found = format!("a tool sinks into the sheet by {share} of its thickness", share = Amount::share(deepest));
         Finding::warning("deep_penetration", "Penetration", found)
             .share(deepest, LARGEST)
             .source(ACCURACY)
@@ -40,7 +40,7 @@ pub(super) fn left(stage: &StageSolution) -> Option<Finding> {
     let deepest = largest(stage, |step| step.penetration);
     let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
     (augmented && deepest > 1.01 * Settings::PENETRATION).then(|| {
-        let found = message!(
+        let found = format!(
             "contact by the augmented Lagrangian let a tool sink into the sheet by {share} of its thickness",
             share = Amount::share(deepest)
         );

@@ -3,8 +3,8 @@
 use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
-use crate::message::{Amount, message};
 use crate::solver::solution::StageSolution;
+use crate::units::Amount;
 
 /// Share of the external work that may be missing \[–\].
 const LARGEST: f64 = 0.01;
@@ -16,7 +16,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
     let missing = run.stages.iter().filter_map(|stage| stage.steps.last()).map(|step| step.work.missing().abs());
     let missing = if largest > 0.0 { missing.fold(0.0, f64::max) / largest } else { 0.0 };
-    let found = message!("{share} of the tools' work is missing in the balance", share = Amount::share(missing));
+    let found = format!("{share} of the tools' work is missing in the balance", share = Amount::share(missing));
     Some(
         Finding::judged("power_balance", "Work balance", Light::within(missing, LARGEST), found)
             .share(missing, LARGEST)
@@ -30,7 +30,7 @@ pub(super) fn missed(stage: &StageSolution) -> Option<Finding> {
     let missing = stage.steps.last()?.work.imbalance();
     (formed(stage) && missing.abs() > LARGEST).then(|| {
         let found =
-            message!("{share} of the tools' work is missing in the balance", share = Amount::share(missing.abs()));
+            format!("{share} of the tools' work is missing in the balance", share = Amount::share(missing.abs()));
         Finding::warning("power_missing", "Work balance", found)
             .share(missing.abs(), LARGEST)
             .source(ACCURACY)

@@ -2,10 +2,10 @@
 
 use super::run::{Run, at_event};
 use super::{Finding, Light};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
+use crate::units::{Amount, Digits, joined};
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
@@ -60,19 +60,18 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         run.case.press.force,
         |force| match unit {
             Unit::N => Amount::force(force, unit).into(),
-            _ => message!("{force} of depth", force = Amount::force(force, unit)),
+            _ => format!("{force} of depth", force = Amount::force(force, unit)),
         },
         |force| {
-            let found =
-                message!("{force} at {travel} of travel", force = force, travel = Amount::place(load.step.travel));
-            let found = Message::joined([found, at_event(load.on, load.step)], " ");
-            let parts = message!(
+            let found = format!("{force} at {travel} of travel", travel = Amount::place(load.step.travel));
+            let found = joined([found, at_event(load.on, load.step)], " ");
+            let parts = format!(
                 "punch {punch}, holder {holder}",
                 punch = Amount::force(load.step.punch_force, unit),
                 holder = Amount::force(load.holder(), unit)
             );
-            let parts = if load.holder() > 0.0 { parts } else { Message::default() };
-            run.of_stage(Message::joined([found, parts], ": "), load.stage)
+            let parts = if load.holder() > 0.0 { parts } else { String::new() };
+            run.of_stage(joined([found, parts], ": "), load.stage)
         },
     ))
 }
@@ -85,7 +84,7 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let told = |work: f64| match unit {
         Unit::Joule => Amount::energy(work, unit).into(),
-        _ => message!("{work} of depth", work = Amount::energy(work, unit)),
+        _ => format!("{work} of depth", work = Amount::energy(work, unit)),
     };
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
     Some(rated("energy", "Energy", (work, unit), rating, told, |work| run.of_stage(work, i)))
@@ -97,8 +96,8 @@ fn rated(
     label: &'static str,
     (value, unit): (f64, Unit),
     rating: Option<f64>,
-    told: impl Fn(f64) -> Message,
-    found: impl Fn(Message) -> Message,
+    told: impl Fn(f64) -> String,
+    found: impl Fn(String) -> String,
 ) -> Finding {
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [NEAR * rating, rating]));
     let advice = match rating {

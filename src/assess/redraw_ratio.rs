@@ -1,12 +1,12 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
 use super::{Finding, Light, run::Run};
-use crate::message::{Amount, message};
 use crate::model::tool_sizes::extent;
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// The largest ratio of a stage's punch to the next one's.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
@@ -18,8 +18,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, ratio) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
     // The template's own radii are rounded.
     let light = Light::within(ratio, REDRAW_RATIO + 1e-3);
-    let found = message!("{ratio} from punch to punch", ratio = Amount::ratio(ratio));
-    let limit = message!("{ratio}, of DC04 in a second draw without annealing", ratio = Amount::number(REDRAW_RATIO));
+    let found = format!("{ratio} from punch to punch", ratio = Amount::ratio(ratio));
+    let limit = format!("{ratio}, of DC04 in a second draw without annealing", ratio = Amount::number(REDRAW_RATIO));
     Some(
         Finding::judged("redraw_ratio", "Redraw ratio", light, run.of_stage(found, i))
             .against(ratio, Unit::None, limit)

@@ -3,8 +3,8 @@
 use super::nearest::Nearest;
 use crate::case::Case;
 use crate::measure::events;
-use crate::message::{Message, message};
 use crate::solver::solution::{StageSolution, StepRecord};
+use crate::units::joined;
 
 /// A case with its solved stages.
 pub(super) struct Run<'a> {
@@ -18,9 +18,9 @@ pub(super) struct Run<'a> {
 
 impl Run<'_> {
     /// What was found in a stage, counted from 0; with its number where there are several.
-    pub fn of_stage(&self, found: Message, i: usize) -> Message {
-        let stage = if self.stages.len() > 1 { message!("stage {n}", n = i + 1) } else { Message::default() };
-        Message::joined([found, stage], ", ")
+    pub fn of_stage(&self, found: String, i: usize) -> String {
+        let stage = if self.stages.len() > 1 { format!("stage {n}", n = i + 1) } else { String::new() };
+        joined([found, stage], ", ")
     }
 
     /// Every step of every stage.
@@ -35,11 +35,11 @@ impl Run<'_> {
 }
 
 /// Where a peak of the load lies on an event of its stage, to a step, what happens there: `(rim meets the die)`.
-pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> Message {
+pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let events = events(stage);
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
     let here = events.iter().find(|event| event.travel > begins && event.travel <= peak.travel);
-    here.map_or_else(Message::default, |event| message!("({event})", event = event.kind.label()))
+    here.map_or_else(String::new, |event| format!("({event})", event = event.kind.label()))
 }
 
 /// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].

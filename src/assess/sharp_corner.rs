@@ -2,10 +2,10 @@
 
 use super::Finding;
 use crate::geometry::{CORNER, Point};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::tool_sizes::extent;
 use crate::model::{Model, Role, Tool};
 use crate::table::Unit;
+use crate::units::{Amount, Digits};
 
 /// A tool with a sharp corner in the sheet's reach.
 pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
@@ -13,18 +13,17 @@ pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
         tool.profile.vertices().filter(|v| v.turn.abs() > CORNER && meets(model, tool, v.point)).collect();
     let first = sharp.first()?;
     let others = match sharp.len() {
-        1 => Message::default(),
-        n => message!(" and at {n} more", n = n - 1),
+        1 => String::new(),
+        n => format!(" and at {n} more", n = n - 1),
     };
     let turn = first.turn.abs().to_degrees();
-    let found = message!(
+    let found = format!(
         "the {tool}'s profile has a sharp corner, radius 0, of {turn} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
          middle){others}: no sheet can follow it",
         tool = tool.role.name(),
         turn = Amount::angle(turn).to(Digits::Given(1)),
         r = Amount::size(first.point.x),
-        z = Amount::size(first.point.y),
-        others = others
+        z = Amount::size(first.point.y)
     );
     Some(
         Finding::warning("sharp_corner", "Sharp corner", found)

@@ -2,12 +2,11 @@
 
 use super::{Finding, Kind, sentences};
 use crate::case::Case;
-use crate::message::Message;
 use crate::model::Model;
 use crate::rules::size::{self, Doubt};
 
 /// What is doubted of a case's sizes, as sentences: where one is wrong, nothing else is worth reading.
-pub fn size_doubts(case: &Case) -> Vec<Message> {
+pub fn size_doubts(case: &Case) -> Vec<String> {
     let doubts = [width, thickness, slender, blank_diameter, throat_diameter].map(|ask| ask(case.model()));
     sentences(&doubts.into_iter().flatten().collect::<Vec<_>>(), Kind::Warning)
 }

@@ -4,9 +4,9 @@ use super::{Finding, Light, run::Run, wall_load};
 use crate::case::Springback;
 use crate::geometry::{Piece, Profile};
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, ShapeMeasure, WALL_ANGLE, changes};
-use crate::message::{Message, message};
 use crate::model::{Geometry, Mode, Model, Role};
 use crate::table::Unit;
+use crate::units::joined;
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
 /// a fifth and more \[–\].
@@ -60,16 +60,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             "springback",
             "Spring-back",
             Light::of(worst.used(), [NEAR, 1.0]),
-            Message::joined(judged.iter().map(Judged::found), "; "),
+            joined(judged.iter().map(Judged::found), "; "),
         )
-        .against(
-            worst.missed.abs(),
-            worst.change.quantity.unit,
-            Message::joined(judged.iter().map(Judged::limit), "; "),
-        )
+        .against(worst.missed.abs(), worst.change.quantity.unit, joined(judged.iter().map(Judged::limit), "; "))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(Message::joined([less, compensated(over)], "; ")),
+        .advice(joined([less, compensated(over)], "; ")),
     )
 }
 
@@ -80,17 +76,17 @@ fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Opti
         return Some(grey("no angle was found to measure", advice));
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-    let said = Message::joined(angles.map(|change| change.quantity.named(change.told())), ", ");
+    let said = joined(angles.map(|change| change.quantity.named(change.told())), ", ");
     let over = changes.iter().filter_map(|change| {
         // The wall's is half of the opening angle's.
         let is_told = change.quantity.key != WALL_ANGLE.key;
         overbend(change, of_punch(change.quantity, punch).or(change.before)?).filter(|_| is_told)
     });
-    let advice = Message::joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
+    let advice = joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
     (!said.is_empty()).then(|| grey(said, advice))
 }
 
-fn grey(found: impl Into<Message>, advice: impl Into<Message>) -> Finding {
+fn grey(found: impl Into<String>, advice: impl Into<String>) -> Finding {
     Finding::judged("springback", "Spring-back", Light::Grey, found)
         .limit("the part's tolerance, not in the case")
         .advice(advice)
@@ -150,41 +146,41 @@ impl Judged {
     }
 
     /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
-    fn found(&self) -> Message {
+    fn found(&self) -> String {
         let quantity = self.change.quantity;
         let by = quantity.signed(self.missed);
-        let missed = quantity.named(message!("{change}, off by {by}", change = self.change.told(), by = by));
-        Message::joined([missed, self.each_wall()], ", ")
+        let missed = quantity.named(format!("{change}, off by {by}", change = self.change.told()));
+        joined([missed, self.each_wall()], ", ")
     }
 
     /// What one wall does; nothing of what is no angle of a wall.
-    fn each_wall(&self) -> Message {
+    fn each_wall(&self) -> String {
         let share = match self.change.quantity.key {
             key if key == OPENING_ANGLE.key => 0.5,
             key if key == WALL_ANGLE.key => 1.0,
-            _ => return Message::default(),
+            _ => return String::new(),
         };
-        let Some(change) = self.change.change() else { return Message::default() };
+        let Some(change) = self.change.change() else { return String::new() };
         let by = self.change.quantity.told(share * change.abs());
         match change < 0.0 {
-            true => message!("each wall closes by {by}", by = by),
-            false => message!("each wall opens by {by}", by = by),
+            true => format!("each wall closes by {by}"),
+            false => format!("each wall opens by {by}"),
         }
     }
 
     /// `0.0° ± 1.0° of the punch's wall`.
-    fn limit(&self) -> Message {
+    fn limit(&self) -> String {
         let quantity = self.change.quantity;
         let (wanted, tolerance) = (quantity.told(self.wanted), quantity.told(self.tolerance));
-        let limit = message!("{wanted} ± {tolerance}", wanted = wanted, tolerance = tolerance);
-        if self.of_punch { message!("{limit} of the punch's wall", limit = limit) } else { limit }
+        let limit = format!("{wanted} ± {tolerance}");
+        if self.of_punch { format!("{limit} of the punch's wall") } else { limit }
     }
 }
 
 /// How the tools give the wanted angle.
 enum Overbend {
     /// By the angle under the tools that leaves the wanted one.
-    By(Message),
+    By(String),
     /// The wall would have to lie under the punch.
     Undercut,
 }
@@ -201,13 +197,13 @@ fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
         return Some(Overbend::Undercut);
     }
     let (angle, by) = (quantity.told(angle), quantity.told(back.abs()));
-    Some(Overbend::By(quantity.named(message!("{angle}, over-bent by {by}", angle = angle, by = by))))
+    Some(Overbend::By(quantity.named(format!("{angle}, over-bent by {by}"))))
 }
 
 /// Nothing where there is no angle.
-fn compensated(over: impl Iterator<Item = Overbend>) -> Message {
+fn compensated(over: impl Iterator<Item = Overbend>) -> String {
     let mut angles = Vec::new();
-    let mut undercut = Message::default();
+    let mut undercut = String::new();
     for over in over {
         match over {
             Overbend::By(angle) => angles.push(angle),
@@ -219,14 +215,13 @@ fn compensated(over: impl Iterator<Item = Overbend>) -> Message {
             }
         }
     }
-    let over = Message::joined(angles, "; ");
+    let over = joined(angles, "; ");
     if over.is_empty() {
         return undercut;
     }
-    let told = message!(
+    let told = format!(
         "or tools that over-bend ({over}), a first estimate with the spring-back as it is now: run again, and go on by what is \
-         left",
-        over = over
+         left"
     );
-    Message::joined([undercut, told], "; ")
+    joined([undercut, told], "; ")
 }

@@ -1,9 +1,9 @@
 //! Whether the run came to its end.
 
 use super::{Finding, Light, run::Run, thinning};
-use crate::message::{Message, message};
 use crate::model::Role;
 use crate::solver::solution::Stop;
+use crate::units::joined;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
@@ -12,7 +12,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let words = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
         Stop::FullTravel if model.stop.drawn_through => {
-            message!("{stop}, and the cup is not through the die", stop = stop.message())
+            format!("{stop}, and the cup is not through the die", stop = stop.message())
         }
         stop => stop.message(),
     };
@@ -27,10 +27,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     };
     let stages = 1 + run.case.later().len();
     let at = match stages {
-        1 => Message::default(),
-        all => message!("stage {n} of {all}", n = run.stages.len(), all = all),
+        1 => String::new(),
+        all => format!("stage {n} of {all}", n = run.stages.len()),
     };
-    let advice: Message = match stop {
+    let advice: String = match stop {
         Stop::FullTravel if model.stop.drawn_through => "more travel".into(),
         Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => "".into(),
         Stop::Interrupted { .. } => "let it run to its end".into(),
@@ -58,7 +58,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)".into(),
     };
     let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
-    let closing = if closes { "while the holder closes".into() } else { Message::default() };
-    let found = Message::joined([at, closing, words], ": ");
+    let closing = if closes { "while the holder closes".into() } else { String::new() };
+    let found = joined([at, closing, words], ": ");
     Some(Finding::judged("stop", "Run", light, found).limit("reaches its end").source("the solver").advice(advice))
 }

@@ -1,10 +1,10 @@
 //! Whether the hardening law is that of a sheet metal, or in a wrong unit.
 
 use super::Finding;
-use crate::message::{Amount, message};
 use crate::model::Model;
 use crate::rules::estimate::tensile_strength;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Tensile strength above that of any cold-formed sheet \[MPa\].
 const STRONGEST: f64 = 3000.0;
@@ -21,10 +21,10 @@ pub(super) fn unusual(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
     let (found, advice) = if strength > STRONGEST {
         let found =
-            message!("a tensile strength of {strength} is that of no sheet metal", strength = Amount::stress(strength));
+            format!("a tensile strength of {strength} is that of no sheet metal", strength = Amount::stress(strength));
         (found, "check the law's units")
     } else if is_weak(model) {
-        let found = message!(
+        let found = format!(
             "a tensile strength of {strength}, below {weakest}, is that of no sheet metal",
             strength = Amount::stress(strength),
             weakest = Amount::given_stress(WEAKEST)
@@ -33,8 +33,7 @@ pub(super) fn unusual(model: &Model) -> Option<Finding> {
     } else {
         return None;
     };
-    let limit =
-        message!("{low} to {high}", low = Amount::given_stress(WEAKEST), high = Amount::given_stress(STRONGEST));
+    let limit = format!("{low} to {high}", low = Amount::given_stress(WEAKEST), high = Amount::given_stress(STRONGEST));
     let warning = Finding::warning("strength", "Tensile strength", found).against(strength, Unit::MPa, limit);
     let warning = if strength > STRONGEST { warning.at_most(STRONGEST, None) } else { warning.at_least(WEAKEST, None) };
     Some(warning.advice(advice))

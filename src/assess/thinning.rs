@@ -4,10 +4,10 @@ use super::nearest::Nearest;
 use super::nose::NoseEnd;
 use super::{Finding, Light, run::Run, wrinkling};
 use crate::measure::{Band, place_on_part};
-use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry, Role};
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].
 const LIMITS: [f64; 2] = [CAREFUL, 0.30];
@@ -16,7 +16,7 @@ pub(super) const CAREFUL: f64 = 0.20;
 
 /// What makes a sheet thin less at a place, initially `s0` from the axis \[mm\]: over a round punch the pole is spared by
 /// friction that holds it, at a nose by whatever lets the flange come. A flange or a wall that may wrinkle is not let loose.
-pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> Message {
+pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
     let model = &stage.model;
     if model.tool(Role::Punch).is_none() {
         return "a smaller height, a larger die shoulder or a thicker sheet".into();
@@ -53,16 +53,16 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let most = if allowed { f64::INFINITY } else { LIMITS[1] };
     let light = Light::of(thinning, [LIMITS[0], most]);
     let limit = if allowed {
-        message!("below {share}", share = Amount::share(LIMITS[0]))
+        format!("below {share}", share = Amount::share(LIMITS[0]))
     } else {
-        message!(
+        format!(
             "below {share}, at most {most} unless a forming limit is kept",
             share = Amount::share(LIMITS[0]),
             most = Amount::share(LIMITS[1])
         )
     };
     let found =
-        message!("{thinning} at s0 = {s0}", thinning = Amount::share(thinning), s0 = Amount::place(last.thinnest_s0));
+        format!("{thinning} at s0 = {s0}", thinning = Amount::share(thinning), s0 = Amount::place(last.thinnest_s0));
     Some(
         Finding::judged("thinning", "Thinning", light, found)
             .against(100.0 * thinning, Unit::Percent, limit)

@@ -1,14 +1,14 @@
 //! Where the sheet was cut before a stage.
 
 use super::Finding;
-use crate::message::{Amount, message};
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// A cut, which falls between elements.
 pub(super) fn cut(stage: &StageSolution) -> Option<Finding> {
     let cut = stage.trimmed?;
-    let found = message!(
+    let found = format!(
         "the sheet is cut to r = {edge} ({asked} asked for): whole elements go, {n} of them",
         edge = Amount::size(cut.edge),
         asked = Amount::size(cut.asked),

@@ -2,25 +2,23 @@
 
 use super::Finding;
 use crate::case::Case;
-use crate::message::{Amount, Message, message};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Hardening of one sheet with the r̄ of another.
 pub(super) fn mixed(case: &Case) -> Option<Finding> {
     let sheets = case.sources.sheets.as_ref()?;
-    let library = Message::Plain(sheets.library.clone());
+    let library = String::from(sheets.library.clone());
     let own = match sheets.case.clone() {
-        Some(source) => message!("this case ({source})", source = Message::Plain(source)),
-        None => message!("this case"),
+        Some(source) => format!("this case ({source})"),
+        None => "this case".to_owned(),
     };
     let (hardening, anisotropy) = if sheets.own_hardening { (own, library) } else { (library, own) };
-    let found = message!(
+    let found = format!(
         "the hardening of {hardening} goes with r̄ = {r} of {anisotropy}: numbers of two sheets, which no sheet has",
-        hardening = hardening,
-        r = Amount::number(sheets.anisotropy),
-        anisotropy = anisotropy
+        r = Amount::number(sheets.anisotropy)
     );
-    let advice = message!("take all of one sheet: --material NAME, or [material] with `name` alone");
+    let advice = "take all of one sheet: --material NAME, or [material] with `name` alone".to_owned();
     Some(Finding::warning("two_sheets", "Material", found).advice(advice))
 }
 
@@ -34,13 +32,12 @@ pub(super) fn thickness(case: &Case) -> Option<Finding> {
     let [low, high] = of.range;
     (t < low * (1.0 - NEAR) || t > high * (1.0 + NEAR)).then(|| {
         let range = match of.range.map(Amount::size) {
-            [one, other] if one == other => message!("{thickness}", thickness = one),
-            [low, high] => message!("{low} to {high}", low = low, high = high),
+            [one, other] if one == other => format!("{one}"),
+            [low, high] => format!("{low} to {high}"),
         };
-        let found = message!(
+        let found = format!(
             "the numbers of {material} are of sheet of {range}; this blank is {thickness} thick",
-            material = Message::Plain(of.name.clone()),
-            range = range.clone(),
+            material = of.name,
             thickness = Amount::size(t)
         );
         Finding::warning("sheet_thickness", "Material", found)

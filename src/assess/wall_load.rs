@@ -1,18 +1,18 @@
 //! How far a wall that is drawn against a holder is from yielding as a whole, which is what straightens it.
 
 use crate::measure::Shape;
-use crate::message::{Amount, Message, message};
 use crate::model::Model;
 use crate::solver::solution::Frame;
+use crate::units::{Amount, joined};
 
 /// What tension does for the spring-back of a wall, with the share of its yield load that it carries under the tools.
-pub(super) fn advice(model: &Model, frame: &Frame, shape: &Shape) -> Message {
-    let carried = share(model, frame, shape).map_or_else(Message::default, |share| {
-        message!("(the wall carries {share} of it, and is straight from about 100 % on)", share = Amount::share(share))
+pub(super) fn advice(model: &Model, frame: &Frame, shape: &Shape) -> String {
+    let carried = share(model, frame, shape).map_or_else(String::new, |share| {
+        format!("(the wall carries {share} of it, and is straight from about 100 % on)", share = Amount::share(share))
     });
     let tension = "smaller radii spring back less; more tension in the walls (holder force, beads) helps only as it nears the \
                    load at which the whole wall yields";
-    Message::joined([tension.into(), carried], " ")
+    joined([tension.into(), carried], " ")
 }
 
 /// The wall's mean tension over the one at which all of its thickness yields \[–\]: the largest along it, for the tension

@@ -2,11 +2,11 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, closing, run::Run};
-use crate::message::{Amount, message};
 use crate::model::tool_sizes::extent;
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// Advised pressure over the holder's \[–\]: 1 by the rule; above 2 even a factor of 0.002, the least that the rule is said
 /// to be quoted with, would ask for more. A force that was rounded after the rule may miss it by a percent.
@@ -23,7 +23,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let model = &first.model;
     draw_ratio(model)?;
     if let Some(gap) = closing::open(first) {
-        let found = message!("not judged: the holder stands open by {gap}", gap = Amount::thickness(gap));
+        let found = format!("not judged: the holder stands open by {gap}", gap = Amount::thickness(gap));
         let judged = Finding::judged("wrinkling", "Wrinkle index", Light::Grey, found);
         return Some(judged.limit("a holder that is closed on the flange").advice(closing::advice(model)));
     }
@@ -66,36 +66,30 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let index = advised / pressure;
     let light = Light::of(index, LIMITS);
     let force = advised * held_area(model)? + beads;
-    let found = message!(
+    let found = format!(
         "{index}: {advised} advised over {pressure}; an axisymmetric run itself cannot wrinkle",
         index = Amount::ratio(index),
         advised = Amount::stress(advised),
         pressure = Amount::stress(pressure)
     );
-    let limit = message!(
-        "{limit}, red above {red}",
-        limit = Amount::count(LIMITS[0] as usize),
-        red = Amount::number(LIMITS[1])
-    );
+    let limit =
+        format!("{limit}, red above {red}", limit = Amount::count(LIMITS[0] as usize), red = Amount::number(LIMITS[1]));
     Some(
         Finding::judged("wrinkling", "Wrinkle index", light, found)
             .against(index.is_finite().then_some(index), Unit::None, limit)
             .at_most(LIMITS[0], LIMITS[1])
             .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
-            .advice(message!(
-                "a holder force of {force} or more; where the sheet tears too, a thicker sheet, a smaller blank or one more draw",
-                force = Amount::force(force, Unit::N)
-            )),
+            .advice(format!("a holder force of {force} or more; where the sheet tears too, a thicker sheet, a smaller blank or one more draw", force = Amount::force(force, Unit::N))),
     )
 }
 
 fn fixed(gap: f64) -> Finding {
-    let found = message!(
+    let found = format!(
         "holder fixed {gap} from the die; an axisymmetric run itself cannot wrinkle",
         gap = Amount::thicknesses(gap)
     );
     Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
-        .against(gap, Unit::None, message!("at most {limit}", limit = Amount::given_thicknesses(GAP)))
+        .against(gap, Unit::None, format!("at most {limit}", limit = Amount::given_thicknesses(GAP)))
         .at_most(GAP, None)
         .advice("a smaller holder gap, or a holder force")
 }
@@ -104,11 +98,11 @@ fn fixed(gap: f64) -> Finding {
 fn free(model: &Model) -> Finding {
     let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
     let thicknesses = beyond / model.blank.thickness;
-    let found = message!(
+    let found = format!(
         "nothing holds the flange: blank less punch diameter is {ratio}; an axisymmetric run itself cannot wrinkle",
         ratio = Amount::thicknesses(thicknesses)
     );
-    let limit = message!(
+    let limit = format!(
         "{limit}, red above {red}",
         limit = Amount::given_thicknesses(FREE[0]),
         red = Amount::given_thicknesses(FREE[1])

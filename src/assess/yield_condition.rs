@@ -6,11 +6,11 @@ use super::{Finding, Light, run::Run};
 use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};
-use crate::message::{Amount, Message, message};
 use crate::model::Stage;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::solver::solve;
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 
 /// r̄ from which on Hill's condition of 1948 is taken at its word in biaxial stretching \[–\]: below it is softer there than
 /// aluminium is.
@@ -26,19 +26,19 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     last.steps.last()?;
     let doubtful = matches!(criterion, YieldCriterion::Hill48(_)) && r < LEAST && is_biaxial(run, last);
     let name = match criterion {
-        YieldCriterion::Hill48(_) => message!("Hill 1948, r̄ = {r}", r = Amount::number(r)),
+        YieldCriterion::Hill48(_) => format!("Hill 1948, r̄ = {r}", r = Amount::number(r)),
         YieldCriterion::Hosford(hosford) => {
-            message!("Hosford, exponent {a}, r̄ = {r}", a = Amount::number(hosford.exponent()), r = Amount::number(r))
+            format!("Hosford, exponent {a}, r̄ = {r}", a = Amount::number(hosford.exponent()), r = Amount::number(r))
         }
     };
     let found = match doubtful {
         true => {
             let soft = "too soft where the sheet is worst off, stretched both ways".into();
-            Message::joined([Some(name), Some(soft), other(run)].into_iter().flatten(), "; ")
+            joined([Some(name), Some(soft), other(run)].into_iter().flatten(), "; ")
         }
         false => name,
     };
-    let limit = message!(
+    let limit = format!(
         "r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways",
         least = Amount::number(LEAST)
     );
@@ -64,14 +64,14 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
 
 /// What comes out with Hosford's condition of fcc metal, all else alike; `None` where it cannot be solved, as with voids, or
 /// the user has had enough.
-fn other(run: &Run) -> Option<Message> {
+fn other(run: &Run) -> Option<String> {
     if run.is_one_of_many || matches!(run.stages.last()?.stop, Stop::Interrupted { .. }) {
         return None;
     }
     let stages: Vec<Stage> = run.case.stages.iter().cloned().map(with_hosford).collect();
     let solved = solve(&stages, &mut ());
     let end = solved.last()?.steps.last()?;
-    Some(message!(
+    Some(format!(
         "with Hosford's condition of fcc metal, exponent {a}, it thins by {thinning} at s0 = {s0}, and {tears}",
         a = Amount::number(CRYSTAL.exponent()),
         thinning = Amount::share(1.0 - end.thinnest / run.case.model().blank.thickness),

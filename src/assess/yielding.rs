@@ -1,9 +1,9 @@
 //! How much of the sheet yields again, the other way, while its tools are taken away.
 
 use super::Finding;
-use crate::message::{Amount, message};
 use crate::model::Mode;
 use crate::solver::solution::StageSolution;
+use crate::units::Amount;
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
 const YIELDED: f64 = 1e-4;
@@ -28,11 +28,11 @@ pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
     }
     let share = volume / total;
     let found = match model.mode {
-        Mode::Elastic => message!(
+        Mode::Elastic => format!(
             "{share} of the sheet would yield again as the tools are taken away, which elasticity alone leaves out",
             share = Amount::share(share)
         ),
-        _ => message!("{share} of the sheet yields again as the tools are taken away", share = Amount::share(share)),
+        _ => format!("{share} of the sheet yields again as the tools are taken away", share = Amount::share(share)),
     };
     (share > LEAST).then(|| Finding::warning("yields_again", "Unloading", found).share(share, LEAST))
 }

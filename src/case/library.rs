@@ -17,7 +17,6 @@ use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::message::{Message, message};
 use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
 use lookup::Found;
@@ -104,8 +103,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let elastoplastic = found.elastoplastic();
     let EntryFile { material: known, thickness, forming_limit, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
-    let from = message!("material {name}: {source}", name = name.to_owned(), source = origin.clone());
-    let mut notes: Vec<Message> = note.into_iter().map(Message::from).chain([from]).collect();
+    let from = format!("material {name}: {origin}");
+    let mut notes: Vec<String> = note.into_iter().map(String::from).chain([from]).collect();
     notes.extend(measured_limit(name, forming_limit, file));
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
@@ -129,9 +128,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
         if let Some(shifting) = elastoplastic.filter(|_| shifts) {
             (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
-            notes.push(message!(
-                "material {name}: with its back-stresses, and the hardening that they leave of its yield stress",
-                name = name.to_owned()
+            notes.push(format!(
+                "material {name}: with its back-stresses, and the hardening that they leave of its yield stress"
             ));
         } else {
             own.hardening = known.hardening;
@@ -140,9 +138,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
-        notes.push(message!(
+        notes.push(format!(
             "material {name}: {keys} as this case has it, not as its source",
-            name = name.to_owned(),
             keys = replaced.join(", ")
         ));
     }
@@ -152,11 +149,11 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
 }
 
 /// Puts the measured points of a sheet of the library where a case asks for them, and says so.
-fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Option<Message> {
+fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Option<String> {
     let asked = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none())?;
     let FormingLimit { points, strain, .. } = known?;
     (asked.points, asked.strain, asked.measured) = (points, asked.strain.or(strain), None);
-    Some(message!("forming limit: the measured points of {name}", name = name.to_owned()))
+    Some(format!("forming limit: the measured points of {name}"))
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {

@@ -47,7 +47,6 @@ pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
 use crate::measure::Ring;
-use crate::message::Message;
 use crate::model::{Model, Stage};
 use crate::rules::r_values::RValues;
 use std::path::PathBuf;
@@ -80,7 +79,7 @@ pub struct Case {
     /// The sheet's r-values by direction; `None` where the case has their mean alone, or nothing.
     pub r_values: Option<RValues>,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
-    pub derived: Vec<Message>,
+    pub derived: Vec<String>,
 }
 
 /// What the press can give; `None` where the case does not say.

@@ -3,7 +3,6 @@
 use super::files::Folder;
 use super::schema::example;
 use super::{CaseError, CaseFile, complaint};
-use crate::message::Message;
 use miette::NamedSource;
 use serde::Deserialize;
 use std::cell::RefCell;
@@ -19,7 +18,7 @@ pub(super) struct Source<'t> {
     tree: Spanned<DeTable<'t>>,
     /// Base folder of the files that the case names.
     pub folder: Folder<'t>,
-    notes: RefCell<Vec<Message>>,
+    notes: RefCell<Vec<String>>,
     /// Index and name of the later stage to which `tools.…` refers.
     stage: RefCell<Option<(usize, String)>>,
 }
@@ -46,10 +45,10 @@ impl<'t> Source<'t> {
     }
 
     /// Adds a note on what was assumed or changed.
-    pub fn note(&self, note: impl Into<Message>) {
+    pub fn note(&self, note: impl Into<String> + std::fmt::Display) {
         let note = match &*self.stage.borrow() {
             Some((_, name)) => {
-                crate::message::message!("stage {name}: {what}", name = name.clone(), what = note.into())
+                format!("stage {name}: {note}")
             }
             None => note.into(),
         };
@@ -65,7 +64,7 @@ impl<'t> Source<'t> {
     }
 
     /// Removes and returns the notes.
-    pub fn take_notes(&self) -> Vec<Message> {
+    pub fn take_notes(&self) -> Vec<String> {
         self.notes.take()
     }
 

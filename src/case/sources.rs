@@ -2,7 +2,6 @@
 
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
-use crate::message::Message;
 use crate::units::parse;
 
 /// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
@@ -49,7 +48,7 @@ impl Sheets {
 #[derive(Debug, Default)]
 pub(super) struct Taken {
     /// What was taken from where.
-    pub notes: Vec<Message>,
+    pub notes: Vec<String>,
     /// Where hardening and r̄ come from, where that is two sheets.
     pub sheets: Option<Sheets>,
     /// The sheet's thickness, where its source says it.
@@ -82,7 +81,7 @@ fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
 }
 
 /// What is said of a measured forming limit that stays with another sheet.
-pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<Message> {
+pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<String> {
     let measured = file.forming_limit.as_ref().is_some_and(|limit| limit.points.is_some());
     let stays = measured && !keys(overrides).any(|path| path.starts_with("forming_limit"));
     let other = keys(overrides).any(|path| path == "material" || path == "material.name");

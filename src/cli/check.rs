@@ -4,14 +4,13 @@ use super::answer::answered;
 use super::code::{BadRequest, Code};
 use super::error_bars::ErrorBars;
 use super::job;
-use super::options::{self, Json, Overrides};
+use super::options::{Json, Overrides};
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
-use stampflow::message::{Form, message};
 use stampflow::results::verdict;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -48,8 +47,6 @@ pub struct Args {
     #[command(flatten)]
     bars: ErrorBars,
     #[command(flatten)]
-    form: options::Told,
-    #[command(flatten)]
     overrides: Overrides,
     /// Show no progress
     #[arg(long, short)]
@@ -65,7 +62,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("error bars are of a run: write --run --error-bars".to_owned()).into());
     }
     if !args.run {
-        return if args.json.json { say_json(&report) } else { say(wrapped(&report.told(args.form.form()))) };
+        return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };
     }
     let progress = Progress::new(args.quiet || args.json.json);
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
@@ -80,24 +77,24 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        let answered = answered(&solution.case, &answer, &findings, verification, args.form.form());
-        say(answered + printed(args.verbose.then_some(&report), &findings, args.form.form()))?;
+        let answered = answered(&solution.case, &answer, &findings, verification);
+        say(answered + printed(args.verbose.then_some(&report), &findings))?;
     }
     Ok(Code::of_run(args.strict, complete, &answer))
 }
 
 /// What the case means where it is given, and every row of the verdict.
-fn printed(report: Option<&Check>, findings: &[Finding], form: Form) -> Shown {
-    let rows = judgements(findings).map(|finding| row(finding, form)).collect();
-    let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
-    let mut text = format!("\n{}\n", headline(findings).told(form));
+fn printed(report: Option<&Check>, findings: &[Finding]) -> Shown {
+    let rows = judgements(findings).map(|finding| row(finding)).collect();
+    let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| String::from(header));
+    let mut text = format!("\n{}\n", headline(findings).to_string());
     let advised = advice(findings, |light| light == Light::Grey).into_iter();
     list(
         &mut text,
-        &form.tell("Not judged"),
-        advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
+        &String::from("Not judged"),
+        advised.map(|(labels, advice)| format!("{}: {}", labels.to_string(), advice.to_string())),
     );
-    let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
+    let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.to_string())));
     Shown::from("\n") + meaning + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
 }
 
@@ -112,12 +109,12 @@ fn list(text: &mut String, heading: &str, entries: impl Iterator<Item = String>)
     }
 }
 
-fn row(finding: &Finding, form: Form) -> [Cell; 4] {
-    let limit = message!("{limit} ({source})", limit = finding.limit.clone(), source = finding.source.clone());
+fn row(finding: &Finding) -> [Cell; 4] {
+    let limit = format!("{limit} ({source})", limit = finding.limit, source = finding.source);
     [
-        Cell::plain(form.tell(finding.label)),
-        Cell { text: form.tell(finding.light.name()), tone: Tone::of(finding.light) },
-        Cell::plain(finding.found.told(form)),
-        Cell::plain(limit.told(form)),
+        Cell::plain(String::from(finding.label)),
+        Cell { text: String::from(finding.light.name()), tone: Tone::of(finding.light) },
+        Cell::plain(finding.found.to_string()),
+        Cell::plain(limit.to_string()),
     ]
 }

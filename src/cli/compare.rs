@@ -6,7 +6,6 @@ use super::place;
 use super::say::{Shown, say, say_json, warn};
 use super::table::{Cell, Tone, table, wrapped};
 use super::{interrupt, job};
-use stampflow::message::{Form, message};
 use stampflow::output::study::json;
 use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
 use stampflow::study::versus::{Asked, COLUMNS, Candidate, Measured, Versus};
@@ -61,14 +60,13 @@ pub fn compare(args: &Args) -> anyhow::Result<Code> {
     if versus.members.is_empty() && interrupt::is_wanted() {
         return Ok(Code::Done);
     }
-    let form = args.many.told.form();
-    let files = written(args, &versus, &dir, form)?;
+    let files = written(args, &versus, &dir)?;
     if args.many.json.json {
         let mut value = json::versus(&versus);
         value["files"] = serde_json::json!(files);
         return say_json(&value);
     }
-    say(screen(&versus, form) + told_files(&files, form))
+    say(screen(&versus) + told_files(&files))
 }
 
 /// Cases with overrides and measured curves, as they are named; variants are of the first case.
@@ -97,37 +95,37 @@ fn is_curve(path: &Path) -> bool {
 }
 
 /// The table and all pictures.
-fn written(args: &Args, versus: &Versus, dir: &Path, form: Form) -> anyhow::Result<Vec<PathBuf>> {
+fn written(args: &Args, versus: &Versus, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let made = args.many.pictures.pictures();
     let mut files = vec![(TABLE.to_owned(), csv(versus))];
-    for drawn in pictures(versus, made.engineering_strain, form) {
+    for drawn in pictures(versus, made.engineering_strain) {
         files.extend(made.files(drawn.stem, &drawn.chart));
     }
     Ok(write_all(dir, files)?)
 }
 
-fn told_files(files: &[PathBuf], form: Form) -> Shown {
+fn told_files(files: &[PathBuf]) -> Shown {
     let folder = files.first().and_then(|file| file.parent()).unwrap_or(Path::new("."));
     let names = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned()));
     let names: Vec<String> = names.collect();
-    let told = message!("\nin {folder}: {files}", folder = folder.display().to_string(), files = names.join(", "));
-    wrapped(&form.tell(told))
+    let told = format!("\nin {folder}: {files}", folder = folder.display(), files = names.join(", "));
+    wrapped(&String::from(told))
 }
 
 /// Each number with a line for every run, the differences behind.
-fn screen(versus: &Versus, form: Form) -> Shown {
+fn screen(versus: &Versus) -> Shown {
     let mut rows = Vec::new();
     for line in versus.lines() {
-        let mut label = form.tell(line.label);
+        let mut label = String::from(line.label);
         for (said, member) in line.of_runs.into_iter().zip(&versus.members) {
             let tone = said.light.map_or(Tone::Plain, Tone::of);
-            let value = Cell { text: form.tell(said.value), tone };
-            let cells = [std::mem::take(&mut label), member.mark.clone(), form.tell(said.change)];
+            let value = Cell { text: String::from(said.value), tone };
+            let cells = [std::mem::take(&mut label), member.mark.clone(), String::from(said.change)];
             let [label, mark, change] = cells.map(Cell::plain);
             rows.push([label, mark, value, change]);
         }
     }
-    let headers = COLUMNS.map(|header| form.tell(header));
-    let legend: Vec<String> = versus.legend().into_iter().map(|entry| form.tell(entry)).collect();
+    let headers = COLUMNS.map(|header| String::from(header));
+    let legend: Vec<String> = versus.legend().into_iter().map(|entry| String::from(entry)).collect();
     wrapped(&(legend.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
 }

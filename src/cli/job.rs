@@ -2,8 +2,8 @@
 
 use super::bug::caught;
 use super::code::Code;
+use super::complain;
 use super::interrupt;
-use super::message::complain;
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
 use stampflow::case::{self, Case, Solution};

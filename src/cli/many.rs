@@ -1,7 +1,7 @@
 //! What verbs have in common that run a case many times.
 
 use super::code::BadRequest;
-use super::options::{Json, Overrides, PictureOptions, Threads, Told};
+use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::progress::{Count, Progress};
 use stampflow::results::{WriteError, write};
 use stampflow::study::StudyError;
@@ -21,8 +21,6 @@ pub struct Many {
     quiet: bool,
     #[command(flatten)]
     threads: Threads,
-    #[command(flatten)]
-    pub told: Told,
     #[command(flatten)]
     pub pictures: PictureOptions,
     #[command(flatten)]

@@ -44,6 +44,7 @@ use code::BadRequest;
 use options::Json;
 use say::say;
 use stampflow::case::files::visible;
+use stampflow::units::DisplaySettings;
 use stampflow::{author, case};
 use std::borrow::Cow;
 
@@ -51,6 +52,9 @@ use std::borrow::Cow;
 #[derive(Debug, Parser)]
 #[command(version, arg_required_else_help = true, max_term_width = 80, after_help = code::HELP)]
 pub struct Args {
+    /// Units of texts: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
+    #[arg(long, global = true, value_name = "SYSTEM", default_value = "si", value_parser = options::units)]
+    units: DisplaySettings,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -134,6 +138,7 @@ fn command() -> anyhow::Result<Code> {
         parsed => parsed.unwrap_or_else(|error| error.exit()),
     };
     interrupt::listen()?;
+    args.units.set();
     let code = match args.verb {
         Verb::Run(args) => run::run(&args),
         Verb::Report(args) => report::report(&args),

@@ -2,9 +2,8 @@
 
 use super::suggested::Suggested;
 use clap::ValueEnum;
-use stampflow::message::{Form, Language, System};
 use stampflow::results::{Captions, Format, Pictures};
-use stampflow::units::{Length, Positive, Quantity};
+use stampflow::units::{DisplaySettings, Length, Positive, Quantity};
 use std::ops::RangeInclusive;
 
 /// The option of every verb that has a result.
@@ -42,25 +41,11 @@ impl Overrides {
     }
 }
 
-/// The options of every verb that answers.
-#[derive(Debug, clap::Args)]
-pub struct Told {
-    /// Units of what is said: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
-    #[arg(long, value_name = "SYSTEM", default_value = "si", value_parser = system)]
-    units: System,
-}
-
-impl Told {
-    /// How it is to be told.
-    pub fn form(&self) -> Form {
-        Form { language: Language::default(), system: self.units }
-    }
-}
-
-fn system(name: &str) -> Result<System, String> {
+/// Reads the value of `--units`.
+pub fn units(name: &str) -> Result<DisplaySettings, String> {
     match name.to_lowercase().as_str() {
-        "si" => Ok(System::Si),
-        "us" => Ok(System::Us),
+        "si" => Ok(DisplaySettings::Si),
+        "us" => Ok(DisplaySettings::Us),
         _ => Err("the systems are si (mm, kN, MPa) and us (in, US tonf, ksi)".to_owned()),
     }
 }

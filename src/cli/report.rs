@@ -5,14 +5,13 @@ use super::compare::{Variants, to_compare};
 use super::error_bars::ErrorBars;
 use super::job;
 use super::many::asked;
-use super::options::{self, Json, Overrides};
+use super::options::{Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use super::titles::Titles;
 use serde_json::json;
 use stampflow::case::Case;
-use stampflow::message::message;
 use stampflow::report::{Report, html};
 use stampflow::results::{FrameRecorder, is_report, write};
 use stampflow::study::verify::quick;
@@ -60,8 +59,6 @@ pub struct Args {
     #[command(flatten)]
     bars: ErrorBars,
     #[command(flatten)]
-    form: options::Told,
-    #[command(flatten)]
     titles: Titles,
 }
 
@@ -86,17 +83,16 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let versus = versus.transpose().map_err(asked)?;
     let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
     let report = versus.iter().fold(report, Report::against);
-    let form = args.form.form();
-    let saved = write(&path, html(&report.told(form)).as_bytes());
+    let saved = write(&path, html(&report.document()).as_bytes());
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
             value["files"] = json!(saved.iter().map(|()| &path).collect::<Vec<_>>());
             say_json(&value)
         }
-        (Ok(_), false) => say(form.tell(message!("{file} is written", file = path.display().to_string()))),
+        (Ok(_), false) => say(format!("{file} is written", file = path.display())),
         // What was computed is told at least.
-        (Err(_), false) => say(solution.summary().told(form)),
+        (Err(_), false) => say(solution.summary().to_string()),
     };
     saved?;
     said?;

@@ -5,7 +5,7 @@ use super::code::{BadRequest, Code};
 use super::error_bars::ErrorBars;
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{self, Json, Overrides, PictureOptions, Threads};
+use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
@@ -13,7 +13,6 @@ use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
-use stampflow::message::{Form, Message, message};
 use stampflow::report::{Report, html};
 use stampflow::results::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
@@ -56,8 +55,6 @@ pub struct Args {
     strict: bool,
     #[command(flatten)]
     bars: ErrorBars,
-    #[command(flatten)]
-    form: options::Told,
     #[command(flatten)]
     pictures: PictureOptions,
     #[command(flatten)]
@@ -110,11 +107,11 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             let verification = verification.as_ref();
             let (answer, findings) = stampflow::study::verify::answered(&solution, verification);
             let results = Results::of(&solution)?.verified(verification).answered(&answer, &findings);
-            let results = results.with_pictures(&args.pictures.pictures()).told(args.form.form());
+            let results = results.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.
             let pages = args.report.then(|| {
                 let report = Report::found(&solution, verification, (answer.clone(), findings.clone()));
-                (PAGE.to_owned(), html(&report.told(args.form.form())).into_bytes())
+                (PAGE.to_owned(), html(&report.document()).into_bytes())
             });
             let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
@@ -205,38 +202,38 @@ impl Args {
         dir: &Path,
         files: Option<&[PathBuf]>,
     ) -> Shown {
-        let (case, form) = (&results.solution.case, self.form.form());
+        let case = &results.solution.case;
         if self.cases.len() > 1 && !self.verbose {
-            let written = files.map(|files| form.tell(written(files, dir)));
-            return answer::sentence(&case.name, answer, &written.unwrap_or_default(), form);
+            let written = files.map(|files| String::from(written(files, dir)));
+            return answer::sentence(&case.name, answer, &written.unwrap_or_default());
         }
-        let mut shown = answer::answered(case, answer, findings, results.verification, form);
+        let mut shown = answer::answered(case, answer, findings, results.verification);
         let summary = results.summary();
         if !summary.lines.is_empty() {
-            shown = shown + wrapped(&format!("\n{}", form.tell(summary.lines.clone())));
+            shown = shown + wrapped(&format!("\n{}", String::from(summary.lines.clone())));
         }
         if self.verbose {
-            shown = shown + summed_up(&summary, form);
+            shown = shown + summed_up(&summary);
         }
         let mut end = String::new();
         for comparison in &results.comparisons {
             let _ = writeln!(end, "{}", comparison.sentence());
         }
         if let Some(files) = files {
-            let _ = writeln!(end, "{}", form.tell(written(files, dir)));
+            let _ = writeln!(end, "{}", String::from(written(files, dir)));
         }
         shown + wrapped(&format!("\n{end}"))
     }
 }
 
-fn written(files: &[PathBuf], dir: &Path) -> Message {
-    message!("{n} files in {folder}", n = files.len(), folder = dir.display().to_string())
+fn written(files: &[PathBuf], dir: &Path) -> String {
+    format!("{n} files in {folder}", n = files.len(), folder = dir.display())
 }
 
 /// The summary of every stage as a table.
-fn summed_up(summary: &CaseSummary, form: Form) -> Shown {
+fn summed_up(summary: &CaseSummary) -> Shown {
     let tables = summary.stages.iter().map(|stage| {
-        let rows = stage.rows(form).into_iter().map(|(_, row)| row.map(Cell::plain));
+        let rows = stage.rows().into_iter().map(|(_, row)| row.map(Cell::plain));
         Shown::from("\n") + table(None, rows.collect())
     });
     tables.reduce(Shown::add).unwrap_or_default()

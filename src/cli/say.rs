@@ -3,7 +3,6 @@
 use super::code::Code;
 use serde::Serialize;
 use stampflow::case::files::visible;
-use stampflow::message::NO_BREAK;
 use std::fmt;
 use std::io::{self, Write};
 use std::ops::Add;
@@ -66,6 +65,5 @@ pub fn warn(text: impl Into<Shown>) {
 
 fn line(stream: &mut impl Write, text: &str) -> io::Result<()> {
     let end = if text.ends_with('\n') { "" } else { "\n" };
-    // Lines are broken by now: what is copied from a screen has ordinary spaces.
-    write!(stream, "{}{end}", text.replace(NO_BREAK, " "))
+    write!(stream, "{}{end}", text)
 }

@@ -7,10 +7,10 @@ use super::rows::{Rows, all_there};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
-use stampflow::message::{Amount, Form, Message, message};
 use stampflow::output::study::{json, scatter_pictures, scatter_tables};
 use stampflow::study::scatter::{Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file};
 use stampflow::study::{self, Bars, Begun, Designs, Journal, Shard, StudyError, Subject};
+use stampflow::units::{Amount, joined};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -98,7 +98,6 @@ pub fn scatter(args: &Args) -> anyhow::Result<Code> {
         return say(wrapped(&format!("{} runs in {}; {merge}", indices.len(), path.display())));
     }
     let found = Found::of(&scatter, &base, &Sample::read(&path, &base.columns).map_err(asked)?);
-    let form = args.many.told.form();
     let name = args.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let written = written(args, &dir, &found, &base, &name)?;
     match args.many.json.json {
@@ -108,14 +107,14 @@ pub fn scatter(args: &Args) -> anyhow::Result<Code> {
             value["written"] = written.into();
             say_json(&value)
         }
-        false => say(shown(&scatter, &found, &name, form) + wrapped(&format!("\n{}", written.join(", ")))),
+        false => say(shown(&scatter, &found, &name) + wrapped(&format!("\n{}", written.join(", ")))),
     }
 }
 
 /// Writes tables and pictures; returns what they are called.
 fn written(args: &Args, dir: &Path, found: &Found, base: &Base, name: &str) -> anyhow::Result<Vec<String>> {
     let pictures = args.many.pictures.pictures();
-    let charts = scatter_pictures(found, &base.grids, name, args.many.told.form());
+    let charts = scatter_pictures(found, &base.grids, name);
     let drawn = charts.iter().flat_map(|(stem, chart)| pictures.files(stem, chart));
     let tables = scatter_tables(found).into_iter().map(|(name, bytes)| (name.to_owned(), bytes));
     let written = write_all(dir, tables.chain(drawn))?;
@@ -149,65 +148,62 @@ impl Args {
 }
 
 /// What is said: the answer, what it rests on, lights and numbers.
-fn shown(scatter: &Scatter, found: &Found, name: &str, form: Form) -> Shown {
-    let told = |items: Vec<Message>| {
-        items.iter().map(|item| wrapped(&format!("- {}", item.told(form)))).fold(Shown::default(), |all, one| all + one)
+fn shown(scatter: &Scatter, found: &Found, name: &str) -> Shown {
+    let told = |items: Vec<String>| {
+        items
+            .iter()
+            .map(|item| wrapped(&format!("- {}", item.to_string())))
+            .fold(Shown::default(), |all, one| all + one)
     };
-    let answer = wrapped(&format!("{name}: {}.\n", found.sentence().told(form)));
+    let answer = wrapped(&format!("{name}: {}.\n", found.sentence().to_string()));
     let declared = told(scatter.told.clone());
     let declared = if scatter.told.is_empty() { declared } else { Shown::from("\n") + declared };
-    answer
-        + told(found.sentences())
-        + declared
-        + Shown::from("\n")
-        + lights(found, form)
-        + Shown::from("\n")
-        + numbers(found, form)
+    answer + told(found.sentences()) + declared + Shown::from("\n") + lights(found) + Shown::from("\n") + numbers(found)
 }
 
-fn range(estimate: Estimate, form: Form) -> String {
-    let [low, high] = [estimate.low, estimate.high].map(|share| Amount::share(share).told(form));
-    form.tell(message!("{low} to {high}", low = low, high = high))
+fn range(estimate: Estimate) -> String {
+    let [low, high] = [estimate.low, estimate.high].map(|share| Amount::share(share).to_string());
+    format!("{low} to {high}")
 }
 
-fn lights(found: &Found, form: Form) -> Shown {
+fn lights(found: &Found) -> Shown {
     let headers =
-        ["Light", "Row", "Share of parts", "Interval of 95 %", "What decides"].map(|header| form.tell(header));
+        ["Light", "Row", "Share of parts", "Interval of 95 %", "What decides"].map(|header| String::from(header));
     let row = |event: &Event| {
         let decides = event.influence.told(found).filter(|_| event.hits > 0).unwrap_or_default();
         [
-            Cell { text: form.tell(event.light.name()), tone: Tone::of(event.light) },
-            Cell::plain(form.tell(event.label)),
-            Cell::plain(Amount::share(event.chance.value).told(form)),
-            Cell::plain(range(event.chance, form)),
-            Cell::plain(decides.told(form)),
+            Cell { text: String::from(event.light.name()), tone: Tone::of(event.light) },
+            Cell::plain(String::from(event.label)),
+            Cell::plain(Amount::share(event.chance.value).to_string()),
+            Cell::plain(range(event.chance)),
+            Cell::plain(decides.to_string()),
         ]
     };
     table(Some(headers.each_ref().map(String::as_str)), found.events.iter().map(row).collect())
 }
 
-fn numbers(found: &Found, form: Form) -> Shown {
-    let headers = ["Number", "5 %", "Median", "95 %", "What decides"].map(|header| form.tell(header));
+fn numbers(found: &Found) -> Shown {
+    let headers = ["Number", "5 %", "Median", "95 %", "What decides"].map(|header| String::from(header));
     let (mut rows, mut same) = (Vec::new(), Vec::new());
     for spread in &found.numbers {
-        let told = |value| spread.number.amount(value).told(form);
+        let told = |value| spread.number.amount(value).to_string();
         let Some([low, median, high]) = spread.quantiles().map(|quantiles| quantiles.map(told)) else { continue };
-        let label = form.tell(spread.number.label);
+        let label = String::from(spread.number.label);
         if low == high {
-            same.push(message!("{number} {value}", number = spread.number.label, value = low));
+            same.push(format!("{number} {low}", number = spread.number.label));
             continue;
         }
         // Of what scatters itself there is nothing to be found out.
         let is_given = found.factors.iter().any(|factor| Some(factor.as_str()) == spread.number.row);
         let decides = spread.influence.of_number(found).filter(|_| !is_given).unwrap_or_default();
-        rows.push([label, low, median, high, decides.told(form)].map(Cell::plain));
+        rows.push([label, low, median, high, decides.to_string()].map(Cell::plain));
     }
     let table = table(Some(headers.each_ref().map(String::as_str)), rows);
     match same.is_empty() {
         true => table,
         false => {
-            let same = message!("The same in all parts: {numbers}.", numbers = Message::joined(same, ", "));
-            table + Shown::from("\n") + wrapped(&(same.told(form) + "\n"))
+            let same = format!("The same in all parts: {numbers}.", numbers = joined(same, ", "));
+            table + Shown::from("\n") + wrapped(&(same.to_string() + "\n"))
         }
     }
 }

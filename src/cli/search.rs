@@ -56,8 +56,7 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
     let seconds = start.elapsed().as_secs_f64();
     let (header, lines) = answer.table();
     places.table(header, lines)?;
-    let form = args.many.told.form();
-    places.picture(args, plot(&quest, &answer, form))?;
+    places.picture(args, plot(&quest, &answer))?;
     let bars = match answer.best.filter(|_| !count.wants_to_stop()) {
         Some(best) => {
             let solution = quest.solution(&answer.rows[best], &count).map_err(asked)?;
@@ -74,7 +73,7 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
         say_json(&places.located(json::found(&quest, &answer, bars.as_ref()), seconds))?;
         return Ok(code);
     }
-    say(told::screen(&quest, &answer, bars.as_ref(), form))?;
-    say(told::done(answer.rows.len(), seconds, &places.dir, form))?;
+    say(told::screen(&quest, &answer, bars.as_ref()))?;
+    say(told::done(answer.rows.len(), seconds, &places.dir))?;
     Ok(code)
 }

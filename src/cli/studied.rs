@@ -2,7 +2,6 @@
 
 use super::many::{Many, write_all};
 use serde_json::Value;
-use stampflow::message::Form;
 use stampflow::output::study::{json, kept_loads, loads, pictures};
 use stampflow::study::{Designs, Results, Said};
 use stampflow::units::rounded;
@@ -11,7 +10,6 @@ use std::path::{Path, PathBuf};
 /// What a study found, and the pictures of it that are written.
 pub struct Studied {
     said: Said,
-    form: Form,
     files: Vec<PathBuf>,
 }
 
@@ -21,21 +19,21 @@ impl Studied {
     /// # Errors
     /// When a picture cannot be written.
     pub fn of(results: &Results, many: &Many, dir: &Path, has_curves: bool) -> anyhow::Result<Self> {
-        let (form, style) = (many.told.form(), many.pictures.pictures());
+        let style = many.pictures.pictures();
         let case = results.plan.subject().case(&[])?;
-        let mut drawn = pictures(results, &case.model().title, form);
+        let mut drawn = pictures(results, &case.model().title);
         if has_curves {
             let curves = kept_loads(dir, results.plan.count());
-            drawn.extend(loads(results, &curves, form).map(|chart| ("loads", chart)));
+            drawn.extend(loads(results, &curves).map(|chart| ("loads", chart)));
         }
         let files = write_all(dir, drawn.iter().flat_map(|(stem, chart)| style.files(stem, chart)))?;
-        Ok(Self { said: Said::of(results), form, files })
+        Ok(Self { said: Said::of(results), files })
     }
 
     /// A few lines, and where the pictures are.
     pub fn told(&self, results: &Results) -> String {
         let sentences = self.said.sentences(results);
-        let mut lines = sentences.iter().map(|sentence| sentence.told(self.form));
+        let mut lines = sentences.iter().map(|sentence| sentence.to_string());
         let first = lines.next().unwrap_or_default();
         let others: String = lines.map(|line| format!("\n- {line}")).collect();
         let files: String = self.files.iter().map(|file| format!("\n{}", file.display())).collect();
@@ -44,7 +42,7 @@ impl Studied {
 
     /// The same for programs; numbers in SI.
     pub fn json(&self, results: &Results, table: &Path, (kept, seconds): (usize, f64)) -> Value {
-        let mut value = json::sweep(results, &self.said, self.form);
+        let mut value = json::sweep(results, &self.said);
         value["file"] = table.display().to_string().into();
         value["pictures"] = self.files.iter().map(|file| file.display().to_string()).collect();
         value["kept"] = kept.into();

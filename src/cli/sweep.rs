@@ -10,11 +10,11 @@ use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
-use stampflow::message::{Amount, Form, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
     self, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
 };
+use stampflow::units::Amount;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -138,14 +138,14 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
                              "lights": tally.lights, "red": tally.red });
         return match args.many.json.json {
             true => say_json(&lights),
-            false => say(wrapped(&format!("{}\n{}", tally.told(), ran.told(&path, args.many.told.form())))),
+            false => say(wrapped(&format!("{}\n{}", tally.told(), ran.told(&path)))),
         };
     }
     let results = Results::read(&path, &plan, &base).map_err(asked)?;
     let studied = Studied::of(&results, &args.many, &dir, args.keep.is_some())?;
     match args.many.json.json {
         true => say_json(&studied.json(&results, &path, (ran.kept, ran.seconds))),
-        false => say(wrapped(&format!("{}\n{}", studied.told(&results), ran.told(&path, args.many.told.form())))),
+        false => say(wrapped(&format!("{}\n{}", studied.told(&results), ran.told(&path)))),
     }
 }
 
@@ -159,28 +159,21 @@ struct Ran {
 
 impl Ran {
     /// `400 designs (12 s, 2000 a minute) in out/cup-sweep/study.csv`
-    fn told(&self, path: &Path, form: Form) -> String {
+    fn told(&self, path: &Path) -> String {
         let Self { designs, kept, seconds } = *self;
         let n = study::designs(designs);
         let file = path.display().to_string();
         if kept == designs {
-            return message!("{n}, all of an earlier run, in {file}", n = n, file = file).told(form);
+            return format!("{n}, all of an earlier run, in {file}");
         }
         let (time, rate) = (Amount::time(seconds), (60.0 * (designs - kept) as f64 / seconds).round() as usize);
         let said = match kept {
             0 => {
-                message!("{n} ({time}, {rate} a minute) in {file}", n = n, time = time, rate = rate, file = file)
+                format!("{n} ({time}, {rate} a minute) in {file}")
             }
-            _ => message!(
-                "{n} ({time}, {rate} a minute, {kept} of an earlier run) in {file}",
-                n = n,
-                time = time,
-                rate = rate,
-                kept = kept,
-                file = file
-            ),
+            _ => format!("{n} ({time}, {rate} a minute, {kept} of an earlier run) in {file}"),
         };
-        said.told(form)
+        said.to_string()
     }
 }
 

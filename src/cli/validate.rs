@@ -6,7 +6,7 @@ mod screen;
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, PictureOptions, Threads, Told};
+use super::options::{Json, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
@@ -48,8 +48,6 @@ pub struct Args {
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
     #[command(flatten)]
-    form: Told,
-    #[command(flatten)]
     json: Json,
 }
 
@@ -88,7 +86,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     } else if args.markdown {
         say(markdown::markdown(&compared))
     } else {
-        say(screen::screen(&compared, args.form.form()))
+        say(screen::screen(&compared))
     };
     failed.extend(said.err());
     let code = if compared.iter().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };

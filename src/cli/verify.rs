@@ -4,7 +4,7 @@ use super::code::Code;
 use super::interrupt;
 use super::job::{load_all, told};
 use super::json;
-use super::options::{self, Json, Overrides, Threads};
+use super::options::{Json, Overrides, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
@@ -12,10 +12,10 @@ use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess;
 use stampflow::case::{Case, Solution};
-use stampflow::message::{Amount, Form, Message, message};
 use stampflow::results::verification::{BEGINNING, FILE, csv};
 use stampflow::results::write;
 use stampflow::study::verify::{Bar, Of, Verification, moved};
+use stampflow::units::Amount;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -47,8 +47,6 @@ pub struct Args {
     /// Print Markdown, for documents
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
-    #[command(flatten)]
-    form: options::Told,
     #[command(flatten)]
     overrides: Overrides,
     /// Show no progress
@@ -103,7 +101,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     }
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let moved: Vec<Message> = moved(&findings, &verification).into_iter().map(|moved| moved.sentence).collect();
+    let moved: Vec<String> = moved(&findings, &verification).into_iter().map(|moved| moved.sentence).collect();
     if args.json.json {
         let mut value = json::verification(&verification);
         value["case"] = json!(solution.case.name);
@@ -112,14 +110,14 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
         value["file"] = json!(path);
         return Ok((code, Some(value)));
     }
-    let told = Told { verification: &verification, moved: &moved, seconds, form: args.form.form() };
+    let told = Told { verification: &verification, moved: &moved, seconds };
     if args.markdown {
         say(told.markdown(&solution))?;
     } else {
         say(told.screen(&solution))?;
     }
     if let Some(path) = path {
-        say(args.form.form().tell(message!("{file} is written", file = path.display().to_string())))?;
+        say(format!("{file} is written", file = path.display()))?;
     }
     Ok((code, None))
 }
@@ -137,9 +135,8 @@ impl Args {
 /// A verification as it is told.
 struct Told<'a> {
     verification: &'a Verification,
-    moved: &'a [Message],
+    moved: &'a [String],
     seconds: f64,
-    form: Form,
 }
 
 const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
@@ -148,34 +145,33 @@ impl Told<'_> {
     /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
     fn rows(&self) -> Vec<[String; 3]> {
         let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-        let row =
-            |bar: &Bar| [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)];
+        let row = |bar: &Bar| [String::from(bar.number.label), String::from(bar.amount()), bar.made_of().to_string()];
         self.verification.bars.iter().filter(told).map(row).collect()
     }
 
     /// What was done, and in what time.
-    fn effort(&self) -> Message {
+    fn effort(&self) -> String {
         let finer = self.verification.outcomes.len() - 1;
-        message!("{n} finer runs, {time}", n = finer, time = Amount::time(self.seconds))
+        format!("{finer} finer runs, {time}", time = Amount::time(self.seconds))
     }
 
     fn sentences(&self) -> impl Iterator<Item = String> {
-        self.verification.told.iter().chain(self.moved).map(|told| told.told(self.form))
+        self.verification.told.iter().chain(self.moved).map(|told| told.to_string())
     }
 
     fn screen(&self, solution: &Solution) -> Shown {
-        let headers = HEADERS.map(|header| self.form.tell(header));
+        let headers = HEADERS.map(|header| String::from(header));
         let rows = self.rows().into_iter().map(|row| row.map(Cell::plain)).collect();
         let mut text = String::from("\n");
         for sentence in self.sentences() {
             let _ = writeln!(text, "- {sentence}");
         }
-        let title = format!("{}: {}\n\n", solution.case.name, self.effort().told(self.form));
+        let title = format!("{}: {}\n\n", solution.case.name, self.effort().to_string());
         wrapped(&title) + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
     }
 
     fn markdown(&self, solution: &Solution) -> String {
-        let headers = HEADERS.map(|header| self.form.tell(header));
+        let headers = HEADERS.map(|header| String::from(header));
         let mut text = format!("### {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
         for row in self.rows() {
             let _ = writeln!(text, "| {} |", row.join(" | "));

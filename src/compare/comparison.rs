@@ -7,9 +7,9 @@ use super::error::CompareError;
 use super::source::Source;
 use super::spec::{Against, Spec};
 use super::verdict::Verdict;
-use crate::message::{Amount, Digits, Form};
 use crate::table::{Axis, Column, Table, Unit};
 use crate::units::rounded;
+use crate::units::{Amount, Digits};
 
 /// Of a value in a table of many comparisons: no reference is known better.
 const DIGITS: usize = 3;
@@ -105,19 +105,19 @@ impl Comparison {
     }
 
     /// What that value is held against, in a form: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
-    pub fn target(&self, form: Form) -> Option<String> {
+    pub fn target(&self) -> Option<String> {
         match (&self.spec.against, &self.found) {
             (Against::Curve(curve), Found::Points(points)) => points.worst().map(|point| {
                 let tolerance = Amount::given_share(curve.tolerance);
-                format!("{} ± {}", self.amount(point.reference).told(form), tolerance.told(form))
+                format!("{} ± {}", self.amount(point.reference).to_string(), tolerance.to_string())
             }),
             (_, Found::Band(Band { accepted, .. })) => {
                 let [low, high] = [accepted.low, accepted.high].map(|end| self.amount(end));
                 let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
                 Some(match (number == other, unit == of_high) {
-                    (true, true) => high.told(form),
-                    (_, true) => format!("{number}–{}", high.told(form)),
-                    _ => format!("{}–{}", low.told(form), high.told(form)),
+                    (true, true) => high.to_string(),
+                    (_, true) => format!("{number}–{}", high.to_string()),
+                    _ => format!("{}–{}", low.to_string(), high.to_string()),
                 })
             }
             _ => None,

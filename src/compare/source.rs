@@ -1,6 +1,5 @@
 //! Where reference curves come from: `sources.toml` in their folder, one table per file name.
 
-use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -36,7 +35,7 @@ impl Source {
 
     /// The kind in short: of a benchmark and a cross-check, which are numerical here, without that word; the rule of a producer
     /// by the producer.
-    pub fn kind(&self) -> Message {
+    pub fn kind(&self) -> String {
         let short = self.kind.strip_prefix("numerical ").unwrap_or(&self.kind);
         let short = short.strip_suffix("'s rule").unwrap_or(short);
         KINDS.iter().find(|known| **known == short).map_or_else(|| short.to_owned().into(), |known| (*known).into())

@@ -3,7 +3,6 @@
 use super::instability::{Hardened, Proportional, hardening_note, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet, swift};
-use crate::message::message;
 
 /// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
 ///
@@ -35,9 +34,8 @@ impl Hill {
         };
         let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;
         let law = hardening_note(self.n);
-        let notes = vec![message!(
-            "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}.",
-            law = law
+        let notes = vec![format!(
+            "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}."
         )];
         Curve::new(Kind::Hill(*self), sheet, points, notes)
     }

@@ -11,8 +11,8 @@
 use super::plane::Plane;
 use super::{LimitError, Sheet};
 use crate::material::FlowStress;
-use crate::message::{Amount, Digits, Message, message};
 use crate::numerics::bisect;
+use crate::units::{Amount, Digits};
 
 /// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
 const LARGEST: f64 = 3.0;
@@ -101,8 +101,8 @@ pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<I
 }
 
 /// The words for n, and for a law's own hardening.
-pub(super) fn hardening_note(n: Option<f64>) -> Message {
+pub(super) fn hardening_note(n: Option<f64>) -> String {
     n.map_or("the hardening law of the sheet".into(), |n| {
-        message!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
+        format!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
     })
 }

@@ -14,7 +14,7 @@
 
 use super::{Curve, Kind, LimitError, Sheet, uniform_strain};
 use crate::material::law::prelude::*;
-use crate::message::{Amount, Digits, Message, message};
+use crate::units::{Amount, Digits, joined};
 
 /// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6.
 ///
@@ -55,13 +55,12 @@ impl KeelerBrazier {
             None => (uniform_strain(sheet)?, "the uniform strain of the hardening law"),
         };
         let flc0 = Self::plane_strain(n, thickness).ln_1p();
-        let capped = Some(message!("counted as {n}", n = Amount::number(Self::N))).filter(|_| n > Self::N);
-        let origin = Message::joined(std::iter::once(Message::from(origin)).chain(capped), ", ");
+        let capped = Some(format!("counted as {n}", n = Amount::number(Self::N))).filter(|_| n > Self::N);
+        let origin = joined(std::iter::once(String::from(origin)).chain(capped), ", ");
         let right = 0.2_f64.ln_1p();
-        let notes = vec![message!(
+        let notes = vec![format!(
             "Forming limit: Keeler and Brazier, for steel, with n = {n} ({origin}) and t = {thickness}; FLC₀ = {flc0}.",
             n = Amount::ratio(n).to(Digits::Decimals(4)),
-            origin = origin,
             thickness = Amount::size(thickness),
             flc0 = Amount::strain(flc0).to(Digits::Decimals(4))
         )];

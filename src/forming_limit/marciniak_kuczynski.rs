@@ -19,7 +19,7 @@ use super::instability::{Proportional, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet};
 use crate::material::law::prelude::*;
-use crate::message::{Amount, Digits, message};
+use crate::units::{Amount, Digits};
 use groove::{Failure, Groove};
 use std::ops::RangeInclusive;
 
@@ -99,16 +99,15 @@ impl MarciniakKuczynski {
             .collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
         let law = match sheet.material.rate {
-            Some(_) => message!(
+            Some(_) => format!(
                 "the hardening law of the sheet at a strain rate of {rate} 1/s",
                 rate = Amount::norm(self.strain_rate)
             ),
             None => "the hardening law of the sheet".into(),
         };
-        let note = message!(
+        let note = format!(
             "Forming limit: Marciniak and Kuczyński with f₀ = {groove} (an assumption unless it was fitted), by {law}; necked where the groove strains {times} times as fast.",
             groove = Amount::number(self.imperfection).to(Digits::Given(6)),
-            law = law,
             times = Amount::number(Self::CRITICAL)
         );
         Curve::new(Kind::MarciniakKuczynski(*self), sheet, points, vec![note])

@@ -32,7 +32,7 @@ pub use swift::Swift;
 use plane::Plane;
 
 use crate::material::Material;
-use crate::message::{Amount, Message, message};
+use crate::units::Amount;
 
 /// Why there is no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -134,7 +134,7 @@ pub struct Curve {
     /// What it is called.
     pub name: &'static str,
     /// Where its numbers come from and what was assumed, in sentences.
-    pub notes: Vec<Message>,
+    pub notes: Vec<String>,
 }
 
 impl Curve {
@@ -142,7 +142,7 @@ impl Curve {
     ///
     /// # Errors
     /// When there are fewer than two, or the minor strain does not rise.
-    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<Message>) -> Result<Self, LimitError> {
+    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<String>) -> Result<Self, LimitError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
             return Err(LimitError::new(what, "give more points"));
@@ -158,10 +158,7 @@ impl Curve {
         let plane = Plane::of(sheet.material);
         let ends = kind.feels_yield_condition() && plane.overrates_biaxial();
         if ends {
-            notes.push(message!(
-                "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.",
-                r = Amount::number(plane.ratio())
-            ));
+            notes.push(format!("The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.", r = Amount::number(plane.ratio())));
         }
         let (name, thickness, temperature) = (kind.name(), sheet.thickness, sheet.temperature);
         Ok(Self { kind, thickness, temperature, ends, points, name, notes })

@@ -1,7 +1,6 @@
 //! A measured curve.
 
 use super::{Curve, Kind, LimitError, Sheet};
-use crate::message::message;
 
 /// Strains of a measured curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
@@ -52,7 +51,7 @@ impl Points {
             Strain::Logarithmic => "logarithmic as given",
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
-        let notes = vec![message!("Forming limit: points of the case, {measure}.", measure = measure)];
+        let notes = vec![format!("Forming limit: points of the case, {measure}.")];
         Curve::new(Kind::Points(self.clone()), sheet, points, notes)
     }
 }

@@ -3,7 +3,6 @@
 use super::instability::{Hardened, Proportional, hardening_note, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet};
-use crate::message::message;
 
 /// Swift's diffuse necking: both forces are at their maxima, dσ₁ = σ₁ dε₁ and dσ₂ = σ₂ dε₂, so that
 ///
@@ -28,7 +27,7 @@ impl Swift {
         let (plane, mut hardened) = (Plane::of(sheet.material), Hardened::new(sheet, self.n));
         let points = ratios(plane, 20, 20).map(|beta| point(plane, &mut hardened, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
-        let note = message!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
+        let note = format!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
         Curve::new(Kind::Swift(*self), sheet, points, vec![note])
     }
 }

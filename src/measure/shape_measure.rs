@@ -1,8 +1,8 @@
 //! What is measured on a shape, by name, and how it is written: with the digits that a mesh supports.
 
 use super::Shape;
-use crate::message::{Amount, Digits, Message, message};
 use crate::table::Unit;
+use crate::units::{Amount, Digits};
 
 /// Decimals of an angle \[°\] and of a length \[mm\]. Twice the elements, or four times, move the angle of a bent strip by
 /// 0.04°, and those of a channel or a hat that has sprung back by 0.1 to 0.2°; height and edge go with the angle, by
@@ -21,7 +21,7 @@ pub struct ShapeMeasure {
     /// Measures it; `None` where the shape has no such thing.
     pub of: fn(&Shape) -> Option<f64>,
     /// How a value is told.
-    told: fn(f64, Unit) -> Message,
+    told: fn(f64, Unit) -> String,
 }
 
 /// Of the wall to the direction of the punch \[°\].
@@ -57,36 +57,36 @@ impl ShapeMeasure {
     }
 
     /// A value as a reader is told it: `47.5°`, `224 mm`, `straight`.
-    pub fn told(&self, value: f64) -> Message {
+    pub fn told(&self, value: f64) -> String {
         (self.told)(value, self.unit)
     }
 
     /// What is told of it behind its name: `Opening angle 90.0°`.
-    pub fn named(&self, told: Message) -> Message {
-        message!("{quantity} {told}", quantity = self.label, told = told)
+    pub fn named(&self, told: String) -> String {
+        format!("{quantity} {told}", quantity = self.label)
     }
 
     /// A difference of values: `+7.9°`.
-    pub fn signed(&self, difference: f64) -> Message {
+    pub fn signed(&self, difference: f64) -> String {
         let by = (self.told)(difference, self.unit);
         let is_more = difference > 0.0 && by != (self.told)(0.0, self.unit);
-        if is_more { message!("+{by}", by = by) } else { by }
+        if is_more { format!("+{by}") } else { by }
     }
 }
 
 /// `-0.3°`, `12.0 mm`.
-fn measured(value: f64, unit: Unit) -> Message {
+fn measured(value: f64, unit: Unit) -> String {
     let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
     let value = if value.abs() < least { 0.0 } else { value };
     Amount::new(value, unit, Digits::Decimals(DECIMALS)).into()
 }
 
 /// `224 mm`, to whole millimetres, for twice the elements move it by a hundredth; an infinite one is that of a straight wall.
-fn radius(value: f64, unit: Unit) -> Message {
+fn radius(value: f64, unit: Unit) -> String {
     let radius = Amount::new(value.abs(), unit, Digits::Decimals(0));
     match value {
         r if r.is_infinite() => "straight".into(),
-        r if r < 0.0 => message!("{radius} inward", radius = radius),
+        r if r < 0.0 => format!("{radius} inward"),
         _ => radius.into(),
     }
 }
@@ -109,9 +109,9 @@ impl Change {
     }
 
     /// `0.3° → 8.2°`.
-    pub fn told(&self) -> Message {
+    pub fn told(&self) -> String {
         let told = |value: Option<f64>| value.map_or("none".into(), |value| self.quantity.told(value));
-        message!("{before} → {after}", before = told(self.before), after = told(self.after))
+        format!("{before} → {after}", before = told(self.before), after = told(self.after))
     }
 }
 

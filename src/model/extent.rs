@@ -1,7 +1,7 @@
 //! What of the part the forces, works and heat of a run are of, and the units that follow.
 
 use super::Geometry;
-use crate::message::{Amount, Message, message};
+use crate::units::Amount;
 use crate::units::Unit;
 
 /// What forces, works and heat are of: always of the whole section, both halves of a plane one.
@@ -60,12 +60,12 @@ impl Extent {
     }
 
     /// The words for it: `forces of the whole ring`.
-    pub fn described(self) -> Message {
+    pub fn described(self) -> String {
         match self {
             Self::Ring => "forces of the whole ring".into(),
             Self::PerDepth => "forces of the whole section, both halves, per mm of depth".into(),
             Self::Depth(depth) => {
-                message!("forces of the whole part, {depth} deep", depth = Amount::size(depth))
+                format!("forces of the whole part, {depth} deep", depth = Amount::size(depth))
             }
         }
     }

@@ -5,9 +5,9 @@ use super::draw::{Drawing, WIDTH};
 use super::gif::gif;
 use super::thinning::{Thinning, said, times};
 use super::{StageView, load_travel, sections};
-use crate::message::{Amount, Digits, message};
 use crate::results::Files;
 use crate::solver::solution::Frame;
+use crate::units::{Amount, Digits};
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
 pub const PICTURES: usize = 50;
@@ -50,7 +50,7 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let (value, unit) = view.reaches(frame);
     let decimals = decimals(frames.iter().map(|frame| view.reaches(frame).0).fold(0.0, f64::max));
     let at = Amount::new(value, unit, Digits::Decimals(decimals));
-    let reached = view.tell(message!("{progress} {at}", progress = view.progress(), at = at));
+    let reached = format!("{progress} {at}", progress = view.progress());
     let thinning = Thinning::of(model.blank.thickness, frames.iter().copied());
     let times = times(model.blank.thickness, WIDE / window[0].1);
     let sheet = thinning.section(frame, times);
@@ -60,9 +60,9 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
         title: format!("{}: {reached}", view.title),
         legend: String::new(),
         panels: [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect(),
-        notes: std::iter::once(view.tell(said(times))).chain(view.notes()).collect(),
+        notes: std::iter::once(String::from(said(times))).chain(view.notes()).collect(),
     };
-    chart.told(view.form)
+    chart.displayed()
 }
 
 /// The load up to a time, on what it comes to; nothing where nothing loads the sheet.

@@ -4,16 +4,16 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
 use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
-use crate::message::{Amount, Form, Message, message};
 use crate::model::Model;
 use crate::solver::solution::Frame;
+use crate::units::{Amount, joined};
 use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimension {
     /// What is that large: `Punch`.
-    pub of: Message,
+    pub of: String,
     /// Which of its sizes it is.
     pub size: Size,
     /// The size as it is told.
@@ -77,26 +77,26 @@ const SHEET: Color = (0, 114, 178);
 
 impl Dimension {
     /// In words, for a table: `Punch diameter`.
-    pub fn name(&self) -> Message {
+    pub fn name(&self) -> String {
         let of = self.of.clone();
         match self.size {
-            Size::Diameter => message!("{of} diameter", of = of),
-            Size::Width => message!("{of} width", of = of),
-            Size::Radius(1) => message!("{of} radius", of = of),
-            Size::Radius(alike) => message!("{of} radius, {n} times", of = of, n = alike),
+            Size::Diameter => format!("{of} diameter"),
+            Size::Width => format!("{of} width"),
+            Size::Radius(1) => format!("{of} radius"),
+            Size::Radius(alike) => format!("{of} radius, {alike} times"),
             Size::Plain => of,
         }
     }
 
     /// As on a drawing: `Punch Ø 60 mm`.
-    fn text(&self) -> Message {
+    fn text(&self) -> String {
         let (of, size) = (self.of.clone(), self.amount);
         match self.size {
-            Size::Diameter => message!("{of} Ø {size}", of = of, size = size),
-            Size::Width => message!("{of} width {size}", of = of, size = size),
-            Size::Radius(1) => message!("{of} R {size}", of = of, size = size),
-            Size::Radius(alike) => message!("{of} {n} × R {size}", of = of, n = alike, size = size),
-            Size::Plain => message!("{of} {size}", of = of, size = size),
+            Size::Diameter => format!("{of} Ø {size}"),
+            Size::Width => format!("{of} width {size}"),
+            Size::Radius(1) => format!("{of} R {size}"),
+            Size::Radius(alike) => format!("{of} {alike} × R {size}"),
+            Size::Plain => format!("{of} {size}"),
         }
     }
 }
@@ -104,8 +104,8 @@ impl Dimension {
 /// The sheet and the tools before the first step of a stage with their dimensions; `start` is what a later stage begins
 /// with. Widths stand below the section, a row each; heights beside their arrows; all others at the section's side, a row
 /// each, in the order in which their leaders do not cross: no label lies on another.
-pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension], form: Form) -> Chart {
-    let text = |dimension: &Dimension| form.tell(dimension.text());
+pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Chart {
+    let text = |dimension: &Dimension| String::from(dimension.text());
     let that = |is: fn(&Mark) -> bool| dimensions.iter().filter(move |d| is(&d.mark));
     let mut across: Vec<_> = that(|mark| matches!(mark, Mark::Across(_))).collect();
     let mut aside: Vec<_> = that(|mark| matches!(mark, Mark::At(_))).collect();
@@ -172,19 +172,19 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
         title,
         legend: String::new(),
         panels: vec![panel(model.geometry, series, [(-BEYOND * px, width + beside * px), (top, bottom + px * below)])],
-        notes: vec![form.tell(legend(model, start))],
+        notes: vec![String::from(legend(model, start))],
     };
-    chart.told(form)
+    chart.displayed()
 }
 
 /// What the colours mean.
-fn legend(model: &Model, start: Option<&Frame>) -> Message {
+fn legend(model: &Model, start: Option<&Frame>) -> String {
     let sheet = match start {
         Some(_) => "Blue: the sheet that the stage begins with. Grey: the tools.",
         None => "Blue: the blank. Grey: the tools, where they touch the flat sheet.",
     };
     let beads = if model.beads.is_empty() { "" } else { "Black: draw beads, lines that hold the sheet back." };
-    Message::joined([sheet, beads].map(Message::from), " ")
+    joined([sheet, beads].map(String::from), " ")
 }
 
 /// Puts labels, whose leaders end at `side` of their number, in an order in which no two leaders cross: two that do change

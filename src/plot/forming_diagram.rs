@@ -5,11 +5,11 @@ use super::StageView;
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color, pale};
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::Geometry;
 use crate::results::forming_limit;
 use crate::table::fields::element::S0;
 use crate::table::{Column, Unit};
+use crate::units::{Amount, Digits, joined};
 
 /// Points of a drawn path: more than the eye follows.
 const DRAWN: usize = 60;
@@ -45,8 +45,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Geometry::Axisymmetric => ("forming limit diagram", diagram(view, assessment, limit, strains)),
         Geometry::PlaneStrain => ("major strain and forming limit", strip(view, assessment, limit, strains)),
     };
-    let sources = limit.notes.iter().filter(|_| view.says_sources()).map(|note| view.tell(note.clone()));
-    let notes = std::iter::once(view.tell(words(view, assessment))).chain(sources).chain(view.notes()).collect();
+    let sources = limit.notes.iter().filter(|_| view.says_sources()).map(|note| String::from(note.clone()));
+    let notes = std::iter::once(String::from(words(view, assessment))).chain(sources).chain(view.notes()).collect();
     Some(Chart { title: view.titled(what), legend: String::new(), panels: vec![panel], notes })
 }
 
@@ -115,9 +115,9 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         [least.min(0.0), least.min(0.0)],
         [minors.0, least.min(0.0)],
     ];
-    let zone = |label: Message, outline: Vec<[f64; 2]>, fill| {
+    let zone = |label: String, outline: Vec<[f64; 2]>, fill| {
         let points = outline.into_iter().map(|p| strains.point(p)).collect();
-        Series::new(view.tell(label), points, Look::Area { fill, edge: None })
+        Series::new(String::from(label), points, Look::Area { fill, edge: None })
     };
     let mut series = vec![
         zone("Failed".into(), all, FAILED),
@@ -141,13 +141,17 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         ("Major strain along the hoop", of(|element| element.hoop_is_major), Look::Triangles { color: color(2) }),
     ];
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
-    series.extend(places.map(|(label, points, look)| Series::new(view.tell(label), points, look)));
-    let name = view.tell(named(limit));
+    series.extend(places.map(|(label, points, look)| Series::new(String::from(label), points, look)));
+    let name = String::from(named(limit));
     let shown = curve.iter().filter(|p| p[0] <= p[1] && limit.knows(p[0])).map(|p| strains.point(*p)).collect();
     series.push(Series::new(name, shown, LIMIT));
     let end = emphasised.last().copied().into_iter().collect();
     series.push(Series::silent(emphasised, Look::Line { color: color(1), width: 2.2, dash: &[] }));
-    series.push(Series::new(view.tell(nearest(&assessment.elements[worst])), end, Look::Circles { color: color(1) }));
+    series.push(Series::new(
+        String::from(nearest(&assessment.elements[worst])),
+        end,
+        Look::Circles { color: color(1) },
+    ));
     let [x, y] = strains.axes();
     let window = (minors.0, right);
     let scale = Scale::Window {
@@ -175,16 +179,17 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
         line.extend([(length, low), (0.0, low)]);
         line
     };
-    let zone = |label: Message, outline, fill| Series::new(view.tell(label), outline, Look::Area { fill, edge: None });
+    let zone =
+        |label: String, outline, fill| Series::new(String::from(label), outline, Look::Area { fill, edge: None });
     let worst = &elements[worst(assessment)];
     let series = vec![
         zone("Failed".into(), below(vec![(0.0, high), (length, high)]), FAILED),
         zone(marginal(), below(over(&|e| e.limit)), MARGINAL),
         zone("Safe".into(), below(over(&|e| CAREFUL * e.limit)), SAFE),
-        Series::new(view.tell(named(limit)), over(&|e| e.limit), LIMIT),
-        Series::new(view.tell("Major strain"), over(&|e| e.major), Look::curve(0)),
+        Series::new(String::from(named(limit)), over(&|e| e.limit), LIMIT),
+        Series::new(String::from("Major strain"), over(&|e| e.major), Look::curve(0)),
         Series::new(
-            view.tell(nearest(worst)),
+            String::from(nearest(worst)),
             vec![(worst.s0, strains.of(worst.major))],
             Look::Circles { color: color(1) },
         ),
@@ -198,20 +203,20 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
     }
 }
 
-fn nearest(worst: &Judged) -> Message {
+fn nearest(worst: &Judged) -> String {
     let [share, s0] = [percent(worst.ratio()), Amount::place(worst.s0)];
     if worst.is_open() {
-        return message!("Most strained beyond the end of the limit, s0 = {s0}", s0 = s0);
+        return format!("Most strained beyond the end of the limit, s0 = {s0}");
     }
-    message!("Nearest to the limit, {share} of it, s0 = {s0}", share = share, s0 = s0)
+    format!("Nearest to the limit, {share} of it, s0 = {s0}")
 }
 
-fn marginal() -> Message {
-    message!("Marginal, above {share} of the limit", share = percent(CAREFUL))
+fn marginal() -> String {
+    format!("Marginal, above {share} of the limit", share = percent(CAREFUL))
 }
 
-fn named(limit: &Curve) -> Message {
-    message!("Limit: {curve}", curve = limit.name)
+fn named(limit: &Curve) -> String {
+    format!("Limit: {curve}", curve = limit.name)
 }
 
 /// A share to a percent.
@@ -237,45 +242,40 @@ pub(crate) fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
 }
 
 /// What the diagram says.
-fn words(view: &StageView, assessment: &Assessment) -> Message {
+fn words(view: &StageView, assessment: &Assessment) -> String {
     let worst = assessment.worst();
     let reached = assessment.reached.map_or_else(
         || match assessment.open() {
             Some(_) => "The limit ends in plane strain, and places beyond its end are not judged.".into(),
-            None => Message::from("The limit is not reached."),
+            None => String::from("The limit is not reached."),
         },
         |reached| {
             let (s0, travel) = (Amount::place(reached.s0), Amount::place(reached.travel).to(Digits::Decimals(2)));
             let time = Amount::time(reached.time).to(Digits::Decimals(4));
             match view.model().timed {
-                true => message!(
-                    "The limit is reached at s0 = {s0}, at {travel} of travel ({time}).",
-                    s0 = s0,
-                    travel = travel,
-                    time = time
-                ),
+                true => format!("The limit is reached at s0 = {s0}, at {travel} of travel ({time})."),
                 false => {
-                    message!("The limit is reached at s0 = {s0}, at {travel} of travel.", s0 = s0, travel = travel)
+                    format!("The limit is reached at s0 = {s0}, at {travel} of travel.")
                 }
             }
         },
     );
     let least = (!worst.is_open()).then(|| {
-        message!(
+        format!(
             "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
             margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
             s0 = Amount::place(worst.s0),
             share = percent(worst.ratio())
         )
     });
-    let crooked = message!(
+    let crooked = format!(
         "{n} of {all} paths leave a straight line by more than {share} of their length: limits are measured on straight ones.",
         n = assessment.crooked(),
         all = assessment.elements.len(),
         share = percent(CROOKED)
     );
     let crooked = Some(crooked).filter(|_| assessment.crooked() > 0);
-    Message::joined([Some(reached), least, crooked].into_iter().flatten(), " ")
+    joined([Some(reached), least, crooked].into_iter().flatten(), " ")
 }
 
 fn drawn(path: &[[f64; 2]]) -> Vec<[f64; 2]> {

@@ -3,10 +3,10 @@
 use super::StageView;
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
 use crate::measure;
-use crate::message::{Amount, message};
 use crate::solver::solution::StepRecord;
 use crate::table::Field;
 use crate::table::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
+use crate::units::Amount;
 
 /// A press's rating is drawn where it is no larger than so many times the largest force: else the curve would be flat.
 const NEAR: f64 = 2.0;
@@ -15,34 +15,34 @@ const NEAR: f64 = 2.0;
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
     if let Some(band) = view.load_band {
-        panel = panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], color(0));
+        panel = panel.with_band(String::from("Error band"), &band.x, [&band.low, &band.high], color(0));
     }
     let forces = view.model().travel > 0.0;
     let mut notes = Vec::new();
     if forces {
         let unit = view.extent().force_unit();
         for event in measure::events(view.stage) {
-            let label = message!("{event}, {travel}", event = event.kind.label(), travel = Amount::place(event.travel));
-            panel.series.push(Series::new(view.tell(label), vec![(event.travel, event.force)], Look::Flag));
+            let label = format!("{event}, {travel}", event = event.kind.label(), travel = Amount::place(event.travel));
+            panel.series.push(Series::new(String::from(label), vec![(event.travel, event.force)], Look::Flag));
         }
         let peak = view.stage.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
             let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
-            let label = view.tell(message!("peak {force} at {travel}", force = force, travel = travel));
+            let label = format!("peak {force} at {travel}");
             panel.series.push(Series::new(label, vec![(peak.travel, peak.punch_force)], Look::Flag));
             if let Some(rating) = view.press.force {
-                let label = message!("Press rating, {force}", force = Amount::force(rating, unit));
+                let label = format!("Press rating, {force}", force = Amount::force(rating, unit));
                 match rating <= NEAR * peak.punch_force {
                     true => {
                         let ends = [view.stage.steps.first(), view.stage.steps.last()].into_iter().flatten();
                         let line = ends.map(|step| (step.travel, rating)).collect();
                         panel.series.push(Series::new(
-                            view.tell(label),
+                            String::from(label),
                             line,
                             Look::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] },
                         ));
                     }
-                    false => notes.push(view.tell(message!("{press}: above the picture.", press = label))),
+                    false => notes.push(format!("{label}: above the picture.")),
                 }
             }
         }
@@ -67,7 +67,7 @@ pub(crate) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         }
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
-        Series::new(view.tell(field.label(extent)), over.against(field, steps), Look::curve(i))
+        Series::new(String::from(field.label(extent)), over.against(field, steps), Look::curve(i))
     };
     Some(Panel {
         x: over.axis(extent),

@@ -6,8 +6,8 @@ use super::font;
 use super::sections::{panel, surface, whole_tools};
 use super::thinning::{Thinning, said, times};
 use crate::assess::tears_at;
-use crate::message::{Amount, Message, message};
 use crate::solver::solution::{ElementRecord, Frame};
+use crate::units::{Amount, joined};
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;
@@ -39,21 +39,21 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let tears_at = tears_at(view.stage);
     // What lies beyond is that of the tear, whose words are shorter.
     let room = if tears_at.is_some() { -SHARED * window[0].1 } else { -window[0].1 };
-    let mut marks = vec![callout(view.tell(number), thinnest, (1.0, room), frame, window, narrow)];
+    let mut marks = vec![callout(String::from(number), thinnest, (1.0, room), frame, window, narrow)];
     if let Some(s0) = tears_at {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout(view.tell("tears here"), torn, (-1.0, SHARED * window[0].1), frame, window, narrow));
+        marks.push(callout(String::from("tears here"), torn, (-1.0, SHARED * window[0].1), frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
     let tools_at = model.release.is_none().then(|| "Grey: the tools at the end.".into());
-    let drawn = Message::joined(std::iter::once(said(times)).chain(tools_at), " ");
+    let drawn = joined(std::iter::once(said(times)).chain(tools_at), " ");
     let section = panel(model.geometry, tools.chain(thinning.whole(frame, times)).chain(marks), window);
     Some(Chart {
         title: view.titled("the part and its thinning"),
         legend: String::new(),
         panels: vec![section, thinning.scale()],
-        notes: std::iter::once(view.tell(drawn)).chain(view.notes()).collect(),
+        notes: std::iter::once(String::from(drawn)).chain(view.notes()).collect(),
     })
 }
 
@@ -68,13 +68,13 @@ fn window(frame: &Frame) -> [(f64, f64); 2] {
 }
 
 /// `0.61 mm, 39 % thinner`, with the digits of the summary.
-fn number(initial: f64, thickness: f64) -> Message {
+fn number(initial: f64, thickness: f64) -> String {
     let thinner = 1.0 - thickness / initial;
     let by = match thinner < 0.0 {
-        false => message!("{thinning} thinner", thinning = Amount::share(thinner)),
-        true => message!("{thickening} thicker", thickening = Amount::share(-thinner)),
+        false => format!("{thinning} thinner", thinning = Amount::share(thinner)),
+        true => format!("{thickening} thicker", thickening = Amount::share(-thinner)),
     };
-    Message::joined([Amount::thickness(thickness).into(), by], ", ")
+    joined([Amount::thickness(thickness).into(), by], ", ")
 }
 
 /// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet, from the

@@ -31,7 +31,7 @@ pub(crate) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     // The axis begins at zero where that is near.
     let foot = if low < 0.5 * high { 0.0 } else { low };
     let row = ROW * (high - foot).max(least);
-    let named: Vec<String> = bands.iter().map(|stretch| view.tell(stretch.band.name())).collect();
+    let named: Vec<String> = bands.iter().map(|stretch| String::from(stretch.band.name())).collect();
     let names = names(&bands, &named, NARROW / along[along.len() - 1]);
     let top = high + row * if names.iter().any(|name| name.is_above) { 3.6 } else { 1.4 };
     let leaders = bands.iter().zip(&names).filter(|(_, name)| name.is_above).map(|(stretch, name)| {

@@ -19,8 +19,11 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let panel = |field: Field<StepRecord>, i: usize, height: f64, beside: Option<Series>| {
         let points = steps.iter().map(|step| (factor * step.time, (field.value)(step))).collect();
         // One curve a panel: no pattern is needed to tell it from others.
-        let curve =
-            Series::new(view.tell(field.label(extent)), points, Look::Line { color: color(i), width: 2.4, dash: &[] });
+        let curve = Series::new(
+            String::from(field.label(extent)),
+            points,
+            Look::Line { color: color(i), width: 2.4, dash: &[] },
+        );
         let least = 0.02 * steps.iter().map(field.value).fold(0.0, f64::max);
         Panel {
             x: time.clone(),
@@ -30,7 +33,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         }
     };
     let level = |label: &'static str, value: f64, look: Look| {
-        value.is_finite().then(|| Series::new(view.tell(label), vec![(0.0, value), (factor * end, value)], look))
+        value.is_finite().then(|| Series::new(String::from(label), vec![(0.0, value), (factor * end, value)], look))
     };
     let target = Look::Line { color: BLACK, width: 1.2, dash: &[6.0, 4.0] };
     let cap = Look::Line { color: GREY, width: 1.6, dash: &[2.0, 3.0] };

@@ -3,11 +3,11 @@
 use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use crate::measure::Place;
-use crate::message::{Amount, message};
 use crate::results::residual_stress::{across, released, shown};
 use crate::solver::solution::{ElementRecord, PointRecord};
 use crate::table::Field;
 use crate::table::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
+use crate::units::Amount;
 
 /// Least height of a stress axis \[MPa\]: smaller stresses are noise or nothing to look at.
 const LEAST: f64 = 1.0;
@@ -23,7 +23,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         let series = shown.iter().enumerate().map(|(i, place)| {
             let points = frame.through.elements().nth(place.element).unwrap_or_default();
             Series {
-                label: labelled.then(|| view.tell(message!("{place}, s0 = {s0}", place = place.name, s0 = at(place)))),
+                label: labelled.then(|| format!("{place}, s0 = {s0}", place = place.name, s0 = at(place))),
                 points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
                 look: Look::curve(i),
             }
@@ -36,7 +36,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         }
     };
     let is_held = shown.iter().any(|place| place.name == Place::FLANGE);
-    let held = is_held.then(|| view.tell("In the flange the punch's face is the holder's."));
+    let held = is_held.then(|| String::from("In the flange the punch's face is the holder's."));
     Some(Chart {
         title: view.titled("stress through the thickness"),
         legend: String::new(),
@@ -44,7 +44,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             panel(STRESS_MERIDIONAL, |point| point.stress_meridional, true),
             panel(STRESS_HOOP, |point| point.stress_hoop, false),
         ],
-        notes: std::iter::once(view.tell(message!("{n} thickness points.", n = layers.len())))
+        notes: std::iter::once(format!("{n} thickness points.", n = layers.len()))
             .chain(held)
             .chain(view.assumptions())
             .collect(),

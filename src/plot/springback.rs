@@ -3,7 +3,6 @@
 use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
 use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Shape, ShapeMeasure, WALL_ANGLE};
-use crate::message::{Message, message};
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;
@@ -19,13 +18,13 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
-        Series::new(view.tell("Before"), first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
-        Series::new(view.tell("After"), outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
+        Series::new(String::from("Before"), first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
+        Series::new(String::from("After"), outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
     ];
     let measured = |quantity: ShapeMeasure, of: fn(&Shape) -> Option<&Leg>, dash| {
         let look = Look::Line { color: BLACK, width: 1.4, dash };
         let label =
-            found.iter().find(|change| change.quantity.key == quantity.key).map(|change| view.tell(worded(change)));
+            found.iter().find(|change| change.quantity.key == quantity.key).map(|change| String::from(worded(change)));
         let lines = shapes.iter().filter_map(of).map(|leg| Series::silent(longer(leg), look)).collect::<Vec<_>>();
         lines
             .into_iter()
@@ -40,7 +39,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     ));
     let in_legend = [WALL_ANGLE.key, FLANGE_ANGLE.key];
     let others =
-        found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| view.tell(worded(c)) + ".");
+        found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| String::from(worded(c)) + ".");
     Some(Chart {
         title: view.titled("spring-back"),
         legend: String::new(),
@@ -49,9 +48,9 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             sections::tools(model, Some(before), x.1).chain(sheets).chain(lines),
             [x, y],
         )],
-        notes: std::iter::once(
-            view.tell("The sheet is true to thickness. Grey: the tools before they were taken away."),
-        )
+        notes: std::iter::once(String::from(
+            "The sheet is true to thickness. Grey: the tools before they were taken away.",
+        ))
         .chain(others)
         .chain(view.assumptions())
         .collect(),
@@ -66,6 +65,6 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 }
 
 /// `Wall to the punch direction: 0.3° → 8.2°`.
-fn worded(change: &Change) -> Message {
-    message!("{quantity}: {change}", quantity = change.quantity.label, change = change.told())
+fn worded(change: &Change) -> String {
+    format!("{quantity}: {change}", quantity = change.quantity.label, change = change.told())
 }

@@ -6,11 +6,11 @@ use crate::assess::{self, Finding, Kind, largest_force, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
-use crate::message::{Amount, Digits, Form, Message, message};
 use crate::model::{Extent, Geometry, Model};
 use crate::solver::solution::{Frame, StageSolution, Stop};
 use crate::study::verify::{Band, Verification};
 use crate::table::{Unit, capitalised};
+use crate::units::{Amount, Digits};
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -42,8 +42,6 @@ pub struct StageView<'a> {
     pub wall: Option<Duration>,
     /// How its pictures are made, and how much they say by themselves.
     pub pictures: Pictures,
-    /// How its pictures are told; files for programs are in English and SI.
-    pub form: Form,
     /// How far its numbers can be trusted, where that was looked at.
     pub verification: Option<&'a Verification>,
     /// The verdict on the whole case, for programs, where it was asked for.
@@ -79,7 +77,7 @@ fn undrawn(title: &str) -> Option<Finding> {
     if missing.is_empty() {
         return None;
     }
-    let found = message!(
+    let found = format!(
         "the title has letters that the built-in font has not got, boxes stand for them in PNG and PDF: {letters}",
         letters = missing.join(", ")
     );
@@ -105,7 +103,6 @@ impl<'a> StageView<'a> {
             stage,
             wall: None,
             pictures: Pictures::default(),
-            form: Form::default(),
             verification: None,
             verdict: None,
             load_band: None,
@@ -151,17 +148,6 @@ impl<'a> StageView<'a> {
         Self { pictures: Pictures { captions: Captions::Own, ..self.pictures }, ..self }
     }
 
-    /// The same with pictures that are told in a form.
-    pub fn told(self, form: Form) -> Self {
-        Self { form, ..self }
-    }
-
-    /// What pictures say, in the view's form; no number with a digit beyond its error bar.
-    pub(crate) fn tell(&self, what: impl Into<Message>) -> String {
-        let what = what.into();
-        self.form.tell(self.verification.map_or_else(|| what.clone(), |bars| bars.within(&what)))
-    }
-
     /// The model that was solved.
     pub fn model(&self) -> &'a Model {
         &self.stage.model
@@ -185,8 +171,8 @@ impl<'a> StageView<'a> {
     }
 
     /// The title of a chart: `Cup: sections`, or `Sections` where the case's stands above.
-    pub(crate) fn titled(&self, what: impl Into<Message>) -> String {
-        let what = self.tell(what);
+    pub(crate) fn titled(&self, what: impl Into<String>) -> String {
+        let what: String = what.into();
         match self.pictures.captions {
             Captions::Own => capitalised(&what),
             _ => format!("{}: {what}", self.title),
@@ -208,16 +194,17 @@ impl<'a> StageView<'a> {
         let stop = &self.stage.stop;
         let mut notes = Vec::new();
         if !stop.is_complete() && self.pictures.captions != Captions::Own {
-            notes.push(self.tell(message!("Stopped early: {why}.", why = stop.message())));
+            notes.push(String::from(format!("Stopped early: {why}.", why = stop.message())));
         }
         if self.says_all() && !self.overrides.is_empty() {
-            notes.push(
-                self.tell(message!("Set on the command line: {settings}.", settings = self.overrides.join(", "))),
-            );
+            notes.push(String::from(format!(
+                "Set on the command line: {settings}.",
+                settings = self.overrides.join(", ")
+            )));
         }
         if self.says_all() {
             let warnings = sentences(&self.findings, Kind::Warning).into_iter();
-            notes.extend(warnings.map(|warning| self.tell(message!("Warning: {warning}.", warning = warning))));
+            notes.extend(warnings.map(|warning| String::from(format!("Warning: {warning}."))));
         }
         notes.extend(self.assumptions());
         notes
@@ -231,8 +218,8 @@ impl<'a> StageView<'a> {
     /// As [`Self::notes`], after a word on frames that a plot leaves out.
     pub(crate) fn notes_of_frames(&self) -> Vec<String> {
         let kept = self.stage.frames.len();
-        let some = message!("{n} of {all} kept frames are shown; profile.csv has them all.", n = COLORS, all = kept);
-        (kept > COLORS).then(|| self.tell(some)).into_iter().chain(self.notes()).collect()
+        let some = format!("{n} of {kept} kept frames are shown; profile.csv has them all.", n = COLORS);
+        (kept > COLORS).then(|| String::from(some)).into_iter().chain(self.notes()).collect()
     }
 
     /// The frames that plots show: all of them, or as many as there are colours, spread evenly up to the last.

@@ -4,9 +4,9 @@ use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::sections::{flat, panel, tools, window};
 use super::thinning::{Thinning, said, times};
-use crate::message::{Amount, message};
 use crate::solver::solution::Frame;
 use crate::table::capitalised;
+use crate::units::Amount;
 
 /// As many states as are shown.
 const STATES: usize = 6;
@@ -28,8 +28,8 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     };
     let states = states(view);
     let caption = |at: Amount| {
-        let caption = message!("{progress} {at}", progress = view.progress(), at = at);
-        capitalised(&view.tell(caption))
+        let caption = format!("{progress} {at}", progress = view.progress());
+        capitalised(&String::from(caption))
     };
     let shown =
         states.iter().map(|frame| small(caption(view.reached(frame)), Some(frame), thinning.section(frame, times)));
@@ -41,7 +41,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         title: view.titled("sections"),
         legend: String::new(),
         panels: shown.chain(unsolved).chain(scale).collect(),
-        notes: std::iter::once(view.tell(said(times))).chain(view.notes_of_frames()).collect(),
+        notes: std::iter::once(String::from(said(times))).chain(view.notes_of_frames()).collect(),
     })
 }
 

@@ -2,7 +2,6 @@
 
 use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use crate::message::message;
 use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::Field;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS};
@@ -23,9 +22,9 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         curves(frame).map(|(i, points)| Series::silent(points, Look::curve(i).faint())).collect::<Vec<_>>()
     });
     let at_last =
-        curves(last).map(|(i, points)| Series::new(view.tell(STRAINS[i].label(extent)), points, Look::curve(i)));
+        curves(last).map(|(i, points)| Series::new(String::from(STRAINS[i].label(extent)), points, Look::curve(i)));
     Some(Chart {
-        title: view.titled(message!("strains, {progress} {at}", progress = view.progress(), at = view.reached(last))),
+        title: view.titled(format!("strains, {progress} {at}", progress = view.progress(), at = view.reached(last))),
         legend: String::new(),
         panels: vec![Panel {
             x: S0.axis(extent),
@@ -33,7 +32,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             series: earlier.chain(at_last).collect(),
             scale: Scale::Fit { height: 350.0, least: LEAST },
         }],
-        notes: std::iter::once(view.tell("Thin: the earlier frames. Logarithmic strains of the mid-surface."))
+        notes: std::iter::once(String::from("Thin: the earlier frames. Logarithmic strains of the mid-surface."))
             .chain(view.notes_of_frames())
             .collect(),
     })

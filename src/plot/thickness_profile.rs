@@ -25,7 +25,7 @@ pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
         // Around the last curve.
         let around = |panel: Panel| {
             let of = color(panel.series.len().saturating_sub(1));
-            panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], of)
+            panel.with_band(String::from("Error band"), &band.x, [&band.low, &band.high], of)
         };
         chart.panels = chart.panels.into_iter().map(around).collect();
     }
@@ -45,11 +45,11 @@ fn plot(view: &StageView, what: &'static str, field: &Field<ElementRecord>, leas
     view.stage.frames.last()?;
     let extent = view.extent();
     let curves = view.shown().enumerate().map(|(i, frame)| {
-        Series::new(view.tell(view.reached(frame)), S0.against(field, &frame.elements), Look::curve(i))
+        Series::new(String::from(view.reached(frame)), S0.against(field, &frame.elements), Look::curve(i))
     });
     Some(Chart {
         title: view.titled(what),
-        legend: capitalised(&view.tell(view.progress())),
+        legend: capitalised(&String::from(view.progress())),
         panels: vec![Panel {
             x: S0.axis(extent),
             y: field.axis(extent),

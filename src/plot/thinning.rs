@@ -4,9 +4,9 @@
 use super::chart::{BLACK, Color, Look, Panel, Scale, Series};
 use super::sections::{self, sheet};
 use super::viridis::viridis;
-use crate::message::{Amount, Message, message};
 use crate::solver::solution::Frame;
 use crate::table::{Column, Unit};
+use crate::units::Amount;
 use std::ops::Range;
 
 /// How far up the map colours go \[–\]: the lightest ones are lost on paper.
@@ -138,10 +138,10 @@ pub(crate) fn times(thickness: f64, px: f64) -> f64 {
 }
 
 /// What a picture says of its sheet's thickness.
-pub(crate) fn said(times: f64) -> Message {
+pub(crate) fn said(times: f64) -> String {
     match times {
         1.0 => "The sheet is true to thickness.".into(),
-        _ => message!("The sheet is drawn {times} times as thick as it is.", times = Amount::number(times)),
+        _ => format!("The sheet is drawn {times} times as thick as it is.", times = Amount::number(times)),
     }
 }
 

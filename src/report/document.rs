@@ -1,7 +1,6 @@
 //! What a report says, whatever file it goes to.
 
 use crate::assess::Light;
-use crate::message::{Form, Message, message};
 use crate::results::Chart;
 
 /// A report: its first page, which answers, and its sections in order.
@@ -11,8 +10,6 @@ pub struct Document {
     pub title: String,
     /// Who answers for it; empty where nobody is named.
     pub author: String,
-    /// How it is told.
-    pub form: Form,
     /// Names and values of the title block, in order.
     pub title_block: Vec<[String; 2]>,
     /// What stands below them on the first page, in order.
@@ -112,34 +109,34 @@ impl Block {
     }
 
     /// A table whose columns have these names.
-    pub(super) fn table<const N: usize>(head: [&'static str; N], rows: Vec<Row>, form: Form) -> Self {
-        Self::Table { head: head.map(|name| form.tell(name)).to_vec(), rows }
+    pub(super) fn table<const N: usize>(head: [&'static str; N], rows: Vec<Row>) -> Self {
+        Self::Table { head: head.map(|name| String::from(name)).to_vec(), rows }
     }
 }
 
 impl Issue {
     /// What was found, and the limit.
-    pub(super) fn judged(&self) -> Message {
+    pub(super) fn judged(&self) -> String {
         let found = self.found.clone();
         match self.limit.as_str() {
             "" => found.into(),
-            limit => message!("{found} (limit: {limit})", found = found, limit = limit.to_owned()),
+            limit => format!("{found} (limit: {limit})"),
         }
     }
 
     /// What to change; empty where nothing is advised.
-    pub(super) fn advised(&self) -> Message {
+    pub(super) fn advised(&self) -> String {
         match self.advice.as_str() {
-            "" => Message::default(),
-            advice => message!("What to change: {advice}", advice = advice.to_owned()),
+            "" => String::new(),
+            advice => format!("What to change: {advice}"),
         }
     }
 }
 
 impl Picture {
     /// What stands below the `n`-th picture.
-    pub(super) fn below(&self, n: usize) -> Message {
-        message!("Figure {n}: {caption}", n = n, caption = self.caption.clone())
+    pub(super) fn below(&self, n: usize) -> String {
+        format!("Figure {n}: {caption}", caption = self.caption)
     }
 }
 
@@ -163,12 +160,12 @@ impl Document {
 }
 
 /// Sign and word of a light: the colour only repeats them.
-pub(super) fn word(light: Light, form: Form) -> String {
+pub(super) fn word(light: Light) -> String {
     let sign = match light {
         Light::Grey => '○',
         Light::Green => '●',
         Light::Amber => '▲',
         Light::Red => '■',
     };
-    format!("{sign} {}", form.tell(light.name()))
+    format!("{sign} {}", String::from(light.name()))
 }

@@ -4,7 +4,6 @@ use super::document::{Block, Issue, KeyNumber, Picture};
 use super::plots::{PART, plot};
 use super::solved::Report;
 use crate::assess::{Answer, Finding, Light, judgements, tears_at};
-use crate::message::{Form, message};
 use crate::plot::chart::Scale;
 use crate::solver::solution::StepRecord;
 use crate::table::capitalised;
@@ -20,42 +19,42 @@ const PICTURES: [&[&str]; 2] = [&[PART, "shapes.png", "springback.png"], &["load
 const CURVES: f64 = 230.0;
 
 /// The verdict's sentence, what is red and amber, the numbers that are asked for first, the part and the load.
-pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
+pub(super) fn blocks(report: &Report) -> Vec<Block> {
     let answer = &report.answer;
-    let sentence = format!("{}.", capitalised(&answer.sentence.told(form)));
+    let sentence = format!("{}.", capitalised(&answer.sentence.to_string()));
     let mut blocks = vec![Block::Sentence(answer.light, sentence)];
-    let (issues, left) = issues(&report.findings, form);
+    let (issues, left) = issues(&report.findings);
     if !issues.is_empty() {
         blocks.push(Block::Issues(issues));
     }
     if left > 0 {
-        blocks.push(Block::Paragraph(form.tell(message!("{n} more below: see Verdict.", n = left))));
+        blocks.push(Block::Paragraph(format!("{left} more below: see Verdict.")));
     }
-    blocks.push(Block::Numbers(numbers(answer, form)));
+    blocks.push(Block::Numbers(numbers(answer)));
     blocks.extend(pictures(report).map(|(_, _, picture)| Block::Picture(picture)));
     blocks
 }
 
 /// The numbers that a part is known by.
-fn numbers(answer: &Answer, form: Form) -> Vec<KeyNumber> {
+fn numbers(answer: &Answer) -> Vec<KeyNumber> {
     let told = answer.numbers.iter().map(|number| KeyNumber {
-        label: form.tell(number.label),
-        value: number.amount.told(form),
-        detail: number.about.told(form),
+        label: String::from(number.label),
+        value: number.amount.to_string(),
+        detail: number.about.to_string(),
     });
     told.collect()
 }
 
 /// Reds, then ambers, as many as there is room for, those with the same advice after each other; and how many more there are.
-fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
+fn issues(findings: &[Finding]) -> (Vec<Issue>, usize) {
     let of = |light| judgements(findings).filter(move |finding| finding.light == light);
     let all: Vec<&Finding> = of(Light::Red).chain(of(Light::Amber)).collect();
     let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
-        label: form.tell(finding.label),
-        found: brief(finding.found.told(form)),
-        limit: brief(finding.limit.told(form)),
-        advice: finding.advice.told(form),
+        label: String::from(finding.label),
+        found: brief(finding.found.to_string()),
+        limit: brief(finding.limit.to_string()),
+        advice: finding.advice.to_string(),
     });
     (advised_once(shown.collect()), all.len().saturating_sub(ISSUES))
 }

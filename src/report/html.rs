@@ -3,7 +3,6 @@
 use super::document::{Block, Document, Issue, KeyNumber, Row, word};
 use super::program::{MARKER, page_of, written};
 use crate::assess::Light;
-use crate::message::Form;
 use crate::results::svg;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
@@ -11,17 +10,17 @@ const STYLE: &str = include_str!("style.css");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
-    let (form, mut number) = (document.form, 0);
+    let mut number = 0;
     let page = markup! {
         (DOCTYPE)
-        html lang=(form.language.code()) {
+        html lang="en" {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="generator" content={ (MARKER) " " (env!("CARGO_PKG_VERSION")) };
                 @if !document.author.is_empty() { meta name="author" content=(document.author); }
                 title { (document.title) }
-                style { (PreEscaped(style(form))) }
+                style { (PreEscaped(style())) }
             }
             body {
                 main {
@@ -31,9 +30,9 @@ pub fn html(document: &Document) -> String {
                             @for [name, value] in &document.title_block { div { dt { (name) } dd { (value) } } }
                         }
                     }
-                    section.front { @for part in &document.front { (block(part, &mut number, form)) } }
+                    section.front { @for part in &document.front { (block(part, &mut number)) } }
                     nav {
-                        h2 { (form.tell("Contents")) }
+                        h2 { (String::from("Contents")) }
                         ol {
                             @for (i, section) in document.sections.iter().enumerate() {
                                 li { a href={ "#s" (i + 1) } { (section.heading) } }
@@ -43,11 +42,11 @@ pub fn html(document: &Document) -> String {
                     @for (i, section) in document.sections.iter().enumerate() {
                         section id={ "s" (i + 1) } {
                             h2 { (section.heading) }
-                            @for part in &section.blocks { (block(part, &mut number, form)) }
+                            @for part in &section.blocks { (block(part, &mut number)) }
                         }
                     }
                 }
-                footer { (form.tell(written())) }
+                footer { (String::from(written())) }
             }
         }
     };
@@ -55,19 +54,19 @@ pub fn html(document: &Document) -> String {
 }
 
 /// The style, with the words that stand beside page numbers.
-fn style(form: Form) -> String {
+fn style() -> String {
     let [n, all] = ["page", "pages"].map(|counter| format!("\" counter({counter}) \""));
-    STYLE.replace("PAGE", &form.tell(page_of(n, all)))
+    STYLE.replace("PAGE", &String::from(page_of(n, all)))
 }
 
-fn block(block: &Block, number: &mut usize, form: Form) -> Markup {
+fn block(block: &Block, number: &mut usize) -> Markup {
     match block {
         Block::Paragraph(text) => markup! { p { (text) } },
         Block::Sentence(light, text) => markup! {
-            p.sentence.{ "on-" (light.name()) } { span.{ (light.name()) } { (word(*light, form)) } " " (text) }
+            p.sentence.{ "on-" (light.name()) } { span.{ (light.name()) } { (word(*light)) } " " (text) }
         },
         Block::Numbers(numbers) => markup! { dl.numbers { @for number in numbers { (key_number(number)) } } },
-        Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue, form)) } } },
+        Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
         Block::Picture(picture) => {
@@ -75,7 +74,7 @@ fn block(block: &Block, number: &mut usize, form: Form) -> Markup {
             markup! {
                 figure {
                     div.picture role="img" aria-label=(picture.caption) { (PreEscaped(inline(&svg(&picture.chart)))) }
-                    figcaption { (form.tell(picture.below(*number))) "." }
+                    figcaption { (String::from(picture.below(*number))) "." }
                 }
             }
         }
@@ -86,11 +85,11 @@ fn key_number(KeyNumber { label, value, detail }: &KeyNumber) -> Markup {
     markup! { div { dt { (label) } dd { strong { (value) } @if !detail.is_empty() { span { (detail) } } } } }
 }
 
-fn of_issue(issue: &Issue, form: Form) -> Markup {
-    let (Issue { light, label, .. }, advice) = (issue, form.tell(issue.advised()));
+fn of_issue(issue: &Issue) -> Markup {
+    let (Issue { light, label, .. }, advice) = (issue, String::from(issue.advised()));
     markup! {
         li {
-            p { span.{ (light.name()) } { (word(*light, form)) } " " strong { (label) } ": " (form.tell(issue.judged())) }
+            p { span.{ (light.name()) } { (word(*light)) } " " strong { (label) } ": " (String::from(issue.judged())) }
             @if !advice.is_empty() { p.advice { (advice) } }
         }
     }

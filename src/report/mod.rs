@@ -18,44 +18,34 @@ mod sureness;
 mod title;
 mod verdict;
 mod versus;
-mod words;
 
 pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
 pub use program::MARKER;
 pub use solved::Report;
 
-use crate::message::Form;
-
 impl Report<'_> {
-    /// The first page and all sections, in English and SI units.
+    /// The first page and all sections.
     pub fn document(&self) -> Document {
-        self.told(Form::default())
-    }
-
-    /// The first page and all sections as they are told in a form.
-    pub fn told(&self, form: Form) -> Document {
-        let report = &self.in_form(form);
+        let report = self;
         let model = self.solution.case.model();
-        let mut sections = vec![verdict::section(&self.findings, form)];
-        sections.extend(sureness::section(report, form));
-        sections.extend(sketch::sections(report, form));
-        sections.push(inputs::section(&self.check, form));
-        sections.extend(results::sections(report, form));
-        sections.extend(report.versus.map(|versus| versus::section(versus, form)));
+        let mut sections = vec![verdict::section(&self.findings)];
+        sections.extend(sureness::section(report));
+        sections.extend(sketch::sections(report));
+        sections.push(inputs::section(&self.check));
+        sections.extend(results::sections(report));
+        sections.extend(report.versus.map(|versus| versus::section(versus)));
         sections.extend([
-            inputs::assumptions(&self.check, form),
-            solver::warnings(report, form),
-            solver::section(report, form),
-            title::section(report, form),
-            words::section(&self.findings, form),
+            inputs::assumptions(&self.check),
+            solver::warnings(report),
+            solver::section(report),
+            title::section(report),
         ]);
         Document {
             title: model.title.clone(),
             author: self.title_block.author.clone().unwrap_or_default(),
-            form,
-            title_block: title::block(report).map(|(name, value)| [form.tell(name), value.to_owned()]).collect(),
-            front: front::blocks(report, form),
+            title_block: title::block(report).map(|(name, value)| [String::from(name), value.to_owned()]).collect(),
+            front: front::blocks(report),
             sections,
         }
     }

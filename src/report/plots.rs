@@ -15,6 +15,6 @@ pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
         Some(_) if file == PART => TORN,
         _ => output.about,
     };
-    let (name, caption) = (output.stem().to_owned(), view.form.tell(about));
+    let (name, caption) = (output.stem().to_owned(), String::from(about));
     Some(Picture { name, caption, chart: output.chart(view)? })
 }

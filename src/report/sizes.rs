@@ -1,11 +1,11 @@
 //! The sizes of a section, and where they are drawn.
 
 use crate::geometry::{Arc, Piece, Point};
-use crate::message::{Amount, Message, message};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::results::{Dimension, Mark, Size};
 use crate::solver::solution::Frame;
+use crate::units::Amount;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;
@@ -70,7 +70,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
         Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
         _ => None,
     });
-    let mut found: Vec<(Message, usize, Arc)> = Vec::new();
+    let mut found: Vec<(String, usize, Arc)> = Vec::new();
     for arc in tool.profile.corners().chain(hollows) {
         let name = named(tool.role, &arc);
         match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
@@ -81,9 +81,9 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     if found.len() > ROUNDINGS {
         found.sort_by(|a, b| a.2.radius.total_cmp(&b.2.radius));
         found.truncate(1);
-        found[0].0 = message!("{of} least", of = found[0].0.clone());
+        found[0].0 = format!("{of} least", of = found[0].0);
     }
-    let radius = |(of, alike, arc): (Message, usize, Arc)| Dimension {
+    let radius = |(of, alike, arc): (String, usize, Arc)| Dimension {
         of,
         size: Size::Radius(alike),
         amount: Amount::drawn(arc.radius),
@@ -93,7 +93,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
 }
 
 /// What a rounding of a tool is called.
-fn named(role: Role, arc: &Arc) -> Message {
+fn named(role: Role, arc: &Arc) -> String {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
     match (role, arc.sweep < 0.0) {
         (Role::Punch, true) if on_axis => "Punch crown",

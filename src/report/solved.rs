@@ -5,7 +5,6 @@ use super::sizes;
 use crate::assess::check::{self, Check};
 use crate::assess::{self, Answer, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
-use crate::message::Form;
 use crate::results::{Dimension, StageView, Summary};
 use crate::study::verify::{self, Told, Verification};
 use crate::study::versus::Versus;
@@ -74,18 +73,12 @@ impl<'a> Report<'a> {
         Self { versus: Some(versus), ..self }
     }
 
-    /// With pictures that are told in a form.
-    pub(super) fn in_form(&self, form: Form) -> Self {
-        let told = |(view, summary): &(StageView<'a>, Summary)| (view.clone().told(form), summary.clone());
-        Self { stages: self.stages.iter().map(told).collect(), ..self.clone() }
-    }
-
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
         let mut answer = json!(self.answer);
         for (value, number) in answer["numbers"].as_array_mut().into_iter().flatten().zip(&self.answer.numbers) {
-            value["told"] = number.amount.told(Form::default()).into();
+            value["told"] = number.amount.to_string().into();
         }
         json!({
             "case": self.solution.case.name,

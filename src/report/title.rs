@@ -4,7 +4,6 @@ use super::document::{Block, Row, Section};
 use super::program::PROGRAM;
 use super::solved::Report;
 use crate::case::files::sha256;
-use crate::message::{Form, Message, message};
 use crate::results::summary::section_of;
 
 /// What was given for it, and the case.
@@ -12,24 +11,24 @@ pub(super) fn block<'a>(report: &'a Report) -> impl Iterator<Item = (&'static st
     report.title_block.entries().chain([("Case", report.solution.case.name.as_str())])
 }
 
-pub(super) fn section(report: &Report, form: Form) -> Section {
+pub(super) fn section(report: &Report) -> Section {
     let case = &report.solution.case;
     let names = case.stage_names().collect::<Vec<_>>().join(", ");
-    let ended: Message = match report.solution.stages.last() {
+    let ended: String = match report.solution.stages.last() {
         Some(_) if report.solution.is_complete() => "complete".into(),
-        Some(last) => message!("stopped early: {why}", why = last.stop.message()),
+        Some(last) => format!("stopped early: {why}", why = last.stop.message()),
         None => "not begun".into(),
     };
     let rows = [
         ("Case file", case.path.display().to_string()),
         ("Set on the command line", case.overrides.join(", ")),
-        ("Section", form.tell(section_of(case.model().extent()))),
+        ("Section", String::from(section_of(case.model().extent()))),
         ("Stages", if case.later().is_empty() { String::new() } else { names }),
-        ("Run", form.tell(ended)),
+        ("Run", String::from(ended)),
         ("Program", PROGRAM.to_owned()),
         ("SHA-256 of the case, settings applied", sha256([&case.text])),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
-    let rows = rows.map(|(label, value)| Row::plain([form.tell(label), value])).collect();
-    Section { heading: form.tell("Case"), blocks: vec![Block::table(["What", "Which"], rows, form)] }
+    let rows = rows.map(|(label, value)| Row::plain([String::from(label), value])).collect();
+    Section { heading: String::from("Case"), blocks: vec![Block::table(["What", "Which"], rows)] }
 }

@@ -78,7 +78,7 @@ impl Output {
     /// Its picture of a stage, in the view's form; nothing where there is nothing to draw, or where it is no plot.
     pub fn chart(&self, view: &StageView) -> Option<Chart> {
         let Make::Plot(make) = self.make else { return None };
-        Some(make(view)?.told(view.form))
+        Some(make(view)?.displayed())
     }
 
     /// The content of the first of them.

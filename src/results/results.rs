@@ -4,7 +4,6 @@ use super::{Pictures, StageView, verdict};
 use crate::assess::{Answer, Finding};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
-use crate::message::Form;
 use crate::study::verify::Verification;
 
 /// A solution looked over once: what its outputs are made from.
@@ -39,12 +38,6 @@ impl<'a> Results<'a> {
     pub fn answered(mut self, answer: &Answer, findings: &[Finding]) -> Self {
         let verdict = verdict(answer, findings, self.verification).ok();
         self.views.iter_mut().for_each(|view| view.verdict.clone_from(&verdict));
-        self
-    }
-
-    /// The same with pictures that are told in a form.
-    pub fn told(mut self, form: Form) -> Self {
-        self.views.iter_mut().for_each(|view| view.form = form);
         self
     }
 

@@ -3,11 +3,11 @@
 use super::csv::with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
-use crate::message::{Amount, Message, message};
 use crate::plot::stage_view::ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
+use crate::units::{Amount, joined};
 
 /// The list of a case's stages.
 pub(super) const FILE: &str = "stages.csv";
@@ -66,29 +66,29 @@ pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
 }
 
 /// One printed line for every stage; nothing where there is one only.
-pub(super) fn printed(solution: &Solution) -> Message {
+pub(super) fn printed(solution: &Solution) -> String {
     if lines(solution).nth(1).is_none() {
-        return Message::default();
+        return String::new();
     }
     let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
     let each = lines(solution).enumerate().map(|(i, (name, stage))| {
-        let name = Message::from(format!("{:>2} {name:<width$}  ", i + 1));
+        let name = String::from(format!("{:>2} {name:<width$}  ", i + 1));
         let ended = match stage {
-            Some(stage) if stage.stop == Stop::FullTravel => message!("{end} reached", end = ended(stage)),
+            Some(stage) if stage.stop == Stop::FullTravel => format!("{end} reached", end = ended(stage)),
             stage => stop(stage).into(),
         };
         let figures = stage.and_then(figures).unwrap_or_default();
-        Message::joined([name, Message::joined([ended, figures], ": ")], "")
+        joined([name, joined([ended, figures], ": ")], "")
     });
-    Message::joined(each, "\n")
+    joined(each, "\n")
 }
 
 /// Where a stage ended, in its main numbers.
-fn figures(stage: &StageSolution) -> Option<Message> {
+fn figures(stage: &StageSolution) -> Option<String> {
     let last = stage.steps.last()?;
     let unit = stage.model.extent().force_unit();
-    let time = if stage.model.timed { Amount::time(last.time).into() } else { Message::default() };
-    let figures = message!(
+    let time = if stage.model.timed { Amount::time(last.time).into() } else { String::new() };
+    let figures = format!(
         "travel {travel}, punch {punch}, holder {holder}, thinnest {thinnest}, edge at {edge}, middle at {middle}",
         travel = Amount::place(last.travel),
         punch = Amount::force(last.punch_force, unit),
@@ -97,5 +97,5 @@ fn figures(stage: &StageSolution) -> Option<Message> {
         edge = Amount::place(stage.model.blank.length - last.draw_in),
         middle = Amount::place(last.pole_height)
     );
-    Some(Message::joined([time, figures], ", "))
+    Some(joined([time, figures], ", "))
 }

@@ -11,12 +11,12 @@ use super::StageView;
 use crate::assess::{Kind, sentences};
 use crate::case::files::sha256;
 use crate::measure::{Change, Event, events, moment_error};
-use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
 use crate::plot::stage_view::ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::study::verify::Verification;
 use crate::table::Unit;
+use crate::units::{Amount, joined};
 use serde::Serialize;
 
 /// Before a label that belongs to the line above.
@@ -43,7 +43,7 @@ struct Entry {
     group: Group,
     key: &'static str,
     /// Empty for what only a program wants to know.
-    label: Message,
+    label: String,
     /// 0, and more where it belongs to the line above.
     level: usize,
     value: Value,
@@ -54,8 +54,8 @@ enum Value {
     Number(Amount),
     Count(usize),
     Flag(bool),
-    Text(Message),
-    List(Vec<Message>),
+    Text(String),
+    List(Vec<String>),
     Changes(Vec<Change>),
     Events(Vec<Event>, Unit),
 }
@@ -65,7 +65,6 @@ impl Entry {
     fn verify(&mut self, verification: &Verification) {
         match &mut self.value {
             Value::Number(amount) => *amount = verification.half(*amount).map_or(*amount, |half| amount.with_bar(half)),
-            Value::Text(text) => *text = verification.within(text),
             _ => {}
         }
     }
@@ -108,7 +107,7 @@ impl Summary {
         summary.group = Group::Part;
         summary.text("hardening", "Hardening", model.material.describe());
         let ended = match &run.stop {
-            Stop::FullTravel => message!("{end} reached", end = ended(run)),
+            Stop::FullTravel => format!("{end} reached", end = ended(run)),
             stop => stop.message(),
         };
         summary.group = Group::End;
@@ -125,7 +124,7 @@ impl Summary {
             summary.forming_limit(model, assessment);
         }
         if run.paths.stride() > 1 {
-            let kept = message!("kept of every {n}th step and of the last", n = run.paths.stride());
+            let kept = format!("kept of every {n}th step and of the last", n = run.paths.stride());
             summary.text("strain_paths", "Strain paths", kept);
         }
         summary.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
@@ -184,7 +183,7 @@ impl Summary {
         self.labelled(key, (label.len() - name.len()) / INDENT.len(), name.into(), value);
     }
 
-    fn labelled(&mut self, key: &'static str, level: usize, label: Message, value: Value) {
+    fn labelled(&mut self, key: &'static str, level: usize, label: String, value: Value) {
         self.entries.push(Entry { group: self.group, key, label, level, value });
     }
 
@@ -196,18 +195,18 @@ impl Summary {
         self.push(key, label, Value::Count(value));
     }
 
-    fn text(&mut self, key: &'static str, label: &'static str, value: impl Into<Message>) {
+    fn text(&mut self, key: &'static str, label: &'static str, value: impl Into<String>) {
         self.push(key, label, Value::Text(value.into()));
     }
 
-    fn list(&mut self, key: &'static str, label: &'static str, values: Vec<Message>) {
+    fn list(&mut self, key: &'static str, label: &'static str, values: Vec<String>) {
         self.push(key, label, Value::List(values));
     }
 }
 
 /// Texts of the user.
-fn plain(texts: &[String]) -> Vec<Message> {
-    texts.iter().cloned().map(Message::from).collect()
+fn plain(texts: &[String]) -> Vec<String> {
+    texts.iter().cloned().map(String::from).collect()
 }
 
 /// What a stage without a step leaves: the sheet that it began with, or the blank where it has not begun.
@@ -255,10 +254,10 @@ pub(super) fn json(view: &StageView) -> Option<String> {
 }
 
 /// What is modelled, and what its forces are of.
-pub fn section_of(extent: Extent) -> Message {
+pub fn section_of(extent: Extent) -> String {
     let section = match extent.geometry() {
         Geometry::Axisymmetric => "axisymmetric",
         Geometry::PlaneStrain => "plane strain",
     };
-    Message::joined([section.into(), extent.described()], "; ")
+    joined([section.into(), extent.described()], "; ")
 }

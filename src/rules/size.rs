@@ -1,11 +1,11 @@
 //! Sizes that hardly fit a stamping: a unit is wrong, or a diameter stands where a radius is asked for. The limits are
 //! declared rules of thumb.
 
-use crate::message::{Amount, Message, message};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Model, Role};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate::draw_ratio;
+use crate::units::Amount;
 use crate::units::{Unit, significant};
 use std::ops::RangeInclusive;
 
@@ -31,11 +31,11 @@ pub struct Doubt {
     /// Its unit.
     pub unit: Unit,
     /// What is odd.
-    pub found: Message,
+    pub found: String,
     /// What would not be.
-    pub limit: Message,
+    pub limit: String,
     /// What to look at.
-    pub advice: Message,
+    pub advice: String,
 }
 
 /// What is doubted of a model.
@@ -49,13 +49,13 @@ pub fn across(model: &Model) -> f64 {
 /// A blank that is wider or narrower than stampings are.
 pub fn width(model: &Model) -> Option<Doubt> {
     let across = across(model);
-    let found = message!("the blank is {width} wide, which is odd for a stamping", width = Amount::size(across));
+    let found = format!("the blank is {width} wide, which is odd for a stamping", width = Amount::size(across));
     let (least, most) = (Amount::size(*WIDTHS.start()), Amount::size(*WIDTHS.end()));
     (!WIDTHS.contains(&across)).then(|| Doubt {
         value: across,
         unit: Unit::Mm,
         found,
-        limit: message!("{least} to {most}", least = least, most = most),
+        limit: format!("{least} to {most}"),
         advice: "is the unit of its size right?".into(),
     })
 }
@@ -66,8 +66,8 @@ pub fn thickness(model: &Model) -> Option<Doubt> {
     (thickness < THINNEST).then(|| Doubt {
         value: thickness,
         unit: Unit::Mm,
-        found: message!("the sheet is {thickness} thick, thinner than foil", thickness = Amount::size(thickness)),
-        limit: message!("{least} or more", least = Amount::size(THINNEST)),
+        found: format!("the sheet is {thickness} thick, thinner than foil", thickness = Amount::size(thickness)),
+        limit: format!("{least} or more", least = Amount::size(THINNEST)),
         advice: "is the unit of its thickness right?".into(),
     })
 }
@@ -78,8 +78,8 @@ pub fn slender(model: &Model) -> Option<Doubt> {
     (ratio > SLENDER).then(|| Doubt {
         value: ratio,
         unit: Unit::None,
-        found: message!("the blank is {ratio} thicknesses wide", ratio = Amount::number(significant(ratio, 3))),
-        limit: message!("{most} at most", most = Amount::number(SLENDER)),
+        found: format!("the blank is {ratio} thicknesses wide", ratio = Amount::number(significant(ratio, 3))),
+        limit: format!("{most} at most", most = Amount::number(SLENDER)),
         advice: "are the units of its size and its thickness right?".into(),
     })
 }
@@ -91,13 +91,13 @@ pub fn blank_diameter(model: &Model) -> Option<Doubt> {
     Some(Doubt {
         value: ratio,
         unit: Unit::None,
-        found: message!(
+        found: format!(
             "the blank's radius of {radius} is {ratio} times the punch's",
             radius = Amount::size(radius),
             ratio = Amount::ratio(ratio)
         ),
-        limit: message!("{most} at most", most = Amount::number(LIMITING_RATIO)),
-        advice: message!(
+        limit: format!("{most} at most", most = Amount::number(LIMITING_RATIO)),
+        advice: format!(
             "is {radius} the diameter? Then the radius is {half}",
             radius = Amount::size(radius),
             half = Amount::size(0.5 * radius)
@@ -113,13 +113,13 @@ pub fn throat_diameter(model: &Model) -> Option<Doubt> {
     (gap > WIDE && CLEARANCES.contains(&of_half)).then(|| Doubt {
         value: gap,
         unit: Unit::None,
-        found: message!(
+        found: format!(
             "between punch and die's throat of {throat} there is room for {gap} sheets",
             throat = Amount::size(throat),
             gap = Amount::number(significant(gap, 3))
         ),
-        limit: message!("{most} at most", most = Amount::number(WIDE)),
-        advice: message!(
+        limit: format!("{most} at most", most = Amount::number(WIDE)),
+        advice: format!(
             "is {throat} the diameter, or the whole width? Half of it is {half}",
             throat = Amount::size(throat),
             half = Amount::size(0.5 * throat)

@@ -4,11 +4,11 @@ use super::corrector::Outcome;
 use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::element::surface::STATIONS;
-use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry, Motion, Role};
 use crate::solver::solution::neck::neck;
 use crate::solver::solution::{StepRecord, Stop};
 use crate::solver::state::State;
+use crate::units::{Amount, joined};
 
 /// Way of a place, or work on the sheet, in the last step over what its mean rate so far would have made of it: beyond that
 /// it runs away \[–\].
@@ -27,7 +27,7 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
         velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
         worst_s0: state.s0[worst],
-        diagnosis: Message::joined([seen(step, evaluation, worst, steps), ADVICE.into()], "; "),
+        diagnosis: joined([seen(step, evaluation, worst, steps), ADVICE.into()], "; "),
     })
 }
 
@@ -123,7 +123,7 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
 }
 
 /// What the sheet was doing where the solver got no further, at node `i`.
-fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> Message {
+fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {
     let Step { model, state, .. } = *step;
     let last = steps.last().copied().unwrap_or_default();
     let mut seen = Vec::new();
@@ -135,14 +135,14 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
     }
     if neck.stands_out {
         let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
-        seen.push(message!("the sheet has necked at s0 = {s0} ({left} left)", s0 = s0, left = left));
+        seen.push(format!("the sheet has necked at s0 = {s0} ({left} left)"));
     }
     if last.ironing > 0.02 {
         let share = Amount::share(last.ironing);
-        seen.push(message!("two tools iron the sheet by {share} of its thickness", share = share));
+        seen.push(format!("two tools iron the sheet by {share} of its thickness"));
     }
     if 8 * last.contact_changes > evaluation.nodes.len() {
-        seen.push(message!("{n} contacts came or went in the last step", n = last.contact_changes));
+        seen.push(format!("{n} contacts came or went in the last step", n = last.contact_changes));
     }
     if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
         seen.push("the worst place is the blank's edge".into());
@@ -152,7 +152,7 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
     if let Some((_, tool)) =
         tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
     {
-        seen.push(message!("the {tool} touches the sheet at the worst place", tool = tool.role.name()));
+        seen.push(format!("the {tool} touches the sheet at the worst place", tool = tool.role.name()));
     }
-    Message::joined(seen, ", ")
+    joined(seen, ", ")
 }

@@ -4,12 +4,12 @@
 //! the instant at which the run ends.
 
 use crate::geometry::Point;
-use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
 use crate::solver::solution::neck::{AWAY, NEAR, Neck, neck};
 use crate::solver::solution::{StepRecord, Stop};
 use crate::solver::state::{State, waiting_displacement};
+use crate::units::Amount;
 
 /// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
 const GONE: f64 = 0.2;
@@ -178,7 +178,7 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
 }
 
 /// Where a neck sits, and what made it.
-fn why(model: &Model, state: &State, neck: &Neck) -> Message {
+fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let closest = model.tools.iter().enumerate().map(|(j, tool)| {
         let distance = tool.profile.closest(state.in_frame_of(j, i)).distance - 0.5 * state.thickness_at(i);
@@ -186,14 +186,13 @@ fn why(model: &Model, state: &State, neck: &Neck) -> Message {
     });
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((role, distance)) if distance < 0.5 * model.blank.thickness => {
-            message!("on the {tool}", tool = role.name())
+            format!("on the {tool}", tool = role.name())
         }
         _ => "where no tool supports it".into(),
     };
-    message!(
+    format!(
         "{place}, one place takes all the stretching while the sheet {near} to {away} away has stopped: hardening no longer \
          makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper",
-        place = place,
         near = Amount::given_thicknesses(NEAR),
         away = Amount::given_thicknesses(AWAY)
     )

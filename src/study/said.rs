@@ -7,7 +7,7 @@ use super::varied::Varied;
 use super::window::{Distance, Meets, Window, windows};
 use super::zone::Zone;
 use crate::assess::Light;
-use crate::message::{Amount, Message, message};
+use crate::units::{Amount, joined};
 
 /// What a study found.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,17 +51,10 @@ impl Said {
     }
 
     /// In a few sentences, the first of them a count.
-    pub fn sentences(&self, results: &Results) -> Vec<Message> {
+    pub fn sentences(&self, results: &Results) -> Vec<String> {
         let mut said = vec![self.counted()];
         if let Some([place, least, most]) = self.extremes {
-            said.push(message!(
-                "{number} of sound designs: {least} at {where}, {most} at {there}",
-                number = Message::from(results.number(place).label),
-                least = told(results, place, results.rows[least].numbers[place]),
-                where = at(results, least),
-                most = told(results, place, results.rows[most].numbers[place]),
-                there = at(results, most)
-            ));
+            said.push(format!("{number} of sound designs: {least} at {where}, {most} at {there}", number = results.number(place).label, least = told(results, place, results.rows[least].numbers[place]), where = at(results, least), most = told(results, place, results.rows[most].numbers[place]), there = at(results, most)));
         }
         match results.plan.how() {
             How::Combined => said.extend(self.fails.iter().map(|(zone, _)| span(results, *zone))),
@@ -72,27 +65,27 @@ impl Said {
     }
 
     /// `400 designs: 212 sound (32 amber), 150 wrinkle`
-    fn counted(&self) -> Message {
+    fn counted(&self) -> String {
         let sound = match self.amber {
-            0 => message!("{n} sound", n = self.sound),
-            amber => message!("{n} sound ({amber} of them amber)", n = self.sound, amber = amber),
+            0 => format!("{n} sound", n = self.sound),
+            amber => format!("{n} sound ({amber} of them amber)", n = self.sound),
         };
         let failed = self.fails.iter().map(|(zone, n)| {
             let n = *n;
             match zone {
-                Zone::Tears => message!("{n} tear", n = n),
-                Zone::Wrinkles => message!("{n} wrinkle", n = n),
-                Zone::Press => message!("{n} need a larger press", n = n),
-                Zone::Other => message!("{n} are refused otherwise", n = n),
-                Zone::Lost => message!("{n} have no answer", n = n),
+                Zone::Tears => format!("{n} tear"),
+                Zone::Wrinkles => format!("{n} wrinkle"),
+                Zone::Press => format!("{n} need a larger press"),
+                Zone::Other => format!("{n} are refused otherwise"),
+                Zone::Lost => format!("{n} have no answer"),
             }
         });
-        let parts = Message::joined(std::iter::once(sound).chain(failed), ", ");
-        message!("{n}: {parts}", n = designs(self.designs), parts = parts)
+        let parts = joined(std::iter::once(sound).chain(failed), ", ");
+        format!("{n}: {parts}", n = designs(self.designs))
     }
 
     /// Where the case stands: how far from each border, or that it is outside.
-    fn stands(&self, results: &Results) -> Vec<Message> {
+    fn stands(&self, results: &Results) -> Vec<String> {
         if results.plan.how() == How::OneAtATime {
             return Vec::new();
         }
@@ -116,11 +109,7 @@ impl Said {
         }
         let state = results.base.fails.first().map_or_else(|| "sound".into(), |zone| zone.label());
         let own = results.axes.iter().filter_map(|axis| Some(value(axis, axis.own?)));
-        let stands = message!(
-            "the case as it stands ({where}): {state}",
-            where = Message::joined(own, ", "),
-            state = state
-        );
+        let stands = format!("the case as it stands ({where}): {state}", where = joined(own, ", "));
         std::iter::once(stands).chain(self.distances.iter().map(|distance| distance.told(results))).collect()
     }
 }
@@ -140,20 +129,20 @@ fn told(results: &Results, place: usize, value: f64) -> Amount {
 }
 
 /// `Holder force 10 kN, Friction 0.08`
-fn at(results: &Results, row: usize) -> Message {
+fn at(results: &Results, row: usize) -> String {
     let places = results.plan.place(row as u64);
     let parts = results.axes.iter().zip(places).filter_map(|(axis, place)| Some(value(axis, axis.values[place?])));
-    let parts: Vec<Message> = parts.collect();
-    if parts.is_empty() { "the case as it stands".into() } else { Message::joined(parts, ", ") }
+    let parts: Vec<String> = parts.collect();
+    if parts.is_empty() { "the case as it stands".into() } else { joined(parts, ", ") }
 }
 
 /// `Friction 0.08`
-fn value(axis: &Varied, value: f64) -> Message {
-    message!("{axis} {value}", axis = axis.message(), value = axis.told(value))
+fn value(axis: &Varied, value: f64) -> String {
+    format!("{axis} {value}", axis = axis.message(), value = axis.told(value))
 }
 
 /// Where designs fail in a way: `wrinkles: Holder force 0.5 to 1.8 kN`
-fn span(results: &Results, zone: Zone) -> Message {
+fn span(results: &Results, zone: Zone) -> String {
     let failed: Vec<usize> = (0..results.rows.len()).filter(|row| is_in(&results.rows[*row], zone)).collect();
     let places: Vec<Vec<Option<usize>>> = failed.iter().map(|row| results.plan.place(*row as u64)).collect();
     let spans = results.axes.iter().enumerate().filter_map(|(i, axis)| {
@@ -166,18 +155,18 @@ fn span(results: &Results, zone: Zone) -> Message {
             names.sort_unstable();
             names.dedup();
             let is_all = names.len() == axis.names.len();
-            return (!is_all).then(|| message!("{axis} {value}", axis = axis.message(), value = names.join(", ")));
+            return (!is_all).then(|| format!("{axis} {value}", axis = axis.message(), value = names.join(", ")));
         }
         ((low, high) != ends(&axis.values)).then(|| match low == high {
             true => value(axis, low),
             false => {
-                message!("{axis} {low} to {high}", axis = axis.message(), low = axis.told(low), high = axis.told(high))
+                format!("{axis} {low} to {high}", axis = axis.message(), low = axis.told(low), high = axis.told(high))
             }
         })
     });
-    let spans: Vec<Message> = spans.collect();
-    let spans = if spans.is_empty() { "all over".into() } else { Message::joined(spans, ", ") };
-    message!("{zone}: {spans}", zone = zone.label(), spans = spans)
+    let spans: Vec<String> = spans.collect();
+    let spans = if spans.is_empty() { "all over".into() } else { joined(spans, ", ") };
+    format!("{zone}: {spans}", zone = zone.label())
 }
 
 fn is_in(found: &Found, zone: Zone) -> bool {
@@ -185,25 +174,21 @@ fn is_in(found: &Found, zone: Zone) -> bool {
 }
 
 /// Which keys move a number most: `Thinning: Friction 2.1 %, Holder force 1.3 %`
-fn ranked(results: &Results, place: usize) -> Message {
+fn ranked(results: &Results, place: usize) -> String {
     let swings = swings(results, place).into_iter().take(NAMED).filter(|swing| swing.width() > 0.0);
     let keys = swings.map(|swing| {
-        message!(
+        format!(
             "{axis} ({amount})",
             axis = results.axes[swing.axis].message(),
             amount = told(results, place, swing.width())
         )
     });
-    message!(
-        "{number} is moved most by: {keys}",
-        number = Message::from(results.number(place).label),
-        keys = Message::joined(keys, ", ")
-    )
+    format!("{number} is moved most by: {keys}", number = results.number(place).label, keys = joined(keys, ", "))
 }
 
 impl Zone {
     /// What a part does there: `it …`.
-    fn verb(self) -> Message {
+    fn verb(self) -> String {
         match self {
             Self::Tears => "tears",
             Self::Wrinkles => "would wrinkle",
@@ -217,27 +202,27 @@ impl Zone {
 
 impl Distance {
     /// `Holder force may fall by 3.1 kN before it would wrinkle: red`
-    pub fn told(&self, results: &Results) -> Message {
+    pub fn told(&self, results: &Results) -> String {
         let axis = &results.axes[self.axis];
         let (key, by, to) = (axis.message(), axis.difference(self.to - self.from), axis.told(self.to));
         match (self.meets, self.to > self.from) {
             (Meets::Failure(zone), true) => {
-                message!("{key} may rise by {by} before it {fails}: red", key = key, by = by, fails = zone.verb())
+                format!("{key} may rise by {by} before it {fails}: red", fails = zone.verb())
             }
             (Meets::Failure(zone), false) => {
-                message!("{key} may fall by {by} before it {fails}: red", key = key, by = by, fails = zone.verb())
+                format!("{key} may fall by {by} before it {fails}: red", fails = zone.verb())
             }
-            (Meets::Sound, true) => message!("{key} must rise by {by} for it to be sound", key = key, by = by),
-            (Meets::Sound, false) => message!("{key} must fall by {by} for it to be sound", key = key, by = by),
+            (Meets::Sound, true) => format!("{key} must rise by {by} for it to be sound"),
+            (Meets::Sound, false) => format!("{key} must fall by {by} for it to be sound"),
             (Meets::End, _) if results.base.fails.is_empty() => {
-                message!("{key} may go to {to}, the end of what was run", key = key, to = to)
+                format!("{key} may go to {to}, the end of what was run")
             }
-            (Meets::End, _) => message!("{key} alone does not help as far as {to}", key = key, to = to),
+            (Meets::End, _) => format!("{key} alone does not help as far as {to}"),
         }
     }
 }
 
 /// So many designs.
-pub fn designs(n: usize) -> Message {
-    if n == 1 { "1 design".into() } else { message!("{n} designs", n = n) }
+pub fn designs(n: usize) -> String {
+    if n == 1 { "1 design".into() } else { format!("{n} designs") }
 }

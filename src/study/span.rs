@@ -11,8 +11,8 @@
 use super::varied::label;
 use super::vary::{Value, Vary};
 use super::{StudyError, Subject};
-use crate::message::{Amount, Digits, Message};
 use crate::table::Spacing;
+use crate::units::{Amount, Digits};
 use crate::units::{Unit, parse, significant};
 use std::borrow::Cow;
 use toml_edit::{DocumentMut, Item};
@@ -160,17 +160,17 @@ impl Span {
     }
 
     /// A value as it is told.
-    pub fn told(&self, x: f64) -> Message {
+    pub fn told(&self, x: f64) -> String {
         self.to(x, 4)
     }
 
     /// A difference of two values as it is told.
-    pub fn difference(&self, x: f64) -> Message {
+    pub fn difference(&self, x: f64) -> String {
         self.to(x.abs(), 2)
     }
 
     /// As it stands in the key's own unit, in another one to so many digits.
-    fn to(&self, x: f64, digits: usize) -> Message {
+    fn to(&self, x: f64, digits: usize) -> String {
         match self.solver_unit() {
             Some((unit, times)) => Amount::new(significant(x * times, 12), unit, Digits::Converted(digits)).into(),
             None => format!("{x} {}", self.unit()).into(),

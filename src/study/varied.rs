@@ -2,9 +2,9 @@
 
 use super::subject::Subject;
 use super::vary::Vary;
-use crate::message::{Amount, Digits, Message};
 use crate::table::{Axis, Spacing, Unit};
 use crate::units::parse;
+use crate::units::{Amount, Digits};
 use std::borrow::Cow;
 
 /// Keys that have a name in the shop.
@@ -94,7 +94,7 @@ impl Varied {
     }
 
     /// One of its values, as it was given.
-    pub fn told(&self, value: f64) -> Message {
+    pub fn told(&self, value: f64) -> String {
         match self.names.get(value as usize) {
             Some(name) => name.clone().into(),
             None => Amount::new(value, self.unit, Digits::Converted(3)).into(),
@@ -107,7 +107,7 @@ impl Varied {
     }
 
     /// Its label.
-    pub fn message(&self) -> Message {
+    pub fn message(&self) -> String {
         self.label.clone().into()
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::assess::{Finding, Light, judgements};
 use crate::case::Solution;
-use crate::message::Message;
 use crate::solver::solution::Stop;
 use crate::study::verify::Outcome;
 
@@ -50,7 +49,7 @@ impl Zone {
     }
 
     /// As it stands in a picture.
-    pub fn label(self) -> Message {
+    pub fn label(self) -> String {
         match self {
             Self::Tears => "tears",
             Self::Wrinkles => "wrinkles",

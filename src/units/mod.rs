@@ -35,7 +35,7 @@ pub use display::{DisplayScope, DisplaySettings, DisplayUnit};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
 pub use kind::Kind;
-pub use number::{four_digits, mm, rounded, significant, trimmed, without_zeros};
+pub use number::{four_digits, joined, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse, thicknesses};
 pub(crate) use pattern::pattern;
 pub use quantity::Quantity;

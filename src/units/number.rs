@@ -43,3 +43,8 @@ pub fn four_digits(value: f64) -> String {
         format!("{value:.decimals$}")
     }
 }
+
+/// Joins the parts that are not empty.
+pub fn joined(parts: impl IntoIterator<Item = String>, separator: &str) -> String {
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator)
+}

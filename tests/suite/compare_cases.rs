@@ -2,7 +2,6 @@
 
 use crate::common::cli::{CUP, folder, stampflow, text};
 use serde_json::Value;
-use stampflow::message::{Form, Language};
 use stampflow::output::study::versus::{csv, pictures};
 use stampflow::study::versus::{Asked, Candidate, Change, Versus};
 use stampflow::{case, table};
@@ -61,18 +60,17 @@ fn runs_are_named_by_what_sets_them_apart() {
     );
 }
 
-/// Trust: every curve, and nothing else, in each picture; words in German.
+/// Trust: every curve, and nothing else, in each picture.
 #[test]
-fn pictures_have_a_curve_of_every_run_and_are_told_in_german() {
+fn pictures_have_a_curve_of_every_run() {
     let versus = versus(&["friction=0.2"]);
-    let german = Form { language: Language::of("de").expect("German"), ..Form::default() };
-    let drawn = pictures(&versus, false, german);
+    let drawn = pictures(&versus, false);
     let stems: Vec<&str> = drawn.iter().map(|drawn| drawn.stem).collect();
     assert_eq!(stems, ["compare_load", "compare_thickness", "compare_strains", "compare_sections"]);
     for drawn in &drawn {
         let labels: Vec<&str> = drawn.chart.panels[0].series.iter().filter_map(|s| s.label.as_deref()).collect();
         assert_eq!(labels[..2], ["A: friction 0.08", "B: friction 0.2"], "{}", drawn.stem);
-        assert!(drawn.chart.title.starts_with("Verglichen: "), "{}", drawn.chart.title);
+        assert!(drawn.chart.title.starts_with("Compared: "), "{}", drawn.chart.title);
         let size = drawn.chart.panels[0].series.iter().map(|series| series.points.len()).min();
         assert!(size.is_some_and(|points| points > 3), "{}", drawn.stem);
     }

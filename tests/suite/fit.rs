@@ -5,10 +5,7 @@ use crate::common::cli::{stampflow, text};
 use fastrand::Rng;
 use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
-use stampflow::message::{Form, Language, System};
 use stampflow::numerics::least_squares::Ended;
-use stampflow::output::study::fit_law;
-use stampflow::plot::chart::Scale;
 use stampflow::study::fit::{
     CaseFit, CaseFitSpec, FlowCurve, Kind, LawFits, Range, RateKind, Reduction, Tension, fit_case, fit_laws, load,
     material_text,
@@ -432,33 +429,6 @@ fn a_fit_that_cannot_be_is_told() {
     }
     let error = CaseFitSpec::new(CASE.into(), coarse(), ranges(&KEYS), &[]).expect_err("no curve").to_string();
     assert!(error.contains("no curve to fit to"), "{error}");
-}
-
-/// Trust: inch and pound by their definitions, 1 ksi = 6.894757 MPa; what is no stress stays as it is.
-#[test]
-fn a_fit_is_told_in_us_units_and_in_german() {
-    let law = Kind::Swift.law(&truths()[0].1).expect("a law");
-    let fits = fitted(&test_of(&law, 0.5, &mut Rng::with_seed(7)), None, &Reduction::default());
-    let us = Form { system: System::Us, ..Form::default() };
-    let swift = fits.fits.iter().find(|fit| fit.kind == Kind::Swift).expect("all are fitted");
-    let [k, n] = [0, 1].map(|i| swift.estimates.all[i].clone());
-    let told = k.clone().told_in(System::Us);
-    assert!(told.unit == "ksi" && (told.value * 6.894_757 / k.value - 1.0).abs() < 1e-6, "{told:?}");
-    assert!((told.error.expect("one") * 6.894_757 / k.error.expect("one") - 1.0).abs() < 1e-6, "{told:?}");
-    assert_eq!((n.clone().told_in(System::Us), k.clone().told_in(System::Si)), (n, k));
-    let german = Form { language: Language::of("de").expect("spoken"), ..Form::default() };
-    for form in [us, german, Form::default()] {
-        let chart = fit_law(&fits, form);
-        for panel in &chart.panels {
-            assert_eq!(panel.y.text().contains("si]"), form == us, "{}", panel.y.text());
-            // Trust: a letter of DejaVu Sans is 0.6 of its size wide in the mean, and labels are 19 px.
-            let Scale::Fit { height, .. } = panel.scale else { panic!("a panel with axes") };
-            assert!(0.6 * 19.0 * panel.y.text().chars().count() as f64 <= height + 20.0, "{}", panel.y.text());
-        }
-        let mixed =
-            chart.panels[0].series.iter().any(|series| series.label.as_deref() == Some("Swift und Voce gemischt"));
-        assert_eq!(mixed, form == german);
-    }
 }
 
 /// Trust: the same fit from a study file and from the command line; files as the page says.

@@ -10,7 +10,6 @@ use stampflow::compare::{
 };
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
-use stampflow::message::Form;
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::report::{Report, html};
 use stampflow::results::{
@@ -391,7 +390,7 @@ fn no_line_of_the_summary_is_an_orphan() {
     let solution = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &solution.stages {
         let mut parent = "";
-        for figure in Summary::of(&drawn::view(pass)).figures(Form::default()) {
+        for figure in Summary::of(&drawn::view(pass)).figures() {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);

@@ -34,7 +34,7 @@ fn the_part_is_whole_and_its_thinnest_place_is_named() {
         let series = part(&run);
         let [(text, points)] = labelled(&series, Look::Callout)[..] else { panic!("one callout") };
         // The blank is 1 mm thick; the summary tells shares by the same rule.
-        let share = stampflow::message::Amount::share(1.0 - thinnest.thickness).told(Default::default());
+        let share = stampflow::units::Amount::share(1.0 - thinnest.thickness).to_string();
         assert_eq!(text, format!("{:.2}\u{a0}mm, {share} thinner", thinnest.thickness));
         assert_eq!(points[0], (thinnest.r, thinnest.z));
 

@@ -215,7 +215,7 @@ fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
     assert!(found.len() == 1 && found[0].to_string().contains("of 90° at r = 30 mm, z = -0.5 mm"), "{found:?}");
     // A foot 50 mm below the face is out of the sheet's reach.
     let foot = "r_mm,z_mm,radius_mm\n0,0,\n28,0,6\n28,-50,\n29.5,-50,\n29.5,-90,\n";
-    assert_eq!(sharp(foot, "25 mm"), Vec::<stampflow::message::Message>::new());
+    assert_eq!(sharp(foot, "25 mm"), Vec::<String>::new());
     assert!(sharp(foot, "52 mm")[0].to_string().contains("and at 1 more"));
 }
 
@@ -235,8 +235,8 @@ fn a_line_that_ends_before_the_travel_is_warned_of() {
     );
     assert!(found[0].to_string().contains("1.757 mm of the 25 mm of travel"), "{found:?}");
     assert!(found[0].to_string().ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
-    assert_eq!(warned("", "1.7 mm"), Vec::<stampflow::message::Message>::new());
-    assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<stampflow::message::Message>::new());
+    assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
+    assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
 }
 
 #[test]

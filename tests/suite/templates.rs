@@ -4,7 +4,6 @@ use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
-use stampflow::message::Message;
 use stampflow::model::{Mode, Motion, Role};
 use stampflow::study::verify::{answered, quick};
 use stampflow::{Frame, StageSolution, Stop, solve};
@@ -53,7 +52,7 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
         let warnings = check::report(&case).warnings;
         let is_torn = name == "erichsen";
         // The standard's die edge is what it is.
-        let doubted = |warning: &Message| is_torn && warning.to_string().contains("radius of 0.75 mm");
+        let doubted = |warning: &String| is_torn && warning.to_string().contains("radius of 0.75 mm");
         assert!(warnings.iter().all(doubted), "{name} {given:?}: {warnings:?}");
         let runs = solved(&case);
         assert_eq!(runs.len(), case.stages.len(), "{name} {given:?}: {}", runs.last().unwrap().stop);

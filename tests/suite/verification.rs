@@ -4,8 +4,7 @@ use crate::common::cli::{stampflow, text};
 use crate::common::coverage::{Tally, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
-use stampflow::message::Language;
-use stampflow::study::verify::{Bar, Of, Verification, quick, verify};
+use stampflow::study::verify::{Of, Verification};
 use std::fs;
 use std::path::Path;
 
@@ -41,21 +40,6 @@ fn the_truth_lies_inside_the_bars_of_six_random_dies() {
         let (inside, all) = (inside.iter().sum::<usize>(), all.iter().sum::<usize>());
         println!("{inside} of {all} inside\n{}", tally.markdown());
         assert!(all > 30 && inside as f64 >= 0.9 * all as f64, "{inside} of {all}");
-    }
-}
-
-/// Every text of a verification has its German.
-#[test]
-fn error_bars_are_told_in_german() {
-    let german = Language::of("de").expect("German");
-    let solution = shipped_case("quickstart", &["forming_limit.hill=true"]).solve(&mut ());
-    for found in [verify(&solution, &()), quick(&solution, &())] {
-        let parts = |bar: &Bar| bar.parts.iter().map(|part| part.direction.label().into()).collect::<Vec<_>>();
-        let texts =
-            found.bars.iter().flat_map(|bar| [parts(bar), vec![bar.number.label.into(), bar.why.clone()]].concat());
-        for text in texts.chain(found.told.iter().cloned()) {
-            assert!(text.untranslated(german).is_empty(), "{text}");
-        }
     }
 }
 

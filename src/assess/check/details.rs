@@ -5,10 +5,10 @@ use super::line::{Line, line};
 use crate::case::Case;
 use crate::material::chaboche::shifting;
 use crate::material::{Elastic, Material};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::{ContactMethod, Grading, Heat, Iteration, Mode, Model, Norm, Settings, ToolHeat};
 use crate::table::Unit;
 use crate::units::ZERO_CELSIUS;
+use crate::units::{Amount, Digits, joined};
 
 /// In the order of telling.
 pub(super) fn lines(case: &Case) -> Vec<Line> {
@@ -21,7 +21,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     }
     let sources = [("material source", &case.sources.material), ("friction source", &case.sources.friction)];
     lines.extend(sources.iter().filter(|(_, given)| given.is_none()).map(|(label, _)| line(*label, "not given", "")));
-    let limit = model.forming_limit.as_ref().map_or_else(|| Message::from("none"), |curve| curve.name.into());
+    let limit = model.forming_limit.as_ref().map_or_else(|| String::from("none"), |curve| curve.name.into());
     lines.push(line("forming limit", limit, ""));
     lines.push(mesh(model));
     solver(&model.settings, &mut lines);
@@ -52,25 +52,23 @@ fn sheet(material: &Material, lines: &mut Vec<Line>) {
     }
     let ratio = Amount::number(material.yield_criterion.ratio());
     lines.push(match &material.gtn {
-        Some(gtn) => line("yield condition", gtn.to_string(), message!("r̄ = {r}", r = ratio)),
+        Some(gtn) => line("yield condition", gtn.to_string(), format!("r̄ = {ratio}")),
         None if ratio.value == 1.0 => line("yield condition", "Huber-Mises", "isotropic, r̄ = 1"),
-        None => line("yield condition", "Hill 1948", message!("r̄ = {r}", r = ratio)),
+        None => line("yield condition", "Hill 1948", format!("r̄ = {ratio}")),
     });
     match shifting(material.chaboche) {
         Some(all) => lines.extend(all.iter().filter(|law| law.modulus > 0.0).map(|law| {
-            let recall = message!("modulus, recall {recall}", recall = Amount::number(law.dynamic_recovery));
+            let recall = format!("modulus, recall {recall}", recall = Amount::number(law.dynamic_recovery));
             line("back-stress", given(law.modulus, Unit::MPa), recall)
         })),
         None => lines.push(line("back-stresses", "none", "isotropic hardening")),
     }
     lines.push(match material.rate {
-        Some(law) => line("rate law", Message::Formula(law.to_string()), "times the yield stress"),
+        Some(law) => line("rate law", String::from(law.to_string()), "times the yield stress"),
         None => line("rate law", "none", "the yield stress does not feel the strain rate"),
     });
     lines.extend(
-        material
-            .thermal
-            .map(|law| line("softening by heat", Message::Formula(law.to_string()), "times the yield stress")),
+        material.thermal.map(|law| line("softening by heat", String::from(law.to_string()), "times the yield stress")),
     );
 }
 
@@ -78,14 +76,14 @@ fn sheet(material: &Material, lines: &mut Vec<Line>) {
 fn warmth(heat: &Heat, lines: &mut Vec<Line>) {
     let Some(flow) = &heat.flow else { return };
     let number = |label: &'static str, value: f64, unit: &str| {
-        line(label, Message::joined([Amount::number(value).into(), unit.to_owned().into()], " "), "")
+        line(label, joined([Amount::number(value).into(), unit.to_owned().into()], " "), "")
     };
     lines.push(number("heat capacity", flow.capacity, "MPa/K"));
     lines.push(line("heat from work", Amount::given_share(flow.plastic_share), "of the plastic work"));
     lines.push(number("conductivity", flow.conductivity, "N/(s K)"));
     lines.extend(flow.tools.iter().map(|ToolHeat { role, temperature, transfer }| {
-        let meaning = message!("transfers {h} N/(mm s K)", h = Amount::number(*transfer));
-        let label = message!("{tool} temperature", tool = role.name());
+        let meaning = format!("transfers {h} N/(mm s K)", h = Amount::number(*transfer));
+        let label = format!("{tool} temperature", tool = role.name());
         line(label, Amount::temperature(temperature - ZERO_CELSIUS), meaning)
     }));
 }
@@ -94,9 +92,9 @@ fn mesh(model: &Model) -> Line {
     let blank = &model.blank;
     let size = Amount::size(blank.length / blank.elements as f64);
     let spread = match blank.grading {
-        Grading::Uniform => message!("elements, each {size} wide", size = size),
+        Grading::Uniform => format!("elements, each {size} wide"),
         Grading::Radii | Grading::Divided { .. } => {
-            message!("elements, {size} on average, finer where the tools' radii ask for it", size = size)
+            format!("elements, {size} on average, finer where the tools' radii ask for it")
         }
     };
     line("mesh", Amount::count(blank.elements), spread)
@@ -113,14 +111,13 @@ fn solver(settings: &Settings, lines: &mut Vec<Line>) {
         Norm::Residual => "residual norm",
         Norm::Both => "velocity and residual norm",
     };
-    let most = message!(
+    let most = format!(
         "{norm} below {tolerance}, at most {n} iterations a step",
-        norm = norm,
         tolerance = Amount::norm(settings.tolerance),
         n = settings.max_iterations
     );
     lines.push(line("corrector", matrix, most));
-    let steps = message!(
+    let steps = format!(
         "of the travel at most, {first} at first; at most {strain} strain a step",
         first = Amount::given_share(settings.first_step),
         strain = Amount::number(settings.strain_step)
@@ -130,7 +127,7 @@ fn solver(settings: &Settings, lines: &mut Vec<Line>) {
         ContactMethod::Penalty => "penalty",
         ContactMethod::AugmentedLagrangian => "augmented Lagrangian",
     };
-    let stiffness = message!(
+    let stiffness = format!(
         "{stiffness} over the thickness, sets in over {gap} of it",
         stiffness = given(settings.contact_stiffness, Unit::MPa),
         gap = Amount::given_share(settings.contact_smoothing)
@@ -140,6 +137,6 @@ fn solver(settings: &Settings, lines: &mut Vec<Line>) {
     lines.push(line("cut-off strain", Amount::norm(settings.cutoff_strain), rigid));
     let slip = "of the punch's speed, where friction has 71 % of its full value";
     lines.push(line("slip speed", Amount::number(settings.slip_speed), slip));
-    let arcs = settings.facets.map_or_else(|| "exact".into(), |n| message!("{n} chords per 90°", n = n));
+    let arcs = settings.facets.map_or_else(|| "exact".into(), |n| format!("{n} chords per 90°"));
     lines.push(line("tools' arcs", arcs, ""));
 }

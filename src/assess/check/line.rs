@@ -1,24 +1,26 @@
 //! One line of what is said of a case.
 
-use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Model};
+use crate::units::Amount;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// One line of the report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// What is said.
-    pub label: Message,
+    pub label: String,
     /// The number with its unit, or the word itself.
-    pub value: Message,
+    pub value: String,
+    /// The number; none where it is a word.
+    pub amount: Option<Amount>,
     /// What it means or where it comes from; may be empty.
-    pub meaning: Message,
+    pub meaning: String,
 }
 
 impl Line {
     /// The value in its unit; `None` where it is a word.
     pub fn number(&self) -> Option<f64> {
-        self.value.amount().map(|amount| amount.value)
+        self.amount.map(|amount| amount.value)
     }
 }
 
@@ -29,20 +31,44 @@ impl Serialize for Line {
         map.serialize_field("value", &self.value)?;
         map.serialize_field("meaning", &self.meaning)?;
         map.serialize_field("number", &self.number())?;
-        map.serialize_field("unit", self.value.amount().map_or("", |amount| amount.unit.spelled()))?;
+        map.serialize_field("unit", self.amount.map_or("", |amount| amount.unit.spelled()))?;
         map.end()
     }
 }
 
 /// A line; what it means may be empty.
-pub(super) fn line(label: impl Into<Message>, value: impl Into<Message>, meaning: impl Into<Message>) -> Line {
-    Line { label: label.into(), value: value.into(), meaning: meaning.into() }
+pub(super) fn line(label: impl Into<String>, value: impl LineValue, meaning: impl Into<String>) -> Line {
+    let (value, amount) = value.parts();
+    Line { label: label.into(), value, amount, meaning: meaning.into() }
+}
+
+/// Number or word of a [`Line`].
+pub(super) trait LineValue {
+    fn parts(self) -> (String, Option<Amount>);
+}
+
+impl LineValue for Amount {
+    fn parts(self) -> (String, Option<Amount>) {
+        (self.to_string(), Some(self))
+    }
+}
+
+impl LineValue for String {
+    fn parts(self) -> (String, Option<Amount>) {
+        (self, None)
+    }
+}
+
+impl LineValue for &str {
+    fn parts(self) -> (String, Option<Amount>) {
+        (self.to_owned(), None)
+    }
 }
 
 /// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter; told as `amount` does.
-pub(super) fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> Message {
+pub(super) fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> String {
     match model.geometry {
-        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = amount(2.0 * half)),
-        Geometry::PlaneStrain => message!("{half}", half = amount(half)),
+        Geometry::Axisymmetric => format!("Ø {diameter}", diameter = amount(2.0 * half)),
+        Geometry::PlaneStrain => format!("{half}", half = amount(half)),
     }
 }

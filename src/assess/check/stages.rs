@@ -1,47 +1,45 @@
 //! A later stage in a line.
 
 use super::line::size_of;
-use crate::message::{Amount, Message, message};
 use crate::model::stage::Stage;
 use crate::model::{Mode, Motion};
+use crate::units::{Amount, joined};
 
 /// What happens in a stage.
-pub(super) fn describe(stage: &Stage) -> Message {
+pub(super) fn describe(stage: &Stage) -> String {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    does.extend(begin.trim.map(|half| message!("cut at {size}", size = size_of(model, half, Amount::set))));
+    does.extend(begin.trim.map(|half| format!("cut at {size}", size = size_of(model, half, Amount::set))));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
         let name = tool.role.name();
         let tool_name = match begin.meets.contains(&tool.role) {
-            true => message!("new {tool}", tool = name),
+            true => format!("new {name}"),
             false => name.into(),
         };
         does.push(match &tool.motion {
             Motion::Path(way) if way.x == 0.0 => {
-                message!("{tool} goes {way}", tool = tool_name, way = Amount::size(way.y))
+                format!("{tool_name} goes {way}", way = Amount::size(way.y))
             }
-            Motion::Path(way) => message!(
-                "{tool} goes {way} and {aside} aside",
-                tool = tool_name,
+            Motion::Path(way) => format!(
+                "{tool_name} goes {way} and {aside} aside",
                 way = Amount::size(way.y),
                 aside = Amount::size(way.x)
             ),
-            Motion::Pressed(press) => message!(
-                "{tool} presses with {force} at the end",
-                tool = tool_name,
+            Motion::Pressed(press) => format!(
+                "{tool_name} presses with {force} at the end",
                 force = Amount::force(press.force.at(model.travel), model.extent().force_unit())
             ),
-            Motion::Fixed | Motion::Gap(_) | Motion::Travel => message!("{tool} stands", tool = tool_name),
+            Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{tool_name} stands"),
         });
     }
     does.extend(model.release.map(|_| "tools taken away".into()));
     let mode = match model.mode {
-        Mode::Flow => Message::default(),
+        Mode::Flow => String::new(),
         Mode::ElastoViscoplastic => "elasto-viscoplastic".into(),
         Mode::Elastic => "elastic".into(),
     };
-    let time = if model.timed { Amount::time(model.duration).into() } else { Message::default() };
-    does.push(Message::joined([mode, time], ", "));
-    Message::joined(does, "; ")
+    let time = if model.timed { Amount::time(model.duration).into() } else { String::new() };
+    does.push(joined([mode, time], ", "));
+    joined(does, "; ")
 }

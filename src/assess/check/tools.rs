@@ -3,11 +3,11 @@
 use super::line::{Line, line, size_of};
 use super::loads;
 use crate::contact::friction::Friction;
-use crate::message::{Amount, Message, message};
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Geometry, Model, Role, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
+use crate::units::{Amount, joined};
 
 /// More radii than these are told as a range: they round a curve off.
 const FEW: usize = 4;
@@ -20,13 +20,12 @@ pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
     lines.extend(model.beads.iter().map(|bead| loads::bead(model, bead)));
     lines.extend(model.gas.iter().map(|gas| loads::gas(model, gas)));
     if let Some(clearance) = estimate::clearance(model) {
-        let over_t = message!("or {ratio}", ratio = Amount::thicknesses(clearance / model.blank.thickness));
+        let over_t = format!("or {ratio}", ratio = Amount::thicknesses(clearance / model.blank.thickness));
         lines.push(line("clearance", Amount::drawn(clearance), over_t));
     }
     if let Some(ratio) = estimate::draw_ratio(model) {
         let limit = Amount::number(LIMITING_RATIO);
-        let meaning =
-            message!("blank over punch; about {limit} is the limit of one draw for mild steel", limit = limit);
+        let meaning = format!("blank over punch; about {limit} is the limit of one draw for mild steel");
         lines.push(line("draw ratio", Amount::ratio(ratio), meaning));
     }
 }
@@ -36,69 +35,64 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     let bottom = tool.role == Role::Die && throat(tool).is_none();
     let size = match tool.role {
         Role::Punch => size_of(model, high, Amount::drawn),
-        Role::Die if bottom => Message::from("closed"),
+        Role::Die if bottom => String::from("closed"),
         Role::Die | Role::Holder => size_of(model, low, Amount::drawn),
     };
     let is_round = model.geometry == Geometry::Axisymmetric;
     let what = match tool.role {
-        Role::Punch if widens(tool, model.travel) => message!(
+        Role::Punch if widens(tool, model.travel) => format!(
             "{wall}, {mouth} at the sheet at the full travel",
-            wall = if is_round { message!("to the wall") } else { message!("half-width to the wall") },
+            wall = if is_round { "to the wall".to_owned() } else { "half-width to the wall".to_owned() },
             mouth = size_of(model, mouth(tool, model.travel), Amount::drawn)
         ),
-        Role::Punch if is_round => message!("to the wall"),
-        Role::Punch => message!("half-width to the wall"),
+        Role::Punch if is_round => "to the wall".to_owned(),
+        Role::Punch => "half-width to the wall".to_owned(),
         Role::Die if bottom => "by a bottom that reaches the axis".into(),
-        Role::Die if is_round => message!("of the throat"),
-        Role::Die => message!("half-width of the throat"),
-        Role::Holder if is_round => message!("of the inner edge"),
-        Role::Holder => message!("half-width of the inner edge"),
+        Role::Die if is_round => "of the throat".to_owned(),
+        Role::Die => "half-width of the throat".to_owned(),
+        Role::Holder if is_round => "of the inner edge".to_owned(),
+        Role::Holder => "half-width of the inner edge".to_owned(),
     };
     let friction = match &tool.friction {
         Friction::Coulomb(_) => Amount::number(tool.friction.largest_coefficient()).into(),
-        law => Message::Formula(law.to_string()),
+        law => String::from(law.to_string()),
     };
-    let friction = message!("friction {friction}", friction = friction);
-    let meaning = Message::joined([what, corners(tool, model.blank.thickness), friction], ", ");
+    let friction = format!("friction {friction}");
+    let meaning = joined([what, corners(tool, model.blank.thickness), friction], ", ");
     line(tool.role.name(), size, meaning)
 }
 
 /// The radii over which the sheet is bent; of many the smallest and the largest.
-fn corners(tool: &Tool, thickness: f64) -> Message {
+fn corners(tool: &Tool, thickness: f64) -> String {
     let told = |radius: f64| {
-        message!(
-            "R {radius} ({ratio})",
-            radius = Amount::drawn(radius),
-            ratio = Amount::thicknesses(radius / thickness)
-        )
+        format!("R {radius} ({ratio})", radius = Amount::drawn(radius), ratio = Amount::thicknesses(radius / thickness))
     };
     let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
     if radii.len() > FEW {
         radii.sort_by(f64::total_cmp);
         let (smallest, largest) = (radii[0], radii[radii.len() - 1]);
-        return message!(
+        return format!(
             "{n} arcs, {smallest} to {largest}",
             n = radii.len(),
             smallest = told(smallest),
             largest = told(largest)
         );
     }
-    Message::joined(radii.into_iter().map(told), ", ")
+    joined(radii.into_iter().map(told), ", ")
 }
 
 /// How fast the punch goes, where the case says so.
-fn pace(model: &Model) -> Message {
+fn pace(model: &Model) -> String {
     // Told as the length that it goes in a second.
     let speed = Amount::size(model.speed);
     match &model.schedule {
-        _ if !model.timed => Message::default(),
-        None => message!("at {speed}/s", speed = speed),
+        _ if !model.timed => String::new(),
+        None => format!("at {speed}/s"),
         Some(schedule) => {
             let points = schedule.points();
             let speeds = || points.windows(2).map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0));
-            message!(
+            format!(
                 "at {speed}/s on average, {slowest}/s to {fastest}/s",
-                speed = speed,
                 slowest = Amount::size(speeds().fold(f64::INFINITY, f64::min)),
                 fastest = Amount::size(speeds().fold(0.0, f64::max))
             )

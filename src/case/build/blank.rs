@@ -3,7 +3,6 @@
 use super::values::{by_geometry, count};
 use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
-use crate::message::Message;
 use crate::model::{Blank, Geometry, Mode, Theory, ThicknessRule};
 use crate::units::{Quantity, rounded};
 use std::ops::RangeInclusive;
@@ -62,7 +61,7 @@ pub(super) fn convert(
     case: &CaseFile,
     geometry: Geometry,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Blank, CaseError> {
     let file = &case.blank;
     let (key, length) =

@@ -6,8 +6,8 @@ use super::place::{Placed, place};
 use crate::case::CaseError;
 use crate::case::file::{Section, SectionTable};
 use crate::geometry::{CavityError, Profile};
-use crate::message::{Amount, Message, message};
 use crate::model::Role;
+use crate::units::Amount;
 use crate::units::Quantity;
 
 /// The die's face goes on for this many blank lengths [–].
@@ -28,7 +28,7 @@ pub(super) struct Counter<'a> {
 
 impl Counter<'_> {
     /// The tool that follows the outline of the other at the distance `by`, turned round so that the sheet lies between.
-    pub fn offset(self, table: &SectionTable, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
+    pub fn offset(self, table: &SectionTable, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
         let Self { role, of, ref path, context } = self;
         let (name, other) = (role.name(), of.name());
         if !matches!((role, of), (Role::Die, Role::Punch) | (Role::Punch, Role::Die)) {
@@ -89,7 +89,7 @@ impl Counter<'_> {
     }
 
     /// The mirror image of the other tool in the middle plane of the flat sheet.
-    pub fn mirror(self, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
+    pub fn mirror(self, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
         let (name, other) = (self.role.name(), self.of.name());
         if !matches!((self.role, self.of), (Role::Die, Role::Holder) | (Role::Holder, Role::Die)) {
             let (what, help) = match (self.role, self.of) {
@@ -107,7 +107,7 @@ impl Counter<'_> {
             return Err(self.error("mirror_of", what, help));
         }
         let original = self.original("mirror_of")?;
-        derived.push(message!("the {tool} is the {other}'s mirror image", tool = name, other = other));
+        derived.push(format!("the {name} is the {other}'s mirror image"));
         self.placed(original.mirrored(), derived).map(|placed| placed.profile)
     }
 
@@ -159,14 +159,14 @@ impl Counter<'_> {
         Ok(die)
     }
 
-    fn placed(self, profile: Profile, derived: &mut Vec<Message>) -> Result<Placed, CaseError> {
+    fn placed(self, profile: Profile, derived: &mut Vec<String>) -> Result<Placed, CaseError> {
         place(Drawn { profile, path: self.path, origin: Origin::Tool }, self.role, self.context, derived)
     }
 }
 
 /// What an offset makes of two tools: the travel at which they have closed.
-fn closed(role: Role, of: Role, by: f64, travel: f64) -> Message {
-    message!(
+fn closed(role: Role, of: Role, by: f64, travel: f64) -> String {
+    format!(
         "the {tool} follows the {other} at {by}: they have closed at a travel of {travel}",
         tool = role.name(),
         other = of.name(),

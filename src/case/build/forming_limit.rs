@@ -6,8 +6,8 @@ use crate::case::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, Points, Sheet, Strain, Swift};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::message::{Amount, Message, message};
 use crate::model::Heat;
+use crate::units::Amount;
 use crate::units::{Number, Quantity, ZERO_CELSIUS};
 
 const PATH: &str = "forming_limit";
@@ -18,7 +18,7 @@ pub(super) fn convert(
     thickness: f64,
     heat: Option<&Heat>,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Curve, CaseError> {
     let n = file.n.map(Quantity::value);
     let points = file.points.as_ref().map(|points| self::points(points, file.strain, source)).transpose()?;
@@ -61,8 +61,7 @@ pub(super) fn convert(
     derived.extend(curve.notes.iter().cloned());
     if heat.is_some() && !matches!(kind, Kind::Points(_)) {
         let celsius = Amount::temperature(temperature - ZERO_CELSIUS);
-        derived
-            .push(message!("forming limit: computed at {celsius}, the lowest initial temperature", celsius = celsius));
+        derived.push(format!("forming limit: computed at {celsius}, the lowest initial temperature"));
     }
     Ok(curve)
 }

@@ -4,7 +4,6 @@ use super::laws::prepared;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::material::law::Family;
-use crate::message::{Message, message};
 use crate::model::{Friction, Role};
 
 /// The laws that are written, by tool and by side of the sheet.
@@ -33,7 +32,7 @@ pub(super) fn of(
     role: Role,
     written: &Frictions,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Friction, CaseError> {
     let table = format!("tools.{}", role.name());
     if let Some(law) = written.tools[role as usize] {
@@ -45,16 +44,12 @@ pub(super) fn of(
     };
     if let Some(law) = side {
         let law = convert(law, source, &format!("friction.{key}"))?;
-        derived.push(message!(
-            "the {tool}'s friction is that of its side of the sheet, {law}",
-            tool = role.name(),
-            law = Message::Formula(law.to_string())
-        ));
+        derived.push(format!("the {tool}'s friction is that of its side of the sheet, {law}", tool = role.name()));
         return Ok(law);
     }
     if role == Role::Holder {
         let law = of(Role::Die, written, source, &mut Vec::new())?;
-        derived.push(message!("the holder's friction is the die's, {law}", law = Message::Formula(law.to_string())));
+        derived.push(format!("the holder's friction is the die's, {law}"));
         return Ok(law);
     }
     Err(source.missing(&table, "friction"))

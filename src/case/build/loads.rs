@@ -3,11 +3,11 @@
 use super::context::Sheet;
 use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::{CaseError, source::Source};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::tool_sizes::{extent, shoulder_end};
 use crate::model::{Bead, Extent, Face, Gas, Motion, Press, Pressure, RateControl, Role, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::Unit;
+use crate::units::{Amount, Digits};
 use crate::units::{Length, NonNegative, Positive, Quantity, Stress, Time};
 
 /// How the holder is pressed or held: exactly one of the four ways.
@@ -17,7 +17,7 @@ pub(super) fn holder(
     die: &Tool,
     sheet: &Sheet,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Motion, CaseError> {
     let given = [
         ("force", holder.force.is_some()),
@@ -42,7 +42,7 @@ pub(super) fn holder(
         let inner = profile.least_r().max(shoulder_end(die));
         let area = sheet.extent.area(sheet.length) - sheet.extent.area(inner);
         let force = pressure.value() * area.max(0.0);
-        derived.push(message!(
+        derived.push(format!(
             "the holder's force is its pressure on the initial area, {pressure} on {area} mm², {force}",
             pressure = Amount::given_stress(pressure.value()),
             area = Amount::new(area, Unit::None, Digits::Significant(4)),
@@ -157,7 +157,7 @@ fn gas_history(
     key: &str,
     alone: Option<Positive<Time>>,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<PiecewiseLinear, CaseError> {
     let mut points: Vec<(f64, f64)> = given.points().into_iter().map(|(t, p)| (t, p.value())).collect();
     if let (Given::Constant(pressure), Some(duration)) = (given, alone) {
@@ -165,16 +165,8 @@ fn gas_history(
         points[0].1 = 0.0;
         let (pressure, time) = (Amount::given_stress(pressure.value()), Amount::time(duration.value()));
         derived.push(match key {
-            "lower" => message!(
-                "the pressure of {pressure} on the lower face is raised evenly over the run's {time}",
-                pressure = pressure,
-                time = time
-            ),
-            _ => message!(
-                "the pressure of {pressure} on the upper face is raised evenly over the run's {time}",
-                pressure = pressure,
-                time = time
-            ),
+            "lower" => format!("the pressure of {pressure} on the lower face is raised evenly over the run's {time}"),
+            _ => format!("the pressure of {pressure} on the upper face is raised evenly over the run's {time}"),
         });
     }
     history(points, &format!("gas.{key}.pressure"), "times", source)
@@ -200,7 +192,7 @@ pub(super) fn gas(
     tools: &[Tool],
     sheet: &Sheet,
     source: &Source,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Vec<Gas>, CaseError> {
     let tool = |role: Role| tools.iter().find(|t| t.role == role);
     let mut gas = Vec::new();
@@ -236,7 +228,7 @@ pub(super) fn gas(
         let within = match (given.within, seal) {
             (Some(within), _) => within.value(),
             (None, Some((what, r))) => {
-                derived.push(message!("gas acts up to {what}, {r}", what = what, r = Amount::size(r)));
+                derived.push(format!("gas acts up to {what}, {r}", r = Amount::size(r)));
                 r
             }
             (None, None) => sheet.length,

@@ -5,10 +5,10 @@ use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, source::Source};
 use crate::material::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
-use crate::message::{Amount, Digits, Message, message};
 use crate::model::Mode;
 use crate::rules::r_values::RValues;
 use crate::units::Quantity;
+use crate::units::{Amount, Digits};
 use std::ops::RangeInclusive;
 
 const HARDENING: &str = "material.hardening";
@@ -130,16 +130,11 @@ fn hardening(
 }
 
 /// What is said of r-values by direction: which mean of them is taken.
-pub(in crate::case) fn mean_of(r: RValues) -> Message {
+pub(in crate::case) fn mean_of(r: RValues) -> String {
     let [mean, r0, r45, r90, planar] =
         [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(|r| Amount::number(r).to(Digits::Given(6)));
-    message!(
+    format!(
         "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; what is computed is the mean over \
-         the directions, about which the rim has ears (Δr = {planar})",
-        mean = mean,
-        r0 = r0,
-        r45 = r45,
-        r90 = r90,
-        planar = planar
+         the directions, about which the rim has ears (Δr = {planar})"
     )
 }

@@ -41,15 +41,10 @@ use super::file::CaseFile;
 use super::{CaseError, source::Source};
 use crate::case::files::Folder;
 use crate::material::Material;
-use crate::message::Message;
 use crate::model::{Blank, Extent, Friction, Heat, Mode, Model, Stage, Theory, Tool};
 
 /// What a case whose files are looked up from a folder means: its stages, and what was assumed.
-pub(super) fn stages(
-    file: &CaseFile,
-    source: &Source,
-    folder: Folder,
-) -> Result<(Vec<Stage>, Vec<Message>), CaseError> {
+pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let first = first(file, source, folder, &mut derived)?;
@@ -67,7 +62,7 @@ pub(super) fn stages(
 }
 
 /// The model of the first stage.
-fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Message>) -> Result<Model, CaseError> {
+fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<String>) -> Result<Model, CaseError> {
     let geometry = file.geometry;
     let blank = blank::convert(file, geometry, source, derived)?;
     let depth = blank::depth(file, source)?;

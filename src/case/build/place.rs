@@ -5,8 +5,8 @@ use super::drawn::Drawn;
 use super::values::place_of;
 use crate::case::CaseError;
 use crate::geometry::{Point, Profile};
-use crate::message::{Amount, Message, message};
 use crate::model::Role;
+use crate::units::Amount;
 
 /// Places along the flat sheet that are looked at.
 const LOOKS: usize = 400;
@@ -22,7 +22,7 @@ pub(super) fn place(
     drawn: Drawn,
     role: Role,
     context: &ToolContext,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Placed, CaseError> {
     let (sheet, name) = (&context.sheet, role.name());
     // The die lies above the sheet, the others below.
@@ -34,11 +34,7 @@ pub(super) fn place(
     let shift = side * 0.5 * sheet.thickness - first.y;
     if shift.abs() > 1e-6 {
         let shift = Amount::size(shift);
-        derived.push(message!(
-            "the {tool}'s profile is moved by {shift} along z to touch the flat sheet",
-            tool = name,
-            shift = shift
-        ));
+        derived.push(format!("the {name}'s profile is moved by {shift} along z to touch the flat sheet"));
     }
     let profile = drawn.profile.shifted(shift);
     if let Some(r) = sheet_inside(&profile, sheet.length) {

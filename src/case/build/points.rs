@@ -5,9 +5,9 @@ use super::lines::{Lines, Named};
 use super::values::place_of;
 use crate::case::CaseError;
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
-use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Role};
 use crate::table::{Csv, Record, Unit};
+use crate::units::Amount;
 use crate::units::{Length, Quantity};
 
 /// Points closer than this are one \[mm\]: drawings repeat where their curves meet.
@@ -48,7 +48,7 @@ pub(super) fn convert(
     radius: Option<f64>,
     role: Role,
     context: &ToolContext,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<(Profile, Points), CaseError> {
     let name = role.name();
     let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(context.folder, context.source)?;
@@ -72,12 +72,7 @@ pub(super) fn convert(
     let chords = points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))).collect();
     let chords = Profile::new(chords).expect("distinct points in a row are a chain");
     let filleted = radius.is_some() || rows.iter().any(|row| row.radius.is_some());
-    derived.push(message!(
-        "the {tool}'s profile is read from {file}: {n} points",
-        tool = name,
-        file = file.to_owned(),
-        n = rows.len()
-    ));
+    derived.push(format!("the {name}'s profile is read from {file}: {n} points", n = rows.len()));
     let profile = if filleted {
         let radii: Vec<f64> = rows.iter().map(|row| row.radius.or(radius).unwrap_or(0.0)).collect();
         let pieces = fillet(&points, &radii).map_err(|FilletTooLarge { vertex, at, radius, largest }| {
@@ -90,10 +85,9 @@ pub(super) fn convert(
         let rounded = chords.rounded();
         let moved = rounded.polyline(0.01).into_iter().map(|p| chords.closest(p).distance.abs()).fold(0.0, f64::max);
         if moved > 1e-6 {
-            derived.push(message!(
+            derived.push(format!(
                 "corners of less than 25° in {file} are rounded off by tangent arcs, up to {moved} beside the chords; \
                  `fillet` keeps straight lines",
-                file = file.to_owned(),
                 moved = Amount::size(moved)
             ));
         }
@@ -104,7 +98,7 @@ pub(super) fn convert(
 }
 
 /// The rows without those that repeat the one before; one note says so, however many there are.
-fn distinct(rows: Vec<Row>, file: &str, derived: &mut Vec<Message>) -> Vec<Row> {
+fn distinct(rows: Vec<Row>, file: &str, derived: &mut Vec<String>) -> Vec<Row> {
     let (mut kept, mut repeats): (Vec<Row>, Vec<[usize; 2]>) = (Vec::new(), Vec::new());
     for row in rows {
         match kept.last_mut().filter(|last| (last.point - row.point).norm() < SAME) {
@@ -118,20 +112,9 @@ fn distinct(rows: Vec<Row>, file: &str, derived: &mut Vec<Message>) -> Vec<Row> 
     if let Some(([line, of], others)) = repeats.split_first() {
         let (file, line, of) = (file.to_owned(), *line, *of);
         derived.push(match others.len() {
-            0 => message!(
-                "line {line} of {file} repeats the point of line {of} and is left out",
-                line = line,
-                file = file,
-                of = of
-            ),
-            more => message!(
-                "line {line} of {file} repeats the point of line {of} and is left out, as are {n} more that repeat the one \
-                 before",
-                line = line,
-                file = file,
-                of = of,
-                n = more
-            ),
+            0 => format!("line {line} of {file} repeats the point of line {of} and is left out"),
+            more => format!("line {line} of {file} repeats the point of line {of} and is left out, as are {more} more that repeat the one \
+                 before"),
         });
     }
     kept

@@ -7,7 +7,6 @@ use super::{place, points, profile};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
-use crate::message::Message;
 use crate::model::Role;
 use crate::units::Quantity;
 
@@ -15,7 +14,7 @@ pub(super) fn convert(
     section: &Section,
     role: Role,
     context: &ToolContext,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
     let path = format!("tools.{}.profile", role.name());
     let drawn = match section {

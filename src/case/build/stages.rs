@@ -9,7 +9,6 @@ use crate::case::file::{self, CaseFile, Given};
 use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Point, Profile};
-use crate::message::{Message, message};
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Length, Quantity, rounded};
@@ -30,7 +29,7 @@ pub(super) fn convert(
     first: Model,
     source: &Source,
     folder: Folder,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Vec<Stage>, CaseError> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
@@ -52,9 +51,7 @@ pub(super) fn convert(
         let mut said = Vec::new();
         source.enter_stage(Some((i, &written.name)));
         let stage = context.stage(&mut frictions, &mut said)?;
-        derived.extend(
-            said.into_iter().map(|what| message!("stage {name}: {what}", name = written.name.clone(), what = what)),
-        );
+        derived.extend(said.into_iter().map(|what| format!("stage {name}: {what}", name = written.name)));
         stages.push(stage);
     }
     source.enter_stage(None);
@@ -97,7 +94,7 @@ impl StageContext<'_> {
     }
 
     /// The stage; `frictions` are those that were written so far.
-    fn stage(&self, frictions: &mut Frictions, derived: &mut Vec<Message>) -> Result<Stage, CaseError> {
+    fn stage(&self, frictions: &mut Frictions, derived: &mut Vec<String>) -> Result<Stage, CaseError> {
         if !self.before.gas.is_empty() {
             derived.push("gas acts in the first stage only".into());
         }
@@ -136,7 +133,7 @@ impl StageContext<'_> {
         &self,
         standing: &[Tool],
         frictions: &mut Frictions,
-        derived: &mut Vec<Message>,
+        derived: &mut Vec<String>,
     ) -> Result<StagePatch, CaseError> {
         let written = self.tools();
         for tool in &written {
@@ -245,7 +242,7 @@ impl StageContext<'_> {
         standing: &[Tool],
         travel: f64,
         frictions: &Frictions,
-        derived: &mut Vec<Message>,
+        derived: &mut Vec<String>,
     ) -> Result<ToolPatch, CaseError> {
         let WrittenTool { role, path, shaped, .. } = *tool;
         if !shaped && standing.iter().all(|other| other.role != role) {
@@ -266,7 +263,7 @@ impl StageContext<'_> {
         role: Role,
         standing: &[Tool],
         travel: f64,
-        derived: &mut Vec<Message>,
+        derived: &mut Vec<String>,
     ) -> Result<Option<Profile>, CaseError> {
         let sheet = Sheet::of(&self.before.blank, self.before.extent());
         let written = &self.new_tools();

@@ -7,7 +7,6 @@ use super::{loads, section};
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
-use crate::message::Message;
 use crate::model::{Motion, Role, Tool};
 use crate::units::{Length, Positive, Quantity, rounded};
 
@@ -18,7 +17,7 @@ const SMALLEST: f64 = 1e-3;
 pub(super) fn convert(
     context: &ToolContext,
     frictions: &Frictions,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Vec<Tool>, CaseError> {
     let ToolContext { sheet, source, .. } = context;
     let mut tools: Vec<Tool> = Vec::new();
@@ -43,7 +42,7 @@ pub(super) fn convert(
 pub(super) fn new_profile(
     context: &ToolContext,
     role: Role,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Option<Profile>, CaseError> {
     let file::Tools { punch, die, holder, .. } = context.written;
     match role {
@@ -61,7 +60,7 @@ pub(super) fn profile(context: &ToolContext, role: Role) -> Result<Option<Profil
     Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
 }
 
-fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
+fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
     let ToolContext { sheet, source, .. } = context;
     let t = sheet.thickness;
     let given = [
@@ -151,7 +150,7 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
 const DRAWN: &str =
     "the radius is in the profile: change it there or in its drawing, or write throat and shoulder in its place";
 
-fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
+fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
     let ToolContext { sheet, source, .. } = context;
     match (&die.profile, die.throat, die.shoulder) {
         (Some(section), None, None) => section::convert(section, Role::Die, context, derived),
@@ -172,7 +171,7 @@ fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<Message
 fn holder_profile(
     holder: &file::Holder,
     context: &ToolContext,
-    derived: &mut Vec<Message>,
+    derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
     let ToolContext { sheet, source, .. } = context;
     let Some(section) = &holder.profile else {

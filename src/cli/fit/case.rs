@@ -23,7 +23,6 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
         Err(_) if interrupt::is_wanted() => return Ok(Code::Interrupted),
         fit => fit.map_err(asked)?,
     };
-    let form = args.many.told.form();
     let dir = args.many.folder(file, "fit");
     let value = json::fit_case(&fit);
     let mut files = vec![
@@ -31,7 +30,7 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
         ("fit.json".to_owned(), serde_json::to_vec_pretty(&value)?),
         ("fitted.toml".to_owned(), fit.text.clone().into_bytes()),
     ];
-    for (i, chart) in pictures(&fit, form).iter().enumerate() {
+    for (i, chart) in pictures(&fit).iter().enumerate() {
         let stem = if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) };
         files.extend(args.many.pictures.pictures().files(&stem, chart));
     }
@@ -39,10 +38,10 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
     if args.many.json.json {
         return say_json(&value);
     }
-    let told: String = fit.sentences().iter().map(|line| format!("- {}\n", line.told(form))).collect();
-    let headers = ["Key", "Value", "Standard error", "Interval of 95 %"].map(|header| form.tell(header));
+    let told: String = fit.sentences().iter().map(|line| format!("- {}\n", line.to_string())).collect();
+    let headers = ["Key", "Value", "Standard error", "Interval of 95 %"].map(|header| String::from(header));
     let rows = fit.estimates.all.iter().map(|e| {
-        let [value, error, interval] = cells(e, form);
+        let [value, error, interval] = cells(e);
         [e.key.clone(), value, error, interval].map(Cell::plain)
     });
     let settings: String = fit.settings.iter().map(|setting| format!("--set \"{setting}\" ")).collect();

@@ -1,6 +1,5 @@
 //! Fitted numbers in files and on the screen.
 
-use stampflow::message::Form;
 use stampflow::numerics::profile::End;
 use stampflow::study::fit::Estimate;
 use std::fmt::Write;
@@ -26,13 +25,12 @@ fn at(end: End) -> Option<f64> {
 }
 
 /// Value with its unit, standard error and interval, as a table has them.
-pub fn cells(e: &Estimate, form: Form) -> [String; 3] {
-    let e = e.clone().told_in(form.system);
-    let number = |text: String| form.language.number(&text);
-    let interval = e.interval().map_or_else(|| "–".to_owned(), number);
+pub fn cells(e: &Estimate) -> [String; 3] {
+    let e = e.clone().displayed();
+    let interval = e.interval().unwrap_or_else(|| "–".to_owned());
     [
-        format!("{} {}", number(e.told()), e.unit).trim_end().to_owned(),
-        e.told_error().map_or_else(|| "–".to_owned(), number),
+        format!("{} {}", e.told(), e.unit).trim_end().to_owned(),
+        e.told_error().unwrap_or_else(|| "–".to_owned()),
         interval,
     ]
 }

@@ -20,9 +20,8 @@ pub fn optimise(args: &Args, places: &mut Places, wish: &Wish) -> anyhow::Result
     let found = wish.search_keeping(args.many.threads(), &count, &mut keep).map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
-    let form = args.many.told.form();
     let Wish { subject, spans, number, condition, .. } = wish;
-    places.picture(args, plot_best(spans, number, condition.as_ref(), &found, form))?;
+    places.picture(args, plot_best(spans, number, condition.as_ref(), &found))?;
     let solution = match found.best.filter(|_| !found.interrupted) {
         Some(best) => {
             let case = subject.case(&found.rows[best].design.settings)?;
@@ -40,17 +39,17 @@ pub fn optimise(args: &Args, places: &mut Places, wish: &Wish) -> anyhow::Result
         say_json(&places.located(json::best(wish, &found, bars.as_ref()), seconds))?;
         return Ok(code);
     }
-    say(wrapped(&format!("{}.", wish.sentence(&found).told(form))))?;
+    say(wrapped(&format!("{}.", wish.sentence(&found).to_string())))?;
     for said in found.sentences() {
-        say(wrapped(&format!("- {}", said.told(form))))?;
+        say(wrapped(&format!("- {}", said.to_string())))?;
     }
     if let Some(best) = found.best {
-        let runs = [(form.tell("best"), &found.rows[best])];
+        let runs = [(String::from("best"), &found.rows[best])];
         let limits = condition.iter().flat_map(Condition::numbers).map(|(name, _)| name);
         let named: Vec<&Named> = limits.chain([number]).collect();
         say("\n")?;
-        say(told::side_by_side("", &runs, &named, bars.as_ref(), form))?;
+        say(told::side_by_side("", &runs, &named, bars.as_ref()))?;
     }
-    say(told::done(found.rows.len(), seconds, &places.dir, form))?;
+    say(told::done(found.rows.len(), seconds, &places.dir))?;
     Ok(code)
 }

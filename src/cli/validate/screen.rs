@@ -3,7 +3,7 @@
 use crate::cli::say::Shown;
 use crate::cli::table::{Cell, Tone, table, width, wrapped};
 use stampflow::compare::{Comparison, KINDS, Verdict};
-use stampflow::message::{Form, Message, message};
+use stampflow::units::joined;
 
 /// The name of a case, and one of its comparisons.
 pub type Compared = (String, Comparison);
@@ -15,10 +15,10 @@ const GAP: usize = 2;
 const SHORTEST: usize = 8;
 
 /// All of it.
-pub fn screen(all: &[Compared], form: Form) -> Shown {
+pub fn screen(all: &[Compared]) -> Shown {
     let reasons = Reasons::of(all);
-    let mut rows: Vec<[Cell; 6]> = all.iter().map(|one| row(one, reasons.number(one), form)).collect();
-    let headers = HEADERS.map(|header| form.tell(header));
+    let mut rows: Vec<[Cell; 6]> = all.iter().map(|one| row(one, reasons.number(one))).collect();
+    let headers = HEADERS.map(|header| String::from(header));
     let widest = |column: usize| {
         let cells = rows.iter().map(|row| row[column].text.chars().count());
         cells.chain([headers[column].chars().count()]).max().unwrap_or(0)
@@ -29,8 +29,8 @@ pub fn screen(all: &[Compared], form: Form) -> Shown {
         name.text = shortened(&name.text, room);
     }
     table(Some(headers.each_ref().map(String::as_str)), rows)
-        + wrapped(&reasons.told(form))
-        + wrapped(&format!("\n{}", counts(all, form)))
+        + wrapped(&reasons.told())
+        + wrapped(&format!("\n{}", counts(all)))
 }
 
 /// A name within so many letters.
@@ -41,26 +41,26 @@ fn shortened(name: &str, room: usize) -> String {
     name.chars().take(room - 1).chain(['…']).collect()
 }
 
-fn row((case, comparison): &Compared, reason: Option<usize>, form: Form) -> [Cell; 6] {
+fn row((case, comparison): &Compared, reason: Option<usize>) -> [Cell; 6] {
     let tone = match comparison.verdict {
         _ if comparison.is_failure() => Tone::Bad,
         Verdict::In => Tone::Good,
         _ => Tone::Warning,
     };
     let value = |value: Option<String>| Cell::plain(value.unwrap_or_else(|| "–".to_owned()));
-    let verdict = form.tell(comparison.verdict.told());
+    let verdict = String::from(comparison.verdict.told());
     let text = reason.map_or_else(|| verdict.clone(), |number| format!("{verdict} {number}"));
     [
         Cell::plain(case),
-        value(comparison.source.is_some().then(|| form.tell(kind(comparison)))),
-        Cell::plain(form.tell(comparison.spec.against.label())),
-        value(comparison.farthest().map(|value| value.told(form))),
-        value(comparison.target(form)),
+        value(comparison.source.is_some().then(|| String::from(kind(comparison)))),
+        Cell::plain(String::from(comparison.spec.against.label())),
+        value(comparison.farthest().map(|value| value.to_string())),
+        value(comparison.target()),
         Cell { text, tone },
     ]
 }
 
-fn kind(comparison: &Comparison) -> Message {
+fn kind(comparison: &Comparison) -> String {
     comparison.source.as_ref().map_or_else(|| "not stated".into(), |source| source.kind())
 }
 
@@ -91,23 +91,23 @@ impl<'a> Reasons<'a> {
     }
 
     /// `1  cup, diameter 3.4 mm above (+0.7 %): friction is not known (a demonstration: no failure)`.
-    fn told(&self, form: Form) -> String {
+    fn told(&self) -> String {
         let lines = self.0.iter().enumerate().map(|(i, group)| {
             let names: Vec<&str> = group.iter().map(|(case, _)| case.as_str()).collect();
             let first = &group[0].1;
             let missed = match first.verdict {
                 Verdict::Out => first.worst().unwrap_or_default(),
-                verdict => form.tell(verdict.told()),
+                verdict => String::from(verdict.told()),
             };
             let demonstration = match first.spec.demonstration {
-                true => form.tell(" (a demonstration, no failure: the input is not that of the reference)"),
+                true => String::from(" (a demonstration, no failure: the input is not that of the reference)"),
                 false => String::new(),
             };
-            let quantity = form.tell(first.spec.against.label());
+            let quantity = String::from(first.spec.against.label());
             let reason = match first.verdict {
                 Verdict::NoData => {
                     let file = first.spec.reference.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                    form.tell(message!("{file} is not there", file = file))
+                    format!("{file} is not there")
                 }
                 _ => first.spec.reason.trim_end_matches('.').to_owned(),
             };
@@ -118,10 +118,10 @@ impl<'a> Reasons<'a> {
 }
 
 /// `experiment: 1 of 3 inside`, a line a kind; what has no data is no comparison.
-fn counts(all: &[Compared], form: Form) -> String {
-    let name = |one: &Compared| form.tell(kind(&one.1));
+fn counts(all: &[Compared]) -> String {
+    let name = |one: &Compared| String::from(kind(&one.1));
     let compared: Vec<&Compared> = all.iter().filter(|(_, c)| c.verdict != Verdict::NoData).collect();
-    let mut kinds: Vec<String> = KINDS.iter().map(|kind| form.tell(*kind)).collect();
+    let mut kinds: Vec<String> = KINDS.iter().map(|kind| String::from(*kind)).collect();
     for one in &compared {
         if !kinds.contains(&name(one)) {
             kinds.push(name(one));
@@ -132,17 +132,17 @@ fn counts(all: &[Compared], form: Form) -> String {
         let inside = of().filter(|(_, c)| c.verdict == Verdict::In).count();
         let shown = of().filter(|(_, c)| c.verdict != Verdict::In && c.spec.demonstration).count();
         let n = of().count();
-        let counted = message!("{kind}: {inside} of {n} inside", kind = kind.clone(), inside = inside, n = n);
+        let counted = format!("{kind}: {inside} of {n} inside");
         let shown = match shown {
-            0 => Message::default(),
-            shown => message!("{n} outside as demonstrations", n = shown),
+            0 => String::new(),
+            shown => format!("{shown} outside as demonstrations"),
         };
-        (n > 0).then(|| form.tell(Message::joined([counted, shown], ", ")) + "\n")
+        (n > 0).then(|| String::from(joined([counted, shown], ", ")) + "\n")
     });
     let missing = all.len() - compared.len();
     let missing = match missing {
         0 => String::new(),
-        n => form.tell(message!("no data: {n}", n = n)) + "\n",
+        n => format!("no data: {n}") + "\n",
     };
     lines.collect::<String>() + &missing
 }

@@ -2,7 +2,6 @@
 
 use super::zones::{AMBER, OWN, entry, ground, lines};
 use crate::assess::Light;
-use crate::message::Form;
 use crate::plot::chart::{Chart, Look, Panel, Scale, Series, color};
 use crate::study::{Found, Results, Window, Zone};
 use crate::table::Axis;
@@ -17,10 +16,10 @@ const PAPER: f64 = 0.025;
 const LEAST: f64 = 0.02;
 
 /// Panels below each other.
-pub(super) fn chart(results: &Results, window: &Window, title: String, form: Form, notes: Vec<String>) -> Chart {
+pub(super) fn chart(results: &Results, window: &Window, title: String, notes: Vec<String>) -> Chart {
     let zones: Vec<Zone> = Zone::ALL.into_iter().filter(|zone| is_met(results, *zone)).collect();
     let places = results.deciding(MOST);
-    let panels = places.iter().enumerate().map(|(i, place)| panel(results, window, (*place, i == 0), &zones, form));
+    let panels = places.iter().enumerate().map(|(i, place)| panel(results, window, (*place, i == 0), &zones));
     Chart { title, legend: String::new(), panels: panels.collect(), notes }
 }
 
@@ -29,7 +28,7 @@ fn is_met(results: &Results, zone: Zone) -> bool {
 }
 
 /// One number; the first panel has the legend.
-fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), zones: &[Zone], form: Form) -> Panel {
+fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), zones: &[Zone]) -> Panel {
     let axis = &results.axes[window.x];
     let number = results.number(place);
     let mut designs: Vec<(f64, &Found)> =
@@ -49,7 +48,7 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
     series.push(Series::silent(curve, Look::Dots { color: color(0) }));
     let own = axis.own.map(|own| axis.spacing.place(own)).zip(Some(results.base.outcome.numbers[place].amount.value));
     if let Some((x, y)) = own {
-        let label = is_first.then(|| form.tell("the case as it stands"));
+        let label = is_first.then(|| String::from("the case as it stands"));
         series.extend(label.map(|label| Series::new(label, vec![(x, y)], Look::Flag)));
         if !is_first {
             series.push(Series::silent(vec![(x, y)], Look::Circles { color: color(6) }));
@@ -59,12 +58,12 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
     let height = HEIGHTS[usize::from(!is_first)];
     let y = Axis::named(number.label, number.amount.unit);
     let fit = Panel { x: axis.axis(), y, series, scale: Scale::Fit { height, least } };
-    let fit = banded(fit, &known, is_first, form);
+    let fit = banded(fit, &known, is_first);
     let [_, up] = fit.ranges();
     let along = window.ranges()[0];
     let paper = PAPER * (along.1 - along.0);
     let along = (along.0 - paper, along.1 + paper);
-    let behind = behind(window, zones, up, is_first, form);
+    let behind = behind(window, zones, up, is_first);
     let mut series = fit.series;
     if let Some((x, _)) = own.filter(|_| !is_first) {
         series.insert(0, Series::silent(vec![(x, up.0), (x, up.1)], OWN));
@@ -74,14 +73,14 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
 }
 
 /// With the error bars of all points, each stretch of points that have them a band.
-fn banded(panel: Panel, known: &[(f64, f64, f64)], is_first: bool, form: Form) -> Panel {
+fn banded(panel: Panel, known: &[(f64, f64, f64)], is_first: bool) -> Panel {
     let mut panel = panel;
     let mut is_told = !is_first;
     for stretch in known.split(|(_, _, half)| !half.is_finite()).filter(|stretch| !stretch.is_empty()) {
         let x: Vec<f64> = stretch.iter().map(|point| point.0).collect();
         let side = |sign: f64| stretch.iter().map(|(_, y, half)| y + sign * half).collect::<Vec<f64>>();
         // An end by itself is a line.
-        panel = panel.with_band(form.tell("Error band"), &x, [&side(-1.0), &side(1.0)], color(0));
+        panel = panel.with_band(String::from("Error band"), &x, [&side(-1.0), &side(1.0)], color(0));
         let told = panel.series.pop();
         panel.series.extend(told.filter(|_| !std::mem::replace(&mut is_told, true)));
     }
@@ -89,7 +88,7 @@ fn banded(panel: Panel, known: &[(f64, f64, f64)], is_first: bool, form: Form) -
 }
 
 /// Zones over the whole height, and where designs are amber.
-fn behind(window: &Window, zones: &[Zone], up: (f64, f64), is_first: bool, form: Form) -> Vec<Series> {
+fn behind(window: &Window, zones: &[Zone], up: (f64, f64), is_first: bool) -> Vec<Series> {
     // Flags stand above the curves: what is behind goes on up there, and is cut at the panel's edge.
     let top = up.1 + (up.1 - up.0);
     let upright = |(from, to): (f64, f64)| vec![(from, up.0), (to, up.0), (to, top), (from, top)];
@@ -103,8 +102,8 @@ fn behind(window: &Window, zones: &[Zone], up: (f64, f64), is_first: bool, form:
         series.extend(drawn.map(|(zone, span)| Series::silent(upright(span), look(zone))));
     }
     if is_first {
-        series.extend(is_amber.then(|| Series::new(form.tell("Amber"), Vec::new(), AMBER)));
-        series.extend(zones.iter().map(|zone| entry(*zone, form)));
+        series.extend(is_amber.then(|| Series::new(String::from("Amber"), Vec::new(), AMBER)));
+        series.extend(zones.iter().map(|zone| entry(*zone)));
     }
     series
 }

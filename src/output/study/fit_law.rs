@@ -1,9 +1,9 @@
 //! Hardening laws beside the tension tests that they are fitted to, and how sure the chosen one is beyond their end.
 
-use crate::message::{Form, Message, message};
 use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::study::fit::{FlowCurve, LawFit, LawFits};
 use crate::table::{Column, Unit};
+use crate::units::joined;
 
 const POINTS: usize = 160;
 /// How far the picture goes, over the end of the points \[–\].
@@ -12,39 +12,39 @@ const BEYOND: f64 = 2.0;
 const DRAWN: usize = 120;
 
 /// Points, laws and the interval of the one to use above, what it misses the points by below.
-pub fn fit_law(fits: &LawFits, form: Form) -> Chart {
+pub fn fit_law(fits: &LawFits) -> Chart {
     let strain = Column::new("strain_plastic", "True plastic strain", Unit::None, Vec::new());
     let stress = Column::new("true_stress", "True stress", Unit::MPa, Vec::new());
     let miss = Column::new("miss", "Law less point", Unit::MPa, Vec::new());
-    let notes = fits.tests.iter().map(FlowCurve::sentence).map(|sentence| sentence.told(form)).collect();
+    let notes = fits.tests.iter().map(FlowCurve::sentence).map(|sentence| sentence.to_string()).collect();
     let chart = Chart {
-        title: form.tell(message!("{law} fitted to {files}", law = fits.best().kind.label(), files = files(fits))),
+        title: format!("{law} fitted to {files}", law = fits.best().kind.label(), files = files(fits)),
         legend: String::new(),
         panels: vec![
             Panel {
                 x: strain.axis(),
                 y: stress.axis(),
-                series: above(fits, form),
+                series: above(fits),
                 scale: Scale::Fit { height: 330.0, least: 10.0 },
             },
             Panel {
                 x: strain.axis(),
                 y: miss.axis(),
-                series: misses(fits, form),
+                series: misses(fits),
                 scale: Scale::Fit { height: 210.0, least: 1.0 },
             },
         ],
         notes,
     };
-    chart.told(form)
+    chart.displayed()
 }
 
-fn files(fits: &LawFits) -> Message {
-    let name = |test: &FlowCurve| Message::from(test.short_name().to_owned());
-    Message::joined(fits.tests.iter().map(name), ", ")
+fn files(fits: &LawFits) -> String {
+    let name = |test: &FlowCurve| String::from(test.short_name().to_owned());
+    joined(fits.tests.iter().map(name), ", ")
 }
 
-fn above(fits: &LawFits, form: Form) -> Vec<Series> {
+fn above(fits: &LawFits) -> Vec<Series> {
     let (best, end) = (fits.best(), fits.end());
     let rates = rates(fits);
     let strains: Vec<f64> = (0..=POINTS).map(|i| BEYOND * end * i as f64 / POINTS as f64).collect();
@@ -57,38 +57,34 @@ fn above(fits: &LawFits, form: Form) -> Vec<Series> {
         let side = |sign: f64| band.iter().map(move |(e, s, half)| (*e, s + sign * half));
         let outline = side(-1.0).chain(side(1.0).rev()).collect();
         let look = Look::Area { fill: crate::plot::chart::pale(color(0)), edge: None };
-        series.push(Series::new(form.tell("Its interval of 95 %, from scatter alone"), outline, look));
+        series.push(Series::new(String::from("Its interval of 95 %, from scatter alone"), outline, look));
     }
     for (i, fit) in fits.fits.iter().filter(|fit| fit.kind != best.kind).enumerate() {
-        series.push(Series::new(form.tell(fit.kind.label()), curve(fit, first), thin(Look::curve(i + 1))));
+        series.push(Series::new(String::from(fit.kind.label()), curve(fit, first), thin(Look::curve(i + 1))));
     }
     for (i, rate) in rates.iter().enumerate() {
         let label = match rate {
-            Some(rate) => form.tell(message!(
-                "{law} at {rate} /s",
-                law = best.kind.label(),
-                rate = crate::units::rounded(*rate).to_string()
-            )),
-            None => form.tell(best.kind.label()),
+            Some(rate) => format!("{law} at {rate} /s", law = best.kind.label(), rate = crate::units::rounded(*rate)),
+            None => String::from(best.kind.label()),
         };
         let look = if i == 0 { Look::curve(0) } else { Look::curve(fits.fits.len() + i) };
         series.push(Series::new(label, curve(best, *rate), look));
     }
     let others: Vec<(f64, f64)> = fits.tests.iter().flat_map(left_out).collect();
     if !others.is_empty() {
-        series.push(Series::new(form.tell("Points that are left out"), others, Look::Dots { color: GREY }));
+        series.push(Series::new(String::from("Points that are left out"), others, Look::Dots { color: GREY }));
     }
     let several = fits.tests.len() > 1;
     for (i, test) in fits.tests.iter().enumerate() {
         let points = thinned(test.points.iter().map(|p| (p.strain, p.stress)));
-        let label = if several { test.short_name().to_owned() } else { form.tell("Points") };
+        let label = if several { test.short_name().to_owned() } else { String::from("Points") };
         series.push(Series::new(
             label,
             points,
             if i == 0 { Look::Dots { color: BLACK } } else { Look::Triangles { color: color(i) } },
         ));
     }
-    series.push(Series::new(form.tell("end of the points"), vec![(end, best.band(end, first).0)], Look::Flag));
+    series.push(Series::new(String::from("end of the points"), vec![(end, best.band(end, first).0)], Look::Flag));
     series
 }
 
@@ -103,7 +99,7 @@ fn rates(fits: &LawFits) -> Vec<Option<f64>> {
     }
 }
 
-fn misses(fits: &LawFits, form: Form) -> Vec<Series> {
+fn misses(fits: &LawFits) -> Vec<Series> {
     let best = fits.best();
     let points: Vec<_> = fits.fitted().flat_map(|test| &test.points).collect();
     let found = thinned(points.iter().zip(&best.misses).map(|(point, miss)| (point.strain, *miss)));
@@ -114,7 +110,7 @@ fn misses(fits: &LawFits, form: Form) -> Vec<Series> {
         let low = scatter.iter().rev().map(|(e, s)| (*e, -s));
         let outline = scatter.iter().copied().chain(low).collect();
         let look = Look::Area { fill: crate::plot::chart::PALE, edge: None };
-        series.insert(0, Series::new(form.tell("Standard deviation of the points"), outline, look));
+        series.insert(0, Series::new(String::from("Standard deviation of the points"), outline, look));
     }
     series.push(Series::silent(found, Look::Dots { color: BLACK }));
     series

@@ -1,6 +1,5 @@
 //! Load curves of a study of one axis, dark to light as its value rises.
 
-use crate::message::Form;
 use crate::plot::chart::{Chart, Look, Panel, Scale, Series};
 use crate::plot::viridis::viridis;
 use crate::study::Results;
@@ -14,7 +13,7 @@ const DASHES: [&[f64]; 2] = [&[], &[9.0, 4.0]];
 
 /// The punch force \[N, or N/mm\] over the travel \[mm\] of each design, in the order of the designs; nothing where none has a
 /// curve or the study is not of one axis.
-pub fn loads(results: &Results, curves: &[Vec<(f64, f64)>], form: Form) -> Option<Chart> {
+pub fn loads(results: &Results, curves: &[Vec<(f64, f64)>]) -> Option<Chart> {
     let [axis] = results.axes.as_slice() else { return None };
     let unit = results.numbers().find(|(_, number)| number.key == "punch_force")?.1.amount.unit;
     let mut order: Vec<usize> = (0..axis.values.len().min(curves.len())).collect();
@@ -26,13 +25,13 @@ pub fn loads(results: &Results, curves: &[Vec<(f64, f64)>], form: Form) -> Optio
     let series = order.iter().enumerate().map(|(n, &i)| {
         let share = LIGHTEST * n as f64 / last.max(1) as f64;
         let look = Look::Line { color: viridis(share), width: 2.0, dash: DASHES[n % DASHES.len()] };
-        let label = named(n).then(|| axis.told(axis.values[i]).told(form));
+        let label = named(n).then(|| axis.told(axis.values[i]).to_string());
         Series { label, points: curves[i].clone(), look }
     });
     Some(
         Chart {
-            title: format!("{}: {}", form.tell(axis.message()), form.tell("load curves")),
-            legend: form.tell(axis.message()),
+            title: format!("{}: {}", String::from(axis.message()), String::from("load curves")),
+            legend: String::from(axis.message()),
             panels: vec![Panel {
                 x: Axis::named("Punch travel", Unit::Mm),
                 y: Axis::named("Punch force", unit),
@@ -41,6 +40,6 @@ pub fn loads(results: &Results, curves: &[Vec<(f64, f64)>], form: Form) -> Optio
             }],
             notes: Vec::new(),
         }
-        .told(form),
+        .displayed(),
     )
 }

@@ -1,7 +1,6 @@
 //! The pictures of a scatter: how the numbers that decide lie to their limits, bands of the curves, and what decides.
 
 use super::{scatter_bands, scatter_indices};
-use crate::message::{Form, message};
 use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
 use crate::study::scatter::{Found, Grids, Spread, deciding};
 use crate::table::{Column, Unit};
@@ -13,31 +12,31 @@ const BARS: usize = 24;
 const NEAR: f64 = 1.5;
 
 /// Each picture by the stem of its file.
-pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
-    let histograms = histograms(found, name, form);
-    let load = found.load.as_ref().map(|band| scatter_bands::load(band, grids.force, name, form));
-    let thickness = found.thickness.as_ref().map(|band| scatter_bands::thickness(band, name, form));
+pub fn pictures(found: &Found, grids: &Grids, name: &str) -> Vec<(&'static str, Chart)> {
+    let histograms = histograms(found, name);
+    let load = found.load.as_ref().map(|band| scatter_bands::load(band, grids.force, name));
+    let thickness = found.thickness.as_ref().map(|band| scatter_bands::thickness(band, name));
     let all = [
         histograms.map(|chart| ("scatter", chart)),
         load.map(|chart| ("load_band", chart)),
         thickness.map(|chart| ("thickness_band", chart)),
-        scatter_indices::chart(found, name, form).map(|chart| ("influence", chart)),
+        scatter_indices::chart(found, name).map(|chart| ("influence", chart)),
     ];
-    all.into_iter().flatten().map(|(stem, chart)| (stem, chart.told(form))).collect()
+    all.into_iter().flatten().map(|(stem, chart)| (stem, chart.displayed())).collect()
 }
 
-fn histograms(found: &Found, name: &str, form: Form) -> Option<Chart> {
+fn histograms(found: &Found, name: &str) -> Option<Chart> {
     let mut panels: Vec<Panel> = deciding(found).into_iter().map(panel).collect();
     let first = panels.first_mut()?;
     let entries = [("Amber from here on", AMBER), ("Red from here on", RED), ("The case as it stands", OWN)];
-    first.series.extend(entries.map(|(label, look)| Series::new(form.tell(label), Vec::new(), look)));
-    let title = message!("{name}: {what}", name = name.to_owned(), what = found.sentence());
-    Some(Chart { title: title.told(form), legend: String::new(), panels, notes: notes(found, form) })
+    first.series.extend(entries.map(|(label, look)| Series::new(String::from(label), Vec::new(), look)));
+    let title = format!("{name}: {what}", what = found.sentence());
+    Some(Chart { title: title.to_string(), legend: String::new(), panels, notes: notes(found) })
 }
 
 /// What stands below the pictures.
-fn notes(found: &Found, form: Form) -> Vec<String> {
-    vec![found.sentences().into_iter().map(|sentence| sentence.told(form) + ".").collect::<Vec<_>>().join(" ")]
+fn notes(found: &Found) -> Vec<String> {
+    vec![found.sentences().into_iter().map(|sentence| sentence.to_string() + ".").collect::<Vec<_>>().join(" ")]
 }
 
 /// The limits, and the case as it stands.

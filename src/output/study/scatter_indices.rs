@@ -1,7 +1,6 @@
 //! What decides: a bar for each thing that scatters, the longest on top; Sobol indices with their intervals, or rank
 //! correlations.
 
-use crate::message::{Form, message};
 use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
 use crate::study::scatter::{Found, Index, Spread, called, deciding};
 use crate::table::{Axis, Column, Unit};
@@ -19,21 +18,21 @@ const TOTAL: fn() -> Look = || Look::Area { fill: pale(color(0)), edge: None };
 const FIRST: fn() -> Look = || Look::Area { fill: color(0), edge: None };
 const INTERVAL: Look = Look::Line { color: BLACK, width: 1.6, dash: &[] };
 
-pub(super) fn chart(found: &Found, name: &str, form: Form) -> Option<Chart> {
-    let mut panels: Vec<Panel> = deciding(found).into_iter().filter_map(|spread| panel(found, spread, form)).collect();
+pub(super) fn chart(found: &Found, name: &str) -> Option<Chart> {
+    let mut panels: Vec<Panel> = deciding(found).into_iter().filter_map(|spread| panel(found, spread)).collect();
     let has_indices = found.numbers.iter().any(|spread| spread.influence.indices.is_some());
     let entries: &[(&str, Look)] = match has_indices {
         true => &[("Alone", FIRST()), ("With others", TOTAL()), ("Interval of 95 %", INTERVAL)],
         false => &[],
     };
     let first = panels.first_mut()?;
-    first.series.extend(entries.iter().map(|(label, look)| Series::new(form.tell(*label), Vec::new(), *look)));
+    first.series.extend(entries.iter().map(|(label, look)| Series::new(String::from(*label), Vec::new(), *look)));
     let name = name.to_owned();
     let title = match has_indices {
-        true => message!("{name}: what decides (Sobol indices)", name = name),
-        false => message!("{name}: what goes with what (rank correlations)", name = name),
+        true => format!("{name}: what decides (Sobol indices)"),
+        false => format!("{name}: what goes with what (rank correlations)"),
     };
-    Some(Chart { title: title.told(form), legend: String::new(), panels, notes: Vec::new() })
+    Some(Chart { title: title.to_string(), legend: String::new(), panels, notes: Vec::new() })
 }
 
 /// A bar with its intervals.
@@ -59,14 +58,14 @@ impl Bar<'_> {
 }
 
 /// The bars of a number, the longest on top.
-fn panel(found: &Found, spread: &Spread, form: Form) -> Option<Panel> {
+fn panel(found: &Found, spread: &Spread) -> Option<Panel> {
     let (mut bars, what, least) = match &spread.influence.indices {
         Some(indices) => (of_indices(found, indices), "share of its variance", 0.0),
         None => (of_ranks(found, &spread.influence.ranks), "rank correlation", -1.0),
     };
     bars.truncate(MOST);
     bars.reverse();
-    let names = bars.iter().map(|bar| called(bar.key).told(form)).collect();
+    let names = bars.iter().map(|bar| called(bar.key).to_string()).collect();
     let x = Axis::shared(&[
         &Column::new("number", spread.number.label, Unit::None, Vec::new()),
         &Column::new("what", what, Unit::None, Vec::new()),

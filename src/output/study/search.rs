@@ -1,7 +1,6 @@
 //! `search.png`: what was run, its lights, and what was found.
 
 use crate::assess::Light;
-use crate::message::{Form, Message, message};
 use crate::plot::chart::{BLACK, Chart, GREY, Look, PALE, Panel, Scale, Series, color};
 use crate::study::search::{Answer, Best, Condition, Found, Goal, Named, Quest, Said};
 use crate::study::verify::{Number, Of};
@@ -43,9 +42,9 @@ impl Mark {
         }
     }
 
-    fn label(self, has_condition: bool) -> Message {
+    fn label(self, has_condition: bool) -> String {
         match self {
-            Self::Kept(light) if has_condition => message!("holds, {light}", light = light.name()),
+            Self::Kept(light) if has_condition => format!("holds, {light}", light = light.name()),
             Self::Kept(light) => light.name().into(),
             Self::NotKept => "does not hold".into(),
         }
@@ -53,70 +52,63 @@ impl Mark {
 }
 
 /// The numbers of a search over its key; `None` where no run has any.
-pub fn plot(quest: &Quest, answer: &Answer, form: Form) -> Option<Chart> {
+pub fn plot(quest: &Quest, answer: &Answer) -> Option<Chart> {
     let (condition, named) = match &quest.goal {
         Goal::Keep(condition) => (Some(condition), limits(condition, &answer.base)),
         Goal::Reach(target) => (None, vec![(&target.name, answer.wanted)]),
     };
-    let key = Key::of(&quest.span, 0, &answer.rows, condition, form);
+    let key = Key::of(&quest.span, 0, &answer.rows, condition);
     let mut panels = Vec::new();
     for (number, limit) in shown(&answer.base, &named) {
         let is_first = panels.is_empty();
-        let label = is_first.then(|| form.tell(if condition.is_some() { "limit" } else { "wanted" }));
+        let label = is_first.then(|| String::from(if condition.is_some() { "limit" } else { "wanted" }));
         let level = limit.map(|limit| key.level(&number, limit, label));
         if let Some(mut panel) = key.panel(&number, level, is_first) {
             key.mark(&mut panel, quest, answer, &number, is_first);
             panels.push(panel);
         }
     }
-    let varied = Message::from(quest.span.label());
+    let varied = String::from(quest.span.label());
     let title = match &quest.goal {
         Goal::Keep(condition) => {
-            message!("Search for {key}: “{condition}”", key = varied, condition = condition.text.clone())
+            format!("Search for {varied}: “{condition}”", condition = condition.text)
         }
         Goal::Reach(target) => {
-            message!("Search for {key}: {number} as wanted", key = varied, number = target.name.text.clone())
+            format!("Search for {varied}: {number} as wanted", number = target.name.text)
         }
     };
     let failed = answer.failed.iter().map(|(_, count)| count).sum::<usize>();
-    let note =
-        (failed > 0).then(|| message!("{n} of the runs came to nothing and are not drawn.", n = failed).told(form));
-    chart(&title, panels, note, form)
+    let note = (failed > 0).then(|| format!("{failed} of the runs came to nothing and are not drawn."));
+    chart(&title, panels, note)
 }
 
 /// The number that is to be best over each key.
-pub fn plot_best(
-    spans: &[Span],
-    name: &Named,
-    condition: Option<&Condition>,
-    best: &Best,
-    form: Form,
-) -> Option<Chart> {
+pub fn plot_best(spans: &[Span], name: &Named, condition: Option<&Condition>, best: &Best) -> Option<Chart> {
     let number = name.find(&best.base).ok()?;
     let (mut panels, mut column) = (Vec::new(), 0);
     for span in spans {
-        let key = Key::of(span, column, &best.rows, condition, form);
+        let key = Key::of(span, column, &best.rows, condition);
         column += span.keys().len();
         if let Some(mut panel) = key.panel(number, None, panels.is_empty()) {
             if let Some(at) = best.best.and_then(|run| key.place(&best.rows[run], number)) {
-                panel.series.push(Series::new(form.tell("best"), vec![at], Look::Flag));
+                panel.series.push(Series::new(String::from("best"), vec![at], Look::Flag));
             }
             panels.push(panel);
         }
     }
     let name = name.text.clone();
     let title = match condition {
-        None => message!("Search for the best {number}", number = name),
+        None => format!("Search for the best {name}"),
         Some(condition) => {
-            message!("Search for the best {number}: “{condition}”", number = name, condition = condition.text.clone())
+            format!("Search for the best {name}: “{condition}”", condition = condition.text)
         }
     };
-    let note = message!("Each run stands in every panel; {n} of them are of the grid.", n = best.grid).told(form);
-    chart(&title, panels, Some(note), form)
+    let note = format!("Each run stands in every panel; {n} of them are of the grid.", n = best.grid);
+    chart(&title, panels, Some(note))
 }
 
-fn chart(title: &Message, panels: Vec<Panel>, note: Option<String>, form: Form) -> Option<Chart> {
-    let chart = Chart { title: title.told(form), legend: String::new(), panels, notes: note.into_iter().collect() };
+fn chart(title: &str, panels: Vec<Panel>, note: Option<String>) -> Option<Chart> {
+    let chart = Chart { title: title.to_string(), legend: String::new(), panels, notes: note.into_iter().collect() };
     (!chart.panels.is_empty()).then_some(chart)
 }
 
@@ -147,19 +139,18 @@ struct Key<'a> {
     column: usize,
     runs: Vec<(Mark, &'a Row)>,
     has_condition: bool,
-    form: Form,
 }
 
 impl<'a> Key<'a> {
-    fn of(span: &Span, column: usize, rows: &'a [Row], condition: Option<&Condition>, form: Form) -> Self {
+    fn of(span: &Span, column: usize, rows: &'a [Row], condition: Option<&Condition>) -> Self {
         let (unit, times) = span.solver_unit().unwrap_or((Unit::None, 1.0));
-        let (axis, told) = Axis::named(span.label(), unit).told(form, span.ends()[1] * times);
+        let (axis, told) = Axis::named(span.label(), unit).displayed(span.ends()[1] * times);
         let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
         let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
         let times = times * told.factor;
         let axis = axis.spaced(span.spacing());
         let ends = span.ends().map(|end| span.spacing().place(end * times));
-        Self { axis, times, ends, column, runs, has_condition: condition.is_some(), form }
+        Self { axis, times, ends, column, runs, has_condition: condition.is_some() }
     }
 
     /// Where a value of the key is drawn.
@@ -169,8 +160,8 @@ impl<'a> Key<'a> {
 
     /// A number's axis, and what its values are multiplied by.
     fn scale(&self, number: &Number) -> (Axis, f64) {
-        let label = self.form.tell(number.label);
-        let (axis, told) = Axis::named(label, number.amount.unit).told(self.form, number.amount.value);
+        let label = String::from(number.label);
+        let (axis, told) = Axis::named(label, number.amount.unit).displayed(number.amount.value);
         (axis, told.factor)
     }
 
@@ -185,7 +176,7 @@ impl<'a> Key<'a> {
         let series = Mark::ALL.into_iter().filter_map(|mark| {
             let own = self.runs.iter().filter(|(of, _)| *of == mark);
             let points: Vec<_> = own.filter_map(|(_, row)| self.place(row, number)).collect();
-            let label = is_first.then(|| mark.label(self.has_condition).told(self.form));
+            let label = is_first.then(|| mark.label(self.has_condition).to_string());
             (!points.is_empty()).then(|| Series { label, points, look: mark.look() })
         });
         let runs: Vec<Series> = series.collect();
@@ -218,7 +209,7 @@ impl<'a> Key<'a> {
         let Some(run) = answer.best else { return };
         let x = answer.value(run);
         match self.place(&answer.rows[run], number).filter(|_| is_first) {
-            Some(at) => panel.series.push(Series::new(quest.span.told(x).told(self.form), vec![at], Look::Flag)),
+            Some(at) => panel.series.push(Series::new(quest.span.told(x).to_string(), vec![at], Look::Flag)),
             None => {
                 let line = Look::Line { color: BLACK, width: 1.2, dash: &[] };
                 panel.series.push(Series::silent(vec![(self.along(x), low), (self.along(x), high)], line));

@@ -1,11 +1,11 @@
 //! One key at a time: how far each moves the numbers that decide, the largest swing on top.
 
 use super::zones::OWN;
-use crate::message::{Form, Message, message};
 use crate::plot::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
 use crate::plot::font;
 use crate::study::{End, Results, Swing, swings};
 use crate::table::Axis;
+use crate::units::joined;
 
 /// Panels at most, and keys of each.
 const MOST: usize = 4;
@@ -39,14 +39,14 @@ const BELOW: fn() -> Look = || {
 const OTHER: Look = Look::Area { fill: (190, 190, 190), edge: Some((70, 70, 70)) };
 
 /// A panel for each number.
-pub(super) fn chart(results: &Results, title: String, form: Form, mut notes: Vec<String>) -> Chart {
-    notes.extend(failed(results, form));
+pub(super) fn chart(results: &Results, title: String, mut notes: Vec<String>) -> Chart {
+    notes.extend(failed(results));
     let all = results.deciding(MOST).into_iter().map(|place| (place, swings(results, place)));
     let mut panels: Vec<Panel> = all
         .filter(|(_, swings)| !swings.is_empty())
         .map(|(place, swings)| {
             let moves = swings.iter().take_while(|swing| swing.width() > 0.0).count();
-            panel(results, place, &swings[..moves.min(KEYS)], form)
+            panel(results, place, &swings[..moves.min(KEYS)])
         })
         .collect();
     if let Some(first) = panels.first_mut() {
@@ -55,22 +55,22 @@ pub(super) fn chart(results: &Results, title: String, form: Form, mut notes: Vec
         let has_other = results.axes.iter().any(|axis| axis.own.is_none() || axis.has_names());
         let other = has_other.then_some(("Another choice", OTHER));
         let entries = entries.into_iter().chain(other);
-        first.series.extend(entries.map(|(label, look)| Series::new(form.tell(label), Vec::new(), look)));
+        first.series.extend(entries.map(|(label, look)| Series::new(String::from(label), Vec::new(), look)));
     }
     Chart { title, legend: String::new(), panels, notes }
 }
 
-fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel {
+fn panel(results: &Results, place: usize, swings: &[Swing]) -> Panel {
     let number = results.number(place);
     let own = results.rows[0].numbers[place];
     let ends = swings.iter().flat_map(|swing| [swing.low.number, swing.high.number]);
     let (low, high) = ends.fold((own, own), |(low, high), v| (low.min(v), high.max(v)));
-    let mut names: Vec<String> = swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
+    let mut names: Vec<String> = swings.iter().map(|swing| String::from(results.axes[swing.axis].message())).collect();
     names.reverse();
     let px = (NARROW - BESIDE - NAME * names.iter().map(|name| font::width(name)).fold(0.0, f64::max)).max(LEAST);
     let share = |label: &str| (LABEL * font::width(label) + AROUND) / px;
     let bars: Vec<_> = swings.iter().enumerate().flat_map(|(i, swing)| bars(swing, i, swings.len())).collect();
-    let labels = bars.iter().filter_map(|(swing, bar)| told(results, swing, bar.end, form));
+    let labels = bars.iter().filter_map(|(swing, bar)| told(results, swing, bar.end));
     let widest = labels.map(|label| share(&label)).fold(0.0, f64::max);
     // The labels have room on either side of the longest bars.
     let width = (high - low) / (1.0 - 2.0 * widest).max(0.2);
@@ -85,7 +85,7 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
         .collect();
     series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
     for (swing, Bar { end, y: (from, to) }) in &bars {
-        let Some(label) = told(results, swing, *end, form) else { continue };
+        let Some(label) = told(results, swing, *end) else { continue };
         let (off, look) = if end.number < own { (-GAP, Look::Before) } else { (GAP, Look::Text) };
         series.push(Series::new(label, vec![(end.number + off * width, 0.5 * (from + to))], look));
     }
@@ -120,22 +120,22 @@ fn bars(swing: &Swing, from_top: usize, of: usize) -> Vec<(Swing, Bar)> {
 }
 
 /// The key's value at an end, marked where the design fails; nothing of the case as it stands.
-fn told(results: &Results, swing: &Swing, end: End, form: Form) -> Option<String> {
-    let value = results.axes[swing.axis].told(end.value?).told(form);
+fn told(results: &Results, swing: &Swing, end: End) -> Option<String> {
+    let value = results.axes[swing.axis].told(end.value?).to_string();
     Some(if results.rows[end.row].is_sound() { value } else { value + FAILED })
 }
 
 /// What the mark means: each design that fails, and how.
-fn failed(results: &Results, form: Form) -> Option<String> {
+fn failed(results: &Results) -> Option<String> {
     let failed = results.rows.iter().enumerate().skip(1).filter_map(|(row, found)| {
         let places = results.plan.place(row as u64);
         let (axis, place) = results.axes.iter().zip(places).find_map(|(axis, place)| Some((axis, place?)))?;
         let zone = found.worst()?;
         let value = axis.told(axis.values[place]);
-        Some(message!("{axis} {value} ({zone})", axis = axis.message(), value = value, zone = zone.label()))
+        Some(format!("{axis} {value} ({zone})", axis = axis.message(), zone = zone.label()))
     });
-    let failed = Message::joined(failed, ", ");
-    (!failed.is_empty()).then(|| message!("* fails: {designs}.", designs = failed).told(form))
+    let failed = joined(failed, ", ");
+    (!failed.is_empty()).then(|| format!("* fails: {failed}."))
 }
 
 /// Whether the key is above or below where the case stands at an end.

@@ -1,7 +1,6 @@
 //! Pictures of several runs side by side, and the table of their differences.
 
 use crate::forming_limit::{self, Assessment, Curve};
-use crate::message::{Form, Message, message};
 use crate::model::Geometry;
 use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
 use crate::plot::forming_diagram::{Strains, along};
@@ -39,19 +38,19 @@ pub struct Drawn {
 }
 
 /// Load, thickness, strains and sections of all runs, those that they have, with what was measured.
-pub fn pictures(versus: &Versus, engineering_strain: bool, form: Form) -> Vec<Drawn> {
+pub fn pictures(versus: &Versus, engineering_strain: bool) -> Vec<Drawn> {
     let strains = Strains { engineering: engineering_strain };
     let all = [
-        ("compare_load", "punch force over the travel", load(versus, form)),
-        ("compare_thickness", "thickness over the blank", thickness(versus, form)),
-        ("compare_strains", "strains and forming limit", limits(versus, strains, form)),
-        ("compare_sections", "the sections at the end", shapes(versus, form)),
+        ("compare_load", "punch force over the travel", load(versus)),
+        ("compare_thickness", "thickness over the blank", thickness(versus)),
+        ("compare_strains", "strains and forming limit", limits(versus, strains)),
+        ("compare_sections", "the sections at the end", shapes(versus)),
     ];
     let drawn = all.into_iter().filter_map(|(stem, about, found)| {
         let (panel, note) = found?;
-        let title = form.tell(message!("Compared: {what}", what = Message::from(about)));
-        let notes = note.into_iter().map(|note| form.tell(note)).collect();
-        let chart = Chart { title, legend: String::new(), panels: vec![panel], notes }.told(form);
+        let title = format!("Compared: {about}");
+        let notes = note.into_iter().map(|note| String::from(note)).collect();
+        let chart = Chart { title, legend: String::new(), panels: vec![panel], notes }.displayed();
         Some(Drawn { stem, about, chart })
     });
     drawn.collect()
@@ -60,14 +59,13 @@ pub fn pictures(versus: &Versus, engineering_strain: bool, form: Form) -> Vec<Dr
 /// A curve of every run that has it, in its own colour and dashes.
 fn curves<'a>(
     versus: &'a Versus,
-    form: Form,
     points: impl Fn(&'a Member) -> Vec<(f64, f64)> + 'a,
 ) -> impl Iterator<Item = Series> + 'a {
     let series = versus
         .members
         .iter()
         .enumerate()
-        .map(move |(i, member)| Series::new(form.tell(member.label()), points(member), Look::curve(i)));
+        .map(move |(i, member)| Series::new(String::from(member.label()), points(member), Look::curve(i)));
     series.filter(|series| !series.points.is_empty())
 }
 
@@ -81,21 +79,21 @@ fn measured(versus: &Versus, of: Of) -> impl Iterator<Item = Series> {
     })
 }
 
-type Found = Option<(Panel, Option<Message>)>;
+type Found = Option<(Panel, Option<String>)>;
 
-fn load(versus: &Versus, form: Form) -> Found {
+fn load(versus: &Versus) -> Found {
     let extent = versus.members.first()?.solution.case.model().extent();
-    let series: Vec<Series> = curves(versus, form, |member| member.outcome().load.clone()).collect();
+    let series: Vec<Series> = curves(versus, |member| member.outcome().load.clone()).collect();
     let scale = Scale::Fit { height: HEIGHT, least: 0.0 };
     let (x, y) = (TRAVEL.axis(extent), PUNCH_FORCE.axis(extent));
     (!series.is_empty())
         .then(|| (Panel { x, y, series: series.into_iter().chain(measured(versus, Of::Load)).collect(), scale }, None))
 }
 
-fn thickness(versus: &Versus, form: Form) -> Found {
+fn thickness(versus: &Versus) -> Found {
     let model = versus.members.first()?.solution.case.model();
     let (extent, least) = (model.extent(), LEAST * model.blank.thickness);
-    let series: Vec<Series> = curves(versus, form, |member| member.outcome().thickness.clone()).collect();
+    let series: Vec<Series> = curves(versus, |member| member.outcome().thickness.clone()).collect();
     let scale = Scale::Fit { height: HEIGHT, least };
     let (x, y) = (S0.axis(extent), THICKNESS.axis(extent));
     (!series.is_empty()).then(|| {
@@ -118,7 +116,7 @@ struct Limited<'a> {
 }
 
 /// Strains from the axis to the edge, and the limits: minor and major of a cup, of a strip the major over the blank.
-fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
+fn limits(versus: &Versus, strains: Strains) -> Found {
     let limited = versus.members.iter().enumerate().filter_map(|(place, member)| {
         let (stage, _) = end(member)?;
         let limit = stage.model.forming_limit.as_ref()?;
@@ -150,14 +148,14 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
     };
     let places = limited.iter().map(|run| (run, places(run)));
     let mut series: Vec<Series> = places
-        .map(|(run, points)| Series::new(form.tell(run.member.label()), points, Look::curve(run.place)))
+        .map(|(run, points)| Series::new(String::from(run.member.label()), points, Look::curve(run.place)))
         .collect();
     if one_limit {
-        let label = form.tell(message!("Limit: {curve}", curve = first.limit.name));
+        let label = format!("Limit: {curve}", curve = first.limit.name);
         series.push(Series::new(label, line(first), Look::Line { color: BLACK, width: 1.6, dash: &[] }));
     } else {
         series.extend(limited.iter().map(|run| {
-            let label = form.tell(message!("Limit of {run}", run = run.member.mark.clone()));
+            let label = format!("Limit of {run}", run = run.member.mark);
             Series::new(label, line(run), Look::curve(run.place).faint())
         }));
     }
@@ -169,13 +167,13 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
         true => (S0.axis(model.extent()), (0.0, model.blank.length)),
         false => (minor, (strains.of(minors.0), strains.of(minors.1))),
     };
-    let note = message!("Each line goes through the places of a sheet from its middle to its edge.");
+    let note = "Each line goes through the places of a sheet from its middle to its edge.".to_owned();
     let scale = Scale::Window { height: TALL, x: x_range, y: y_range };
     Some((Panel { x, y: major, series, scale }, Some(note).filter(|_| !is_strip)))
 }
 
 /// The middle of the sheet at the end of every run, with the tools of the first.
-fn shapes(versus: &Versus, form: Form) -> Found {
+fn shapes(versus: &Versus) -> Found {
     let first = versus.members.first()?;
     let (stage, frame) = end(first)?;
     let nodes = versus.members.iter().filter_map(end).flat_map(|(_, frame)| &frame.nodes);
@@ -183,11 +181,11 @@ fn shapes(versus: &Versus, form: Form) -> Found {
     let window = sections::window(nodes, length);
     let at = |node: &NodeRecord| (node.r, node.z);
     let middle = |member: &Member| end(member).map_or_else(Vec::new, |(_, frame)| frame.nodes.iter().map(at).collect());
-    let sheets: Vec<Series> = curves(versus, form, middle).collect();
+    let sheets: Vec<Series> = curves(versus, middle).collect();
     let tools = sections::tools(&stage.model, Some(frame), length);
-    let note = message!(
+    let note = format!(
         "Lines are the middle of the sheet at the end of each run; the tools are those of {run}.",
-        run = first.mark.clone()
+        run = first.mark
     );
     Some((sections::panel(stage.model.geometry, tools.chain(sheets), window), Some(note)))
 }
@@ -203,7 +201,7 @@ pub fn csv(versus: &Versus) -> Vec<u8> {
         let (key, of, unit) = (own.key, own.of.key(), own.amount.unit.spelled());
         for (i, (member, value)) in versus.members.iter().zip(&compared.values).enumerate() {
             let change = i.checked_sub(1).map(|i| compared.changes[i]);
-            let value_of = |amount: &crate::message::Amount| number(amount.value);
+            let value_of = |amount: &crate::units::Amount| number(amount.value);
             put([
                 key.into(),
                 of.into(),

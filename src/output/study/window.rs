@@ -1,7 +1,6 @@
 //! Process windows: lines of equal thinning, the zones where designs fail, and the case with its distances to their borders.
 
 use super::zones::{BORDER, OWN, entry, ground, lines};
-use crate::message::Form;
 use crate::plot::chart::{Chart, Color, Look, Panel, Scale, Series};
 use crate::study::verify::Of;
 use crate::study::{Found, Meets, Point, Results, Window, Zone};
@@ -25,22 +24,22 @@ const APART: f64 = 0.14;
 const ROOM: f64 = 0.09;
 
 /// One window, or one for each value of a third axis.
-pub(super) fn chart(results: &Results, windows: &[Window], title: String, form: Form, notes: Vec<String>) -> Chart {
+pub(super) fn chart(results: &Results, windows: &[Window], title: String, notes: Vec<String>) -> Chart {
     let isolines = isolines_of(results);
     let zones: Vec<Zone> =
         Zone::ALL.into_iter().filter(|zone| results.rows.iter().any(|found| found.fails.contains(zone))).collect();
     let mut panels: Vec<Panel> =
-        windows.iter().map(|window| panel(results, window, isolines.as_ref(), &zones, form)).collect();
+        windows.iter().map(|window| panel(results, window, isolines.as_ref(), &zones)).collect();
     if let Some(first) = panels.first_mut() {
-        first.series.extend(zones.iter().map(|zone| entry(*zone, form)));
+        first.series.extend(zones.iter().map(|zone| entry(*zone)));
         if let Some((place, _)) = &isolines {
             let number = results.number(*place);
-            let label = format!("{} [{}]", form.tell(number.label), number.amount.unit.symbol());
+            let label = format!("{} [{}]", String::from(number.label), number.amount.unit.symbol());
             first.series.push(Series::new(label, Vec::new(), ISOLINE));
         }
         if windows.iter().any(|window| window.own().is_some()) && windows.len() > 1 {
             let look = Look::Triangles { color: (0, 0, 0) };
-            first.series.push(Series::new(capitalised(&form.tell("the case as it stands")), Vec::new(), look));
+            first.series.push(Series::new(capitalised(&String::from("the case as it stands")), Vec::new(), look));
         }
     }
     Chart { title, legend: String::new(), panels, notes }
@@ -65,13 +64,7 @@ fn is_whole(found: &Found) -> bool {
     found.is_known() && !found.red.iter().any(|row| ["stop", "localisation"].contains(&row.as_str()))
 }
 
-fn panel(
-    results: &Results,
-    window: &Window,
-    isolines: Option<&(usize, Vec<f64>)>,
-    zones: &[Zone],
-    form: Form,
-) -> Panel {
+fn panel(results: &Results, window: &Window, isolines: Option<&(usize, Vec<f64>)>, zones: &[Zone]) -> Panel {
     let [x, y] = padded(window);
     let relative = |p: Point| ((p.0 - x.0) / (x.1 - x.0), (p.1 - y.0) / (y.1 - y.0));
     let mut series = Vec::new();
@@ -86,7 +79,7 @@ fn panel(
     let mut taken: Vec<Point> = Vec::new();
     let own = window.own();
     taken.extend(own.map(relative));
-    let own_series = own.map_or_else(Vec::new, |own| stands(results, window, own, window.at.is_some(), [x, y], form));
+    let own_series = own.map_or_else(Vec::new, |own| stands(results, window, own, window.at.is_some(), [x, y]));
     let named = own_series.iter().filter(|series| series.look == Look::Name);
     taken.extend(named.flat_map(|series| &series.points).map(|p| relative(*p)));
     if let Some(own) = own.filter(|_| window.at.is_none()) {
@@ -101,8 +94,8 @@ fn panel(
         let longest = found.iter().max_by(|a, b| a.len().cmp(&b.len()));
         if let Some(at) = longest.and_then(|line| free(line, &taken, relative)) {
             taken.push(relative(at));
-            let amount = results.number(place).amount.of(level).to(crate::message::Digits::Given(3));
-            names.push(Series::new(amount.told(form), vec![at], Look::Name));
+            let amount = results.number(place).amount.of(level).to(crate::units::Digits::Given(3));
+            names.push(Series::new(amount.to_string(), vec![at], Look::Name));
         }
         series.extend(found.into_iter().map(|line| Series::silent(line, ISOLINE)));
     }
@@ -113,8 +106,8 @@ fn panel(
     series.extend(names);
     let is_small = window.at.is_some();
     if !is_small {
-        let sound = (form.tell("sound"), None);
-        let failed = zones.iter().map(|zone| (zone.label().told(form), Some(*zone)));
+        let sound = (String::from("sound"), None);
+        let failed = zones.iter().map(|zone| (zone.label().to_string(), Some(*zone)));
         for (name, zone) in std::iter::once(sound).chain(failed) {
             if let Some(at) = middle(window, |found| found.worst() == zone, relative, &taken) {
                 taken.push(relative(at));
@@ -125,8 +118,8 @@ fn panel(
     series.extend(own_series);
     let caption = window.at.map(|(third, place)| {
         let axis = &results.axes[third];
-        let value = axis.told(axis.values[place]).told(form);
-        Series::new(format!("{} {value}", form.tell(axis.message())), Vec::new(), Look::Text)
+        let value = axis.told(axis.values[place]).to_string();
+        Series::new(format!("{} {value}", String::from(axis.message())), Vec::new(), Look::Text)
     });
     series.extend(caption);
     let height = HEIGHTS[usize::from(is_small)];
@@ -136,14 +129,7 @@ fn panel(
 }
 
 /// The case, and the ways to the borders that it may meet.
-fn stands(
-    results: &Results,
-    window: &Window,
-    own: Point,
-    is_small: bool,
-    [x, y]: [(f64, f64); 2],
-    form: Form,
-) -> Vec<Series> {
+fn stands(results: &Results, window: &Window, own: Point, is_small: bool, [x, y]: [(f64, f64); 2]) -> Vec<Series> {
     if is_small {
         return vec![Series::silent(vec![own], Look::Triangles { color: (0, 0, 0) })];
     }
@@ -153,14 +139,14 @@ fn stands(
         let place = results.axes[distance.axis].spacing.place(distance.to);
         let to = if is_along { (place, own.1) } else { (own.0, place) };
         series.push(Series::silent(vec![own, to], OWN));
-        let by = results.axes[distance.axis].difference(distance.to - distance.from).told(form);
+        let by = results.axes[distance.axis].difference(distance.to - distance.from).to_string();
         let share = if is_along { (to.0 - own.0).abs() / (x.1 - x.0) } else { (to.1 - own.1).abs() / (y.1 - y.0) };
         if share > APART {
             let at = (0.5 * (own.0 + to.0), 0.5 * (own.1 + to.1));
             series.push(Series::new(by, vec![at], Look::Name));
         }
     }
-    let label = capitalised(&form.tell("the case as it stands"));
+    let label = capitalised(&String::from("the case as it stands"));
     series.push(Series::new(label, vec![own, beside(own, [x, y])], Look::Callout));
     series
 }

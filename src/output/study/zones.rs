@@ -1,7 +1,6 @@
 //! How zones and what the case does look in every picture of a study: colours that colour-blind readers tell apart, and lines
 //! that are told apart in grey.
 
-use crate::message::Form;
 use crate::plot::chart::{BLACK, Color, GREY, Look, Series, color, pale};
 use crate::study::Zone;
 use crate::table::capitalised;
@@ -35,8 +34,8 @@ pub(super) fn lines(zone: Zone) -> Look {
 }
 
 /// A zone in the legend.
-pub(super) fn entry(zone: Zone, form: Form) -> Series {
+pub(super) fn entry(zone: Zone) -> Series {
     let (line, rise) = pen(zone);
     let look = Look::Hatched { fill: Some(pale(line)), line, rise };
-    Series::new(capitalised(&zone.label().told(form)), Vec::new(), look)
+    Series::new(capitalised(&zone.label().to_string()), Vec::new(), look)
 }

@@ -156,9 +156,9 @@ fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
     match axis.names() {
         [] if axis.spacing().is_logarithmic() => {
             let value = axis.spacing().value(value);
-            axis.number(&tick(value, &[value]))
+            tick(value, &[value])
         }
-        [] => axis.number(&tick(value, all)),
+        [] => tick(value, all),
         names => names.get(value.round() as usize).cloned().unwrap_or_default(),
     }
 }

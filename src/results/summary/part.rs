@@ -4,12 +4,12 @@ use super::{Group, Summary, Value, largest};
 use crate::assess::holder_lift;
 use crate::forming_limit::Assessment;
 use crate::measure::{Shape, part_height, thickest};
-use crate::message::{Amount, Digits, message};
 use crate::model::{Mode, Model, Role};
 use crate::results::{pressure_cycle, springback};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit, worded};
 use crate::units::ZERO_CELSIUS;
+use crate::units::{Amount, Digits};
 
 impl Summary {
     /// How far the punch went and what it took, or the gas.
@@ -152,7 +152,7 @@ impl Summary {
                 self.number("closing_force", "  with a force of", Amount::force(closing.force, unit));
             }
             let width = Amount::given_thicknesses(StepRecord::RIM);
-            let rim = message!("last share on the outer {width}", width = width);
+            let rim = format!("last share on the outer {width}");
             let peak = Amount::force(largest(|s| s.holder_force), unit);
             self.number("peak_holder_force", "Largest holder force", peak);
             let shares = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);

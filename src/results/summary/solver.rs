@@ -1,9 +1,9 @@
 //! How the numbers of a stage were found.
 
 use super::{Summary, largest};
-use crate::message::{Amount, Message, message};
 use crate::model::{Grading, Iteration, Model, Norm, Theory};
 use crate::solver::solution::{Effort, StageSolution, StepRecord};
+use crate::units::{Amount, joined};
 
 impl Summary {
     /// Contact, mesh, method and effort.
@@ -56,12 +56,12 @@ fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
     if all > 0.0 { (bent / all, points / full) } else { (0.0, 0.0) }
 }
 
-fn mesh(model: &Model) -> Message {
+fn mesh(model: &Model) -> String {
     let blank = &model.blank;
     let theory = match blank.theory {
-        Theory::Bending => message!("{n} bending elements, {layers} layers", n = blank.elements, layers = blank.layers),
-        Theory::Membrane => message!("{n} membrane elements", n = blank.elements),
-        Theory::Selective => message!(
+        Theory::Bending => format!("{n} bending elements, {layers} layers", n = blank.elements, layers = blank.layers),
+        Theory::Membrane => format!("{n} membrane elements", n = blank.elements),
+        Theory::Selective => format!(
             "{n} elements, bending with {layers} layers where t/R is above {ratio}",
             n = blank.elements,
             layers = blank.layers,
@@ -72,10 +72,10 @@ fn mesh(model: &Model) -> Message {
         Grading::Uniform => "uniform",
         Grading::Radii | Grading::Divided { .. } => "graded where the tools' radii ask for it",
     };
-    Message::joined([theory, grading.into()], ", ")
+    joined([theory, grading.into()], ", ")
 }
 
-fn corrector(model: &Model) -> Message {
+fn corrector(model: &Model) -> String {
     let settings = &model.settings;
     let matrix = match settings.iteration {
         Iteration::PrimalDual => "primal-dual Newton matrix",
@@ -84,9 +84,9 @@ fn corrector(model: &Model) -> Message {
     };
     let tolerance = Amount::norm(settings.tolerance);
     let norm = match settings.norm {
-        Norm::Velocity => message!("velocity norm below {tolerance}", tolerance = tolerance),
-        Norm::Residual => message!("residual norm below {tolerance}", tolerance = tolerance),
-        Norm::Both => message!("velocity and residual norm below {tolerance}", tolerance = tolerance),
+        Norm::Velocity => format!("velocity norm below {tolerance}"),
+        Norm::Residual => format!("residual norm below {tolerance}"),
+        Norm::Both => format!("velocity and residual norm below {tolerance}"),
     };
-    Message::joined([matrix.into(), norm], ", ")
+    joined([matrix.into(), norm], ", ")
 }

@@ -2,7 +2,6 @@
 
 use super::Summary;
 use crate::case::Solution;
-use crate::message::{Form, Message, NO_BREAK};
 use crate::results::{Results, StageView, stages};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::fmt;
@@ -17,7 +16,7 @@ pub struct CaseSummary {
     /// Of every stage that was run.
     pub stages: Vec<Summary>,
     /// A line for every stage; empty in a case of one stage.
-    pub lines: Message,
+    pub lines: String,
 }
 
 impl CaseSummary {
@@ -32,14 +31,13 @@ impl CaseSummary {
 }
 
 impl CaseSummary {
-    /// As aligned text, stage by stage.
-    pub fn told(&self, form: Form) -> String {
-        let stages: Vec<String> = self.stages.iter().map(|stage| stage.told(form)).collect();
+    fn text(&self) -> String {
+        let stages: Vec<String> = self.stages.iter().map(|stage| stage.to_string()).collect();
         let stages = stages.join("\n");
         if self.lines.is_empty() {
             return stages;
         }
-        format!("{stages}\n{}\n{}\n", Message::from("Stages").told(form), self.lines.told(form))
+        format!("{stages}\n{}\n{}\n", String::from("Stages").to_string(), self.lines.to_string())
     }
 }
 
@@ -73,6 +71,6 @@ impl Serialize for CaseSummary {
 
 impl fmt::Display for CaseSummary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(Form::default()).replace(NO_BREAK, " "))
+        f.write_str(&self.text())
     }
 }

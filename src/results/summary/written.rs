@@ -2,8 +2,8 @@
 
 use super::{Entry, Figure, Group, INDENT, Summary, Value};
 use crate::measure::{Change, Event};
-use crate::message::{Amount, Form, Message, NO_BREAK, message};
 use crate::table::Unit;
+use crate::units::Amount;
 use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;
@@ -36,51 +36,50 @@ impl Serialize for Summary {
 
 impl Summary {
     /// The printed lines but the lists and what was measured before and after.
-    pub fn figures(&self, form: Form) -> impl Iterator<Item = Figure> {
+    pub fn figures(&self) -> impl Iterator<Item = Figure> {
         self.printed().filter_map(move |entry| {
             let (value, unit) = match &entry.value {
                 Value::Number(amount) => amount.parts(),
                 Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
-                value => (said(value).told(form), ""),
+                value => (said(value).to_string(), ""),
             };
-            Some(Figure { group: entry.group, key: entry.key, label: entry.indented(form), value, unit })
+            Some(Figure { group: entry.group, key: entry.key, label: entry.indented(), value, unit })
         })
     }
 
     /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
-    pub fn rows(&self, form: Form) -> Vec<(Group, [String; 2])> {
+    pub fn rows(&self) -> Vec<(Group, [String; 2])> {
         let rows = self.printed().flat_map(|entry| {
-            let label = entry.indented(form);
+            let label = entry.indented();
             let rows = match &entry.value {
                 Value::List(lines) => {
-                    let text = lines.iter().map(|line| format!("- {}", line.told(form)));
+                    let text = lines.iter().map(|line| format!("- {}", line.to_string()));
                     let labels = std::iter::once(label).chain(std::iter::repeat(String::new()));
                     labels.zip(text).collect()
                 }
                 Value::Events(events, force) => {
-                    let text = events.iter().map(|event| row_of_event(event, *force).told(form));
+                    let text = events.iter().map(|event| row_of_event(event, *force).to_string());
                     std::iter::once(label).chain(std::iter::repeat(String::new())).zip(text).collect()
                 }
                 Value::Changes(changes) => {
-                    let head = (label, Message::from("before → after (change)").told(form));
-                    std::iter::once(head).chain(changes.iter().map(|change| row_of_change(change, form))).collect()
+                    let head = (label, String::from("before → after (change)").to_string());
+                    std::iter::once(head).chain(changes.iter().map(|change| row_of_change(change))).collect()
                 }
-                value => vec![(label, said(value).told(form))],
+                value => vec![(label, said(value).to_string())],
             };
             rows.into_iter().map(|(label, value)| (entry.group, [label, value]))
         });
         rows.collect()
     }
 
-    /// As aligned text.
-    pub fn told(&self, form: Form) -> String {
-        let rows = self.rows(form);
+    fn aligned(&self) -> String {
+        let rows = self.rows();
         let width = rows.iter().map(|(_, [label, _])| label.chars().count()).max().unwrap_or(0);
         rows.iter().map(|(_, [label, value])| format!("{label:<width$}  {value}\n")).collect()
     }
 
     /// What readers are told: labels, words and lists.
-    pub fn messages(&self) -> impl Iterator<Item = Message> {
+    pub fn messages(&self) -> impl Iterator<Item = String> {
         self.printed().flat_map(|entry| {
             let values = match &entry.value {
                 Value::List(lines) => lines.clone(),
@@ -100,42 +99,41 @@ impl Summary {
 }
 
 impl Entry {
-    fn indented(&self, form: Form) -> String {
-        INDENT.repeat(self.level) + &self.label.told(form)
+    fn indented(&self) -> String {
+        INDENT.repeat(self.level) + &self.label.to_string()
     }
 }
 
 /// A value that is neither a list nor a table, with its unit.
-fn said(value: &Value) -> Message {
+fn said(value: &Value) -> String {
     match value {
         Value::Number(amount) => (*amount).into(),
         Value::Count(count) => Amount::count(*count).into(),
         Value::Flag(true) => "yes".into(),
         Value::Flag(false) => "no".into(),
         Value::Text(text) => text.clone(),
-        Value::List(_) | Value::Changes(_) | Value::Events(..) => Message::default(),
+        Value::List(_) | Value::Changes(_) | Value::Events(..) => String::new(),
     }
 }
 
 /// `Wall to the punch direction`, `0.3° → 8.2° (+7.9°)`.
-fn row_of_change(change: &Change, form: Form) -> (String, String) {
+fn row_of_change(change: &Change) -> (String, String) {
     let said = match change.change() {
-        Some(by) => message!("{change} ({by})", change = change.told(), by = change.quantity.signed(by)),
+        Some(by) => format!("{change} ({by})", change = change.told(), by = change.quantity.signed(by)),
         None => change.told(),
     };
-    (INDENT.to_owned() + &Message::from(change.quantity.label).told(form), said.told(form))
+    (INDENT.to_owned() + &String::from(change.quantity.label).to_string(), said.to_string())
 }
 
 /// `44.1 mm, 48.3 kN: rim meets the die`; of a gas's work the time in place of travel and force.
-fn row_of_event(event: &Event, force: Unit) -> Message {
+fn row_of_event(event: &Event, force: Unit) -> String {
     let what = event.kind.label();
     match event.travel {
-        0.0 => message!("{time}: {event}", time = Amount::time(event.time), event = what),
-        travel => message!(
-            "{travel}, {force}: {event}",
+        0.0 => format!("{time}: {what}", time = Amount::time(event.time)),
+        travel => format!(
+            "{travel}, {force}: {what}",
             travel = Amount::place(travel),
-            force = Amount::force(event.force, force),
-            event = what
+            force = Amount::force(event.force, force)
         ),
     }
 }
@@ -162,6 +160,6 @@ fn of_change(change: &Change) -> serde_json::Value {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(Form::default()).replace(NO_BREAK, " "))
+        f.write_str(&self.aligned())
     }
 }

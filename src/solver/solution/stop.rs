@@ -1,8 +1,8 @@
 //! Why a run ended.
 
-use crate::message::{Amount, Message, message};
 use crate::model::ModelError;
 use crate::units::Unit;
+use crate::units::{Amount, joined};
 
 const REFUSED: &str = "refused";
 const INTERRUPTED: &str = "interrupted";
@@ -73,7 +73,7 @@ pub enum Stop {
         /// Thickness there over the initial one \[–\].
         share: f64,
         /// Where it is and why, in words.
-        why: Message,
+        why: String,
     },
     /// The voids at a place have grown together through the thickness.
     Coalesced {
@@ -126,7 +126,7 @@ pub enum Stop {
         /// did, of the place that strained most \[mm\].
         worst_s0: f64,
         /// What the sheet was doing there, in words; may be empty.
-        seen: Message,
+        seen: String,
     },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
@@ -143,7 +143,7 @@ pub enum Stop {
         /// Initial distance from the axis of the node with the largest residual \[mm\].
         worst_s0: f64,
         /// What the sheet was doing there, and what to try.
-        diagnosis: Message,
+        diagnosis: String,
     },
 }
 
@@ -189,81 +189,80 @@ impl Stop {
     }
 
     /// What happened, in a sentence.
-    pub fn message(&self) -> Message {
+    pub fn message(&self) -> String {
         let place = Amount::place;
         match self {
             Stop::Refused(why) => why.to_string().into(),
             Stop::FullTravel => "full travel reached".into(),
-            Stop::LoadMaximum { travel, peak, unit, drop } => message!(
+            Stop::LoadMaximum { travel, peak, unit, drop } => format!(
                 "load maximum passed: at {travel} of travel the load is {drop} below its peak of {peak}",
                 travel = place(*travel),
                 drop = Amount::share(*drop),
                 peak = Amount::force(*peak, *unit)
             ),
-            Stop::ContactShare { share, asked, time, travel } => message!(
+            Stop::ContactShare { share, asked, time, travel } => format!(
                 "contact share reached: at {reached} {share} of the sheet lies on its tools ({asked} asked for)",
                 reached = reached(*travel, *time),
                 share = Amount::share(*share),
                 asked = Amount::given_share(*asked)
             ),
-            Stop::PressureMaximum { pressure, height, s0 } => message!(
+            Stop::PressureMaximum { pressure, height, s0 } => format!(
                 "pressure maximum reached: no equilibrium beyond {pressure}, where the sheet at s0 = {s0} is at a height of \
                  {height}; it would run away there, to burst or to fold",
                 pressure = Amount::stress(*pressure),
                 s0 = place(*s0),
                 height = place(*height)
             ),
-            Stop::Mechanism { travel, s0 } => message!(
+            Stop::Mechanism { travel, s0 } => format!(
                 "mechanism: at {travel} of travel nothing holds the strip of membranes, which bears load by tension alone; it \
                  gives way at s0 = {s0}",
                 travel = place(*travel),
                 s0 = place(*s0)
             ),
-            Stop::Arched { travel, ahead } => message!(
+            Stop::Arched { travel, ahead } => format!(
                 "arched: at {travel} of travel the sheet's middle is {ahead} ahead of the punch, an arch that its legs push up \
                  and that snaps through",
                 travel = place(*travel),
                 ahead = Amount::thickness(*ahead)
             ),
-            Stop::Localised { travel, s0, share, why } => message!(
+            Stop::Localised { travel, s0, share, why } => format!(
                 "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {why}",
                 travel = place(*travel),
                 s0 = place(*s0),
-                left = Amount::share(*share),
-                why = why.clone()
+                left = Amount::share(*share)
             ),
-            Stop::Coalesced { travel, s0, porosity } => message!(
+            Stop::Coalesced { travel, s0, porosity } => format!(
                 "voids grown together at {travel} of travel: the sheet tears at s0 = {s0}, where {voids} of its volume are \
                  voids",
                 travel = place(*travel),
                 s0 = place(*s0),
                 voids = Amount::share(*porosity)
             ),
-            Stop::DrawnThrough { travel, wished: false } => message!(
+            Stop::DrawnThrough { travel, wished: false } => format!(
                 "drawn through: the blank's edge has passed the die's throat at {travel} of travel",
                 travel = place(*travel)
             ),
-            Stop::DrawnThrough { travel, wished: true } => message!(
+            Stop::DrawnThrough { travel, wished: true } => format!(
                 "drawn through: at {travel} of travel the rim has left the die's shoulder, the cup is through the die: strip it \
                  off the punch",
                 travel = place(*travel)
             ),
             Stop::HolderClosed { travel } => {
-                message!("holder closed: it has reached its force after {travel}", travel = place(*travel))
+                format!("holder closed: it has reached its force after {travel}", travel = place(*travel))
             }
-            Stop::ToolsClosed { travel, r, z } => message!(
+            Stop::ToolsClosed { travel, r, z } => format!(
                 "tools closed: at {travel} of travel punch and die come closer than half the sheet's thickness, near r = {r}, \
                  z = {z}",
                 travel = place(*travel),
                 r = place(*r),
                 z = place(*z)
             ),
-            Stop::Interrupted { travel, time } => message!(
+            Stop::Interrupted { travel, time } => format!(
                 "interrupted at {reached}: what was computed up to there is kept, but the run has not come to its end",
                 reached = reached(*travel, *time)
             ),
             Stop::Creeping { travel, time, tries, step, worst_s0, seen } => {
-                let found = message!(
+                let found = format!(
                     "creeping: {tries} tries of a step have come to {reached}, the next would take {step}; what holds it up is \
                      at s0 = {s0}",
                     tries = *tries,
@@ -271,32 +270,31 @@ impl Stop {
                     step = Amount::time(*step),
                     s0 = place(*worst_s0)
                 );
-                Message::joined([found, seen.clone()], ": ")
+                joined([found, seen.clone()], ": ")
             }
-            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => message!(
+            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => format!(
                 "no equilibrium found at {reached} with steps down to {step} (velocity norm {velocity}, residual norm \
                  {residual}, worst at s0 = {s0}); {diagnosis}",
                 reached = reached(*travel, *time),
                 step = Amount::time(*step),
                 velocity = norm(*velocity_norm),
                 residual = norm(*residual_norm),
-                s0 = place(*worst_s0),
-                diagnosis = diagnosis.clone()
+                s0 = place(*worst_s0)
             ),
         }
     }
 }
 
 /// How far a run has come: by its travel, or by its time where there is no travel.
-fn reached(travel: f64, time: f64) -> Message {
+fn reached(travel: f64, time: f64) -> String {
     match travel {
-        travel if travel > 0.0 => message!("{travel} of travel", travel = Amount::place(travel)),
+        travel if travel > 0.0 => format!("{travel} of travel", travel = Amount::place(travel)),
         _ => Amount::time(time).into(),
     }
 }
 
 /// A norm for readers; there is none where the corrector came to no whole increment.
-fn norm(value: f64) -> Message {
+fn norm(value: f64) -> String {
     if value.is_finite() { Amount::norm(value).into() } else { "not known".into() }
 }
 

@@ -1,8 +1,8 @@
 //! What is told of fitted keys.
 
 use super::case::CaseFit;
-use crate::message::{Amount, Digits, Message, message};
 use crate::numerics::least_squares::Ended;
+use crate::units::{Amount, Digits};
 use crate::units::{Unit, four_digits};
 
 /// Keys that are as closely tied cannot be told apart by the curves \[–\].
@@ -12,17 +12,17 @@ const FELT: f64 = 10.0;
 
 impl CaseFit {
     /// What came out and what the curves cannot tell.
-    pub fn sentences(&self) -> Vec<Message> {
+    pub fn sentences(&self) -> Vec<String> {
         let share = |rms: f64| Amount::new(100.0 * rms, Unit::Percent, Digits::Significant(2));
         let [before, after] = self.rms;
         let times = |rms: f64| Amount::new(rms, Unit::None, Digits::Significant(2));
         let mut told = vec![match self.matched.first().is_some_and(|matched| matched.is_weighted) {
-            true => message!(
+            true => format!(
                 "Runs miss the curves by {before} standard deviations in the mean at the start, by {after} at the end.",
                 before = times(before),
                 after = times(after)
             ),
-            false => message!(
+            false => format!(
                 "Runs miss the curves by {before} of their mean height at the start, by {after} at the end.",
                 before = share(before),
                 after = share(after)
@@ -38,38 +38,31 @@ impl CaseFit {
         for (estimate, felt) in self.estimates.all.iter().zip(&self.felt) {
             let key = estimate.key.clone();
             if *felt < FELT * self.noise {
-                told.push(message!(
-                    "{key} is not felt by these curves: over its whole range they hardly move. Leave it out.",
-                    key = key
+                told.push(format!(
+                    "{key} is not felt by these curves: over its whole range they hardly move. Leave it out."
                 ));
             } else if let Some(bound) = estimate.pushed {
-                told.push(message!(
-                    "{key} is at its bound, {bound}: the curves want it beyond. Widen the range if that can be, or look for what else is wrong.",
-                    key = key, bound = format!("{} {}", four_digits(bound), estimate.unit).trim_end().to_owned(),
-                ));
+                told.push(format!("{key} is at its bound, {bound}: the curves want it beyond. Widen the range if that can be, or look for what else is wrong.", bound = format!("{} {}", four_digits(bound), estimate.unit).trim_end()));
             }
         }
         for (i, j, correlation) in self.estimates.alike(TIED) {
             let [first, second] = [i, j].map(|i| self.estimates.all[i].key.clone());
-            told.push(message!(
-                "{first} and {second} cannot be told apart by these curves: correlation {correlation}. Give one of them, or another curve.",
-                first = first, second = second, correlation = Amount::new(correlation, Unit::None, Digits::Decimals(2)),
-            ));
+            told.push(format!("{first} and {second} cannot be told apart by these curves: correlation {correlation}. Give one of them, or another curve.", correlation = Amount::new(correlation, Unit::None, Digits::Decimals(2))));
         }
         for matched in &self.matched {
             if matched.left_out > 0 {
-                told.push(message!(
+                told.push(format!(
                     "{n} of {all} points of {file} are left out: the run at the start ended before them.",
                     n = matched.left_out,
                     all = matched.points.len(),
-                    file = matched.name.clone(),
+                    file = matched.name
                 ));
             }
         }
         // How many runs it took hangs on round-off, and is in the JSON alone.
         let [_, failed] = self.runs;
         if failed > 0 {
-            told.push(message!("{failed} runs failed or ended before the curves do.", failed = failed));
+            told.push(format!("{failed} runs failed or ended before the curves do."));
         }
         told
     }

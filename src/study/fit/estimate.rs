@@ -1,9 +1,9 @@
 //! Fitted numbers: how sure each is, and what cannot be told apart.
 
-use crate::message::System;
 use crate::numerics::least_squares::{Limits, Minimum, Parameter, Residuals};
 use crate::numerics::profile::{End, interval};
 use crate::numerics::student;
+use crate::units::DisplaySettings;
 use crate::units::{Unit, rounded, trimmed};
 use nalgebra::DMatrix;
 
@@ -118,11 +118,11 @@ impl Estimates {
 }
 
 impl Estimate {
-    /// The same in the units of a system; in its own where that has no other for it.
-    pub fn told_in(self, system: System) -> Self {
+    /// Converts to display units; keeps a unit that has no other.
+    pub fn displayed(self) -> Self {
         let Ok((unit, own)) = Unit::of_header(&format!("value_{}", self.unit)) else { return self };
-        let to = system.unit(unit, own * self.value);
-        if system == System::Si || to.symbol == unit.symbol() || to.offset != 0.0 {
+        let to = unit.display(own * self.value);
+        if DisplaySettings::current() == DisplaySettings::Si || to.symbol == unit.symbol() || to.offset != 0.0 {
             return self;
         }
         let scaled = |value: f64| own * to.factor * value;

@@ -3,10 +3,10 @@
 use super::StudyError;
 use super::curves::Grids;
 use crate::assess::{self, Limits};
-use crate::message::Amount;
 use crate::study::verify::{Of, Watch};
 use crate::study::{Columns, Designs, Solved, Subject};
 use crate::table::Unit;
+use crate::units::Amount;
 
 /// The case as it stands.
 #[derive(Clone, Debug)]

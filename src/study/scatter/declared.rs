@@ -3,7 +3,7 @@
 
 use super::factor::STRENGTH;
 use crate::case::Case;
-use crate::message::{Amount, Message, message};
+use crate::units::Amount;
 
 /// Coefficient of friction to either side \[–\]: what the verdict advises to try, for no lubricant is known better without a
 /// test. Declared.
@@ -21,7 +21,7 @@ const THICKNESS_DEVIATIONS: f64 = 3.0;
 /// What scatters, as `--vary` would have it, and what is told of it.
 pub(super) struct Declared {
     pub vary: Vec<(String, String)>,
-    pub told: Vec<Message>,
+    pub told: Vec<String>,
 }
 
 impl Declared {
@@ -46,11 +46,8 @@ impl Declared {
         } else {
             self.vary.extend(numbers.iter().map(|(path, mu)| (path.clone(), ends(*mu))));
         }
-        self.told.push(message!(
-            "friction: uniform, {half} to either side of the case's own, declared: what no lubricant is known better than \
-             without a test",
-            half = Amount::number(FRICTION)
-        ));
+        self.told.push(format!("friction: uniform, {half} to either side of the case's own, declared: what no lubricant is known better than \
+             without a test", half = Amount::number(FRICTION)));
     }
 
     fn sheet(&mut self, case: &Case) {
@@ -63,11 +60,8 @@ impl Declared {
             return;
         };
         let Some(class) = sheet.class else {
-            self.told.push(message!(
-                "strength and thickness are kept: the library has no scatter of {name}; give yours, --vary \"strength=normal ± 5 \
-                 %\"",
-                name = sheet.name.to_owned()
-            ));
+            self.told.push(format!("strength and thickness are kept: the library has no scatter of {name}; give yours, --vary \"strength=normal ± 5 \
+                 %\"", name = sheet.name));
             return;
         };
         let thickness = case.model().blank.thickness;
@@ -75,13 +69,8 @@ impl Declared {
             let deviation = tolerance / THICKNESS_DEVIATIONS;
             let scatter = format!("normal {thickness} ± {deviation:.5} mm in ± {tolerance} mm");
             self.vary.push(("blank.thickness".into(), scatter));
-            self.told.push(message!(
-                "thickness: normal, cut off at the tolerance of {tolerance}, which is declared to be {n} standard deviations; \
-                 {source}",
-                tolerance = Amount::size(tolerance),
-                n = Amount::number(THICKNESS_DEVIATIONS),
-                source = standard.source().to_owned()
-            ));
+            self.told.push(format!("thickness: normal, cut off at the tolerance of {tolerance}, which is declared to be {n} standard deviations; \
+                 {source}", tolerance = Amount::size(tolerance), n = Amount::number(THICKNESS_DEVIATIONS), source = standard.source()));
         }
         if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {
             let deviation = share / STRENGTH_DEVIATIONS;
@@ -89,14 +78,8 @@ impl Declared {
                 STRENGTH.into(),
                 format!("normal 1 ± {deviation:.4} in {:.4}..{:.4}", 1.0 - share, 1.0 + share),
             ));
-            self.told.push(message!(
-                "strength: all stresses of the hardening law together, normal about the sheet's own, as wide as {low} to {high}, \
-                 of which each end is declared to be {n} standard deviations from the middle; {source}",
-                low = Amount::given_stress(low),
-                high = Amount::given_stress(high),
-                n = Amount::number(STRENGTH_DEVIATIONS),
-                source = class.source
-            ));
+            self.told.push(format!("strength: all stresses of the hardening law together, normal about the sheet's own, as wide as {low} to {high}, \
+                 of which each end is declared to be {n} standard deviations from the middle; {source}", low = Amount::given_stress(low), high = Amount::given_stress(high), n = Amount::number(STRENGTH_DEVIATIONS), source = class.source));
         }
     }
 }

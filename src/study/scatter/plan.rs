@@ -5,7 +5,6 @@ use super::copula::{Copula, Correlation, groups};
 use super::declared::Declared;
 use super::factor::Factor;
 use super::sampling::{COORDINATES, MOST, REPLICATES, Sampling};
-use crate::message::Message;
 use crate::study::hash::short_hash;
 use crate::study::{Design, Designs, Subject, Value};
 
@@ -47,7 +46,7 @@ pub struct Scatter {
     copula: Copula,
     sampling: Sampling,
     /// What was declared, for want of what scatters.
-    pub told: Vec<Message>,
+    pub told: Vec<String>,
     key: String,
 }
 

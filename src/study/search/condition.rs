@@ -12,7 +12,6 @@
 
 use super::number::Named;
 use crate::assess::Light;
-use crate::message::{Message, message};
 use crate::study::{Judged, Row, Solved, StudyError};
 use crate::units::{Parsed, did_you_mean, parse};
 
@@ -48,7 +47,7 @@ pub enum Said {
     /// Something is not.
     Fails,
     /// The run says neither, and why.
-    Neither(Message),
+    Neither(String),
 }
 
 const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"ROW not red\" or \"NUMBER < VALUE UNIT\", \
@@ -123,8 +122,8 @@ impl Condition {
 }
 
 /// What came of a run that says something of the part.
-pub(super) fn usable(row: &Row) -> Result<&Solved, Message> {
-    let solved = row.result.as_ref().map_err(|why| Message::from(first_line(why)))?;
+pub(super) fn usable(row: &Row) -> Result<&Solved, String> {
+    let solved = row.result.as_ref().map_err(|why| String::from(first_line(why)))?;
     if solved.outcome.end.lost { Err(solved.outcome.end.why.clone()) } else { Ok(solved) }
 }
 
@@ -149,7 +148,7 @@ impl Term {
                 match of {
                     Ok((value, limit)) if value == limit => kept(*or_equal),
                     Ok((value, limit)) => kept((value < limit) == *is_less),
-                    Err(_) => Said::Neither(message!("the run has no number {name}", name = name.text.clone())),
+                    Err(_) => Said::Neither(format!("the run has no number {name}", name = name.text)),
                 }
             }
         }

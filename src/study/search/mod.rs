@@ -32,7 +32,6 @@ pub use trials::{Keep, Trials, reasons};
 pub use wish::Wish;
 
 use crate::case::Solution;
-use crate::message::{Message, message};
 use crate::rules::estimate::draw_ratio;
 use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base};
@@ -100,15 +99,13 @@ impl Target {
     }
 
     /// How far a run is beyond it, in the unit of the number, or why the run does not say.
-    fn beyond(&self, row: &Row) -> Result<f64, Message> {
+    fn beyond(&self, row: &Row) -> Result<f64, String> {
         let solved = usable(row)?;
         if solved.tears {
             return Err("it tears".into());
         }
-        let number = self
-            .name
-            .find(solved)
-            .map_err(|_| message!("the run has no number {name}", name = self.name.text.clone()))?;
+        let number =
+            self.name.find(solved).map_err(|_| format!("the run has no number {name}", name = self.name.text))?;
         Ok(number.amount.value - self.value(solved).unwrap_or(f64::NAN))
     }
 }
@@ -127,7 +124,7 @@ pub struct Answer {
     /// The draw ratios of both, where a blank is drawn in over a punch.
     pub draw_ratios: Option<[f64; 2]>,
     /// Why runs came to nothing, each reason with how often.
-    pub failed: Vec<(Message, usize)>,
+    pub failed: Vec<(String, usize)>,
     /// The wanted value in the unit of the number, of a target.
     pub wanted: Option<f64>,
     /// What the case as it stands came to.
@@ -242,7 +239,7 @@ impl Quest {
     }
 
     /// How a run stands to what is searched for: above 0 on the inner side, or why it does not say.
-    fn said(&self, row: &Row) -> Result<f64, Message> {
+    fn said(&self, row: &Row) -> Result<f64, String> {
         match &self.goal {
             Goal::Keep(condition) => match condition.judge(row) {
                 Said::Holds => Ok(1.0),

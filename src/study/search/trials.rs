@@ -1,6 +1,5 @@
 //! The runs of a search: made when they are asked for, many at once, each known by its index.
 
-use crate::message::Message;
 use crate::study::hash::short_hash;
 use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Design, Designs, Row, Solved, Span, Subject, one, side_by_side};
@@ -122,8 +121,8 @@ impl Designs for Trials<'_> {
 }
 
 /// Why runs came to nothing, each reason once with how often.
-pub fn reasons(all: impl Iterator<Item = Message>) -> Vec<(Message, usize)> {
-    let mut reasons: Vec<(Message, usize)> = Vec::new();
+pub fn reasons(all: impl Iterator<Item = String>) -> Vec<(String, usize)> {
+    let mut reasons: Vec<(String, usize)> = Vec::new();
     for why in all {
         match reasons.iter_mut().find(|(known, _)| *known == why) {
             Some((_, count)) => *count += 1,

@@ -5,7 +5,7 @@ use super::estimate::Estimate;
 use super::numbers::Number;
 use super::said;
 use crate::assess::ErrorBar;
-use crate::message::{Amount, Message, message};
+use crate::units::{Amount, joined};
 
 /// A number with its error bar.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Bar {
     /// The truth, as fine as can be, lies within this of it, in its unit; `None` where no small error can be told.
     pub half: Option<f64>,
     /// Why there is none; else empty.
-    pub why: Message,
+    pub why: String,
     /// What it is made of, the largest first.
     pub parts: Vec<Part>,
 }
@@ -78,29 +78,24 @@ impl Bar {
 
     /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
     /// extrapolated.
-    pub fn made_of(&self) -> Message {
+    pub fn made_of(&self) -> String {
         match self.half {
-            None => return message!("no bar: {why}", why = self.why.clone()),
+            None => return format!("no bar: {why}", why = self.why),
             Some(0.0) => return said::unmoved(),
             Some(_) => {}
         }
         let parts = self.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
             let (direction, share) = (part.direction.label(), Amount::share(part.share));
             match part.estimate.order.filter(|_| part.estimate.extrapolated) {
-                Some(order) => message!(
-                    "{direction} {share} ({order})",
-                    direction = direction,
-                    share = share,
-                    order = Amount::norm(order)
-                ),
-                None => message!("{direction} {share}", direction = direction, share = share),
+                Some(order) => format!("{direction} {share} ({order})", order = Amount::norm(order)),
+                None => format!("{direction} {share}"),
             }
         });
-        Message::joined(parts, ", ")
+        joined(parts, ", ")
     }
 
     /// No bar.
-    pub(super) fn none(number: Number, why: Message) -> Self {
+    pub(super) fn none(number: Number, why: String) -> Self {
         Self { number, half: None, why, parts: Vec::new() }
     }
 
@@ -130,7 +125,7 @@ impl Bar {
         let least = (SOLVED * tolerance * number.amount.value.abs()).max(number.resolution);
         // What no refinement moves by a bit is an input.
         let half = if all > 0.0 { all.max(least) } else { 0.0 };
-        Self { number, half: Some(half), why: Message::default(), parts }
+        Self { number, half: Some(half), why: String::new(), parts }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is refined, and how.
 
-use crate::message::{Amount, Message, message};
 use crate::model::{Blank, Grading, Model, Stage};
+use crate::units::Amount;
 
 /// A direction in which a solution is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,17 +62,17 @@ impl Direction {
     }
 
     /// What a run has, so many `times` finer: `4 times the elements`.
-    pub fn told(self, times: f64) -> Message {
+    pub fn told(self, times: f64) -> String {
         let n = Amount::number(times);
         match self {
-            Self::Elements => message!("{n} times the elements", n = n),
-            Self::Points => message!("{n} times the points through the thickness", n = n),
-            Self::Steps => message!("steps of 1/{n} of the length", n = n),
-            Self::Stiffness => message!("{n} times the contact stiffness", n = n),
-            Self::Smoothing => message!("1/{n} of the contact smoothing", n = n),
-            Self::Slip => message!("1/{n} of the slip speed", n = n),
-            Self::CutOff => message!("1/{n} of the cut-off strain", n = n),
-            Self::Together => message!("everything {n} times as fine", n = n),
+            Self::Elements => format!("{n} times the elements"),
+            Self::Points => format!("{n} times the points through the thickness"),
+            Self::Steps => format!("steps of 1/{n} of the length"),
+            Self::Stiffness => format!("{n} times the contact stiffness"),
+            Self::Smoothing => format!("1/{n} of the contact smoothing"),
+            Self::Slip => format!("1/{n} of the slip speed"),
+            Self::CutOff => format!("1/{n} of the cut-off strain"),
+            Self::Together => format!("everything {n} times as fine"),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::numbers::Of;
 use super::verify::Verification;
 use crate::assess::{Finding, Light, Limits, Sense, judgements};
-use crate::message::{Amount, Digits, Message, message};
+use crate::units::{Amount, Digits};
 
 /// A light that a bar reaches beyond.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,21 +13,20 @@ pub struct Moved {
     /// What the light is with the bar.
     pub light: Light,
     /// How, in a few words.
-    pub clause: Message,
+    pub clause: String,
     /// In a sentence.
-    pub sentence: Message,
+    pub sentence: String,
 }
 
 impl Moved {
     /// To amber, of a row with its number, or words.
-    fn told(finding: &Finding, number: Message, clause: Message) -> Self {
-        let sentence =
-            message!("{label}: {number}, {clause}", label = finding.label, number = number, clause = clause.clone());
+    fn told(finding: &Finding, number: String, clause: String) -> Self {
+        let sentence = format!("{label}: {number}, {clause}", label = finding.label);
         Self { key: finding.key, light: Light::Amber, clause, sentence }
     }
 
     /// What to do about a light that is amber for its bar alone.
-    pub(super) fn advice(&self) -> Message {
+    pub(super) fn advice(&self) -> String {
         match self.key {
             RUN => "take the worse end as the true one, or refine until all runs end alike",
             _ => "more margin, or a smaller error bar: `stampflow verify` says what it is made of",
@@ -49,8 +48,8 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
         let tell = |value: f64, digits: Digits| Amount::new(value, finding.unit, digits);
         let limit = tell(limit, Digits::Given(3));
         let clause = match reached {
-            Light::Red => message!("with its error bar it reaches red at {limit}", limit = limit),
-            _ => message!("with its error bar it reaches the limit of {limit}", limit = limit),
+            Light::Red => format!("with its error bar it reaches red at {limit}"),
+            _ => format!("with its error bar it reaches the limit of {limit}"),
         };
         let number = tell(value, Digits::Significant(3)).with_bar(bar);
         (reached > finding.light).then(|| Moved::told(finding, number.into(), clause))
@@ -59,7 +58,7 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
     let run = run.and_then(|finding| {
         let other = verification.finer_that_ends_otherwise()?;
         let direction = other.direction?.told(other.times);
-        let clause = message!("with {finer} it ends otherwise", finer = direction);
+        let clause = format!("with {direction} it ends otherwise");
         Some(Moved::told(finding, finding.found.clone(), clause))
     });
     let rows = judgements(findings).filter(|finding| finding.light != Light::Grey).filter_map(of_row);

@@ -3,9 +3,9 @@
 use crate::assess::{self, Answer, Finding, forming_limit_used, largest_force};
 use crate::case::Case;
 use crate::measure::{Shape, changes, thickest};
-use crate::message::{Amount, Digits};
 use crate::model::{Motion, Role, mesh};
 use crate::solver::solution::{StageSolution, StepRecord};
+use crate::units::{Amount, Digits};
 
 /// Who tells a number; its key is one of a kind there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,6 @@ use super::direction::Direction;
 use super::numbers::{Number, numbers};
 use crate::assess::{Finding, after_one_of_many, forming_limit_used, largest_force};
 use crate::case::{Case, Solution};
-use crate::message::Message;
 use crate::model::mesh;
 use crate::numerics::interpolated;
 use crate::solver::solution::{StageSolution, Stop};
@@ -39,7 +38,7 @@ pub struct End {
     /// Why the last of them ended, in a few words.
     pub kind: &'static str,
     /// As a sentence.
-    pub why: Message,
+    pub why: String,
     /// Whether it came to the end that was asked for.
     pub complete: bool,
     /// Whether the numerics or the user ended it: then it says nothing of the part.

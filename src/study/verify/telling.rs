@@ -7,10 +7,9 @@ use super::numbers::{Number, Of};
 use super::verify::Verification;
 use crate::assess::{self, Answer, ErrorBar, Finding, KeyNumber};
 use crate::case::Solution;
-use crate::message::{Amount, Digits, Message, message};
 use crate::units::rounded;
+use crate::units::{Amount, Digits, joined};
 use serde::Serialize;
-use std::cell::Cell;
 
 /// Two numbers of one unit nearer to each other than that, over their size, are one and the same \[–\]: round-off of a
 /// change to percent and back.
@@ -26,7 +25,6 @@ pub fn answered(solution: &Solution, verification: Option<&Verification>) -> (An
     }
     let mut answer = Answer::of(case, stages, &findings);
     if let Some(verification) = verification {
-        answer.sentence = verification.within(&answer.sentence);
         answer.numbers = answer.numbers.into_iter().map(|number| verification.barred(number)).collect();
     }
     (answer, findings)
@@ -36,11 +34,11 @@ pub fn answered(solution: &Solution, verification: Option<&Verification>) -> (An
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Told {
     /// What the bars are from.
-    pub method: Message,
+    pub method: String,
     /// Runs beside the one as it is.
     pub runs: usize,
     /// See [`Verification::sentences`].
-    pub told: Vec<Message>,
+    pub told: Vec<String>,
     /// Of the part and the press; the verdict has its own.
     pub numbers: Vec<ToldNumber>,
 }
@@ -58,9 +56,9 @@ pub struct ToldNumber {
     /// As at the end of a header.
     pub unit: &'static str,
     /// Number and bar, with its unit, for people.
-    pub told: Message,
+    pub told: String,
     /// What the bar is made of.
-    pub made_of: Message,
+    pub made_of: String,
 }
 
 impl From<&Bar> for ToldNumber {
@@ -87,7 +85,7 @@ impl Verification {
             let mut finding = self.told(finding);
             if let Some(moved) = moved.iter().find(|moved| moved.key == finding.key) {
                 let found = finding.found;
-                finding.found = message!("{clause}: {found}", clause = moved.clause.clone(), found = found);
+                finding.found = format!("{clause}: {found}", clause = moved.clause);
                 if finding.light < moved.light {
                     finding.advice = moved.advice();
                 }
@@ -100,27 +98,15 @@ impl Verification {
 
     /// A finding whose number is told with its bar, and every other with no digit beyond its own.
     fn told(&self, finding: Finding) -> Finding {
-        let Some(value) = finding.value else { return Finding { found: self.within(&finding.found), ..finding } };
+        let Some(value) = finding.value else { return finding };
         let bar = match self.bar(Of::Verdict, finding.key) {
             Some(bar) => bar.told(),
             None => ErrorBar::Missing("not estimated: it judges the solution, not the part".into()),
         };
         let own = Amount::new(value, finding.unit, Digits::Significant(3));
-        let is_told = Cell::new(false);
-        let found = finding.found.with_amounts(&|amount| match (&bar, self.half(amount)) {
-            (ErrorBar::Half(half), _) if is_same(amount, own) => {
-                is_told.set(true);
-                amount.with_bar(*half)
-            }
-            (_, Some(half)) => amount.within_bar(half),
-            _ => amount,
-        });
         let found = match bar {
-            // Told in other words than its number's.
-            ErrorBar::Half(half) if !is_told.get() => {
-                message!("{found} ({number})", found = found, number = own.with_bar(half))
-            }
-            _ => found,
+            ErrorBar::Half(half) => format!("{found} ({number})", found = finding.found, number = own.with_bar(half)),
+            _ => finding.found,
         };
         Finding { found, bar, ..finding }
     }
@@ -131,12 +117,7 @@ impl Verification {
             Some(bar) => bar.told(),
             None => ErrorBar::Missing("given, not computed".into()),
         };
-        KeyNumber { about: self.within(&number.about), ..number.with_bar(bar) }
-    }
-
-    /// A message whose numbers have no digit beyond their bars, which are told elsewhere.
-    pub fn within(&self, message: &Message) -> Message {
-        message.with_amounts(&|amount| self.half(amount).map_or(amount, |half| amount.within_bar(half)))
+        number.with_bar(bar)
     }
 
     /// Half the bar of the number that an amount tells, in its unit.
@@ -147,19 +128,19 @@ impl Verification {
     }
 
     /// What the bars are from, in a few words.
-    pub fn method(&self) -> Message {
+    pub fn method(&self) -> String {
         let runs = self.outcomes.len() - 1;
         match self.outcomes.iter().any(|run| run.direction == Some(Direction::Together)) {
             _ if runs == 0 => "no error bars".into(),
             true => "error bars estimated from one coarser run".into(),
-            false => message!("error bars from {n} finer runs", n = runs),
+            false => format!("error bars from {runs} finer runs"),
         }
     }
 
     /// What is told below the answer's numbers: what their bars are from and say, which of them have none and why, and
     /// whatever is no small error.
-    pub fn sentences(&self) -> Vec<Message> {
-        let mut why_none: Vec<(&Message, Vec<Message>)> = Vec::new();
+    pub fn sentences(&self) -> Vec<String> {
+        let mut why_none: Vec<(&str, Vec<String>)> = Vec::new();
         let answers = || self.bars.iter().filter(|bar| bar.number.of == Of::Answer);
         for bar in answers().filter(|bar| bar.half.is_none()) {
             match why_none.iter_mut().find(|(why, _)| *why == &bar.why) {
@@ -169,17 +150,17 @@ impl Verification {
         }
         if answers().all(|bar| bar.half.is_none()) && why_none.len() <= 1 {
             // A run without a step has no numbers either.
-            let why = why_none.first().map_or(&self.outcomes[0].end.why, |(why, _)| why);
-            let none = message!("no error bars: {why}", why = why.clone());
-            return [none].into_iter().chain(self.told.iter().filter(|told| *told != why).cloned()).collect();
+            let why = why_none.first().map_or(self.outcomes[0].end.why.as_str(), |(why, _)| why);
+            let none = format!("no error bars: {why}");
+            return [none].into_iter().chain(self.told.iter().filter(|told| told.as_str() != why).cloned()).collect();
         }
-        let method = message!(
+        let method = format!(
             "{method}: what mesh, steps and contact leave open; laws and friction are no part of them",
             method = self.method()
         );
-        let without = why_none.into_iter().map(|(why, labels)| {
-            message!("{labels}: no error bar, {why}", labels = Message::joined(labels, ", "), why = why.clone())
-        });
+        let without = why_none
+            .into_iter()
+            .map(|(why, labels)| format!("{labels}: no error bar, {why}", labels = joined(labels, ", ")));
         [method].into_iter().chain(without).chain(self.told.iter().cloned()).collect()
     }
 }

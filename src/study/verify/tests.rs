@@ -2,12 +2,12 @@
 
 use super::*;
 use crate::assess::{ErrorBar, Finding, Kind, Light, Limits, Sense, When};
-use crate::message::{Amount, Message, message};
+use crate::units::Amount;
 use crate::units::Unit;
 use approx::assert_relative_eq;
 
 fn end(kind: &'static str, lost: bool) -> End {
-    End { stages: 1, kind, why: Message::Plain(kind.to_owned()), complete: kind == "full travel", lost }
+    End { stages: 1, kind, why: String::from(kind.to_owned()), complete: kind == "full travel", lost }
 }
 
 fn number(of: Of, key: &'static str, value: f64, resolution: f64) -> Number {
@@ -143,10 +143,10 @@ fn row(light: Light, value: f64) -> Finding {
         bar: ErrorBar::Unasked,
         unit: Unit::Percent,
         limits: Some(limits),
-        found: Message::default(),
-        limit: Message::default(),
-        source: Message::default(),
-        advice: Message::default(),
+        found: String::new(),
+        limit: String::new(),
+        source: String::new(),
+        advice: String::new(),
         when: When::After,
         kind: Kind::Judgement,
         stage: None,
@@ -179,7 +179,7 @@ fn a_light_is_green_only_where_its_whole_bar_is() {
 #[test]
 fn a_finding_is_told_with_its_bar_and_what_to_do_about_it() {
     let found =
-        |value: f64| message!("{used} at {place}", used = Amount::share(0.01 * value), place = Amount::place(7.0));
+        |value: f64| format!("{used} at {place}", used = Amount::share(0.01 * value), place = Amount::place(7.0));
     let finding = |value: f64| Finding { found: found(value), ..row(Light::Green, value) };
     let weighed = |value: f64| {
         let mut finer = finer();

@@ -8,7 +8,6 @@ use super::numbers::Of;
 use super::outcome::Outcome;
 use super::said;
 use crate::case::{Case, Solution};
-use crate::message::Message;
 use crate::solver::Observer;
 #[cfg(feature = "app")]
 use rayon::prelude::*;
@@ -25,7 +24,7 @@ pub struct Verification {
     /// Every number with its bar, in the order of telling.
     pub bars: Vec<Bar>,
     /// Whatever is no small error, a sentence each.
-    pub told: Vec<Message>,
+    pub told: Vec<String>,
     /// Every run, the one as it is first.
     pub outcomes: Vec<Outcome>,
     /// Around the punch force \[N, or N/mm\] over the travel \[mm\], of the stage with the largest.
@@ -178,8 +177,8 @@ impl Verification {
     }
 
     /// Of a run that was not verified to its end: no bars, and why.
-    pub(super) fn without(base: Outcome, why: &Message) -> Self {
-        let bars = base.numbers.iter().map(|number| Bar::none(number.clone(), why.clone())).collect();
+    pub(super) fn without(base: Outcome, why: &str) -> Self {
+        let bars = base.numbers.iter().map(|number| Bar::none(number.clone(), why.to_owned())).collect();
         Self { bars, told: Vec::new(), outcomes: vec![base], load: None, thickness: None }
     }
 

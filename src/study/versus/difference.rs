@@ -1,8 +1,8 @@
 //! The numbers of several runs, and what of their differences is more than error.
 
 use super::{Member, Versus};
-use crate::message::{Amount, Digits, Message, message};
 use crate::study::verify::Number;
+use crate::units::{Amount, Digits, joined};
 
 /// Two numbers nearer to each other than that, over their size, are one and the same \[–\]: what is written of them is.
 const SAME: f64 = 1e-9;
@@ -81,15 +81,15 @@ fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<
 
 impl Change {
     /// As it is told: `+3.1 kN (+8 %)`, `+1.5 kN (within the error)`.
-    pub fn told(&self) -> Message {
+    pub fn told(&self) -> String {
         match *self {
-            Self::None => Message::default(),
+            Self::None => String::new(),
             Self::Same => "the same".into(),
-            Self::Within(by) => message!("{change} (within the error)", change = signed(by)),
+            Self::Within(by) => format!("{change} (within the error)", change = signed(by)),
             Self::By(by, None) => signed(by),
             Self::By(by, Some(share)) => {
                 let share = Amount::share(share).to(Digits::Significant(2));
-                message!("{change} ({share})", change = signed(by), share = signed(share))
+                format!("{change} ({share})", change = signed(by), share = signed(share))
             }
         }
     }
@@ -115,7 +115,7 @@ impl Change {
 }
 
 /// With a sign also where it is more.
-fn signed(by: Amount) -> Message {
-    let sign = if by.value > 0.0 { Message::from("+") } else { Message::default() };
-    Message::joined([sign, by.into()], "")
+fn signed(by: Amount) -> String {
+    let sign = if by.value > 0.0 { String::from("+") } else { String::new() };
+    joined([sign, by.into()], "")
 }

@@ -7,7 +7,6 @@
 //! `load_travel.csv` and `profile.csv` of a run are such files too; of the latter the last frame counts.
 
 use super::Candidate;
-use crate::message::Message;
 use crate::study::{Readings, StudyError};
 use crate::table::Csv;
 use crate::units::{Unit, parse};
@@ -37,7 +36,7 @@ pub struct Curve {
 
 impl Curve {
     /// Number and name of the `i`-th curve from 0: `1: measured.csv`.
-    pub fn label(&self, i: usize) -> Message {
+    pub fn label(&self, i: usize) -> String {
         format!("{}: {}", i + 1, self.name).into()
     }
 }

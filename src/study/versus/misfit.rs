@@ -1,7 +1,7 @@
 //! How far a run is from a measured curve.
 
 use super::{Curve, Member, Of, Versus};
-use crate::message::Amount;
+use crate::units::Amount;
 
 /// How far the runs are from a measured curve.
 #[derive(Clone, Debug, PartialEq)]

@@ -25,15 +25,15 @@ pub use telling::{COLUMNS, Line, Said};
 use super::{StudyError, Subject, side_by_side};
 use crate::assess::{self, Light};
 use crate::case::Solution;
-use crate::message::Message;
 use crate::study::verify::{Number, Outcome, Verification, Watch, answered, quick};
+use crate::units::joined;
 use std::convert::Infallible;
 
 /// What is to be compared: cases and measurements that fit each other.
 #[derive(Clone, Debug)]
 pub struct Asked {
     candidates: Vec<Candidate>,
-    names: Vec<Message>,
+    names: Vec<String>,
     measured: Vec<Measured>,
 }
 
@@ -43,7 +43,7 @@ pub struct Member {
     /// Its letter in tables and legends: `A`, `B`, ...
     pub mark: String,
     /// What sets it apart from the others: `friction 0.12`, or the name of its case.
-    pub name: Message,
+    pub name: String,
     /// What was run, and what came out.
     pub solution: Solution,
     /// The error bars of its numbers.
@@ -154,8 +154,8 @@ fn mark(i: usize) -> String {
 
 impl Member {
     /// Mark and name: `B: friction 0.12`.
-    pub fn label(&self) -> Message {
-        Message::joined([Message::from(self.mark.clone()), self.name.clone()], ": ")
+    pub fn label(&self) -> String {
+        joined([String::from(self.mark.clone()), self.name.clone()], ": ")
     }
 
     /// Its numbers, its curves, and how it ended.

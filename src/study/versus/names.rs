@@ -4,7 +4,7 @@
 //! in more than a few keys are called by their files.
 
 use super::Candidate;
-use crate::message::{Message, message};
+use crate::units::joined;
 use std::collections::BTreeSet;
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
@@ -17,7 +17,7 @@ const WORDS: [&str; 4] = ["title", "notes", "report", "compare"];
 /// A key, dotted, and what stands there.
 type Entry = (String, String);
 
-pub(super) fn of(candidates: &[Candidate]) -> Vec<Message> {
+pub(super) fn of(candidates: &[Candidate]) -> Vec<String> {
     let entries: Vec<Vec<Entry>> = candidates.iter().map(|candidate| entries(&candidate.case.text)).collect();
     let different = different(&entries);
     if !(1..=FEW).contains(&different.len()) {
@@ -33,17 +33,17 @@ pub(super) fn of(candidates: &[Candidate]) -> Vec<Message> {
             };
             let word = word.replace('_', " ");
             match value(own, key) {
-                Some(value) => Message::from(format!("{word} {value}")),
-                None => message!("{key} by default", key = word),
+                Some(value) => String::from(format!("{word} {value}")),
+                None => format!("{word} by default"),
             }
         });
-        Message::joined(parts, ", ")
+        joined(parts, ", ")
     };
     entries.iter().map(name).collect()
 }
 
 /// By their files, with their folders where files of one name are among them.
-fn spelled(candidates: &[Candidate]) -> Vec<Message> {
+fn spelled(candidates: &[Candidate]) -> Vec<String> {
     let names: Vec<String> = candidates.iter().map(Candidate::spelled).collect();
     let is_alone = |name: &String| names.iter().filter(|other| *other == name).count() == 1;
     let path = |candidate: &Candidate| candidate.case.path.display().to_string();

@@ -2,8 +2,8 @@
 
 use super::{Change, Member, Versus};
 use crate::assess::Light;
-use crate::message::{Amount, Message, message};
 use crate::study::verify::Of;
+use crate::units::{Amount, joined};
 
 /// The columns of the table.
 pub const COLUMNS: [&str; 4] = ["Quantity", "Run", "Value", "Difference to A"];
@@ -12,7 +12,7 @@ pub const COLUMNS: [&str; 4] = ["Quantity", "Run", "Value", "Difference to A"];
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// What it is of.
-    pub label: Message,
+    pub label: String,
     /// Of every run, in their order.
     pub of_runs: Vec<Said>,
 }
@@ -21,9 +21,9 @@ pub struct Line {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Said {
     /// The number with its error bar, or a word.
-    pub value: Message,
+    pub value: String,
     /// How it differs from the first run's, or what stands behind a light; may be empty.
-    pub change: Message,
+    pub change: String,
     /// Of a verdict.
     pub light: Option<Light>,
 }
@@ -33,7 +33,7 @@ const NOTHING: &str = "–";
 
 impl Versus {
     /// What letters and numbers stand for: runs, then measured curves.
-    pub fn legend(&self) -> Vec<Message> {
+    pub fn legend(&self) -> Vec<String> {
         let curves = self.curves().map(|(i, curve)| curve.label(i));
         self.members.iter().map(Member::label).chain(curves).collect()
     }
@@ -49,18 +49,18 @@ impl Versus {
             let changes = std::iter::once(&Change::None).chain(&compared.changes);
             let said = compared.values.iter().zip(changes).map(|(value, change)| Said {
                 change: change.told(),
-                ..Said::of(value.map_or_else(|| NOTHING.into(), Message::from))
+                ..Said::of(value.map_or_else(|| NOTHING.into(), String::from))
             });
             lines.push(Line { label: compared.number.label.into(), of_runs: said.collect() });
         }
         for misfit in self.misfits() {
             let said = |found: &Option<(Amount, usize)>| match found {
                 Some((rms, n)) => {
-                    Said { change: message!("at {n} of {all} points", n = *n, all = misfit.points), ..Said::of(*rms) }
+                    Said { change: format!("at {n} of {all} points", n = *n, all = misfit.points), ..Said::of(*rms) }
                 }
                 None => Said::of(NOTHING),
             };
-            let label = message!("Off curve {n}, r.m.s.", n = misfit.number);
+            let label = format!("Off curve {n}, r.m.s.", n = misfit.number);
             lines.push(Line { label, of_runs: misfit.of_members.iter().map(said).collect() });
         }
         lines
@@ -68,8 +68,8 @@ impl Versus {
 }
 
 impl Said {
-    fn of(value: impl Into<Message>) -> Self {
-        Self { value: value.into(), change: Message::default(), light: None }
+    fn of(value: impl Into<String>) -> Self {
+        Self { value: value.into(), change: String::new(), light: None }
     }
 }
 
@@ -80,6 +80,6 @@ fn verdict(member: &Member) -> Said {
         Light::Amber => &member.amber,
         _ => &[],
     };
-    let change = Message::joined(rows.iter().map(|row| (*row).into()), ", ");
+    let change = joined(rows.iter().map(|row| (*row).into()), ", ");
     Said { change, light: Some(member.light), ..Said::of(member.light.name()) }
 }

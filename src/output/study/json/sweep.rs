@@ -1,13 +1,12 @@
 //! What a sweep has found, for programs.
 
-use crate::message::Form;
 use crate::study::{Distance, Meets, Results, Said};
 use crate::units::rounded;
 use serde_json::{Value, json};
 
 /// How many designs are sound and why others fail, the extremes of the number that decides first, and how far the case is from
 /// the borders: numbers in the solver's units; and the same as sentences.
-pub fn sweep(results: &Results, said: &Said, form: Form) -> Value {
+pub fn sweep(results: &Results, said: &Said) -> Value {
     let Said { designs, sound, amber, fails, extremes, distances } = said;
     let fails: serde_json::Map<_, _> =
         fails.iter().map(|(zone, count)| (zone.key().to_owned(), json!(count))).collect();
@@ -34,6 +33,6 @@ pub fn sweep(results: &Results, said: &Said, form: Form) -> Value {
         "fails": fails,
         "extremes": extremes,
         "distances": distances.iter().map(distance).collect::<Vec<_>>(),
-        "told": sentences.iter().map(|sentence| sentence.told(form)).collect::<Vec<_>>(),
+        "told": sentences.iter().map(|sentence| sentence.to_string()).collect::<Vec<_>>(),
     })
 }
