@@ -17,29 +17,28 @@
 pub mod friction;
 pub mod penalty;
 
-use crate::numerics::Real;
-use friction::Friction;
+use friction::{Friction, Sliding};
 use penalty::{Penalty, ValueAndSlope};
 
 /// A point of the sheet's mid-surface as a tool sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactPoint<T = f64> {
+pub struct ContactPoint {
     /// n, from the tool to the sheet.
-    pub facing: [T; 2],
+    pub facing: [f64; 2],
     /// c, the curvature of the distance \[1/mm\].
-    pub curvature: T,
+    pub curvature: f64,
     /// Gap between the tool and the sheet's face \[mm\].
-    pub gap: T,
+    pub gap: f64,
     /// Displacement in the step, relative to the tool \[mm\].
-    pub relative: [T; 2],
+    pub relative: [f64; 2],
     /// Area that belongs to it \[mm², or mm per mm of depth\].
-    pub area: T,
+    pub area: f64,
     /// Pressure carried from the last iteration \[MPa\]; zero gives the consistent tangent.
-    pub carried: T,
+    pub carried: f64,
     /// λ ≤ 0 of the augmented Lagrangian \[mm\].
-    pub shift: T,
+    pub shift: f64,
     /// Shear yield stress of the sheet \[MPa\].
-    pub shear_yield: T,
+    pub shear_yield: f64,
 }
 
 /// What presses, and what is the same for all points of a step.
@@ -64,54 +63,60 @@ pub struct Touch<'a> {
 ///
 /// with dx of the point's position less the tool's displacement. The frame turns along a curved tool.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactForce<T = f64> {
+pub struct ContactForce {
     /// n, from the tool to the sheet; τ is n turned by +90°.
-    pub facing: [T; 2],
+    pub facing: [f64; 2],
     /// c, the curvature of the distance \[1/mm\].
-    pub curvature: T,
+    pub curvature: f64,
     /// Gap between tool and sheet face \[mm\]; negative when the sheet penetrates.
-    pub gap: T,
+    pub gap: f64,
     /// Slip s of the step along τ \[mm\].
-    pub slip: T,
+    pub slip: f64,
     /// ds by a move along τ \[–\].
-    pub slip_turn: T,
+    pub slip_turn: f64,
     /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
-    pub pressure: ValueAndSlope<T>,
+    pub pressure: ValueAndSlope,
     /// Normal force N ≥ 0 \[N, or N/mm\].
-    pub normal: T,
+    pub normal: f64,
     /// dN/dg < 0 \[N/mm\].
-    pub by_gap: T,
+    pub by_gap: f64,
     /// Friction T along τ \[N, or N/mm\].
-    pub tangential: T,
+    pub tangential: f64,
     /// ∂T/∂g \[N/mm\].
-    pub drag_by_gap: T,
+    pub drag_by_gap: f64,
     /// ∂T/∂s \[N/mm\].
-    pub drag_by_slip: T,
+    pub drag_by_slip: f64,
 }
 
-impl<T: Real> ContactForce<T> {
+impl ContactForce {
     /// τ.
     #[inline(always)]
-    pub fn along(&self) -> [T; 2] {
+    pub fn along(&self) -> [f64; 2] {
         [-self.facing[1], self.facing[0]]
     }
 
     /// F on the sheet \[N, or N/mm\].
     #[inline(always)]
-    pub fn force(&self) -> [T; 2] {
+    pub fn force(&self) -> [f64; 2] {
         let (n, tau) = (self.facing, self.along());
         [n[0] * self.normal + tau[0] * self.tangential, n[1] * self.normal + tau[1] * self.tangential]
     }
 }
 
 impl Touch<'_> {
-    /// The force on a point, or on several: nothing out of reach.
+    /// Force on a point; zero out of reach.
     #[inline(always)]
-    pub fn force<T: Real>(&self, point: &ContactPoint<T>) -> ContactForce<T> {
+    pub fn force(&self, point: &ContactPoint) -> ContactForce {
         let ContactPoint { facing, curvature, gap, relative, area, carried, shift, shear_yield } = *point;
         let pressure = self.penalty.towards(gap + shift, carried);
         let slip = facing[0] * relative[1] - facing[1] * relative[0];
-        let drag = self.friction.beside(pressure.value, slip, shear_yield, self.slip_scale, self.duration);
+        let drag = self.friction.at(&Sliding {
+            pressure: pressure.value,
+            slip,
+            scale: self.slip_scale,
+            duration: self.duration,
+            shear_yield,
+        });
         let towards = facing[0] * relative[0] + facing[1] * relative[1];
         let by_gap = area * pressure.slope;
         ContactForce {

@@ -1,7 +1,5 @@
 //! Normal contact: a smoothed penalty.
 
-use crate::numerics::{Real, elementary};
-
 /// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
 /// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over. The 3 puts the
@@ -17,11 +15,11 @@ pub struct Penalty {
 
 /// A value and its derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ValueAndSlope<T = f64> {
+pub struct ValueAndSlope {
     /// f(x).
-    pub value: T,
+    pub value: f64,
     /// df/dx.
-    pub slope: T,
+    pub slope: f64,
 }
 
 impl Penalty {
@@ -56,45 +54,37 @@ impl Penalty {
     }
 
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; nothing out of reach.
-    #[inline(always)]
-    pub fn at<T: Real>(&self, gap: T) -> ValueAndSlope<T> {
-        let (zero, one, most) = (gap.constant(0.0), gap.constant(1.0), gap.constant(Self::REACH));
-        let beyond = gap.exceeds(gap.constant(self.reach()));
-        let u = zero - gap * (1.0 / self.smoothing) - Self::TOUCH;
-        let deep = u.exceeds(most);
-        let e = elementary::exp(most.where_or(deep, zero.where_or(beyond, u)));
-        // Of small ones 1 + e has lost digits.
-        let value = elementary::ln(e + 1.0).where_or(e.exceeds(gap.constant(SMALL)), e - e * e * 0.5);
-        let (value, share) = (u.where_or(deep, value), one.where_or(deep, e / (e + 1.0)));
-        let (value, slope) = (value * (self.stiffness * self.smoothing), share * -self.stiffness);
-        ValueAndSlope { value: zero.where_or(beyond, value), slope: zero.where_or(beyond, slope) }
+    #[inline]
+    pub fn at(&self, gap: f64) -> ValueAndSlope {
+        if gap > self.reach() {
+            return ValueAndSlope::default();
+        }
+        let (k, delta) = (self.stiffness, self.smoothing);
+        let depth = -gap / delta - Self::TOUCH;
+        if depth > Self::REACH {
+            return ValueAndSlope { value: k * delta * depth, slope: -k };
+        }
+        let e = depth.exp();
+        ValueAndSlope { value: k * delta * e.ln_1p(), slope: -k * e / (1.0 + e) }
     }
 
-    /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` \[MPa\].
+    /// Pressure as [`Self::at`], with the slope of the chord to the gap where the law gives the pressure `carried` \[MPa\].
     ///
     /// Newton's method creeps along the exponential foot of the law, one δ an iteration. The chord to a pressure that
     /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the
-    /// pressure itself, and so the answer, is the law's.
-    #[inline(always)]
-    pub fn towards<T: Real>(&self, gap: T, carried: T) -> ValueAndSlope<T> {
+    /// pressure itself, and so the result, is the law's.
+    #[inline]
+    pub fn towards(&self, gap: f64, carried: f64) -> ValueAndSlope {
         let here = self.at(gap);
-        let (share, most, small) =
-            (carried * (1.0 / (self.stiffness * self.smoothing)), gap.constant(30.0), gap.constant(SMALL));
-        let carries = share.exceeds(gap.constant(1e-9));
-        if !gap.anywhere(carries) {
+        let share = carried / (self.stiffness * self.smoothing);
+        if share <= 1e-9 {
             return here;
         }
-        let deep = share.exceeds(most);
-        let power = elementary::exp(most.where_or(deep, share)) - 1.0;
-        // The logarithm of nothing is asked for where nothing is carried, and not used.
-        let least = share.where_or(carries, small);
-        let there = elementary::ln(power.where_or(share.exceeds(small), least + least * least * 0.5));
-        let apart = gap + (share.where_or(deep, there) + Self::TOUCH) * self.smoothing;
-        let chord = (here.value - carried) / apart;
-        let far = (apart * apart).exceeds(gap.constant((1e-3 * self.smoothing).powi(2)));
-        ValueAndSlope { slope: chord.where_or(far, here.slope).where_or(carries, here.slope), ..here }
+        let depth = if share > 30.0 { share } else { share.exp_m1().ln() };
+        let apart = gap + (depth + Self::TOUCH) * self.smoothing;
+        if apart.abs() <= 1e-3 * self.smoothing {
+            return here;
+        }
+        ValueAndSlope { slope: (here.value - carried) / apart, ..here }
     }
 }
-
-/// Below it e − ½e² is ln(1 + e) to more digits than ln has of 1 + e \[–\].
-const SMALL: f64 = 1e-6;

@@ -16,12 +16,11 @@
 //! The Finite Element Method (1989).
 
 use super::surface::{STATIONS, stations};
-use super::{Geometry, Node, Theory};
-use crate::numerics::number::{Instructions, Lanes, beside};
-use crate::numerics::{Real, small};
+use super::{Geometry, Node, Theory, Vector6};
+use nalgebra::{SMatrix, SVector};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
-pub type Generalised<T = f64> = [T; 5];
+pub type Generalised = SVector<f64, 5>;
 
 /// Place of the meridional membrane strain in [`Generalised`]; the others follow.
 pub const EPS_S: usize = 0;
@@ -38,36 +37,36 @@ pub const GAMMA: usize = 4;
 /// no bend of a shell.
 const SMALLEST_FACE: f64 = 0.25;
 
-/// An element in its reference configuration, as a step begins; or several alike side by side.
+/// Element in its reference configuration, that of the start of the step.
 #[derive(Clone, Copy, Debug)]
-pub struct Reference<T = f64> {
+pub struct Reference {
     hoop: bool,
     bending: bool,
-    dr: T,
-    dz: T,
-    fibre: Fibre<T>,
+    dr: f64,
+    dz: f64,
+    fibre: Fibre,
     /// Length of the meridian \[mm\].
-    pub length: T,
+    pub length: f64,
     /// Radius of the middle \[mm\].
-    pub radius: T,
+    pub radius: f64,
 }
 
 /// Cosine and sine of the mean rotation θ_m.
 #[derive(Clone, Copy, Debug)]
-struct Fibre<T> {
-    cos: T,
-    sin: T,
+struct Fibre {
+    cos: f64,
+    sin: f64,
 }
 
-impl<T: Real> Fibre<T> {
-    #[inline(always)]
-    fn new(angle: T) -> Self {
-        let [sin, cos] = small::sin_cos(angle);
+impl Fibre {
+    #[inline]
+    fn new(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
         Self { cos, sin }
     }
 
     /// Turned on.
-    #[inline(always)]
+    #[inline]
     fn turned(&self, by: &Self) -> Self {
         Self { cos: self.cos * by.cos - self.sin * by.sin, sin: self.sin * by.cos + self.cos * by.sin }
     }
@@ -75,15 +74,15 @@ impl<T: Real> Fibre<T> {
 
 /// The element in its current configuration: as it is tried at the end of the step.
 #[derive(Clone, Copy, Debug)]
-pub struct Current<T = f64> {
-    reference: Reference<T>,
-    cos: T,
-    sin: T,
-    length: T,
-    radius: T,
-    fibre: Fibre<T>,
+pub struct Current {
+    reference: Reference,
+    cos: f64,
+    sin: f64,
+    length: f64,
+    radius: f64,
+    fibre: Fibre,
     /// Strain increments of the step.
-    pub strain: Generalised<T>,
+    pub strain: Generalised,
 }
 
 impl Reference {
@@ -130,50 +129,31 @@ impl Reference {
             ((1.0 + h * turn / self.length) * (1.0 + h * around)).max(SMALLEST_FACE)
         })
     }
-}
 
-impl<S: Instructions> Reference<Lanes<S>> {
-    /// As many as there are lanes, of one geometry and theory.
-    #[inline(always)]
-    pub fn beside(simd: S, of: &[Reference]) -> Self {
-        Self {
-            hoop: of[0].hoop,
-            bending: of[0].bending,
-            dr: beside!(simd, of, dr),
-            dz: beside!(simd, of, dz),
-            fibre: Fibre { cos: beside!(simd, of, fibre.cos), sin: beside!(simd, of, fibre.sin) },
-            length: beside!(simd, of, length),
-            radius: beside!(simd, of, radius),
-        }
-    }
-}
-
-impl<T: Real> Reference<T> {
     /// The same element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
     /// the axis.
     ///
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
-    #[inline(always)]
-    pub fn moved(&self, a: [T; 3], b: [T; 3]) -> Option<Current<T>> {
+    #[inline]
+    pub fn moved(&self, a: [f64; 3], b: [f64; 3]) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
         let length = (dr * dr + dz * dz).sqrt();
         let outward = (a[0] + b[0]) * 0.5;
         let radius = self.radius + outward;
         // The comparisons are also false for NaN.
-        let sound = length.everywhere(length.exceeds(self.length * 1e-6))
-            && (!self.hoop || radius.everywhere(radius.exceeds(self.radius * 1e-6)));
+        let sound = length > 1e-6 * self.length && (!self.hoop || radius > 1e-6 * self.radius);
         if !sound {
             return None;
         }
         let rotation = (a[2] + b[2]) * 0.5;
         let mut fibre = self.fibre;
-        let mut strain = [length.constant(0.0); 5];
+        let mut strain = Generalised::zeros();
         let stretch = ((self.dr * ur + self.dz * uz) * 2.0 + ur * ur + uz * uz) / (self.length * self.length);
-        strain[EPS_S] = small::ln_1p(stretch) * 0.5;
+        strain[EPS_S] = 0.5 * stretch.ln_1p();
         if self.hoop {
-            strain[EPS_T] = small::ln_1p(outward / self.radius);
+            strain[EPS_T] = (outward / self.radius).ln_1p();
         }
         if self.bending {
             strain[KAPPA_S] = turn / self.length;
@@ -184,95 +164,95 @@ impl<T: Real> Reference<T> {
                 strain[KAPPA_T] = middle.cos * 2.0 * half.sin / self.radius;
                 fibre = middle.turned(&half);
             }
-            strain[GAMMA] = small::angle(self.dr * uz - self.dz * ur, self.dr * dr + self.dz * dz) - rotation;
+            strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
         Some(Current { reference: *self, cos: dr / length, sin: dz / length, length, radius, fibre, strain })
     }
 }
 
-/// First derivatives of the strains by the element's own five motions: the differences r₂−r₁, z₂−z₁, θ₂−θ₁ and the
-/// sums r₁+r₂, θ₁+θ₂ of its nodes. Every strain depends on one or two of them: B with its zeros left out.
-#[derive(Clone, Copy, Debug)]
-pub struct StrainDisplacement<T = f64> {
-    /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l.
-    pub along: [T; 2],
-    /// ∂γ/∂(r₂−r₁, z₂−z₁) = n/l.
-    pub across: [T; 2],
-    /// ∂ε_θ/∂(r₁+r₂).
-    pub hoop: T,
-    /// ∂κ_s/∂(θ₂−θ₁).
-    pub bend: T,
-    /// ∂κ_θ/∂(θ₁+θ₂).
-    pub turn: T,
-    /// ∂γ/∂(θ₁+θ₂).
-    pub shear: T,
-    /// ∂²κ_θ/∂(θ₁+θ₂)².
-    pub swing: T,
-}
+/// B, the derivatives of the strains (rows) by r₁, z₁, θ₁, r₂, z₂, θ₂ (columns).
+pub type StrainDisplacement = SMatrix<f64, 5, 6>;
 
-/// Σ S ∂²strain of some resultants S by the same motions: the geometric stiffness.
-#[derive(Clone, Copy, Debug)]
-pub struct GeometricStiffness<T = f64> {
-    /// By the differences r₂−r₁, z₂−z₁: rr, rz, zz.
-    pub difference: [T; 3],
-    /// By r₁+r₂ twice.
-    pub hoop: T,
-    /// By θ₁+θ₂ twice.
-    pub turn: T,
-}
+/// Matrix of an element by its freedoms.
+pub type Matrix6 = SMatrix<f64, 6, 6>;
 
-impl<T: Real> StrainDisplacement<T> {
-    /// Geometric stiffness of the resultants `s`; those that the element does not have are 0.
+impl Current {
+    /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l \[1/mm\].
+    #[inline]
+    fn along(&self) -> [f64; 2] {
+        [self.cos / self.length, self.sin / self.length]
+    }
+
+    /// ∂ε_θ/∂(r₁+r₂) \[1/mm\].
+    #[inline]
+    fn hoop(&self) -> f64 {
+        if self.reference.hoop { 0.5 / self.radius } else { 0.0 }
+    }
+
+    /// B; rows of strains that the element does not have are zero.
+    #[inline]
+    pub fn strain_displacement(&self) -> StrainDisplacement {
+        let (reference, [c, s], hoop) = (&self.reference, self.along(), self.hoop());
+        let mut b = StrainDisplacement::zeros();
+        (b[(EPS_S, 0)], b[(EPS_S, 1)], b[(EPS_S, 3)], b[(EPS_S, 4)]) = (-c, -s, c, s);
+        (b[(EPS_T, 0)], b[(EPS_T, 3)]) = (hoop, hoop);
+        if reference.bending {
+            (b[(KAPPA_S, 2)], b[(KAPPA_S, 5)]) = (-1.0 / reference.length, 1.0 / reference.length);
+            if reference.hoop {
+                let turn = 0.5 * self.fibre.cos / reference.radius;
+                (b[(KAPPA_T, 2)], b[(KAPPA_T, 5)]) = (turn, turn);
+            }
+            (b[(GAMMA, 0)], b[(GAMMA, 1)], b[(GAMMA, 2)]) = (s, -c, -0.5);
+            (b[(GAMMA, 3)], b[(GAMMA, 4)], b[(GAMMA, 5)]) = (-s, c, -0.5);
+        }
+        b
+    }
+
+    /// Geometric stiffness Σ S ∂²strain of the resultants `s`.
     ///
     /// ```text
-    /// ∂² ln l = (I − 2 ttᵀ)/l²,  ∂²φ = −(ntᵀ + tnᵀ)/l²,  ∂² ln r = −(∂ ln r)²
+    /// ∂² ln l = (I − 2 ttᵀ)/l²,  ∂²φ = −(ntᵀ + tnᵀ)/l²,  ∂² ln r = −(∂ ln r)²,  ∂² sin θ = −sin θ
     /// ```
-    #[inline(always)]
-    pub fn geometric_stiffness(&self, s: &Generalised<T>) -> GeometricStiffness<T> {
-        let [x, y] = self.along;
-        let (product, apart) = (x * y * 2.0, y * y - x * x);
-        // A membrane has no shear: its row is zero, whatever the force.
-        let (along, shear) = (s[EPS_S], s[GAMMA] * self.shear * -2.0);
-        GeometricStiffness {
-            difference: [
-                along * apart + shear * product,
-                shear * apart - along * product,
-                -(along * apart + shear * product),
-            ],
-            hoop: -(s[EPS_T] * self.hoop * self.hoop),
-            turn: s[KAPPA_T] * self.swing,
+    #[inline]
+    pub fn geometric_stiffness(&self, s: &Generalised) -> Matrix6 {
+        let (reference, [x, y], hoop) = (&self.reference, self.along(), self.hoop());
+        let shear = if reference.bending { s[GAMMA] } else { 0.0 };
+        let rr = s[EPS_S] * (y * y - x * x) + 2.0 * shear * x * y;
+        let rz = shear * (y * y - x * x) - 2.0 * s[EPS_S] * x * y;
+        let sum = -s[EPS_T] * hoop * hoop;
+        let turns = reference.bending && reference.hoop;
+        let turn = if turns { -0.25 * s[KAPPA_T] * self.fibre.sin / reference.radius } else { 0.0 };
+        let mut k = Matrix6::zeros();
+        for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
+            (k[(i, j)], k[(i, j + 1)]) = (sign * rr + sum, sign * rz);
+            (k[(i + 1, j)], k[(i + 1, j + 1)]) = (sign * rz, -sign * rr);
+            k[(i + 2, j + 2)] = turn;
         }
+        k
     }
-}
 
-impl<T: Real> Current<T> {
-    /// B, without its zeros.
-    #[inline(always)]
-    pub fn strain_displacement(&self) -> StrainDisplacement<T> {
-        let (c, s, reference) = (self.cos / self.length, self.sin / self.length, &self.reference);
-        let bending = if reference.bending { 1.0 } else { 0.0 };
-        let hoop = if reference.hoop { 1.0 } else { 0.0 };
-        StrainDisplacement {
-            along: [c, s],
-            across: [-s * bending, c * bending],
-            hoop: c.constant(0.5 * hoop) / self.radius,
-            bend: c.constant(bending) / reference.length,
-            turn: self.fibre.cos * (0.5 * bending * hoop) / reference.radius,
-            shear: c.constant(-0.5 * bending),
-            swing: self.fibre.sin * (-0.25 * bending * hoop) / reference.radius,
-        }
+    /// Stiffness of a membrane force against moves across the element.
+    #[inline]
+    pub fn transverse_stiffness(&self, force: f64) -> Matrix6 {
+        let [c, s] = self.along();
+        let across = Vector6::from([s, -c, 0.0, -s, c, 0.0]);
+        force * across * across.transpose()
     }
 
     /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
-    #[inline(always)]
-    pub fn membrane_rows(&self) -> [[T; 4]; 2] {
-        let StrainDisplacement { along: [c, s], hoop, .. } = self.strain_displacement();
-        let zero = hoop.constant(0.0);
-        [[-c, -s, c, s], [hoop, zero, hoop, zero]]
+    #[inline]
+    pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
+        let ([c, s], hoop) = (self.along(), self.hoop());
+        [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
     }
-}
 
-impl Current {
+    /// ∂(Δε_s + Δε_θ) by r₁+r₂, r₂−r₁, z₂−z₁ \[1/mm\].
+    #[inline]
+    pub fn stretch_rows(&self) -> [f64; 3] {
+        let [c, s] = self.along();
+        [self.hoop(), c, s]
+    }
+
     /// Whether the element bends, or is a membrane.
     pub fn bends(&self) -> bool {
         self.reference.bending

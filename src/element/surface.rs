@@ -13,7 +13,6 @@
 
 use super::Node;
 use crate::geometry::Point;
-use crate::numerics::Real;
 
 /// A place on an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,17 +49,17 @@ pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
 /// Derivatives of a place's position by the element's motions: the sums s = (r₁+r₂, z₁+z₂), by which it is half the unit
 /// matrix; the differences d = (r₂−r₁, z₂−z₁); and θ₂−θ₁.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope<T = f64> {
+pub struct Slope {
     /// ∂x/∂(r₂−r₁) and ∂x/∂(z₂−z₁).
-    pub by_difference: [[T; 2]; 2],
+    pub by_difference: [[f64; 2]; 2],
     /// ∂x/∂(θ₂−θ₁).
-    pub by_bend: [T; 2],
+    pub by_bend: [f64; 2],
 }
 
-impl<T: Real> Slope<T> {
+impl Slope {
     /// ∂(v·x) of a vector v by the motions: sums, differences, θ₂−θ₁.
     #[inline(always)]
-    pub fn of(&self, [r, z]: [T; 2]) -> [T; 5] {
+    pub fn of(&self, [r, z]: [f64; 2]) -> [f64; 5] {
         let ([by_r, by_z], by_bend) = (self.by_difference, self.by_bend);
         let bend = by_bend[0] * r + by_bend[1] * z;
         [r * 0.5, z * 0.5, by_r[0] * r + by_r[1] * z, by_z[0] * r + by_z[1] * z, bend]
@@ -88,31 +87,31 @@ impl Station {
 
     /// Derivatives of the position by the [`difference`] of the nodes.
     #[inline(always)]
-    pub fn slope<T: Real>(&self, [dr, dz, turn]: [T; 3]) -> Slope<T> {
-        let (along, bow) = (turn.constant(0.5 * self.xi), turn * self.bow);
+    pub fn slope(&self, [dr, dz, turn]: [f64; 3]) -> Slope {
+        let (along, bow) = (0.5 * self.xi, turn * self.bow);
         Slope { by_difference: [[along, -bow], [bow, along]], by_bend: [dz * self.bow, -(dr * self.bow)] }
     }
 
     /// ∂²(F·x)/∂(θ₂−θ₁)∂d; all other second derivatives are zero.
     #[inline(always)]
-    pub fn second<T: Real>(&self, [r, z]: [T; 2]) -> [T; 2] {
+    pub fn second(&self, [r, z]: [f64; 2]) -> [f64; 2] {
         [-(z * self.bow), r * self.bow]
     }
 }
 
 /// Forces on an element's motions \[N, N mm\] and their derivatives: sums of r and z, differences of r and z, difference of θ.
 #[derive(Clone, Copy, Debug)]
-pub struct MotionForces<T = f64> {
+pub struct MotionForces {
     /// Force by motion.
-    pub force: [T; 5],
+    pub force: [f64; 5],
     /// Its derivatives: rows by forces, columns by motions.
-    pub matrix: [[T; 5]; 5],
+    pub matrix: [[f64; 5]; 5],
 }
 
-impl<T: Real> MotionForces<T> {
+impl MotionForces {
     /// The block of the matrix of nodes `i` and `j`, −1 the first and +1 the second, column after column.
     #[inline(always)]
-    pub fn block(&self, i: f64, j: f64) -> [T; 9] {
+    pub fn block(&self, i: f64, j: f64) -> [f64; 9] {
         let m = &self.matrix;
         let (mut r, mut z, mut bend) = (m[0], m[1], m[4]);
         for k in 0..5 {
@@ -126,7 +125,7 @@ impl<T: Real> MotionForces<T> {
 /// What goes with node `i`, −1 the first and +1 the second, of values by motion: differences count −1 at the first and +1
 /// at the second, sums +1 at both.
 #[inline(always)]
-pub fn of_node<T: Real>(i: f64, v: &[T; 5]) -> [T; 3] {
+pub fn of_node(i: f64, v: &[f64; 5]) -> [f64; 3] {
     [v[0] + v[2] * i, v[1] + v[3] * i, v[4] * i]
 }
 

@@ -23,19 +23,13 @@
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-mod abreast;
-mod lanes;
 mod parts;
 mod point;
 
-pub use abreast::{Iterates, PointStates};
-pub use lanes::{Quadratic, Rows};
 pub use point::{Past, PointState, ROOM_TEMPERATURE};
 
 use super::yield_condition::{Kept, dot};
-use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
-use crate::numerics::Real;
-use crate::numerics::number::scaled;
+use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, ThermalLaw, YieldCriterion};
 
 pub use super::point_law::{Across, StressUpdate};
 pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
@@ -94,31 +88,27 @@ impl FlowLaw<'_> {
     /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, of
     /// which the hardening goes with one over `steep`; `flow` is that increment, regularised, and `ratio` its derivative.
     #[inline(always)]
-    fn yielding<T: Real>(
+    fn yielding(
         &self,
-        point: &PointState<T>,
-        hardening: T,
-        steep: T,
-        increment: T,
-        flow: T,
-        ratio: T,
-    ) -> FlowStress<T> {
-        let FlowStress { stress, slope } = self.hardening.beside(point.strain + hardening, point.temperature);
+        point: &PointState,
+        hardening: f64,
+        steep: f64,
+        increment: f64,
+        flow: f64,
+        ratio: f64,
+    ) -> FlowStress {
+        let FlowStress { stress, slope } = self.hardening.at_temperature(point.strain + hardening, point.temperature);
         let mut yielding = FlowStress { stress, slope: slope / steep };
         if let Some(rate) = self.rate {
-            let speed = flow * (1.0 / self.duration);
-            let [factor, by_rate] = T::each([speed], |[speed]| {
-                let factor = rate.at(speed);
-                [factor.value, factor.slope]
-            });
-            yielding.slope = yielding.slope * factor + yielding.stress * by_rate * ratio * (1.0 / self.duration);
-            yielding.stress = yielding.stress * factor;
+            let factor = rate.at(flow / self.duration);
+            yielding.slope = yielding.slope * factor.value + yielding.stress * factor.slope * ratio / self.duration;
+            yielding.stress *= factor.value;
         }
         point.surroundings.hold(&mut yielding, increment);
         if let Some(softening) = self.softening {
-            let [factor] = T::each([point.temperature], |[temperature]| [softening.at(temperature)]);
-            yielding.slope = yielding.slope * factor;
-            yielding.stress = yielding.stress * factor;
+            let factor = softening.at(point.temperature);
+            yielding.slope *= factor;
+            yielding.stress *= factor;
         }
         yielding
     }
@@ -126,18 +116,18 @@ impl FlowLaw<'_> {
 
 /// What one thickness point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Iterate<T = f64> {
+pub struct Iterate {
     /// The carried stress w of the primal-dual matrix \[MPa\].
-    pub carried: Triple<T>,
+    pub carried: Triple,
     /// That of the moment of the point's part of the thickness \[MPa\].
-    carried_moment: [T; 2],
+    carried_moment: [f64; 2],
     /// Δε, the Δt ε̇ that goes with it, and the spread of that.
-    strain: Triple<T>,
-    flow: Triple<T>,
-    spread: [T; 2],
-    fluidity: T,
-    hardening: T,
-    inverse_square: T,
+    strain: Triple,
+    flow: Triple,
+    spread: [f64; 2],
+    fluidity: f64,
+    hardening: f64,
+    inverse_square: f64,
     kept: Kept,
 }
 
@@ -187,28 +177,19 @@ impl Iterate {
     }
 }
 
-impl<T: Real> Iterate<T> {
+impl Iterate {
     #[inline(always)]
     fn flow(
         &mut self,
         law: &FlowLaw,
-        condition: &impl YieldCondition<T>,
-        point: &PointState<T>,
-        strain: Triple<T>,
-    ) -> StressUpdate<T> {
+        condition: &impl YieldCondition,
+        point: &PointState,
+        strain: Triple,
+    ) -> StressUpdate {
         let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = weight + 1.0;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let w = match self.going_on(law) {
-            Some(going) => {
-                let (mut w, last) = (self.carried_at(condition, e), self.carried);
-                for i in 0..3 {
-                    w[i] = w[i].where_or(going, last[i]);
-                }
-                Some(w)
-            }
-            None => None,
-        };
+        let w = if self.goes_on(law) { Some(self.carried_at(condition, e)) } else { None };
         let metric = match w {
             Some([s, t, _]) => condition.metric_towards(e, [s, t]),
             None => condition.metric(e),
@@ -216,13 +197,12 @@ impl<T: Real> Iterate<T> {
         let a = metric.gradient;
         let square = metric.square;
         let increment = square.sqrt();
-        let one = steep.constant(1.0);
-        let inverse_square = one / (square + law.cutoff * law.cutoff);
+        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
         let share = condition.strain_share();
         let hardening = (increment * share + equivalent) / steep;
         let mut yielding =
-            law.yielding(point, hardening, steep, increment * share, one / inverse * share, increment * inverse);
+            law.yielding(point, hardening, steep, increment * share, 1.0 / inverse * share, increment * inverse);
         yielding.slope = yielding.slope * share;
         let f = yielding.stress * inverse;
         let h = slope_share(yielding.slope * inverse, increment);
@@ -230,14 +210,14 @@ impl<T: Real> Iterate<T> {
 
         // C = (f A + ½ (a⊗b + b⊗a)) (1 + a)
         let b = match law.matrix {
-            Iteration::Secant => [steep.constant(0.0); 3],
+            Iteration::Secant => [0.0; 3],
             Iteration::Newton => {
                 let g = h - f * inverse_square;
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
                 let w = w.unwrap_or(self.carried);
-                let back = way_back(condition.stress_square(&metric, w), yielding.stress);
+                let back = return_factor(condition.stress_square(&metric, w), yielding.stress);
                 let w = [back * w[0], back * w[1], back * w[2]];
                 self.carried = w;
                 let i = inverse_square;
@@ -253,31 +233,29 @@ impl<T: Real> Iterate<T> {
             steep * (fa[4] + (a[1] * b[2] + a[2] * b[1]) * 0.5),
             steep * (fa[5] + a[2] * b[2]),
         ];
-        let zero = steep.constant(0.0);
         *self = Self {
             carried: self.carried,
-            carried_moment: [zero; 2],
+            carried_moment: [0.0; 2],
             strain,
             flow: e,
-            spread: [zero; 2],
+            spread: [0.0; 2],
             fluidity: f,
             hardening: h,
             inverse_square,
             kept: condition.kept(&metric),
         };
-        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: zero }
+        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: 0.0 }
     }
 
-    /// Where there is a last iterate to carry a stress on from, if anywhere and if the matrix asks for it.
-    #[inline(always)]
-    fn going_on(&self, law: &FlowLaw) -> Option<T::Mask> {
-        let going = self.fluidity.exceeds(self.fluidity.constant(0.0));
-        if law.matrix == Iteration::PrimalDual && self.fluidity.anywhere(going) { Some(going) } else { None }
+    /// True if the stress is carried on from a last iterate.
+    #[inline]
+    fn goes_on(&self, law: &FlowLaw) -> bool {
+        law.matrix == Iteration::PrimalDual && self.fluidity > 0.0
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.
     #[inline(always)]
-    fn carried_at(&self, condition: &impl YieldCondition<T>, e: Triple<T>) -> Triple<T> {
+    fn carried_at(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
         let last = condition.recalled(&self.kept, self.flow);
         let (a, w) = (last.gradient, self.carried);
         let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
@@ -285,26 +263,21 @@ impl<T: Real> Iterate<T> {
         let half = self.inverse_square * 0.5;
         let on_a = self.fluidity + self.hardening * along - half * dot(w, delta);
         let on_w = -(half * along);
-        let mut carried = scaled(self.fluidity, condition.product(&last, delta));
-        for i in 0..3 {
-            carried[i] = on_a * a[i] + on_w * w[i] + carried[i];
-        }
-        carried
+        let own = condition.product(&last, delta);
+        [0, 1, 2].map(|i| on_a * a[i] + on_w * w[i] + self.fluidity * own[i])
     }
 }
 
-/// A slope over an increment; nothing for no increment.
-#[inline(always)]
-fn slope_share<T: Real>(slope: T, increment: T) -> T {
-    let zero = increment.constant(0.0);
-    (slope / increment).where_or(increment.exceeds(zero), zero)
+/// Slope over an increment; 0 for no increment.
+#[inline]
+fn slope_share(slope: f64, increment: f64) -> f64 {
+    if increment > 0.0 { slope / increment } else { 0.0 }
 }
 
-/// The factor that brings a carried stress of this square back onto the yield surface from beyond it.
-#[inline(always)]
-fn way_back<T: Real>(square: T, yield_stress: T) -> T {
-    let beyond = square.exceeds(yield_stress * yield_stress);
-    (yield_stress / square.sqrt()).where_or(beyond, square.constant(1.0))
+/// Factor ≤ 1 that scales a carried stress beyond the yield surface back onto it.
+#[inline]
+fn return_factor(square: f64, yield_stress: f64) -> f64 {
+    if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 }
 }
 
 #[cfg(test)]

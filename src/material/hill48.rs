@@ -13,7 +13,6 @@
 
 use super::yield_condition::{MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
 use crate::material::law::{LawError, require_or};
-use crate::numerics::Real;
 use std::ops::RangeInclusive;
 
 /// Normal anisotropy of sheet metals, with room \[–\].
@@ -73,13 +72,13 @@ impl Hill48 {
 
     /// A Δε.
     #[inline(always)]
-    pub fn apply<T: Real>(&self, e: Triple<T>) -> Triple<T> {
+    pub fn apply(&self, e: Triple) -> Triple {
         let [a, b] = self.apply_plane([e[0], e[1]]);
         [a, b, e[2] * self.shear]
     }
 
     #[inline(always)]
-    fn apply_plane<T: Real>(&self, e: [T; 2]) -> [T; 2] {
+    fn apply_plane(&self, e: [f64; 2]) -> [f64; 2] {
         [e[0] * self.direct + e[1] * self.coupled, e[0] * self.coupled + e[1] * self.direct]
     }
 
@@ -96,64 +95,59 @@ impl Hill48 {
     }
 
     #[inline(always)]
-    pub(super) fn stress_square<T: Real>(&self, s: Triple<T>) -> T {
+    pub(super) fn stress_square(&self, s: Triple) -> f64 {
         self.plane_square([s[0], s[1]]) + s[2] * s[2] * SHEAR_INVERSE
     }
 
     #[inline(always)]
-    fn plane_square<T: Real>(&self, s: [T; 2]) -> T {
+    fn plane_square(&self, s: [f64; 2]) -> f64 {
         s[0] * s[0] - s[0] * s[1] * (2.0 * self.q) + s[1] * s[1]
     }
 }
 
-impl<T: Real> YieldCondition<T> for Hill48 {
+impl YieldCondition for Hill48 {
     #[inline(always)]
-    fn metric(&self, e: Triple<T>) -> Metric<T> {
+    fn metric(&self, e: Triple) -> Metric {
         let gradient = self.apply(e);
-        let (direct, coupled) = (e[0].constant(self.direct), e[0].constant(self.coupled));
-        let (zero, shear) = (e[0].constant(0.0), e[0].constant(self.shear));
-        let matrix = [direct, coupled, direct, zero, zero, shear];
+        let matrix = [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear];
         Metric { gradient, matrix, square: dot(e, gradient) }
     }
 
     #[inline(always)]
-    fn scaled(&self, _: &Metric<T>, f: T) -> Symmetric<T> {
-        // −0 added to anything is nothing, and costs nothing.
-        let (direct, nothing) = (f * self.direct, f.constant(-0.0));
-        [direct, f * self.coupled, direct, nothing, nothing, f * self.shear]
+    fn scaled(&self, _: &Metric, f: f64) -> Symmetric {
+        [f * self.direct, f * self.coupled, f * self.direct, 0.0, 0.0, f * self.shear]
     }
 
     #[inline(always)]
-    fn product(&self, _: &Metric<T>, e: Triple<T>) -> Triple<T> {
+    fn product(&self, _: &Metric, e: Triple) -> Triple {
         self.apply(e)
     }
 
     #[inline(always)]
-    fn part(&self, e: Triple<T>, k: [T; 2], _: Option<[T; 5]>) -> Part<T> {
+    fn part(&self, e: Triple, k: [f64; 2], _: Option<[f64; 5]>) -> Part {
         let (a, b) = (self.apply(e), self.apply_plane(k));
         let b = [b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE];
-        let (direct, coupled) = (e[0].constant(self.direct), e[0].constant(self.coupled));
         Part {
             gradient: [a[0], a[1], b[0], b[1], a[2]],
-            own: [direct, coupled, direct, e[0].constant(self.shear)],
+            own: [self.direct, self.coupled, self.direct, self.shear],
             coupling: None,
             square: dot(e, a) + b[0] * k[0] + b[1] * k[1],
         }
     }
 
     #[inline(always)]
-    fn part_product(&self, _: &Part<T>, e: Triple<T>, k: [T; 2]) -> [T; 5] {
+    fn part_product(&self, _: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
         let (a, b) = (self.apply(e), self.apply_plane(k));
         [a[0], a[1], b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE, a[2]]
     }
 
     #[inline(always)]
-    fn part_square(&self, _: &Part<T>, w: [T; 5]) -> T {
+    fn part_square(&self, _: &Part, w: [f64; 5]) -> f64 {
         self.stress_square([w[0], w[1], w[4]]) + self.plane_square([w[2], w[3]]) * (1.0 / MEAN_SQUARE)
     }
 
     #[inline(always)]
-    fn stress_square(&self, _: &Metric<T>, w: Triple<T>) -> T {
+    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
         self.stress_square(w)
     }
 }

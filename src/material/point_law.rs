@@ -2,16 +2,15 @@
 
 use super::yield_condition::{Symmetric, Triple};
 
-/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law; of one point, or of several
-/// side by side.
-pub trait PointLaw<T = f64> {
+/// Constitutive law of a thickness point: the flow law or the elastoplastic law.
+pub trait PointLaw {
     /// The point as the step finds it.
     type PointState;
     /// What it remembers from one iteration to the next.
     type Iterate;
 
     /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
-    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple<T>) -> StressUpdate<T>;
+    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple) -> StressUpdate;
 
     /// The same where bending turns the flow about within the part of the thickness that the point stands for: the
     /// increment is `e` at the point and differs by ± `spread` at the ends of that part. `None` where the point by itself is
@@ -21,9 +20,9 @@ pub trait PointLaw<T = f64> {
         &self,
         _point: &Self::PointState,
         _iterate: &mut Self::Iterate,
-        _e: Triple<T>,
-        _spread: [T; 2],
-    ) -> Option<Across<T>> {
+        _e: Triple,
+        _spread: [f64; 2],
+    ) -> Option<Across> {
         None
     }
 }
@@ -35,30 +34,30 @@ pub trait PointLaw<T = f64> {
 /// C = [K K_x; K_x ⅓K] + g⊗h + h⊗g        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Across<T = f64> {
+pub struct Across {
     /// Of the mean stress; its tangent is left empty.
-    pub update: StressUpdate<T>,
+    pub update: StressUpdate,
     /// What does work on the spread: the moment of the part over half its height, meridional and hoop \[MPa\].
-    pub moment: [T; 2],
+    pub moment: [f64; 2],
     /// K: ss, sθ, θθ, γγ \[MPa\].
-    pub metric: [T; 4],
+    pub metric: [f64; 4],
     /// K_x: ss, sθ, θθ \[MPa\]; `None` for a quadratic yield condition.
-    pub coupling: Option<Triple<T>>,
+    pub coupling: Option<Triple>,
     /// g and h by ε_s, ε_θ, their spreads and γ \[–, MPa\].
-    pub outer: [[T; 5]; 2],
+    pub outer: [[f64; 5]; 2],
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct StressUpdate<T = f64> {
+pub struct StressUpdate {
     /// σ \[MPa\].
-    pub stress: Triple<T>,
+    pub stress: Triple,
     /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\]; empty where [`Across`] has it.
-    pub tangent: Symmetric<T>,
+    pub tangent: Symmetric,
     /// Δε̄ \[–\].
-    pub increment: T,
+    pub increment: f64,
     /// σ_y \[MPa\].
-    pub yield_stress: T,
+    pub yield_stress: f64,
     /// Work in the step of what the stress varies by across the point's part of the thickness \[MPa\].
-    pub work_across: T,
+    pub work_across: f64,
 }

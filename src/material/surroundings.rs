@@ -8,31 +8,28 @@
 //! evenly bears what it does without.
 
 use super::FlowStress;
-use crate::numerics::{Real, elementary};
 
 /// What a thickness point knows of its surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Surroundings<T = f64> {
+pub struct Surroundings {
     /// m; 0 where nothing holds the point back \[–\].
-    pub exponent: T,
+    pub exponent: f64,
     /// Δε̄_r of the step \[–\].
-    pub increment: T,
+    pub increment: f64,
     /// Δε̄_f, below which increments are not told apart; positive where m is \[–\].
-    pub floor: T,
+    pub floor: f64,
 }
 
-impl<T: Real> Surroundings<T> {
+impl Surroundings {
     /// Multiplies a flow stress and its slope by g at an increment Δε̄ of the step.
-    #[inline(always)]
-    pub fn hold(&self, yielding: &mut FlowStress<T>, increment: T) {
+    #[inline]
+    pub fn hold(&self, yielding: &mut FlowStress, increment: f64) {
         let Self { exponent, floor, .. } = *self;
-        let held = exponent.exceeds(exponent.constant(0.0));
-        if exponent.anywhere(held) {
-            let FlowStress { stress, slope } = *yielding;
+        if exponent > 0.0 {
             let flow = increment + floor;
-            let factor = exponent * elementary::ln(flow / (self.increment + floor)) + 1.0;
-            yielding.slope = (slope * factor + stress * exponent / flow).where_or(held, slope);
-            yielding.stress = (stress * factor).where_or(held, stress);
+            let factor = 1.0 + exponent * (flow / (self.increment + floor)).ln();
+            yielding.slope = yielding.slope * factor + yielding.stress * exponent / flow;
+            yielding.stress *= factor;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Theory;
 use crate::numerics::lobatto::{self, ThicknessPoint};
-use crate::numerics::parts;
+use crate::numerics::midpoint_rule;
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl Blank {
     /// The points through the thickness.
     pub fn points(&self) -> Vec<ThicknessPoint> {
         match self.rule {
-            ThicknessRule::Parts if self.layers > 1 => parts::rule(self.layers),
+            ThicknessRule::Parts if self.layers > 1 => midpoint_rule::rule(self.layers),
             _ => lobatto::rule(self.layers),
         }
     }

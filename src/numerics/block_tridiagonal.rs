@@ -1,6 +1,5 @@
 //! The linear system of an iteration: block-tridiagonal, bordered by the shared unknowns, solved exactly in O(n).
 
-use super::number::{Instructions, Work, dispatch};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 /// Most shared unknowns (holder positions, pressures) a model can have.
@@ -32,18 +31,6 @@ pub struct System {
     /// g; after the solution y.
     pub corner_rhs: Shared,
     shared: usize,
-}
-
-/// What a solution works on, with the vector instructions that the processor has.
-struct Elimination<'a>(&'a mut System);
-
-impl Work for Elimination<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<S: Instructions>(self, _: S) -> bool {
-        self.0.eliminate()
-    }
 }
 
 impl System {
@@ -104,11 +91,6 @@ impl System {
     /// Returns `false` when a pivot block is singular or a number is not finite.
     #[must_use]
     pub fn solve(&mut self) -> bool {
-        dispatch(Elimination(self))
-    }
-
-    #[inline(always)]
-    fn eliminate(&mut self) -> bool {
         let n = self.rhs.len();
         for i in 0..n {
             if i > 0 {

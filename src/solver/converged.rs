@@ -39,10 +39,8 @@ impl<'a> Converged<'a> {
     pub fn advanced(&self) -> State {
         let Self { step, trial, evaluation, .. } = self;
         let Step { model, state, dt, .. } = **step;
-        let columns = state.points.columns();
-        let points = state.points.iter().zip(evaluation.updates.iter()).enumerate();
-        let points = points.map(|(i, (point, update))| {
-            let iterate = trial.iterates.get(i / columns, i % columns);
+        let points = state.points.iter().zip(evaluation.updates.iter()).zip(trial.iterates.iter()).enumerate();
+        let points = points.map(|(i, ((point, update), iterate))| {
             let (carried, back) = match trial.elastoplastic.get(i) {
                 None => (iterate.carried, point.back),
                 Some(memory) => (update.stress, memory.back),
@@ -79,7 +77,7 @@ impl<'a> Converged<'a> {
             bends: step.bends.clone(),
             last_step: dt,
             steady: vec![false; state.steady.len()],
-            points: Grid::from_values(columns, points),
+            points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
             tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
             pressure: Grid::from_values(
@@ -121,9 +119,9 @@ fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
         return;
     }
     for e in step.membranes() {
-        let (iterate, update) = (trial.iterates.get(e, 0), evaluation.updates[(e, 0)]);
+        let (iterate, update) = (trial.iterates[(e, 0)], evaluation.updates[(e, 0)]);
         for k in 1..step.process.rule.len() {
-            trial.iterates.put(e, k, &iterate);
+            trial.iterates[(e, k)] = iterate;
         }
         evaluation.updates.row_mut(e).fill(update);
     }

@@ -6,44 +6,21 @@ use super::step::Step;
 use super::terms::{bead, contact, gas, holder, sheet, unloading};
 use super::trial::Trial;
 use crate::model::Edge;
-use crate::numerics::number::{Instructions, Work, dispatch};
 
-/// Evaluates a trial with the vector instructions that the processor has; `false` when an element has collapsed.
+/// Evaluates a trial; `false` when an element has collapsed.
 #[must_use]
 pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
-    dispatch(Assembly { step, trial, at, out })
-}
-
-/// What an evaluation works on.
-struct Assembly<'a, 's> {
-    step: &'a Step<'s>,
-    trial: &'a mut Trial,
-    at: &'a Linearisation,
-    out: &'a mut Evaluation,
-}
-
-impl Work for Assembly<'_, '_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<S: Instructions>(self, simd: S) -> bool {
-        assemble(simd, self.step, self.trial, self.at, self.out)
-    }
-}
-
-#[inline(always)]
-fn assemble(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     for (x, (start, u)) in out.nodes.iter_mut().zip(step.state.nodes.iter().zip(&trial.moves)) {
         for d in 0..3 {
             x[d] = start[d] + u[d];
         }
     }
     out.system.clear();
-    if !sheet::add(simd, step, trial, at, out) {
+    if !sheet::add(step, trial, at, out) {
         return false;
     }
     let internal = largest(&out.system.rhs);
-    let contact = contact::add(simd, step, trial, at, out);
+    let contact = contact::add(step, trial, at, out);
     bead::add(step, trial, out);
     sheet::stabilise(step, trial, out);
     let gas = gas::add(step, trial, out);

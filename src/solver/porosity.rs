@@ -14,7 +14,7 @@ pub(super) fn grow(voids: &Gtn, step: &Step, trial: &Trial, evaluation: &Evaluat
         let mut volume = 0.0;
         for (k, (point, at)) in points.iter_mut().zip(&step.process.rule).enumerate() {
             let before = point.strain - evaluation.updates[(e, k)].increment;
-            let now = voids.evolve(metal, point.porosity, before, trial.iterates.get(e, k).strain());
+            let now = voids.evolve(metal, point.porosity, before, trial.iterates[(e, k)].strain());
             point.porosity_rate = (now.porosity - point.porosity) / step.dt;
             point.porosity = now.porosity;
             point.strain = now.strain;

@@ -4,9 +4,7 @@ use crate::contact::{ContactForce, ContactPoint};
 use crate::element::Node;
 use crate::element::surface::{Slope, Station, of_node};
 use crate::geometry::Point;
-use crate::numerics::Real;
 use crate::numerics::block_tridiagonal::System;
-use crate::numerics::number::{Instructions, LANES, Lanes, add, scaled, values};
 use nalgebra::Vector3;
 
 /// A contact point: where it is \[mm\], and how thick the sheet is there \[mm\].
@@ -48,16 +46,16 @@ pub(super) struct Near {
 /// Q = h N,        ∂Q/∂x = h ∂N/∂g n,                              ∂Q/∂t = h² ∂N/∂g
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Push<T = f64> {
+pub(super) struct Push {
     /// F \[N, or N/mm\].
-    pub force: [T; 2],
+    pub force: [f64; 2],
     /// Q \[N, or N/mm\].
-    pub squeeze: T,
+    pub squeeze: f64,
     /// ∂F/∂r and ∂F/∂z.
-    pub force_by_place: [[T; 2]; 2],
-    pub force_by_thickness: [T; 2],
-    pub squeeze_by_place: [T; 2],
-    pub squeeze_by_thickness: T,
+    pub force_by_place: [[f64; 2]; 2],
+    pub force_by_thickness: [f64; 2],
+    pub squeeze_by_place: [f64; 2],
+    pub squeeze_by_thickness: f64,
 }
 
 impl Push {
@@ -94,12 +92,10 @@ impl Push {
         }
         system.corner[(shared, shared)] -= by_z[1];
     }
-}
 
-impl<T: Real> Push<T> {
     /// Of a force whose gap goes with the thickness by `by_thickness`, h.
     #[inline(always)]
-    pub fn new(touch: &ContactForce<T>, by_thickness: T) -> Self {
+    pub fn new(touch: &ContactForce, by_thickness: f64) -> Self {
         let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
         let (on_tau, on_n) = (touch.drag_by_slip * touch.slip_turn + touch.normal * c, touch.tangential * c);
         let by_gap =
@@ -113,21 +109,23 @@ impl<T: Real> Push<T> {
                 [by_gap[0] * n[0] + by_move[0] * tau[0], by_gap[1] * n[0] + by_move[1] * tau[0]],
                 [by_gap[0] * n[1] + by_move[0] * tau[1], by_gap[1] * n[1] + by_move[1] * tau[1]],
             ],
-            force_by_thickness: scaled(h, by_gap),
-            squeeze_by_place: scaled(squeezing, n),
+            force_by_thickness: by_gap.map(|f| h * f),
+            squeeze_by_place: n.map(|n| squeezing * n),
             squeeze_by_thickness: h * squeezing,
         }
     }
 
     /// Adds the forces on the motions of the point's element.
     #[inline(always)]
-    pub fn load(&self, slope: &Slope<T>, thinning: &[T; 3], forces: &mut [T; 5]) {
-        add(forces, motions(slope, self.force, thinning, self.squeeze));
+    pub fn load(&self, slope: &Slope, thinning: &[f64; 3], forces: &mut [f64; 5]) {
+        for (force, own) in forces.iter_mut().zip(motions(slope, self.force, thinning, self.squeeze)) {
+            *force += own;
+        }
     }
 
     /// Adds the derivatives of these forces: rows by forces, columns by motions.
     #[inline(always)]
-    pub fn stiffen(&self, station: &Station, slope: &Slope<T>, thinning: &[T; 3], matrix: &mut [[T; 5]; 5]) {
+    pub fn stiffen(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], matrix: &mut [[f64; 5]; 5]) {
         let [by_r, by_z] = self.force_by_place;
         let force_r = motions(slope, [by_r[0], by_z[0]], thinning, self.force_by_thickness[0]);
         let force_z = motions(slope, [by_r[1], by_z[1]], thinning, self.force_by_thickness[1]);
@@ -136,42 +134,16 @@ impl<T: Real> Push<T> {
         let ([along_r, along_z], bend) = (slope.by_difference, slope.by_bend);
         for j in 0..5 {
             let (r, z, q) = (force_r[j], force_z[j], squeeze[j]);
-            matrix[0][j] = matrix[0][j] + (r * 0.5 + thinning[0] * q);
-            matrix[1][j] = matrix[1][j] + z * 0.5;
-            matrix[2][j] = matrix[2][j] + (along_r[0] * r + along_r[1] * z + thinning[1] * q);
-            matrix[3][j] = matrix[3][j] + (along_z[0] * r + along_z[1] * z + thinning[2] * q);
-            matrix[4][j] = matrix[4][j] + (bend[0] * r + bend[1] * z);
+            matrix[0][j] += 0.5 * r + thinning[0] * q;
+            matrix[1][j] += 0.5 * z;
+            matrix[2][j] += along_r[0] * r + along_r[1] * z + thinning[1] * q;
+            matrix[3][j] += along_z[0] * r + along_z[1] * z + thinning[2] * q;
+            matrix[4][j] += bend[0] * r + bend[1] * z;
         }
         let second = station.second(self.force);
         for d in 0..2 {
-            matrix[4][2 + d] = matrix[4][2 + d] + second[d];
-            matrix[2 + d][4] = matrix[2 + d][4] + second[d];
-        }
-    }
-}
-
-/// Entries of several points.
-pub(super) struct Pushes([[f64; LANES]; 12]);
-
-impl Pushes {
-    #[inline(always)]
-    pub fn new<S: Instructions>(of: &Push<Lanes<S>>) -> Self {
-        let ([f, g], [by_r, by_z], [u, v]) = (of.force, of.force_by_place, of.force_by_thickness);
-        let (q, [p, s], w) = (of.squeeze, of.squeeze_by_place, of.squeeze_by_thickness);
-        Self(values([f, g, by_r[0], by_r[1], by_z[0], by_z[1], u, v, q, p, s, w]))
-    }
-
-    /// Of the `k`-th point.
-    #[inline(always)]
-    pub fn at(&self, k: usize) -> Push {
-        let v = &self.0;
-        Push {
-            force: [v[0][k], v[1][k]],
-            force_by_place: [[v[2][k], v[3][k]], [v[4][k], v[5][k]]],
-            force_by_thickness: [v[6][k], v[7][k]],
-            squeeze: v[8][k],
-            squeeze_by_place: [v[9][k], v[10][k]],
-            squeeze_by_thickness: v[11][k],
+            matrix[4][2 + d] += second[d];
+            matrix[2 + d][4] += second[d];
         }
     }
 }
@@ -182,7 +154,7 @@ pub(super) const SECOND: f64 = 1.0;
 
 /// v·∂x + w ∂t of a point by its element's motions; the thickness has the derivatives `thinning`, by r₁+r₂, r₂−r₁, z₂−z₁.
 #[inline(always)]
-fn motions<T: Real>(slope: &Slope<T>, v: [T; 2], thinning: &[T; 3], w: T) -> [T; 5] {
+fn motions(slope: &Slope, v: [f64; 2], thinning: &[f64; 3], w: f64) -> [f64; 5] {
     let [r, z, along_r, along_z, bend] = slope.of(v);
     [r + w * thinning[0], z, along_r + w * thinning[1], along_z + w * thinning[2], bend]
 }

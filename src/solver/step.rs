@@ -15,7 +15,7 @@ use crate::element::kinematics::Reference;
 use crate::material::Surroundings;
 use crate::material::chaboche;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
-use crate::material::flow::{PointState, PointStates, Triple};
+use crate::material::flow::{PointState, Triple};
 use crate::model::{Iteration, Mode, Model, Settings};
 use crate::numerics::Grid;
 use crate::solver::state::neighbourhood::Neighbourhood;
@@ -60,8 +60,6 @@ pub(super) struct Step<'a> {
     /// Elements by thickness points, as the flow law and as the elastoplastic law finds them; one of the two is empty.
     pub flow_points: Grid<PointState>,
     pub elastoplastic_points: Grid<Carried>,
-    /// Those of the flow law side by side.
-    pub points_abreast: PointStates,
     /// Thickness of the section at each element as the step begins \[mm\].
     pub section: Vec<f64>,
     /// Volume of each element at that thickness that the step reckons with \[mm³, or mm² in plane strain\], and its growth in
@@ -114,7 +112,6 @@ impl<'a> Step<'a> {
             references,
             bends,
             shear_yield: if asks { shear_yield(process, state) } else { vec![0.0; state.thickness.len()] },
-            points_abreast: PointStates::of(&flow_points),
             flow_points,
             elastoplastic_points,
             section,

@@ -7,7 +7,7 @@ use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::geometry::{Nearest, Point};
 use crate::material::elastoplastic::Trial as PointMemory;
-use crate::material::flow::{Iterate, Iterates, Triple};
+use crate::material::flow::{Iterate, Triple};
 use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
@@ -40,7 +40,7 @@ pub(super) struct Trial {
     /// Pressure of each gas \[MPa\].
     pub gas: Vec<f64>,
     /// Elements by thickness points: what the flow law remembers.
-    pub iterates: Iterates,
+    pub iterates: Grid<Iterate>,
     /// What the elastoplastic law remembers in its place; the answers of a step are the first guesses of the next.
     pub elastoplastic: Grid<PointMemory>,
     /// Tools by contact points.
@@ -62,7 +62,7 @@ impl Trial {
             moves: vec![[0.0; 3]; n],
             tools: state.tools.clone(),
             gas: state.gas.clone(),
-            iterates: Iterates::new(state.thickness.len(), process.rule.len()),
+            iterates: Grid::new(state.thickness.len(), process.rule.len(), Iterate::default()),
             elastoplastic: Grid::new(elastoplastic, process.rule.len(), PointMemory::default()),
             contacts: Grid::new(process.tools.len(), state.contact_points(), ContactMemory::default()),
             softening: 1.0,
@@ -111,7 +111,7 @@ impl Trial {
         }
         for (e, points) in state.points.rows().enumerate() {
             for (k, point) in points.iter().enumerate() {
-                self.iterates.put(e, k, &Iterate::start(point.carried));
+                self.iterates[(e, k)] = Iterate::start(point.carried);
             }
         }
         self.average(step);
@@ -126,7 +126,7 @@ impl Trial {
                 carried[0] += at.weight * point.carried[0];
                 carried[1] += at.weight * point.carried[1];
             }
-            self.iterates.put(e, 0, &Iterate::start(carried));
+            self.iterates[(e, 0)] = Iterate::start(carried);
         }
         if step.model.blank.theory == Theory::Selective {
             for (u, _) in self.moves.iter_mut().zip(&step.rotates).filter(|(_, rotates)| !**rotates) {
@@ -156,7 +156,7 @@ impl Trial {
 
     /// Strain increment of thickness point `k` of element `e` in the last evaluation \[–\].
     pub fn strain(&self, e: usize, k: usize) -> Triple {
-        if self.elastoplastic.is_empty() { self.iterates.get(e, k).strain() } else { self.elastoplastic[(e, k)].strain }
+        if self.elastoplastic.is_empty() { self.iterates[(e, k)].strain() } else { self.elastoplastic[(e, k)].strain }
     }
 }
 

@@ -6,15 +6,15 @@ use crate::common::shipped::{before_the_neck, shipped, solve};
 use crate::common::simple;
 use stampflow::case;
 use stampflow::element::kinematics::Reference;
-use stampflow::element::section::{Alone, Law, Strained};
+use stampflow::element::section::{Section, ThicknessIntegrand};
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
 use stampflow::material::{Elastic, Hardening, Material, YieldCriterion};
 use stampflow::measure::{CutRing, Shape};
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
+use stampflow::numerics::PiecewiseLinear;
 use stampflow::numerics::lobatto;
-use stampflow::numerics::{Grid, PiecewiseLinear};
 use stampflow::solver::solution::StageSolution;
 use stampflow::solver::{self, run};
 use std::f64::consts::TAU;
@@ -59,12 +59,12 @@ impl Strip {
         for at in &mut self.points {
             at.yield_stress = point.yield_stress(at);
         }
-        let mut trials = Grid::new(1, n, Trial::default());
+        let mut trials = vec![Trial::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
-        let law = Law { points: &self.layers, slack_tension: 0.0, forces_alone: false };
+        let section = Section { rule: &self.layers, slack_tension: 0.0, forces_alone: false };
         let mut points =
-            Alone { law: &point, before: &self.points, memory: &mut trials, element: 0, updates: &mut responses };
-        let internal = law.internal(&Strained::new(&end, start.area() * T, T), true, &mut points);
+            ThicknessIntegrand { law: &point, points: &self.points, iterates: &mut trials, updates: &mut responses };
+        let internal = section.internal(&end, start.area() * T, T, &mut points);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;
             at.strain += response.increment;

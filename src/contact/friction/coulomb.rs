@@ -2,7 +2,6 @@
 
 use super::{Drag, FrictionLaw, Sliding, direction};
 use crate::material::law::prelude::*;
-use crate::numerics::Real;
 
 /// τ = μ p φ(s). A case writes it as a plain number, μ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,16 +13,6 @@ pub struct Coulomb {
 impl From<f64> for Coulomb {
     fn from(coefficient: f64) -> Self {
         Self { coefficient }
-    }
-}
-
-impl Coulomb {
-    /// Of one point or of several.
-    #[inline(always)]
-    pub(super) fn drag<T: Real>(&self, pressure: T, slip: T, scale: f64) -> Drag<T> {
-        let phi = direction(slip, scale);
-        let full = pressure * self.coefficient;
-        Drag { value: full * phi.value, by_pressure: phi.value * self.coefficient, by_slip: full * phi.slope }
     }
 }
 
@@ -40,7 +29,9 @@ impl Law for Coulomb {
 impl FrictionLaw for Coulomb {
     #[inline]
     fn at(&self, at: &Sliding) -> Drag {
-        self.drag(at.pressure, at.slip, at.scale)
+        let phi = direction(at.slip, at.scale);
+        let full = self.coefficient * at.pressure;
+        Drag { value: full * phi.value, by_pressure: self.coefficient * phi.value, by_slip: full * phi.slope }
     }
 
     fn largest_coefficient(&self) -> f64 {

@@ -19,7 +19,6 @@ mod tresca;
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::material::law::{Law, family};
-use crate::numerics::Real;
 
 /// What a law looks at.
 #[derive(Clone, Copy, Debug)]
@@ -38,20 +37,20 @@ pub struct Sliding {
 
 /// Friction stress against the slip, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drag<T = f64> {
+pub struct Drag {
     /// τ \[MPa\].
-    pub value: T,
+    pub value: f64,
     /// ∂τ/∂p \[–\].
-    pub by_pressure: T,
+    pub by_pressure: f64,
     /// ∂τ/∂s \[MPa/mm\].
-    pub by_slip: T,
+    pub by_slip: f64,
 }
 
 /// φ(s) = s/√(s² + s₀²) and its derivative \[1/mm\].
 #[inline(always)]
-pub fn direction<T: Real>(slip: T, scale: f64) -> ValueAndSlope<T> {
+pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
     let square = slip * slip + scale * scale;
-    let inverse = slip.constant(1.0) / square.sqrt();
+    let inverse = 1.0 / square.sqrt();
     ValueAndSlope { value: slip * inverse, slope: inverse * inverse * inverse * (scale * scale) }
 }
 
@@ -90,19 +89,6 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
-    /// The same of one point or of several side by side, which share s₀ \[mm\] and the step's duration \[s\].
-    #[inline(always)]
-    pub fn beside<T: Real>(&self, pressure: T, slip: T, shear_yield: T, scale: f64, duration: f64) -> Drag<T> {
-        if let Self::Coulomb(law) = self {
-            return law.drag(pressure, slip, scale);
-        }
-        let [value, by_pressure, by_slip] = T::each([pressure, slip, shear_yield], |[pressure, slip, shear_yield]| {
-            let drag = self.at(&Sliding { pressure, slip, scale, duration, shear_yield });
-            [drag.value, drag.by_pressure, drag.by_slip]
-        });
-        Drag { value, by_pressure, by_slip }
-    }
-
     /// Whether the law asks for the sheet's shear yield stress.
     pub fn needs_shear_yield(&self) -> bool {
         self.law().needs_shear_yield()

@@ -3,8 +3,6 @@
 use super::*;
 use approx::assert_relative_eq;
 
-type Matrix6 = nalgebra::SMatrix<f64, 6, 6>;
-
 const A: Node = [11.0, 2.0, 0.2];
 const B: Node = [12.1, 2.7, 0.5];
 
@@ -22,33 +20,6 @@ fn moved(delta: &[f64; 6]) -> (Node, Node) {
     ([delta[0], delta[1], delta[2]], [delta[3], delta[4], delta[5]])
 }
 
-/// B in full: rows of the strains by r₁, z₁, θ₁, r₂, z₂, θ₂.
-fn rows_of(current: &Current) -> [[f64; 6]; 5] {
-    let g = current.strain_displacement();
-    let [c, s] = g.along;
-    let [x, y] = g.across;
-    [
-        [-c, -s, 0.0, c, s, 0.0],
-        [g.hoop, 0.0, 0.0, g.hoop, 0.0, 0.0],
-        [0.0, 0.0, -g.bend, 0.0, 0.0, g.bend],
-        [0.0, 0.0, g.turn, 0.0, 0.0, g.turn],
-        [-x, -y, g.shear, x, y, g.shear],
-    ]
-}
-
-fn geometric(current: &Current, s: &Generalised) -> Matrix6 {
-    let c = current.strain_displacement().geometric_stiffness(s);
-    let [rr, rz, zz] = c.difference;
-    let block = |sign: f64| {
-        nalgebra::Matrix3::new(sign * rr + c.hoop, sign * rz, 0.0, sign * rz, sign * zz, 0.0, 0.0, 0.0, c.turn)
-    };
-    let mut k = Matrix6::zeros();
-    for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
-        k.fixed_view_mut::<3, 3>(i, j).copy_from(&block(sign));
-    }
-    k
-}
-
 const STEP: [f64; 6] = [0.05, 0.11, 0.03, -0.02, 0.31, -0.05];
 
 /// Trust: central differences, h = 1e-5: truncation near 1e-10.
@@ -60,20 +31,20 @@ fn rows_and_geometric_stiffness_are_derivatives() {
             let (a, b) = moved(delta);
             reference.moved(a, b).expect("sound")
         };
-        let rows = rows_of(&at(&STEP));
-        let s = [3.0, -2.0, 0.7, 1.3, -0.9];
-        let k = geometric(&at(&STEP), &s);
+        let rows = at(&STEP).strain_displacement();
+        let s = Generalised::from([3.0, -2.0, 0.7, 1.3, -0.9]);
+        let k = at(&STEP).geometric_stiffness(&s);
         for j in 0..6 {
             let (mut plus, mut minus) = (STEP, STEP);
             plus[j] += h;
             minus[j] -= h;
             let (plus, minus) = (at(&plus), at(&minus));
             for i in 0..5 {
-                assert_relative_eq!(rows[i][j], (plus.strain[i] - minus.strain[i]) / (2.0 * h), epsilon = 1e-8);
+                assert_relative_eq!(rows[(i, j)], (plus.strain[i] - minus.strain[i]) / (2.0 * h), epsilon = 1e-8);
             }
-            let (p, m) = (rows_of(&plus), rows_of(&minus));
+            let (p, m) = (plus.strain_displacement(), minus.strain_displacement());
             for i in 0..6 {
-                let second: f64 = (0..5).map(|a| s[a] * (p[a][i] - m[a][i]) / (2.0 * h)).sum();
+                let second: f64 = (0..5).map(|a| s[a] * (p[(a, i)] - m[(a, i)]) / (2.0 * h)).sum();
                 assert_relative_eq!(k[(i, j)], second, epsilon = 1e-7);
             }
         }

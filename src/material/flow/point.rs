@@ -6,30 +6,30 @@ use crate::units::ZERO_CELSIUS;
 
 /// A thickness point as the step finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointState<T = f64> {
+pub struct PointState {
     /// ε̄ at the start of the step \[–\].
-    pub strain: T,
+    pub strain: f64,
     /// f that the step reckons with, 0 for a sheet without voids \[–\].
-    pub porosity: T,
+    pub porosity: f64,
     /// T \[K\].
-    pub temperature: T,
+    pub temperature: f64,
     /// What the step before has to do with this one.
-    pub past: Past<T>,
+    pub past: Past,
     /// What flows around it.
-    pub surroundings: Surroundings<T>,
+    pub surroundings: Surroundings,
 }
 
 /// What the step before has to do with this one: nothing, until it is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Past<T = f64> {
+pub struct Past {
     /// a \[–\].
-    pub(super) weight: T,
+    pub(super) weight: f64,
     /// a p \[–\].
-    pub(super) strain: Triple<T>,
+    pub(super) strain: Triple,
     /// a times its spread over the point's part of the thickness \[–\].
-    pub(super) spread: [T; 2],
+    pub(super) spread: [f64; 2],
     /// a p̄ \[–\].
-    pub(super) equivalent: T,
+    pub(super) equivalent: f64,
 }
 
 impl PointState {

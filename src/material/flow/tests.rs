@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::material::Hill48;
-use crate::numerics::Grid;
-use crate::numerics::number::{Instructions, LANES, Lanes, Work, dispatch};
+use crate::material::Surroundings;
 use approx::assert_relative_eq;
 
 const CUTOFF: f64 = 1e-6;
@@ -286,76 +285,6 @@ fn a_part_with_its_own_stress_carried_has_newtons_matrix_and_one_without_spread_
         let alone = at(&newton, e);
         for i in 0..3 {
             assert_relative_eq!(flat.update.stress[i], alone.stress[i], max_relative = 1e-14, epsilon = 1e-12);
-        }
-    }
-}
-
-/// Iterations of the `i`-th point of four elements side by side, each of four strains.
-struct Beside<'a> {
-    law: Quadratic<'a>,
-    points: [PointState; LANES],
-    strains: [[Triple; LANES]; 3],
-    spread: Option<[f64; 2]>,
-}
-
-impl Work for Beside<'_> {
-    type Output = ([Iterate; LANES], [StressUpdate; LANES]);
-
-    #[inline(always)]
-    fn run<S: Instructions>(self, simd: S) -> Self::Output {
-        let (mut iterates, mut updates) = (Iterates::new(LANES, 1), [StressUpdate::default(); LANES]);
-        let before = PointStates::of(&Grid::from_values(1, self.points));
-        for of in self.strains {
-            let mut rows =
-                Rows { simd, first: 0, columns: 1, before: &before, iterates: &mut iterates, updates: &mut updates };
-            let (point, mut iterate) = (rows.point(0), rows.iterate(0));
-            let strain = [0, 1, 2].map(|d| Lanes::new(simd, of.map(|strain| strain[d])));
-            let update = match self.spread {
-                Some(spread) => {
-                    let spread = spread.map(|spread| strain[0].constant(spread));
-                    self.law.across(&point, &mut iterate, strain, spread).update
-                }
-                None => self.law.respond(&point, &mut iterate, strain),
-            };
-            rows.take(0, &iterate, &update);
-        }
-        ([0, 1, 2, 3].map(|k| iterates.get(k, 0)), updates)
-    }
-}
-
-/// Trust: to the bit, of every matrix and law, with and without what the step before and the surroundings have to do with it.
-#[test]
-fn points_side_by_side_are_what_they_are_alone() {
-    let hill = Hill48::new(1.4);
-    let around = Surroundings { exponent: 0.005, increment: 2e-3, floor: 1e-4 };
-    let past = PointState::at(0.1).following([1e-3, 2e-3, 0.0], [1e-4, 0.0], 0.4, hill.into(), None);
-    let points = [
-        PointState::at(0.0),
-        PointState { surroundings: around, ..PointState::at(0.3) },
-        past,
-        PointState { surroundings: around, ..past },
-    ];
-    let all = self::points();
-    let strains = [0, 1, 2].map(|i| [0, 1, 2, 3].map(|k| all[(i + k) % all.len()].map(|e| (1.0 + 0.1 * i as f64) * e)));
-    for (name, hardening) in Hardening::examples() {
-        for matrix in [Iteration::PrimalDual, Iteration::Newton, Iteration::Secant] {
-            for spread in [None, Some([1e-3, -4e-4])] {
-                let law = Quadratic { law: flow(&hardening, matrix), hill };
-                let (iterates, updates) = dispatch(Beside { law, points, strains, spread });
-                for k in 0..LANES {
-                    let mut iterate = Iterate::default();
-                    let mut update = StressUpdate::default();
-                    for of in strains {
-                        update = match spread {
-                            Some(spread) => law.across(&points[k], &mut iterate, of[k], spread).update,
-                            None => law.respond(&points[k], &mut iterate, of[k]),
-                        };
-                    }
-                    assert_eq!(updates[k].stress, update.stress, "{name}, {matrix:?}");
-                    assert_eq!(updates[k].increment, update.increment, "{name}, {matrix:?}");
-                    assert_eq!(iterates[k].carried, iterate.carried, "{name}, {matrix:?}");
-                }
-            }
         }
     }
 }

@@ -1,16 +1,15 @@
 //! What every hardening law says: the yield stress, its slope, and how far both are known.
 
 use crate::material::law::{Law, LawError, require};
-use crate::numerics::{Real, elementary};
 use crate::units::rounded;
 
 /// Yield stress and its slope at one strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlowStress<T = f64> {
+pub struct FlowStress {
     /// σ_y \[MPa\].
-    pub stress: T,
+    pub stress: f64,
     /// dσ_y/dε̄ \[MPa\].
-    pub slope: T,
+    pub slope: f64,
 }
 
 /// What a hardening law says beside its parameters.
@@ -36,14 +35,14 @@ pub(super) trait HardeningLaw: Law {
 const CHORD_UP_TO: f64 = 1e-6;
 
 /// ε^n and its derivative, finite at ε = 0 (see [`CHORD_UP_TO`]).
-#[inline(always)]
-pub(super) fn power<T: Real>(strain: T, n: T) -> (T, T) {
-    let least = strain.constant(CHORD_UP_TO);
-    let beyond = strain.exceeds(least);
-    let at = strain.where_or(beyond, least);
-    let value = elementary::power(at, n);
-    let chord = value / least;
-    (value.where_or(beyond, chord * strain), (n * value / at).where_or(beyond, chord))
+#[inline]
+pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
+    if strain > CHORD_UP_TO {
+        let value = strain.powf(n);
+        return (value, n * value / strain);
+    }
+    let chord = CHORD_UP_TO.powf(n) / CHORD_UP_TO;
+    (chord * strain, chord)
 }
 
 /// Checks what saturating laws share: 0 < σ₀ ≤ σ_s \[MPa\], a rate ≥ 0 and an exponent above 0 and up to 1 \[–\].

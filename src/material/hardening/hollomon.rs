@@ -5,7 +5,6 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
-use crate::numerics::{Real, elementary};
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///
@@ -49,14 +48,6 @@ impl Hollomon {
     pub fn from_elastic_line(k: f64, n: f64, young: f64) -> Result<Self, LawError> {
         let mut law = Self { k, n, offset: None, start: 0.0 };
         law.prepare(Some(young)).map(|()| law)
-    }
-
-    /// Of one strain or of several.
-    #[inline(always)]
-    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let total = strain + self.start;
-        let stress = elementary::power(total, total.constant(self.n)) * self.k;
-        FlowStress { stress, slope: stress * self.n / total }
     }
 }
 
@@ -103,6 +94,8 @@ impl Law for Hollomon {
 impl HardeningLaw for Hollomon {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        self.at(strain)
+        let total = strain + self.start;
+        let stress = self.k * total.powf(self.n);
+        FlowStress { stress, slope: stress * self.n / total }
     }
 }

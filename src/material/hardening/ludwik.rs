@@ -2,7 +2,6 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use crate::material::law::prelude::*;
-use crate::numerics::Real;
 
 /// σ = initial + k ε^n.
 ///
@@ -35,13 +34,6 @@ impl Ludwik {
         let mut law = Self { initial, k, n };
         law.prepare(None).map(|()| law)
     }
-
-    /// Of one strain or of several.
-    #[inline(always)]
-    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let (value, slope) = power(strain, strain.constant(self.n));
-        FlowStress { stress: value * self.k + self.initial, slope: slope * self.k }
-    }
 }
 
 impl Law for Ludwik {
@@ -66,6 +58,7 @@ impl Law for Ludwik {
 impl HardeningLaw for Ludwik {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        self.at(strain)
+        let (value, slope) = power(strain, self.n);
+        FlowStress { stress: self.initial + self.k * value, slope: self.k * slope }
     }
 }

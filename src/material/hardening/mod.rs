@@ -20,7 +20,6 @@ pub use monotone::Extrapolation;
 pub use piecewise_power::Branch;
 
 use crate::material::law::family;
-use crate::numerics::Real;
 use flow_stress::HardeningLaw;
 
 family! {
@@ -44,24 +43,6 @@ impl Hardening {
     #[inline]
     pub fn at(&self, strain: f64) -> FlowStress {
         self.at_temperature(strain, 0.0)
-    }
-
-    /// The same of one strain or of several side by side.
-    #[inline(always)]
-    pub fn beside<T: Real>(&self, strain: T, temperature: T) -> FlowStress<T> {
-        match self {
-            Self::Swift(law) => law.at(strain),
-            Self::Hollomon(law) => law.at(strain),
-            Self::Ludwik(law) => law.at(strain),
-            Self::PiecewisePower(law) => law.at(strain),
-            law => {
-                let [stress, slope] = T::each([strain, temperature], |[strain, temperature]| {
-                    let FlowStress { stress, slope } = law.at_temperature(strain, temperature);
-                    [stress, slope]
-                });
-                FlowStress { stress, slope }
-            }
-        }
     }
 
     /// The formula with its numbers, in MPa, for summaries and plots.

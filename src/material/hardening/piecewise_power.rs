@@ -10,7 +10,6 @@
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use super::table::few;
 use crate::material::law::prelude::*;
-use crate::numerics::Real;
 
 /// σ = initial + k ε^n with other constants on each range of strain.
 ///
@@ -63,23 +62,6 @@ impl PiecewisePower {
     pub fn new(branches: Vec<Branch>) -> Result<Self, LawError> {
         let mut law = Self { branches };
         law.prepare(None).map(|()| law)
-    }
-
-    /// Of one strain or of several, each on its branch.
-    #[inline(always)]
-    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let (last, before) = self.branches.split_last().expect("checked where the law is made");
-        let [mut initial, mut k, mut n] =
-            [strain.constant(last.initial), strain.constant(last.k), strain.constant(last.n)];
-        // From the last one back, so that the first one that reaches as far is taken.
-        for branch in before.iter().rev() {
-            let below = strain.constant(branch.up_to).exceeds(strain);
-            initial = strain.constant(branch.initial).where_or(below, initial);
-            k = strain.constant(branch.k).where_or(below, k);
-            n = strain.constant(branch.n).where_or(below, n);
-        }
-        let (value, slope) = power(strain, n);
-        FlowStress { stress: initial + k * value, slope: k * slope }
     }
 }
 
@@ -149,6 +131,9 @@ impl Law for PiecewisePower {
 impl HardeningLaw for PiecewisePower {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        self.at(strain)
+        let last = self.branches.last().expect("checked where the law is made");
+        let Branch { initial, k, n, .. } = *self.branches.iter().find(|branch| strain < branch.up_to).unwrap_or(last);
+        let (value, slope) = power(strain, n);
+        FlowStress { stress: initial + k * value, slope: k * slope }
     }
 }

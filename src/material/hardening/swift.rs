@@ -2,7 +2,6 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
-use crate::numerics::{Real, elementary};
 
 /// σ = k (offset + ε)^n.
 ///
@@ -35,14 +34,6 @@ impl Swift {
         let mut law = Self { k, n, offset };
         law.prepare(None).map(|()| law)
     }
-
-    /// Of one strain or of several.
-    #[inline(always)]
-    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let total = strain + self.offset;
-        let stress = elementary::power(total, total.constant(self.n)) * self.k;
-        FlowStress { stress, slope: stress * self.n / total }
-    }
 }
 
 impl Law for Swift {
@@ -67,6 +58,8 @@ impl Law for Swift {
 impl HardeningLaw for Swift {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        self.at(strain)
+        let total = strain + self.offset;
+        let stress = self.k * total.powf(self.n);
+        FlowStress { stress, slope: stress * self.n / total }
     }
 }

@@ -19,15 +19,13 @@ use crate::contact::{ContactPoint, Touch};
 use crate::element::surface::{STATIONS, difference, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
-use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
-use crate::solver::push::{Near, Place, Push, Pushes};
+use crate::solver::push::{Near, Place, Push};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
-#[inline(always)]
-pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
+pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
     out.pushes.fill(Push::default());
     out.active_contacts = 0;
@@ -37,14 +35,13 @@ pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Lineari
             out.tool_force[j] = Point::zeros();
             out.contacts.row_mut(j).fill(Contact::free());
         } else {
-            largest = largest.max(press(simd, step, trial, at, j, out));
+            largest = largest.max(press(step, trial, at, j, out));
         }
     }
-    assembly::assemble(simd, step, at, out);
+    assembly::assemble(step, at, out);
     largest
 }
 
-#[inline(always)]
 fn locate(step: &Step, out: &mut Evaluation) {
     for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
         for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
@@ -53,44 +50,28 @@ fn locate(step: &Step, out: &mut Evaluation) {
     }
 }
 
-/// What tool `j` does to the sheet, several points side by side; returns its largest force on one.
-#[inline(always)]
-fn press<S: Instructions>(
-    simd: S,
-    step: &Step,
-    trial: &mut Trial,
-    at: &Linearisation,
-    j: usize,
-    out: &mut Evaluation,
-) -> f64 {
+/// Forces of tool `j` on the points of the sheet; returns the largest.
+fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     gather(step, trial, at, j, out);
     let (process, tool) = (step.process, &step.process.tools[j]);
     let touch =
         Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
     let (contacts, memories) = (out.contacts.row_mut(j), trial.contacts.row_mut(j));
     let (mut largest, mut whole): (f64, Point) = (0.0, Point::zeros());
-    for near in out.near.chunks(LANES) {
-        let last = near.len() - 1;
-        let (point, by_thickness) = beside(simd, [&near[0], &near[last.min(1)], &near[last.min(2)], &near[last]]);
-        let force = touch.force(&point);
-        let pushes = Pushes::new(&Push::new(&force, by_thickness));
-        let [normal, tangential, slip, value, slope] =
-            values([force.normal, force.tangential, force.slip, force.pressure.value, force.pressure.slope]);
-        for (k, near) in near.iter().enumerate() {
-            let (i, push) = (near.index, pushes.at(k));
-            let (e, pressure) = (i / STATIONS, ValueAndSlope { value: value[k], slope: slope[k] });
-            let contact = &mut contacts[i];
-            (contact.normal, contact.tangential, contact.slip) = (normal[k], tangential[k], slip[k]);
-            (contact.pressure, memories[i].pressure) = (pressure, pressure);
-            let force = Point::from(push.force);
-            largest = largest.max(force.norm());
-            whole += force;
-            out.active_contacts += usize::from(near.point.gap < 0.0);
-            out.pushes[i].add(&push);
-            if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-                let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
-                push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
-            }
+    for Near { index: i, point, by_thickness } in &out.near {
+        let force = touch.force(point);
+        let (e, push) = (i / STATIONS, Push::new(&force, *by_thickness));
+        let contact = &mut contacts[*i];
+        (contact.normal, contact.tangential, contact.slip) = (force.normal, force.tangential, force.slip);
+        (contact.pressure, memories[*i].pressure) = (force.pressure, force.pressure);
+        let force = Point::from(push.force);
+        largest = largest.max(force.norm());
+        whole += force;
+        out.active_contacts += usize::from(point.gap < 0.0);
+        out.pushes[*i].add(&push);
+        if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
+            let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
+            push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
         }
     }
     out.tool_force[j] = whole;
@@ -98,7 +79,6 @@ fn press<S: Instructions>(
 }
 
 /// Measures the points that tool `j` may reach, and leaves the others free.
-#[inline(always)]
 fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) {
     let Step { process, state, .. } = *step;
     let (tool, displacement) = (&process.tools[j], trial.tools[j]);
@@ -156,22 +136,6 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
         memory.gap = gap;
         out.near.push(Near { index: i, point, by_thickness: -0.5 * share });
     }
-}
-
-/// Points side by side, and by how much their gaps go with the thickness.
-#[inline(always)]
-fn beside<S: Instructions>(simd: S, of: [&Near; LANES]) -> (ContactPoint<Lanes<S>>, Lanes<S>) {
-    let point = ContactPoint {
-        facing: [beside!(simd, of, point.facing[0]), beside!(simd, of, point.facing[1])],
-        curvature: beside!(simd, of, point.curvature),
-        gap: beside!(simd, of, point.gap),
-        relative: [beside!(simd, of, point.relative[0]), beside!(simd, of, point.relative[1])],
-        area: beside!(simd, of, point.area),
-        carried: beside!(simd, of, point.carried),
-        shift: beside!(simd, of, point.shift),
-        shear_yield: beside!(simd, of, point.shear_yield),
-    };
-    (point, beside!(simd, of, by_thickness))
 }
 
 /// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.
