@@ -1,4 +1,4 @@
-//! The augmented Lagrangian: shifts of the gaps until nothing penetrates any more.
+//! Augmented Lagrangian: gaps are shifted until nothing penetrates.
 //!
 //! # References
 //! M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
@@ -9,17 +9,14 @@ use super::trial::Trial;
 use crate::element::surface::STATIONS;
 use crate::model::Settings;
 
-/// Most rounds that one shift of the augmented Lagrangian stands for.
+/// Most rounds that one extrapolated shift stands for.
 const LONGEST_SERIES: f64 = 20.0;
 
-/// One round: shifts the gaps of every element by what is left of them, λ ← min(0, λ + g). Returns `false` when nothing
-/// penetrates, or is pressed from afar, by more than [`Settings::PENETRATION`].
+/// One round: λ ← min(0, λ + g) for every element; returns `false` when no element penetrates, or is pressed from afar, by more
+/// than [`Settings::PENETRATION`].
 ///
-/// The points of an element share one shift, by their mean gap: one for each would ask more of the sheet than its nodes can
-/// give, and pressure would alternate from point to point.
-///
-/// Where the sheet hardly gives way, as a rigid zone does until it yields, g falls slowly from round to round; then the
-/// shift is what the series of its rounds adds up to, by the ratio of the last two (A. C. Aitken, 1926).
+/// The points of an element share one shift, by their mean gap: with one each, pressure would alternate between points.
+/// Where g falls slowly the shift is the sum of the geometric series of its rounds (A. C. Aitken, 1926).
 pub(super) fn shift(trial: &mut Trial, evaluation: &Evaluation, round: usize) -> bool {
     let mut worst: f64 = 0.0;
     for (contacts, memories) in evaluation.contacts.rows().zip(trial.contacts.rows()) {

@@ -1,19 +1,18 @@
-//! How many tries of a step a run may take: one that creeps ends, instead of going on for hours.
+//! Limit on the tries of a run, so that one that creeps ends.
 
 use crate::model::{Model, Settings};
 
-/// Tries of a step, accepted or not, in which a run comes on by a hundredth, or by its longest step where that is less: the
-/// shipped cases take at most 7, of 2600 random pieces of work one takes 41, a cup whose corrector may take but four
-/// iterations 106.
+/// Tries in which a run must come on by a hundredth, or by its longest step: the shipped cases take at most 7, of 2600 random
+/// cases one takes 41.
 const IN_A_STRETCH: usize = 500;
-/// Tries in all: this many times the steps that the settings ask for, of which these took at most 4, and so many more.
+/// Tries in all: so many times the steps that the settings ask for, and so many more.
 const PLANNED: usize = 5;
 const SPARE: usize = 5000;
 
-/// Tries of a step that were made so far, and how many there may be.
+/// Tries so far and their limits.
 pub(super) struct Budget {
     tries: usize,
-    /// Share of the run that was done when its last stretch began \[–\], and the tries before it.
+    /// Progress at the start of the last stretch \[–\], and the tries before it.
     begun: (f64, usize),
     stretch: f64,
     in_a_stretch: usize,
@@ -21,8 +20,7 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// Of a run of `model`: its steps are as many as its longest step makes, and more where each may strain less than usual;
-    /// and it lands on its frames and changes of speed.
+    /// Budget by the longest step, the strain step, the frames and the changes of speed.
     pub fn new(model: &Model) -> Self {
         let settings = &model.settings;
         let finer = (Settings::default().strain_step / settings.strain_step).max(1.0);
@@ -36,7 +34,7 @@ impl Budget {
         }
     }
 
-    /// Counts a try of a step from where the run has done this share \[–\]; `false` when it may not be made any more.
+    /// Counts a try at this progress \[–\]; `false` when the budget is spent.
     pub fn spend(&mut self, done: f64) -> bool {
         if done >= self.begun.0 + self.stretch {
             self.begun = (done, self.tries);
@@ -45,7 +43,7 @@ impl Budget {
         self.tries - self.begun.1 <= self.in_a_stretch && self.tries <= self.in_all
     }
 
-    /// Tries so far, the last one included.
+    /// Tries so far.
     pub fn tries(&self) -> usize {
         self.tries
     }

@@ -1,8 +1,7 @@
-//! The holder that closes on the die over the sheet before the punch comes, where the two cannot both lie on the flat sheet:
-//! a drawn bead, a cone, a curved face.
+//! Closing of the holder on the die before the punch moves, where they cannot both lie on the flat sheet: a drawn bead, a cone, a
+//! curved face.
 //!
-//! The punch stands away. The holder goes towards the die until it presses with the force that it has when the draw begins,
-//! or, at a fixed gap, until it stands there; it may end short of that, with a gap.
+//! The holder goes towards the die until it has the force of the start of the draw or, at a fixed gap, until it stands there.
 
 use super::{Observer, distance_blocks, run_from};
 use crate::geometry::Point;
@@ -10,14 +9,13 @@ use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
 use crate::solver::solution::{Closing, StageSolution};
 use crate::solver::state::State;
 
-/// Way over the thickness up to which holder and die count as lying on the flat sheet \[–\].
+/// Closing travel over the thickness up to which holder and die lie on the flat sheet \[–\].
 const LIES: f64 = 0.1;
-/// How far the holder may go on into the sheet that it has closed on, over the thickness \[–\]: any force is reached there.
+/// Overtravel into the closed sheet over the thickness \[–\]: any force is reached there.
 const SQUEEZE: f64 = 0.05;
 
-/// How far a model's holder goes towards the die from where it touches the flat sheet until the two, at their closest place,
-/// are one thickness apart, or the gap that is held \[mm\]; `None` where they lie on the flat sheet so, where the holder has no
-/// force, and where they do not meet over the blank.
+/// Travel of a model's holder from the flat sheet until it is one thickness, or the held gap, from the die \[mm\]; `None` where
+/// both lie on the flat sheet, where the holder has no force, and where they do not meet over the blank.
 pub fn closing_way(model: &Model) -> Option<f64> {
     let (holder, die) = (model.tool(Role::Holder)?, model.tool(Role::Die)?);
     let apart = match &holder.motion {
@@ -32,7 +30,7 @@ pub fn closing_way(model: &Model) -> Option<f64> {
     (meets && held && model.release.is_none() && way > LIES * model.blank.thickness).then_some(way)
 }
 
-/// Closes the holder of a model over the flat blank: what came of it, in the model without its punch.
+/// Closes the holder over the flat blank, in the model without its punch.
 pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> StageSolution {
     let apart = closing_model(model, way);
     let flat = State::flat(&apart, mesh::nodes(&apart));
@@ -42,7 +40,7 @@ pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> Sta
     StageSolution { closing: Some(closing), ..solution }
 }
 
-/// The model that is drawn once its holder has closed so far \[mm\]: a spring has its preload where the holder is closed.
+/// The model with the preload of its springs at the closed holder.
 pub(super) fn closed(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
     for tool in &mut model.tools {
@@ -53,7 +51,7 @@ pub(super) fn closed(model: &Model, way: f64) -> Model {
     model
 }
 
-/// The model without its punch and its other loads, its holder on the way to the die.
+/// The model without punch, gas and beads, its holder moving to the die.
 fn closing_model(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
     model.tools.retain(|tool| tool.role != Role::Punch);
@@ -75,7 +73,7 @@ fn closing_model(model: &Model, way: f64) -> Model {
     model
 }
 
-/// Shows nothing of the closing to an observer, who may still end it.
+/// Hides the closing from an observer, who may still end it.
 struct Unseen<'a>(&'a mut dyn Observer);
 
 impl Observer for Unseen<'_> {

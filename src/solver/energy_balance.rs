@@ -1,8 +1,7 @@
-//! The balance of power: external = plastic + elastic + friction + contact.
+//! Balance of power: external = plastic + elastic + friction + contact.
 //!
-//! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
-//! path that was really taken: each force of a tool by its own direction, for a point that slides round a corner comes to the
-//! tool and leaves it along different ones. The corrector never uses these sums, so what they miss measures the steps.
+//! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends along the computed path,
+//! each force in its own direction. The corrector never uses these sums, so their imbalance measures the step length.
 
 use super::converged::Converged;
 use super::evaluation::{Contact, Evaluation};
@@ -14,7 +13,7 @@ use crate::model::{Edge, Mode};
 use crate::solver::solution::Energy;
 use nalgebra::Vector3;
 
-/// Work of a converged step, and the plastic work in each of its elements of what is solved \[mJ, or per mm of depth\]; `before` is the
+/// Work of a converged step, and the plastic work of each element, of what is solved \[mJ, or per mm of depth\]; `before` is the
 /// evaluation of the step before.
 pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f64>) {
     let Converged { step, trial, evaluation: now, .. } = *converged;

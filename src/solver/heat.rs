@@ -1,14 +1,12 @@
-//! The sheet's temperature over a step, after its equilibrium has been found.
+//! Temperature of the sheet over a step, after its equilibrium.
 //!
 //! ```text
 //! ρ c V (T′ − T) = β W + Δt Σ h A (T_tool − T′) + Δt Σ (k S/l) (T′_next − T′)
 //! ```
 //!
-//! with an element's plastic work W, the area A on which a tool touches it, and the section S and distance l towards its
-//! neighbours. It is backward Euler on finite volumes: it cannot oscillate, and the heat balance closes to round-off.
-//! Through the thickness the temperature is one: metal sheet evens it out in milliseconds. The equilibrium of a step is
-//! that of the temperature foreseen for its end, so that it does not lag: at the smaller of the last two rates, where they
-//! agree in sign, for a tool that touches the sheet cools it fast but not for long.
+//! with an element's plastic work W, the area A that a tool touches, and the section S and distance l towards its
+//! neighbours: backward Euler on finite volumes. The temperature is uniform through the thickness. The equilibrium of a step
+//! uses the extrapolated temperature, at the smaller of the last two rates where they agree in sign.
 //!
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
@@ -20,14 +18,14 @@ use crate::solver::solution::Heat;
 use crate::solver::state::State;
 use std::f64::consts::TAU;
 
-/// The tridiagonal system of the elements' temperatures, and what the tools do.
+/// Tridiagonal system of the elements' temperatures.
 pub(super) struct HeatSolver<'a> {
     flow: &'a HeatFlow,
     geometry: Geometry,
-    /// Every tool's index among the model's, where it heats or cools.
+    /// Index and heat transfer of the tools that heat or cool.
     tools: Vec<(usize, ToolHeat)>,
     diagonal: Vec<f64>,
-    /// Towards the next element.
+    /// Coupling to the next element.
     off: Vec<f64>,
     rhs: Vec<f64>,
     /// Δt Σ h A \[mJ/K\] and Δt Σ h A T_tool \[mJ\] of every element.
@@ -35,7 +33,7 @@ pub(super) struct HeatSolver<'a> {
 }
 
 impl<'a> HeatSolver<'a> {
-    /// `None` where the temperature stays.
+    /// Creates the solver; `None` at constant temperature.
     pub fn new(model: &'a Model, state: &State) -> Option<Self> {
         let flow = model.heat.as_ref()?.flow.as_ref()?;
         let index = |role| model.tools.iter().position(|tool| tool.role == role);
@@ -52,7 +50,7 @@ impl<'a> HeatSolver<'a> {
         })
     }
 
-    /// Brings the temperatures of `state`, at the end of a step, up to date; `plastic` is each element's plastic work.
+    /// Advances the temperatures of `state`; `plastic` is the plastic work of each element.
     pub fn advance(&mut self, converged: &Converged, plastic: &[f64], state: &mut State) -> Heat {
         let n = plastic.len();
         let dt = converged.step.dt;
@@ -90,7 +88,7 @@ impl<'a> HeatSolver<'a> {
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
     }
 
-    /// What every tool exchanges with the elements that lie on it, by the areas of their contact points.
+    /// Heat exchange of the tools with the elements that lie on them.
     fn meet_tools(&mut self, converged: &Converged) {
         let Converged { step, evaluation, .. } = converged;
         let n = self.exchange.len();

@@ -1,4 +1,4 @@
-//! Ironing: what becomes of a wall that two tools press between them.
+//! Ironing of a wall between two tools.
 
 use super::converged::Converged;
 use crate::element::surface::STATIONS;
@@ -7,15 +7,14 @@ use crate::model::Role;
 use crate::solver::solution::StepRecord;
 use crate::solver::state::State;
 
-/// Pressure on each face over the yield stress from which two tools iron a wall and do not just touch it \[–\]: declared. A
-/// holder's pressure, and that of a sheet drawn round a radius, stay below it; a wall that yields in a gap is pressed by more.
+/// Least pressure on each face over the yield stress \[–\]: that of a holder or over a radius stays below.
 const PRESSED: f64 = 0.1;
 
-/// Cosine between the normals of two tools below which they press on opposite faces \[–\].
+/// Largest cosine between the normals of two tools that press on opposite faces \[–\].
 const OPPOSED: f64 = -0.5;
 
-/// Writes down how the sheet is ironed in a converged step, and adds the strain that it takes to the state after it.
-pub(super) fn follow(converged: &Converged, next: &mut State, record: &mut StepRecord) {
+/// Adds the ironing strain of a step to the next state, and the ironing forces to its record.
+pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepRecord) {
     let Converged { step, evaluation, .. } = converged;
     let mut most = 0;
     for e in 0..next.ironed.len() {
@@ -38,7 +37,7 @@ pub(super) fn follow(converged: &Converged, next: &mut State, record: &mut StepR
     record.ironing_s0 = 0.5 * (next.s0[most] + next.s0[most + 1]);
 }
 
-/// Whether two tools whose places are given press both faces of an element at one of its contact points.
+/// True if two tools of given position press both faces of an element at one contact point.
 fn is_between_walls(converged: &Converged, e: usize) -> bool {
     let Converged { step, evaluation, .. } = converged;
     let tools = &step.process.tools;

@@ -1,13 +1,11 @@
-//! The line search: an iteration that went too far along its direction is taken back part of the way.
+//! Line search: an iteration that went too far along its direction is partly taken back.
 //!
 //! ```text
 //! s(λ) = −δa · r(a + λ δa)      falls from s(0) > 0 to 0 where the work of the residual along δa ends
 //! s(λ) < −κ s(0)                too far: back to λ s(0) / (s(0) − s(λ))
 //! ```
 //!
-//! An elastic point that unloads, or one that yields again, changes its tangent by a factor of hundreds; Newton's method
-//! then goes round in circles. The residual of contact and friction has no potential, so that s is asked for its sign and
-//! size alone.
+//! Elastic unloading and yielding change the tangent by a factor of hundreds, and Newton's method then cycles.
 //!
 //! # References
 //! M. A. Crisfield, Non-linear finite element analysis of solids and structures, vol. 1, Wiley (1991), section 9.2 (not
@@ -16,24 +14,23 @@
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
 use nalgebra::{SVector, Vector3};
 
-/// κ \[–\]. Measured on a hemispherical cup (50 and 100 elements, 5 to 15 layers): without a search 15 to 30 tries fail, with
-/// 0.3 and 0.8 none, with 1.5 up to two.
+/// κ \[–\]: on a hemispherical cup 15 to 30 tries fail without a search, none with 0.3 to 0.8, up to two with 1.5.
 const OVERSHOOT: f64 = 0.5;
-/// Least and largest share of the way that is kept \[–\].
+/// Least and largest share of λ that is kept \[–\].
 const KEPT: [f64; 2] = [0.1, 0.7];
-/// Most times that one iteration is taken back.
+/// Most reductions of one iteration.
 const MOST: usize = 3;
 
-/// The way of an iteration.
+/// Direction of an iteration and the share gone along it.
 #[derive(Clone, Debug)]
 pub(super) struct LineSearch {
-    /// −r before the step.
+    /// −r before the iteration.
     residual: Vec<Vector3<f64>>,
     shared_residual: SVector<f64, MAX_SHARED>,
-    /// δa: moves of the nodes \[mm, rad\], and of the shared unknowns.
+    /// δa of the nodes \[mm, rad\], and of the shared unknowns.
     pub direction: Vec<Vector3<f64>>,
     pub shared: SVector<f64, MAX_SHARED>,
-    /// λ gone so far \[–\].
+    /// λ \[–\].
     length: f64,
     /// s(0).
     start: f64,
@@ -67,17 +64,17 @@ impl LineSearch {
         true
     }
 
-    /// Share of the direction that has been gone.
+    /// Current λ \[–\].
     pub fn length(&self) -> f64 {
         self.length
     }
 
-    /// Notes that this share of the direction has been gone.
+    /// Sets λ \[–\].
     pub fn go(&mut self, share: f64) {
         self.length = share;
     }
 
-    /// The share of the direction to take back, where the residual at the place reached says that it was too far.
+    /// Share of the direction to take back; `None` if it was not too far.
     pub fn back(&mut self, system: &System) -> Option<f64> {
         let now = self.project(&system.rhs, &system.corner_rhs);
         if self.rounds == MOST || now >= -OVERSHOOT * self.start.abs() {

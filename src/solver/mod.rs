@@ -167,7 +167,7 @@ fn advance(
     let (work, plastic) = energy_balance::work(before, converged);
     let mut next = converged.advanced();
     let mut record = step_record::record(converged, before, &next, work, rejected);
-    ironing::follow(converged, &mut next, &mut record);
+    ironing::add(converged, &mut next, &mut record);
     if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
     }

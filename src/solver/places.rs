@@ -1,4 +1,4 @@
-//! Where beads and pressed tools hold the sheet and seals cut it.
+//! Positions of beads, pressed tools and seals on the sheet.
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
@@ -8,10 +8,10 @@ use crate::model::{Bead, Model};
 use crate::solver::state::State;
 use std::cmp::Ordering;
 
-/// What holds the sheet fades over the last stretch of it that passes, this many thicknesses long \[–\].
+/// Length over which a restraint fades as the edge passes, over the thickness \[–\].
 const FADE: f64 = 3.0;
 
-/// Share of its force with which something still holds a sheet that reaches so far beyond it \[mm\], and its slope \[1/mm\].
+/// Share of the force on a sheet that reaches so far beyond \[mm\], and its slope \[1/mm\].
 fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
     let share = beyond / (FADE * thickness);
     ValueAndSlope {
@@ -20,20 +20,19 @@ fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
     }
 }
 
-/// How much of the sheet is left under a pressed tool whose inner end it runs out from: up to the outermost place at which
-/// it can touch.
+/// Width of the sheet left under a pressed tool that it runs out from.
 ///
-/// A force that stayed would press on that last place until the sheet snaps from under it.
+/// An undiminished force would press on the last place until the sheet snaps from under it.
 #[derive(Clone, Copy, Debug)]
 pub struct Grip {
-    /// Width under the tool \[mm\]; negative when the sheet has left it.
+    /// Width up to the outermost contact point \[mm\]; negative when the sheet has left the tool.
     pub width: f64,
-    /// Its derivatives by the distances of the last two nodes from the axis \[–\].
+    /// Derivatives of the width by r of the last two nodes \[–\].
     pub weights: [f64; 2],
 }
 
 impl Grip {
-    /// Of a tool whose inner edge is drawn at `inner` \[mm\] at its displacement on a sheet with these nodes.
+    /// Grip of a tool whose inner edge is drawn at `inner` \[mm\].
     pub fn new(inner: f64, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
         let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
         let weights = stations(bends[bends.len() - 1])[1].shape;
@@ -41,13 +40,13 @@ impl Grip {
         Self { width: outermost - inner - displacement.x, weights }
     }
 
-    /// Share of its force with which the tool still presses \[–\], and its slope by the width \[1/mm\].
+    /// Share of the force that still acts \[–\], and its slope by the width \[1/mm\].
     pub fn share(&self, thickness: f64) -> ValueAndSlope {
         fading(self.width, thickness)
     }
 }
 
-/// Where a bead acts in a step: on the two nodes around it, by these shares of its force.
+/// Element that a bead acts on, and the shares of its nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct BeadPlace {
     pub element: usize,
@@ -57,7 +56,7 @@ pub struct BeadPlace {
 }
 
 impl BeadPlace {
-    /// The bead on the sheet at the start of a step; `None` when the sheet has left it.
+    /// Finds the bead on the sheet; `None` when the sheet has left it.
     pub fn find(bead: &Bead, model: &Model, state: &State) -> Option<Self> {
         let nodes = &state.nodes;
         let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;
@@ -68,18 +67,17 @@ impl BeadPlace {
     }
 }
 
-/// Where a seal cuts the sheet as it stands at the start of a step: looked for from the edge inward, for a dome may bulge
-/// out over its seal.
+/// Position of a seal, searched from the edge inward because a dome may bulge out over its seal.
 #[derive(Clone, Copy, Debug)]
 pub struct Seal {
-    /// All elements before this one are inside, all after it outside.
+    /// Element that the seal cuts; those before it are inside.
     element: usize,
-    /// Share of it that is inside \[–\].
+    /// Share of that element inside \[–\].
     share: f64,
 }
 
 impl Seal {
-    /// The seal at the distance `within` from the axis or symmetry plane \[mm\].
+    /// Seal at the distance `within` from the axis or symmetry plane \[mm\].
     pub fn find(state: &State, within: f64) -> Self {
         for (e, w) in state.nodes.windows(2).enumerate().rev() {
             let (from, to) = (w[0][0], w[1][0]);
@@ -93,7 +91,7 @@ impl Seal {
         Self { element: 0, share: 0.0 }
     }
 
-    /// Share of an element that is inside \[–\].
+    /// Share of an element inside the seal \[–\].
     pub fn inside(&self, e: usize) -> f64 {
         match e.cmp(&self.element) {
             Ordering::Less => 1.0,

@@ -12,7 +12,7 @@ use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::state::State;
-use crate::solver::state::neighbourhood::Neighbourhood;
+use crate::solver::state::nonlocal_average::NonlocalAverage;
 use nalgebra::Vector3;
 
 /// Share of the force across the sheet that makes it flow, below which a residual is not measured against the forces that
@@ -104,7 +104,7 @@ impl<'a> Process<'a> {
                 * model.blank.thickness
                 * model.geometry.area(model.blank.length)
                 / model.blank.length,
-            blocks: distance_blocks::of_holder(model),
+            blocks: distance_blocks::block_height(model),
             unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
             rule,
@@ -155,7 +155,7 @@ pub(super) fn references<'a>(
 /// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
 fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); state.nodes.len()];
-    let section = Neighbourhood::new(model, state).section_thickness(&state.thickness);
+    let section = NonlocalAverage::new(model, state).section_thickness(&state.thickness);
     for (e, reference) in references(model, state, &state.bends).enumerate() {
         let Some(current) = reference.moved([0.0; 3], [0.0; 3]) else { continue };
         let points = state.points.row(e);

@@ -1,4 +1,4 @@
-//! One stage after another: what the sheet and the tools that stay carry over.
+//! Sequences of stages: the sheet and the tools that stay carry over.
 
 use super::closing::{close, closed, closing_way};
 use super::{Observer, run_from};
@@ -14,12 +14,11 @@ use crate::solver::state::{State, waiting, waiting_displacement};
 /// Fewest elements that trimming leaves.
 const LEAST_ELEMENTS: usize = 2;
 
-/// Steps in which a tool is brought up to the sheet, over the thickness \[–\], and halvings of the last of them.
+/// Step of the search for contact over the thickness \[–\], and bisections of the last one.
 const APPROACH: f64 = 0.25;
 const HALVINGS: usize = 50;
 
-/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end; one that
-/// [`Stage::check`] refuses is not tried.
+/// Solves stages one after another from the flat blank, up to the first that is refused or does not come to its end.
 pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
     let mut solutions: Vec<StageSolution> = Vec::new();
     for stage in stages {
@@ -42,9 +41,7 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
     solutions
 }
 
-/// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
-///
-/// A model that [`Model::check`] refuses is not tried: the solution ends with [`Stop::Refused`].
+/// Solves a model from the flat blank; one that [`Model::check`] refuses ends with [`Stop::Refused`].
 pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     if let Err(error) = model.check() {
         return StageSolution::refused(model.clone(), Stop::Refused(error));
@@ -52,7 +49,7 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     from_flat(model, observer)
 }
 
-/// From the flat blank, over which the holder closes first where it must.
+/// Closes the holder first where it cannot lie on the flat blank.
 fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     let Some(way) = closing_way(model) else {
         return run_from(model, State::flat(model, mesh::nodes(model)), observer);
@@ -68,7 +65,7 @@ fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     StageSolution { closing: before.closing, ..run_from(&stage.model, state, observer) }
 }
 
-/// The model and the first state of a stage, and what is cut off.
+/// The model cut to the sheet, the first state of a stage, and the trimmed rim.
 fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed>) {
     let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
@@ -82,11 +79,10 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
     (model, state, trimmed)
 }
 
-/// The state that a stage begins with, from the last `state` of a stage with the model `before`.
+/// First state of a stage, from the last `state` of a stage with the model `before`.
 ///
-/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::model::stage::Beginning) takes; time
-/// and travel begin anew, and its velocities go on at the pace of the stage, as a guess; a tool that stays keeps its position
-/// and the pressure it exerts, and gas its pressure.
+/// The sheet keeps nodes, thickness, strains, stress and temperature but for trimming and annealing; time and travel restart,
+/// velocities scale with the speed as a guess; tools that stay keep position and pressure, gases their pressure.
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
@@ -129,7 +125,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state
 }
 
-/// Cuts the sheet at a distance from the axis: from the edge inward, elements go whose middle lies beyond it.
+/// Removes the elements from the edge inward whose middle lies beyond a distance from the axis.
 fn trim(state: &mut State, radius: f64) {
     let middle = |w: &[crate::element::Node]| 0.5 * (w[0][0] + w[1][0]);
     let inside = state.nodes.windows(2).rposition(|w| middle(w) <= radius).map_or(0, |e| e + 1);
@@ -156,7 +152,7 @@ fn trim(state: &mut State, radius: f64) {
     }
 }
 
-/// Axial displacement of tool `j` at which it waits just off the sheet as it is \[mm\].
+/// Axial displacement at which tool `j` waits just off the formed sheet \[mm\].
 fn met(model: &Model, state: &State, j: usize) -> f64 {
     let tool = &model.tools[j];
     let towards = if tool.role == Role::Die { -1.0 } else { 1.0 };
@@ -164,7 +160,6 @@ fn met(model: &Model, state: &State, j: usize) -> f64 {
     let (low, high) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
     let points = tool.profile.polyline(model.blank.thickness);
     let tip = points.iter().map(|p| towards * p.y).fold(f64::NEG_INFINITY, f64::max) * towards;
-    // From where nothing of it has come to the height of the sheet.
     let t = model.blank.thickness;
     let (near, far) = if towards > 0.0 { (low, high) } else { (high, low) };
     let from = near - towards * 2.0 * t - tip;

@@ -1,6 +1,6 @@
-//! One instant of the sheet and its tools.
+//! State of the sheet and its tools at one instant.
 
-pub mod neighbourhood;
+pub mod nonlocal_average;
 
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
@@ -13,7 +13,7 @@ use crate::model::{Model, Motion, Role, Theory, Tool};
 use crate::numerics::Grid;
 use crate::numerics::lobatto::ThicknessPoint;
 
-/// One thickness point of an element.
+/// Thickness point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialPoint {
     /// Equivalent plastic strain ε̄ \[–\].
@@ -30,7 +30,7 @@ pub struct MaterialPoint {
     pub porosity_rate: f64,
     /// Strain rate in the last step \[1/s\]; of the flow law only.
     pub strain_rate: Triple,
-    /// Rate of ε̄ in the last step, by the time of the process \[1/s\].
+    /// Rate of ε̄ in the last step, in process time \[1/s\].
     pub equivalent_rate: f64,
 }
 
@@ -43,9 +43,9 @@ pub struct State {
     pub travel: f64,
     /// Nodes from the axis outward \[mm, rad\].
     pub nodes: Vec<Node>,
-    /// Velocities of the nodes, their means in the last step \[mm/s, rad/s\].
+    /// Mean velocities of the nodes in the last step \[mm/s, rad/s\].
     pub velocity: Vec<Node>,
-    /// The same at its end, by how they changed from the step before: what the next step is tried with.
+    /// Velocities extrapolated to the end of the last step \[mm/s, rad/s\]: predictor of the next.
     pub end_velocity: Vec<Node>,
     /// Thickness of each element \[mm\].
     pub thickness: Vec<f64>,
@@ -57,17 +57,17 @@ pub struct State {
     pub dilation_rate: Vec<f64>,
     /// Temperature of each element \[K\].
     pub temperature: Vec<f64>,
-    /// Its rates in the last step and in the one before \[K/s\].
+    /// Temperature rates in the last step and in the one before \[K/s\].
     pub temperature_rates: Vec<[f64; 2]>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
     /// Logarithmic strain by which each element has thinned between two tools in the stage \[–\]: ironing.
     pub ironed: Vec<f64>,
-    /// Whether each element bent in the last step, or was a membrane.
+    /// Flags of the elements that bent in the last step; the others were membranes.
     pub bends: Vec<bool>,
     /// Duration of the last step \[s\].
     pub last_step: f64,
-    /// Whether each element strained in the last step about as in the one before.
+    /// Flags of the elements that strained in the last step about as in the one before.
     pub steady: Vec<bool>,
     /// Elements by thickness points.
     pub points: Grid<MaterialPoint>,
@@ -85,7 +85,7 @@ pub struct State {
     pub s0: Vec<f64>,
 }
 
-/// How far a tool touches or penetrates nothing yet: a few smoothing lengths \[mm\].
+/// Gap at which a tool waits before the first step: a few smoothing lengths \[mm\].
 pub fn waiting(model: &Model) -> f64 {
     Penalty::WAITING * model.settings.contact_smoothing * model.blank.thickness
 }
@@ -101,16 +101,22 @@ pub fn waiting_displacement(model: &Model, tool: &Tool) -> f64 {
 }
 
 impl State {
-    /// The flat blank; tools wait a few smoothing lengths away from it, so that nothing presses yet.
+    /// Flat blank with waiting tools.
     pub fn flat(model: &Model, s0: Vec<f64>) -> Self {
         let nodes: Vec<Node> = s0.iter().map(|&r| [r, 0.0, 0.0]).collect();
         let t = model.blank.thickness;
         let elements = nodes.len() - 1;
         let volume =
             nodes.windows(2).map(|w| t * Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area());
+        let point = MaterialPoint {
+            porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
+            ..MaterialPoint::default()
+        };
+        let middles = s0.windows(2).map(|w| 0.5 * (w[0] + w[1]));
+        let temperature = |r: f64| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(r));
+        let speed = |tool: &Tool| if tool.motion == Motion::Travel { model.speed } else { 0.0 };
+        let pairs = Grid::new(model.tools.len(), STATIONS * elements, 0.0);
         Self {
-            time: 0.0,
-            travel: 0.0,
             velocity: vec![[0.0; 3]; nodes.len()],
             end_velocity: vec![[0.0; 3]; nodes.len()],
             thickness: vec![t; elements],
@@ -118,38 +124,24 @@ impl State {
             membrane: vec![[0.0; 2]; elements],
             ironed: vec![0.0; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
-            last_step: 0.0,
             steady: vec![false; elements],
-            points: Grid::new(
-                elements,
-                model.blank.layers,
-                MaterialPoint {
-                    porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
-                    ..MaterialPoint::default()
-                },
-            ),
+            points: Grid::new(elements, model.blank.layers, point),
             dilation: vec![0.0; elements],
             dilation_rate: vec![0.0; elements],
-            temperature: s0
-                .windows(2)
-                .map(|w| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(0.5 * (w[0] + w[1]))))
-                .collect(),
+            temperature: middles.map(temperature).collect(),
             temperature_rates: vec![[0.0; 2]; elements],
             tools: model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect(),
-            tool_velocity: model
-                .tools
-                .iter()
-                .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
-                .collect(),
-            pressure: Grid::new(model.tools.len(), STATIONS * elements, 0.0),
-            shift: Grid::new(model.tools.len(), STATIONS * elements, 0.0),
+            tool_velocity: model.tools.iter().map(speed).collect(),
+            pressure: pairs.clone(),
+            shift: pairs,
             gas: vec![0.0; model.gas.len()],
             nodes,
             s0,
+            ..Self::default()
         }
     }
 
-    /// Position of node `i` in the frame of tool `j`, where the tool is as it is drawn \[mm\].
+    /// Position of node `i` in the frame in which tool `j` is drawn \[mm\].
     #[inline]
     pub fn in_frame_of(&self, j: usize, i: usize) -> Point {
         Point::new(self.nodes[i][0] - self.tools[j].x, self.nodes[i][1] - self.tools[j].y)
@@ -160,18 +152,18 @@ impl State {
         STATIONS * self.thickness.len()
     }
 
-    /// Thickness at node `i` \[mm\]: the mean of its elements'.
+    /// Mean thickness of the elements at node `i` \[mm\].
     pub fn thickness_at(&self, i: usize) -> f64 {
         0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(self.thickness.len() - 1)])
     }
 
-    /// A tool that lets go presses no more.
+    /// Removes the pressure of a tool that lets go.
     pub fn release(&mut self, tool: usize) {
         self.pressure.row_mut(tool).fill(0.0);
         self.shift.row_mut(tool).fill(0.0);
     }
 
-    /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
+    /// Largest porosity, mean over the thickness \[–\], and its initial distance from the axis \[mm\].
     pub fn largest_porosity(&self, rule: &[ThicknessPoint]) -> (f64, f64) {
         let means = self.points.rows().enumerate().map(|(e, points)| {
             let mean: f64 = points.iter().zip(rule).map(|(p, at)| at.weight * p.porosity).sum();
@@ -180,7 +172,7 @@ impl State {
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
     }
 
-    /// Temperature of element `e` foreseen for the time `dt` \[s\] from now \[K\].
+    /// Extrapolated temperature of element `e` at `dt` \[s\] from now \[K\].
     pub fn foreseen_temperature(&self, e: usize, dt: f64) -> f64 {
         let [last, before] = self.temperature_rates[e];
         let rate = if last * before > 0.0 { last.abs().min(before.abs()).copysign(last) } else { 0.0 };
@@ -193,7 +185,7 @@ impl State {
         t.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| (low.min(t), high.max(t)))
     }
 
-    /// Paths that begin with this instant; none where the model has no forming limit.
+    /// Strain paths that begin with this instant; empty when the model has no forming limit.
     pub fn paths(&self, model: &Model) -> Paths {
         if model.forming_limit.is_none() {
             return Paths::default();
@@ -203,7 +195,7 @@ impl State {
         paths
     }
 
-    /// The mid-surface strains of this instant.
+    /// Mid-surface strains of this instant.
     pub fn instant(&self) -> Instant {
         Instant { time: self.time, travel: self.travel, strains: self.membrane.clone() }
     }

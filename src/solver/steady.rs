@@ -1,17 +1,16 @@
-//! Where the sheet flows steadily, so that the rate of one step says something of the next.
+//! Detection of steady flow, where the rate of one step predicts the next.
 
 use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::model::Mode;
 use crate::solver::state::State;
 
-/// Change of the strain rate from step to step, over the rate, up to which the flow is steady \[–\].
+/// Largest relative change of the strain rate in steady flow \[–\].
 const STEADY: f64 = 0.6;
-/// Strain increments of a flow, in cut-offs: what is slower creeps only because it is regularised.
+/// Least strain increment of flow, in cut-offs \[–\].
 const FLOWING: f64 = 10.0;
 
-/// Marks in `next`, at the end of a step, the elements that flow steadily at all of their thickness points. Where one of
-/// them does not, bending sets in or turns round, and the others soon follow.
+/// Marks in `next` the elements whose thickness points all flow steadily.
 pub(super) fn judge(step: &Step, evaluation: &Evaluation, next: &mut State) {
     if step.model.mode != Mode::Flow {
         return;

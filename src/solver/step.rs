@@ -18,7 +18,7 @@ use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::flow::{PointState, Triple};
 use crate::model::{Iteration, Mode, Model, Settings};
 use crate::numerics::Grid;
-use crate::solver::state::neighbourhood::Neighbourhood;
+use crate::solver::state::nonlocal_average::NonlocalAverage;
 use crate::solver::state::{MaterialPoint, State};
 
 /// m of the resistance to flowing faster than the surroundings \[–\]: declared. Sheets with n = 0.02 in elements down to a
@@ -78,7 +78,7 @@ impl<'a> Step<'a> {
         let process_time = model.process_time(state.time, dt);
         let bends = process.selection.bending(model, state, &process.rule);
         let references: Vec<Reference> = references(model, state, &bends).collect();
-        let neighbourhood = Neighbourhood::new(model, state);
+        let neighbourhood = NonlocalAverage::new(model, state);
         let section = neighbourhood.section_thickness(&state.thickness);
         let (mut volume, growth) = match &model.material.gtn {
             Some(_) => foreseen_volume(state, dt),
@@ -165,7 +165,7 @@ fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
 
 /// What flows around each thickness point: the mean over its element's neighbourhood of the last rates of the points at the
 /// same place in the thickness. What stood still, and elements longer than their neighbourhood, hold nothing back.
-fn surroundings(process: &Process, state: &State, time: f64, near: &Neighbourhood) -> Grid<Surroundings> {
+fn surroundings(process: &Process, state: &State, time: f64, near: &NonlocalAverage) -> Grid<Surroundings> {
     let model = process.model;
     let floor = FLOOR * model.settings.cutoff_strain * time / (Settings::CUTOFF_STEP * model.duration);
     let mut around = Grid::new(state.thickness.len(), state.points.columns(), Surroundings::default());

@@ -1,4 +1,4 @@
-//! What is written down of a converged step: forces, work, and what tells the run's health.
+//! Record of a converged step.
 
 use super::converged::Converged;
 use super::evaluation::Evaluation;
@@ -9,8 +9,7 @@ use crate::model::{Edge, Model, Role};
 use crate::solver::solution::{Energy, StepRecord};
 use crate::solver::state::State;
 
-/// The record of a step to the state `next` that took the work `done` and `rejected` tries before it, with the forces and the
-/// work of this step on what is solved; `before` is the evaluation of the step before.
+/// Record of a step to the state `next` with its work and the rejected tries before it; `before` is the last evaluation.
 pub(super) fn record(
     converged: &Converged,
     before: &Evaluation,
@@ -62,7 +61,7 @@ pub(super) fn record(
     }
 }
 
-/// Changes of contact, and shares of the points in contact and of the holder's force.
+/// Changes of contact, share of sticking points, share of the holder's force on the rim.
 fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     let Converged { step, evaluation, .. } = converged;
     let (model, penalty) = (step.model, &step.process.penalty);
@@ -101,7 +100,7 @@ fn gaps(state: &State, model: &Model, node: usize) -> [f64; 3] {
     })
 }
 
-/// Angle to the horizontal of a die's face whose normal towards the sheet is this \[rad\]: the normal of a flat die is −z.
+/// Slope of a die's face by its normal towards the sheet \[rad\]: −z on a flat die.
 fn slope(normal: Point) -> f64 {
     normal.x.abs().atan2(-normal.y)
 }
@@ -115,7 +114,7 @@ fn contact_share(converged: &Converged) -> f64 {
     let forming: Vec<usize> =
         tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();
     let lying = step.process.penalty.lying();
-    // How far the sheet at a contact point is from lying on the nearest of them; straight on to the element's ends.
+    // Distance from lying on the nearest tool, extrapolated from the contact points to the element's ends.
     let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
@@ -131,7 +130,7 @@ fn contact_share(converged: &Converged) -> f64 {
     touching / whole
 }
 
-/// Share of a line over which a value is negative that goes straight from one end's to the other's \[–\].
+/// Share of a line over which a linear function is negative, by its values at the ends \[–\].
 fn negative_share([a, b]: [f64; 2]) -> f64 {
     match (a < 0.0, b < 0.0) {
         (true, true) => 1.0,

@@ -1,16 +1,15 @@
-//! How long the next step is: what is known of the last one decides.
+//! Time step control.
 //!
-//! | known | what it does |
+//! | known of the last step | effect |
 //! |---|---|
-//! | iterations | an easy step lets the next grow, a hard one shortens it |
-//! | contact changes | no growth while many nodes come into contact or leave it |
+//! | iterations | few: the next may grow; many: it shrinks |
+//! | contact changes | no growth while many points come into contact or leave it |
 //! | strain increment | the next step aims at the limit; one beyond twice the limit is repeated |
-//! | gaps and closing speeds | no step carries a free node deep into a tool |
-//! | frames, closing of the tools, changes of the punch's speed | steps land on them |
-//! | a step that oversteps the end of the run | it is repeated up to where the end is expected |
+//! | gaps and closing speeds | no step carries a free point deep into a tool |
+//! | frames, closing of the tools, changes of speed | steps land on them |
+//! | overstepping the end of the run | repeated up to the expected end |
 //!
-//! Lengths of steps are measured in process time: what they would take at the punch's mean speed
-//! ([`Model::process_time`]).
+//! Lengths of steps are measured in process time ([`Model::process_time`]).
 
 use super::converged::Converged;
 use super::corrector::patience;
@@ -22,37 +21,36 @@ use crate::model::Model;
 use crate::solver::solution::StepRecord;
 use crate::solver::state::State;
 
-/// A step that needed at most this many iterations was easy: the next may be longer.
+/// Iterations up to which the next step may grow, and above which it shrinks.
 const EASY: usize = 8;
-/// A step that needed more than this many was hard: the next is shorter.
 const HARD: usize = 15;
 const GROWTH: f64 = 1.5;
 const SHRINK: f64 = 0.7;
-/// Changes of contact over the number of nodes above which steps do not grow \[–\].
+/// Changes of contact over the number of points above which steps do not grow \[–\].
 const MANY_CHANGES: f64 = 0.2;
-/// A step that strains the sheet by this many times the limit is repeated.
+/// Strain increment over its limit above which a step is repeated \[–\].
 const OVERSTRAINED: f64 = 2.0;
-/// Shortest step that the prediction of contact asks for, over the largest \[–\]: further down the corrector copes.
+/// Shortest step that approaching contact asks for, over the largest \[–\].
 const LEAST_APPROACH: f64 = 0.1;
-/// Predicted penetration over the thickness that a step is kept from \[–\]: what one iteration may move a node by.
+/// Predicted penetration over the thickness that limits a step \[–\]: the largest move of one iteration.
 const TOO_FAR: f64 = 0.5;
 
-/// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
+/// Chooses the length of steps and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
-    /// Wanted step, and the one that was given out \[s of process time\].
+    /// Wanted and given step \[s of process time\].
     wanted: f64,
     given: f64,
     largest: f64,
     smallest: f64,
     next_frame: usize,
-    /// Time at which the run ends before its last frame \[s\].
+    /// Time at which the tools close \[s\]; infinite if never.
     end: f64,
     search: EndSearch,
 }
 
 impl<'a> StepControl<'a> {
-    /// `end` is the time at which the tools close \[s\], where they do.
+    /// Control of a run whose tools close at `end` \[s\].
     pub fn new(model: &'a Model, end: Option<f64>) -> Self {
         let settings = &model.settings;
         Self {
@@ -85,12 +83,12 @@ impl<'a> StepControl<'a> {
         })
     }
 
-    /// Whether a step goes too far beyond the end of the run, by the excess over it, and is to be repeated shorter.
+    /// True if a step goes too far beyond the end of the run and is to be repeated shorter.
     pub fn oversteps(&mut self, step: &Step, excess: f64) -> bool {
         self.search.look(step.state.time, step.dt, excess)
     }
 
-    /// After an accepted step; `before` is the evaluation of the one before.
+    /// Chooses the next step after an accepted one; `before` is the evaluation of the step before.
     pub fn accept(&mut self, before: &Evaluation, converged: &Converged, record: &StepRecord) {
         let approach = approach(before, converged) * self.given / converged.step.dt;
         let dt = self.given;
@@ -109,18 +107,18 @@ impl<'a> StepControl<'a> {
         self.wanted = self.wanted.min(approach.max(LEAST_APPROACH * self.largest));
     }
 
-    /// Whether a step in equilibrium strained the sheet too much.
+    /// True if a step strained the sheet too much.
     pub fn is_overstrained(&self, increment: f64) -> bool {
         increment > OVERSTRAINED * self.model.settings.strain_step
     }
 
-    /// After a rejected step; `false` when there is none shorter to try.
+    /// Halves the step; `false` at the smallest.
     pub fn reject(&mut self) -> bool {
         self.wanted = 0.5 * self.given;
         self.wanted >= self.smallest
     }
 
-    /// Whether the state is at a time to keep; moves on to the next one.
+    /// True if the state is at a frame; moves on to the next one.
     pub fn at_frame(&mut self, state: &State) -> bool {
         let Some(target) = self.model.frames.get(self.next_frame) else { return false };
         let reached = state.time >= target * (1.0 - 1e-12);
@@ -129,7 +127,7 @@ impl<'a> StepControl<'a> {
     }
 }
 
-/// Time after which, at the speed of this step, a free point would stand [`TOO_FAR`] thicknesses inside a tool \[s\].
+/// Time until a free point, at the speed of this step, would penetrate a tool by [`TOO_FAR`] thicknesses \[s\].
 fn approach(before: &Evaluation, converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let mut soonest = f64::INFINITY;

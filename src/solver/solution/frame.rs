@@ -1,11 +1,102 @@
-//! How an instant becomes a frame.
+//! Kept instants of a run.
 
-use super::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
+use crate::geometry::Point;
 use crate::model::Model;
+use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::state::{MaterialPoint, State};
 
+/// Element at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElementRecord {
+    /// Initial distance of the element's middle from the axis \[mm\].
+    pub s0: f64,
+    /// Distance of the element's middle from the axis \[mm\].
+    pub r: f64,
+    /// Height of the element's middle, along the punch travel \[mm\].
+    pub z: f64,
+    /// Thickness \[mm\].
+    pub thickness: f64,
+    /// Logarithmic mid-surface strain along the section \[–\].
+    pub strain_meridional: f64,
+    /// Logarithmic mid-surface strain across the section \[–\].
+    pub strain_hoop: f64,
+    /// ln(t/t₀) \[–\].
+    pub strain_thickness: f64,
+    /// Equivalent plastic strain, mean over the thickness \[–\].
+    pub strain_equivalent: f64,
+    /// Largest equivalent plastic strain over the thickness \[–\].
+    pub strain_equivalent_max: f64,
+    /// Mean Cauchy stress along the section, less p/2 of a tool's pressure p on a face \[MPa\].
+    pub stress_meridional: f64,
+    /// Mean Cauchy stress across the section, likewise \[MPa\].
+    pub stress_hoop: f64,
+    /// Mean porosity \[–\].
+    pub porosity: f64,
+    /// Temperature \[K\].
+    pub temperature: f64,
+    /// True if it bent in the last step, false for a membrane.
+    pub bends: bool,
+}
+
+/// Node at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeRecord {
+    /// Distance of the mid-surface from the axis \[mm\].
+    pub r: f64,
+    /// Height of the mid-surface, along the punch travel \[mm\].
+    pub z: f64,
+    /// Rotation of the fibre, counter-clockwise in the r-z plane \[rad\].
+    pub theta: f64,
+    /// Thickness that contact sees \[mm\].
+    pub thickness: f64,
+}
+
+/// Thickness point at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PointRecord {
+    /// Cauchy stress along the section, with pressure as in [`ElementRecord`] \[MPa\].
+    pub stress_meridional: f64,
+    /// Cauchy stress across the section, likewise \[MPa\].
+    pub stress_hoop: f64,
+    /// Equivalent plastic strain \[–\].
+    pub strain_equivalent: f64,
+}
+
+/// Thickness points of all elements at one instant; empty in all frames but the last.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ThroughThickness {
+    /// Points of every element: ξ = ζ/(t/2) from −1 on the die's face to 1 on the punch's.
+    pub layers: Vec<ThicknessPoint>,
+    /// Elements by `layers`.
+    pub points: Vec<PointRecord>,
+}
+
+impl ThroughThickness {
+    /// Points of each element, from the axis outward.
+    pub fn elements(&self) -> std::slice::ChunksExact<'_, PointRecord> {
+        self.points.chunks_exact(self.layers.len().max(1))
+    }
+}
+
+/// Sheet and tools at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Time \[s\].
+    pub time: f64,
+    /// Punch travel \[mm\].
+    pub travel: f64,
+    /// Elements, from the axis outward.
+    pub elements: Vec<ElementRecord>,
+    /// Nodes, from the axis outward.
+    pub nodes: Vec<NodeRecord>,
+    /// Points through the thickness.
+    pub through: ThroughThickness,
+    /// Displacement of each of the model's tools (away from the axis, along z) \[mm\].
+    pub tool_displacement: Vec<Point>,
+}
+
 impl State {
-    /// What is kept of this instant.
+    /// The frame of this instant.
     pub fn frame(&self, model: &Model) -> Frame {
         let layers = model.blank.points();
         let elements = (0..self.thickness.len())

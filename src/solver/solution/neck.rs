@@ -1,37 +1,36 @@
-//! Whether one place of the sheet thins alone.
+//! Detection of a neck: one place thins alone.
 
 use crate::model::{Model, Settings};
 use crate::solver::state::State;
-use crate::solver::state::neighbourhood::Neighbourhood;
+use crate::solver::state::nonlocal_average::NonlocalAverage;
 
-/// Thickness strain of a neck over the mean of its surroundings \[–\].
+/// Least thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;
-/// Rate at which the surroundings still thin, over the neck's, once the neck has taken over \[–\].
+/// Largest thinning rate of the surroundings over the neck's once the neck has taken over \[–\].
 const STOPPED: f64 = 0.1;
-/// Thickness left over the initial one above which no neck is looked for \[–\].
+/// Largest thickness of a neck over the initial one \[–\].
 const THINNED: f64 = 0.8;
-/// Surroundings of a neck: this many thicknesses away, on either side.
+/// Distances of the surroundings from a neck, over the thickness \[–\].
 pub(crate) const NEAR: f64 = 3.0;
 pub(crate) const AWAY: f64 = 8.0;
 
-/// A place of the sheet that is thinner than its surroundings.
+/// Thinnest place of the sheet and the thinning around it.
 #[derive(Clone, Copy, Debug)]
 pub struct Neck {
     /// Initial distance from the axis \[mm\].
     pub s0: f64,
-    /// Thickness, were the sheet not ironed, over the initial one \[–\].
+    /// Thickness without ironing over the initial one \[–\].
     pub share: f64,
-    /// Whether it is a neck.
+    /// True if it is a neck.
     pub stands_out: bool,
-    /// Whether its surroundings have stopped thinning.
+    /// True if its surroundings have stopped thinning.
     pub took_over: bool,
 }
 
-/// The thinnest place, by the mean over the neighbourhood of each element and but for ironing, and what its surroundings do;
-/// `before` is the state one step ago.
+/// Finds the thinnest place by nonlocal section thickness, apart from ironing; `before` is the state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
-    let section = |state: &State| Neighbourhood::new(model, state).section_thickness(&state.thickness);
+    let section = |state: &State| NonlocalAverage::new(model, state).section_thickness(&state.thickness);
     let thickness = section(state);
     // What two tools take off a wall is no neck.
     let strains = thickness.iter().zip(&state.ironed).map(|(thickness, ironed)| (thickness / t0).ln() + ironed);

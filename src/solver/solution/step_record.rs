@@ -1,4 +1,4 @@
-//! What is kept of every step: its forces, works and shares, and what tells the run's health.
+//! Record of every step: forces, work, shares and measures of the solution's quality.
 
 use super::{Energy, Heat};
 use crate::model::PressureCap;
@@ -16,10 +16,9 @@ pub struct StepRecord {
     pub punch_force: f64,
     /// Force of the holder on the sheet towards the die \[N, or N/mm\].
     pub holder_force: f64,
-    /// Radial force that the held edge exerts outward, of a plane section both edges together \[N, or N/mm\]; 0 for a free
-    /// edge.
+    /// Outward radial force of the held edge, both edges of a plane section \[N, or N/mm\]; 0 for a free edge.
     pub edge_force: f64,
-    /// How far the blank's edge has moved inward \[mm\].
+    /// Draw-in: inward move of the blank's edge \[mm\].
     pub draw_in: f64,
     /// Thickness of the thinnest element \[mm\].
     pub thinnest: f64,
@@ -33,43 +32,37 @@ pub struct StepRecord {
     pub held_rate: f64,
     /// The cap that this gas pressure sits on; the rate is below its target then.
     pub on_cap: Option<PressureCap>,
-    /// Share of the sheet's current area inside the gas's seal (of the whole sheet without gas) that lies on the punch or
-    /// the die \[–\].
+    /// Share of the sheet's current area inside the gas's seal that lies on the punch or the die \[–\].
     pub contact_share: f64,
-    /// Gap between the sheet's edge and punch, die and holder, in the order of [`Role::ALL`](crate::model::Role::ALL), half its
-    /// thickness off \[mm\]; infinite where there is no such tool.
+    /// Gaps between the sheet's edge and the tools of [`Role::ALL`](crate::model::Role::ALL) \[mm\]; infinite without the tool.
     pub edge_gap: [f64; 3],
-    /// Likewise of the sheet's middle \[mm\].
+    /// Gaps between the sheet's middle and the same tools \[mm\].
     pub middle_gap: [f64; 3],
-    /// Angle to the flat blank of the die's face nearest to the sheet's edge \[rad\]: 0 on a flat die, π/2 in its throat; 0
-    /// without a die.
+    /// Slope of the die's face nearest to the sheet's edge \[rad\]: 0 flat, π/2 in the throat.
     pub die_slope: f64,
-    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted. A
-    /// holder that the sheet has left stays where it last touched.
+    /// Move of the holder towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
     pub holder_move: f64,
-    /// Force of the holder that its distance blocks bear in place of the sheet \[N, or N/mm\].
+    /// Force of the holder on its distance blocks \[N, or N/mm\].
     pub block_force: f64,
     /// Largest penetration of a tool over the sheet's thickness \[–\].
     pub penetration: f64,
-    /// Largest reduction of an element's thickness by ironing in this stage so far, 1 − exp(−ε) \[–\]: ε is what it has thinned
-    /// in the steps in which two tools, none of them driven by a force, pressed both its faces with more than a tenth of
-    /// its yield stress each.
+    /// Largest thickness reduction by ironing in this stage, 1 − exp(−ε) \[–\], while two tools press both faces.
     pub ironing: f64,
     /// Initial distance of that element from the axis \[mm\].
     pub ironing_s0: f64,
     /// Force of the die on the ironed elements against the punch travel \[N, or N/mm\], friction included.
     pub ironing_force: f64,
-    /// What of it is friction \[N, or N/mm\].
+    /// Friction part of it \[N, or N/mm\].
     pub ironing_friction: f64,
     /// Largest pressure of a tool on an ironed element \[MPa\].
     pub ironing_pressure: f64,
-    /// Share of the holder's force on the rim, the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
+    /// Share of the holder's force on the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
     pub rim_share: f64,
-    /// Share of the nodes in contact that stick: they slide slower than the regularisation speed \[–\].
+    /// Share of the points in contact that slide slower than the regularisation speed \[–\].
     pub sticking: f64,
-    /// Pairs of node and tool that came into contact or left it in the step.
+    /// Pairs of point and tool that came into contact or left it in the step.
     pub contact_changes: usize,
-    /// Largest equivalent strain that the step added at a thickness point \[–\].
+    /// Largest equivalent strain increment of the step at a thickness point \[–\].
     pub strain_increment: f64,
     /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
     pub sharpest_bend: f64,
@@ -89,7 +82,7 @@ pub struct StepRecord {
     pub work: Energy,
     /// Largest porosity, mean over the thickness \[–\].
     pub porosity: f64,
-    /// Where the porosity is largest, initially from the axis \[mm\].
+    /// Initial distance from the axis of the largest porosity \[mm\].
     pub porous_s0: f64,
     /// Lowest temperature of an element \[K\].
     pub coldest: f64,
@@ -103,7 +96,7 @@ impl StepRecord {
     /// Width of the rim over the initial thickness \[–\].
     pub const RIM: f64 = 3.0;
 
-    /// With forces, powers, works and heat so many times as large \[–\].
+    /// Multiplies forces, powers, work and heat.
     pub fn scaled(self, times: f64) -> Self {
         Self {
             punch_force: times * self.punch_force,

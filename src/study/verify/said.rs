@@ -3,7 +3,7 @@
 use super::direction::Direction;
 use super::numbers::Number;
 use super::outcome::Outcome;
-use crate::solver::state::neighbourhood::NEIGHBOURHOOD;
+use crate::solver::state::nonlocal_average::NEIGHBOURHOOD;
 use crate::units::{Amount, joined};
 
 /// Shortest elements, over the thickness, that a shell resolves \[–\]: its normal stays straight, which stress needs about a
