@@ -44,7 +44,7 @@ impl Answer {
         Self {
             light,
             sentence: sentence(stages, findings, light, tear.as_ref()),
-            end: end.map_or_else(String::new, Stop::message),
+            end: end.map_or_else(String::new, ToString::to_string),
             numbers: numbers(case, stages, tear.is_some()),
         }
     }

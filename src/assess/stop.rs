@@ -12,9 +12,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let words = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
         Stop::FullTravel if model.stop.drawn_through => {
-            format!("{stop}, and the cup is not through the die", stop = stop.message())
+            format!("{stop}, and the cup is not through the die", stop = stop.to_string())
         }
-        stop => stop.message(),
+        stop => stop.to_string(),
     };
     let light = match stop {
         Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,

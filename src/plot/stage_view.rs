@@ -194,7 +194,7 @@ impl<'a> StageView<'a> {
         let stop = &self.stage.stop;
         let mut notes = Vec::new();
         if !stop.is_complete() && self.pictures.captions != Captions::Own {
-            notes.push(String::from(format!("Stopped early: {why}.", why = stop.message())));
+            notes.push(String::from(format!("Stopped early: {why}.", why = stop.to_string())));
         }
         if self.says_all() && !self.overrides.is_empty() {
             notes.push(String::from(format!(

@@ -16,7 +16,7 @@ pub(super) fn section(report: &Report) -> Section {
     let names = case.stage_names().collect::<Vec<_>>().join(", ");
     let ended: String = match report.solution.stages.last() {
         Some(_) if report.solution.is_complete() => "complete".into(),
-        Some(last) => format!("stopped early: {why}", why = last.stop.message()),
+        Some(last) => format!("stopped early: {why}", why = last.stop.to_string()),
         None => "not begun".into(),
     };
     let rows = [

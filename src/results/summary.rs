@@ -108,7 +108,7 @@ impl Summary {
         summary.text("hardening", "Hardening", model.material.describe());
         let ended = match &run.stop {
             Stop::FullTravel => format!("{end} reached", end = ended(run)),
-            stop => stop.message(),
+            stop => stop.to_string(),
         };
         summary.group = Group::End;
         summary.text("stop", "Ended", ended);

@@ -1,4 +1,4 @@
-//! What it means that a step, however short, finds no equilibrium: often there is none, and the sheet says why.
+//! Diagnosis of a step without equilibrium: often there is none, and the sheet shows why.
 
 use super::corrector::Outcome;
 use super::evaluation::Evaluation;
@@ -10,14 +10,13 @@ use crate::solver::solution::{StepRecord, Stop};
 use crate::solver::state::State;
 use crate::units::{Amount, joined};
 
-/// Way of a place, or work on the sheet, in the last step over what its mean rate so far would have made of it: beyond that
-/// it runs away \[–\].
+/// Motion of a place, or work on the sheet, in the last step over its mean so far, beyond which it runs away \[–\].
 const RUNAWAY: f64 = 5.0;
-/// Way that the sheet's middle is ahead of a punch that pushes it, over the thickness, from which the sheet is an arch \[–\].
+/// Distance of the sheet's middle ahead of a pushing punch, over the thickness, from which the sheet is an arch \[–\].
 const AHEAD: f64 = 1.0;
 const ADVICE: &str = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
 
-/// Why no equilibrium was found for `step`, however short, after `steps`; `outcome` is that of its last try.
+/// Reason why no equilibrium was found for `step`, by the outcome of its last try.
 pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
     let (state, worst) = (step.state, evaluation.worst_node);
     named(step, evaluation, worst, steps).unwrap_or_else(|| Stop::NoEquilibrium {
@@ -31,8 +30,7 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
     })
 }
 
-/// What makes a run creep, whose `step` is one try too many after `steps`; `evaluation` is that of the last of them, and
-/// `worst` the node with the largest residual in the last try that failed, where one did.
+/// Reason why a run spent its budget at `step`; `worst` is the node with the largest residual of the last failed try.
 pub(super) fn creeping(
     step: &Step,
     evaluation: &Evaluation,
@@ -52,19 +50,18 @@ pub(super) fn creeping(
     })
 }
 
-/// The first node of the element that strained most in the last step.
+/// First node of the element that strained most in the last step.
 fn fastest_straining(state: &State) -> usize {
     let rate = |e: usize| state.points.row(e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);
     (0..state.thickness.len()).max_by(|&a, &b| rate(a).total_cmp(&rate(b))).unwrap_or(0)
 }
 
-/// An end that has a name; `worst` is the node that is farthest from equilibrium.
+/// A known mechanism of failure; `worst` is the node farthest from equilibrium.
 fn named(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {
     mechanism(step, worst).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps))
 }
 
-/// A strip of membranes bears load by tension alone: without anything that holds it back no shape of it is in equilibrium.
-/// Around the axis the hoop holds it.
+/// A strip of membranes bears load by tension alone: without restraint no shape of it is in equilibrium.
 fn mechanism(step: &Step, i: usize) -> Option<Stop> {
     let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
@@ -77,8 +74,7 @@ fn mechanism(step: &Step, i: usize) -> Option<Stop> {
         .then(|| Stop::Mechanism { travel: step.state.travel, s0: step.state.s0[i] })
 }
 
-/// Whether a place that gas alone presses runs away as the run ends, or the sheet as a whole, as a strip that gas folds round
-/// its punch: it has come to the largest pressure that it can bear.
+/// A place, or the whole sheet, that runs away under gas has come to the largest pressure that it can bear.
 fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<Stop> {
     let [.., before, last] = steps else { return None };
     let (model, state) = (step.model, step.state);
@@ -105,8 +101,7 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     })
 }
 
-/// Whether the sheet's middle has gone ahead of a punch that pushes: legs that swing or come together lift it off as an arch,
-/// which snaps through without a load to balance it.
+/// A sheet whose middle is ahead of a pushing punch is an arch that snaps through without a balancing load.
 fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let (model, state) = (step.model, step.state);
     let j = model.tools.iter().position(|tool| tool.role == Role::Punch)?;
@@ -122,37 +117,25 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     (pushes && presses && ahead > AHEAD * model.blank.thickness).then_some(Stop::Arched { travel: state.travel, ahead })
 }
 
-/// What the sheet was doing where the solver got no further, at node `i`.
+/// State of the sheet at node `i` in words.
 fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {
     let Step { model, state, .. } = *step;
     let last = steps.last().copied().unwrap_or_default();
-    let mut seen = Vec::new();
     let neck = neck(model, state, None);
-    if last.step == 0 {
-        seen.push(
-            "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)".into(),
-        );
-    }
-    if neck.stands_out {
-        let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
-        seen.push(format!("the sheet has necked at s0 = {s0} ({left} left)"));
-    }
-    if last.ironing > 0.02 {
-        let share = Amount::share(last.ironing);
-        seen.push(format!("two tools iron the sheet by {share} of its thickness"));
-    }
-    if 8 * last.contact_changes > evaluation.nodes.len() {
-        seen.push(format!("{n} contacts came or went in the last step", n = last.contact_changes));
-    }
-    if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
-        seen.push("the worst place is the blank's edge".into());
-    }
-    let mut tools = step.process.tools.iter().enumerate();
     let points = STATIONS * (i.max(1) - 1)..STATIONS * (i + 1).min(state.thickness.len());
-    if let Some((_, tool)) =
-        tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
-    {
-        seen.push(format!("the {tool} touches the sheet at the worst place", tool = tool.role.name()));
-    }
-    joined(seen, ", ")
+    let touches = |j: usize| points.clone().any(|point| evaluation.contacts[(j, point)].normal > 0.0);
+    let touching = step.process.tools.iter().enumerate().find(|(j, _)| touches(*j));
+    let at_edge = i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free;
+    let first = "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)";
+    let (s0, left, ironed) = (Amount::place(neck.s0), Amount::share(neck.share), Amount::share(last.ironing));
+    let seen = [
+        (last.step == 0).then(|| first.to_owned()),
+        neck.stands_out.then(|| format!("the sheet has necked at s0 = {s0} ({left} left)")),
+        (last.ironing > 0.02).then(|| format!("two tools iron the sheet by {ironed} of its thickness")),
+        (8 * last.contact_changes > evaluation.nodes.len())
+            .then(|| format!("{} contacts came or went in the last step", last.contact_changes)),
+        at_edge.then(|| "the worst place is the blank's edge".to_owned()),
+        touching.map(|(_, tool)| format!("the {} touches the sheet at the worst place", tool.role.name())),
+    ];
+    joined(seen.into_iter().flatten(), ", ")
 }

@@ -1,7 +1,6 @@
-//! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
+//! Rules that end a run before its full travel.
 //!
-//! Every rule says by how much a state is beyond it, as a number that is continuous in time: where it comes to nothing is
-//! the instant at which the run ends.
+//! Each rule gives a state's excess over it as a number that is continuous in time; its root is the instant of the end.
 
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
@@ -11,30 +10,30 @@ use crate::solver::solution::{StepRecord, Stop};
 use crate::solver::state::{State, waiting_displacement};
 use crate::units::Amount;
 
-/// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
+/// Thickness left at which the sheet has failed, whatever its surroundings do \[–\].
 const GONE: f64 = 0.2;
-/// Share of the run over which a neck must have kept its lead \[–\].
+/// Share of the run for which a neck must last \[–\].
 const LASTING: f64 = 0.01;
-/// How far behind the shoulder's end the rim stands when the cup is through the die, over the initial thickness \[–\].
+/// Distance of the rim behind the shoulder's end when the cup is through the die, over the initial thickness \[–\].
 const THROUGH: f64 = 1.0;
-/// Difference of two sizes over the thickness that is none \[–\].
+/// Round-off of lengths over the thickness \[–\].
 const ROUND_OFF: f64 = 1e-6;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
 
-/// What a free edge may be drawn through.
+/// Throat of a die that a free edge may be drawn through.
 #[derive(Clone)]
 struct Throat {
-    /// Which of the model's tools the die is.
+    /// Index of the die.
     die: usize,
-    /// Least distance of the die from the axis, its lowest place as drawn, and the lowest of that distance, where the shoulder
-    /// ends \[mm\].
+    /// Least radius of the die \[mm\].
     radius: f64,
+    /// Lowest height of the die as drawn, and of its throat, where the shoulder ends \[mm\].
     face: f64,
     end: f64,
 }
 
-/// What ends a run, in the order of precedence.
+/// Rule that ends a run, in the order of precedence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Rule {
     ToolsClosed,
@@ -58,23 +57,22 @@ impl Rule {
     ];
 }
 
-/// What the states of a run said so far of its end, the last one included; a step that is not accepted leaves no trace.
+/// State of all rules after a step; a step that is not accepted leaves no trace.
 #[derive(Clone)]
 pub(super) struct Termination {
-    /// Time since which one place has taken over \[s\].
+    /// Time since which a neck has taken over \[s\].
     necking_since: Option<f64>,
     peak: f64,
     throat: Option<Throat>,
-    /// Travel at which punch and die are closed, and where \[mm\].
+    /// Travel at which punch and die close, and their closest place \[mm\].
     closed: Option<(f64, Point)>,
     neck: Option<Neck>,
-    /// By how much the last state is beyond the rule that it is farthest beyond, or nearest to \[–\]; below 0 the run goes
-    /// on.
+    /// Largest excess of the last state over a rule \[–\]; negative while the run goes on.
     pub excess: f64,
 }
 
 impl Termination {
-    /// At the start of a run from `state`.
+    /// Rules at the start of a run from `state`.
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
         let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
@@ -91,18 +89,18 @@ impl Termination {
         Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state), neck: None, excess: -1.0 }
     }
 
-    /// Time at which punch and die are closed \[s\], where they ever are.
+    /// Time at which punch and die close \[s\], if ever.
     pub fn closes_at(&self, model: &Model) -> Option<f64> {
         self.closed.map(|(travel, _)| model.time_at(travel))
     }
 
-    /// The end of a run whose steps fail while one place takes over: shorter steps would only follow it further.
+    /// End of a run whose steps fail while a neck takes over.
     pub fn necking(&self, model: &Model, state: &State) -> Option<Stop> {
         let neck = neck(model, state, None);
         (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
     }
 
-    /// After the step that led from `before` to `state`.
+    /// Rules after the step from `before` to `state`.
     pub fn after(&self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Self {
         let mut now = Self { peak: self.peak.max(record.punch_force), ..self.clone() };
         if model.release.is_none() {
@@ -115,14 +113,12 @@ impl Termination {
         now
     }
 
-    /// By how much the state is beyond a rule \[–\]: continuous in time, below 0 up to the instant at which the run ends;
-    /// no number where there is no such rule.
+    /// Excess of the state over a rule \[–\]; NaN where the rule does not apply.
     fn excess_of(&self, rule: Rule, model: &Model, state: &State, record: &StepRecord) -> f64 {
         let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
         match rule {
             Rule::ToolsClosed => beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))),
             Rule::DrawnThrough => self.throat.as_ref().map_or(f64::NAN, |throat| {
-                // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
                 let [r, z, _] = state.nodes[state.nodes.len() - 1];
                 let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
                 if model.stop.drawn_through {
@@ -144,7 +140,7 @@ impl Termination {
         }
     }
 
-    /// Why the run ends with `state`, where it does.
+    /// Reason why the run ends with `state`; `None` if it goes on.
     pub fn stop(&self, model: &Model, state: &State, record: &StepRecord) -> Option<Stop> {
         if self.excess < 0.0 {
             return None;
@@ -177,7 +173,7 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
 }
 
-/// Where a neck sits, and what made it.
+/// Location and cause of a neck in words.
 fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let closest = model.tools.iter().enumerate().map(|(j, tool)| {
@@ -185,25 +181,23 @@ fn why(model: &Model, state: &State, neck: &Neck) -> String {
         (tool.role, distance)
     });
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((role, distance)) if distance < 0.5 * model.blank.thickness => {
-            format!("on the {tool}", tool = role.name())
-        }
+        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
         _ => "where no tool supports it".into(),
     };
     format!(
-        "{place}, one place takes all the stretching while the sheet {near} to {away} away has stopped: hardening no longer \
-         makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper",
-        near = Amount::given_thicknesses(NEAR),
-        away = Amount::given_thicknesses(AWAY)
+        "{place}, one place takes all the stretching while the sheet {} to {} away has stopped. Less holder force or friction, \
+         or a larger radius there, lets it go deeper",
+        Amount::given_thicknesses(NEAR),
+        Amount::given_thicknesses(AWAY)
     )
 }
 
-/// The travel at which punch and die come to [`CLOSED`] thicknesses on their way to each other, and where.
+/// Travel at which punch and die come within [`CLOSED`] thicknesses of each other, and their closest place.
 fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     let index = |role: Role| model.tools.iter().position(|tool| tool.role == role);
     let (i, j) = (index(Role::Punch)?, index(Role::Die)?);
     let (punch, die) = (&model.tools[i], &model.tools[j]);
-    // From where it is drawn: the little that it waits off the flat sheet does not count.
+    // Without the waiting gap.
     let moved = |k: usize, travel: f64| {
         let tool = &model.tools[k];
         let way = match tool.motion {
@@ -215,7 +209,7 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     };
     let limit = CLOSED * model.blank.thickness;
     let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));
-    // Looked at in a few places first: most punches never come close.
+    // Coarse search first: most punches never come close.
     const LOOKS: usize = 8;
     let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
     let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;

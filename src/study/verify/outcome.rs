@@ -51,7 +51,7 @@ impl End {
         Self {
             stages: stages.len(),
             kind: last.kind(),
-            why: last.message(),
+            why: last.to_string(),
             complete: stages.len() == case.stages.len() && last.is_complete(),
             lost: !last.is_complete() && !last.is_physical(),
         }
