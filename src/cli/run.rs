@@ -38,7 +38,7 @@ pub struct Args {
     /// Also write every iteration of the solver to this file (one case only)
     #[arg(long, value_name = "FILE.csv")]
     trace: Option<PathBuf>,
-    /// Also write the section as it moves for ParaView, some 25 states: section.pvd, tools.pvd and, axisymmetric, revolved.pvd
+    /// Also write the section as it moves for ParaView, some 25 states: section.pvd and tools.pvd
     #[arg(long)]
     vtu: bool,
     /// Also write shapes.gif, the section and the load as they move
@@ -111,9 +111,9 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             // Each is tried and told whatever became of the others.
             let pages = args.report.then(|| {
                 let report = Report::found(&solution, verification, (answer.clone(), findings.clone()));
-                (PAGE.to_owned(), html(&report.document()).into_bytes())
+                (PAGE, html(&report.document()))
             });
-            let written = results.write_into(&kept.recorder, pages, folder);
+            let written = results.write(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
                 _ => Ok(()),
@@ -233,7 +233,7 @@ fn written(files: &[PathBuf], dir: &Path) -> String {
 /// The summary of every stage as a table.
 fn summed_up(summary: &CaseSummary) -> Shown {
     let tables = summary.stages.iter().map(|stage| {
-        let rows = stage.rows().into_iter().map(|(_, row)| row.map(Cell::plain));
+        let rows = stage.rows().map(|row| row.map(Cell::plain));
         Shown::from("\n") + table(None, rows.collect())
     });
     tables.reduce(Shown::add).unwrap_or_default()

@@ -97,7 +97,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     let verification = stampflow::study::verify::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
-        write(path, csv(&verification).as_bytes())?;
+        write(path, &csv(&verification))?;
     }
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);

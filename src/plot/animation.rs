@@ -24,9 +24,9 @@ const WIDE: f64 = 680.0;
 const LOAD_HEIGHT: f64 = 130.0;
 
 /// `shapes.gif`: each picture is shown for as long as its frame lasts, so that the tools move evenly.
-pub(crate) fn files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
+pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Files {
     let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i), WIDTH));
-    Box::new(std::iter::once(("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))))
+    vec![("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))]
 }
 
 /// Some pictures of the moving section, `most` or fewer, spread over the frames, the last among them.

@@ -30,17 +30,15 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
     case.compare.iter().map(|spec| compare(spec, computed)).collect()
 }
 
-/// `compare_<n>_<quantity>.csv` and the picture of every comparison, counted from 1; nothing of those without data.
-pub(crate) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
-    let view = results.views.first();
-    let charts = results.comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
+/// `compare_<n>_<quantity>.csv` and the picture of every comparison with data, counted from 1.
+pub(crate) fn files(results: &Results) -> Files {
+    let Some(view) = results.views.first() else { return Vec::new() };
+    let drawn = results.comparisons.iter().enumerate().filter_map(|(i, comparison)| {
         let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
-        Some((stem, comparison, plot(view?, comparison)?))
+        let pictures = view.pictures.files(&stem, &plot(view, comparison)?);
+        Some(std::iter::once((format!("{stem}.csv"), csv(&comparison.table()))).chain(pictures))
     });
-    Box::new(charts.flat_map(move |(stem, comparison, chart)| {
-        let pictures = view.map_or_else(Vec::new, |view| view.pictures.files(&stem, &chart));
-        std::iter::once((format!("{stem}.csv"), csv(&comparison.table()))).chain(pictures)
-    }))
+    drawn.flatten().collect()
 }
 
 /// Whether a file's name is one that [`files`] gives.

@@ -1,24 +1,19 @@
-//! Every number and curve of a case with its error bar: [`FILE`].
+//! Every number and curve of a verified case with its error bar.
 
-use super::csv::number;
+use super::csv::{number, records};
 use super::{Files, Results};
-use crate::study::verify::{Band, Verification};
+use crate::study::verify::Band;
 use crate::table::Unit;
 
-/// The file.
+/// Name of the file.
 pub(super) const FILE: &str = "error_bars.csv";
 
 const HEADERS: [&str; 7] = ["told_by", "quantity", "unit", "at_mm", "value", "error_bar", "made_of"];
 
-/// [`FILE`], of a case that was verified.
-pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
+/// One row per number and per point of a curve in the solver's units; the reason where there is no bar.
+pub(super) fn files(results: &Results) -> Files {
+    let Some(verification) = results.verification else { return Vec::new() };
     let force = results.solution.case.model().extent().force_unit();
-    Box::new(results.verification.into_iter().map(move |verification| (FILE.to_owned(), csv(verification, force))))
-}
-
-/// A row for every number, and for every point of a curve, in the solver's units: the truth lies within `error_bar` of the
-/// value; empty where there is none, and why stands at the end.
-fn csv(verification: &Verification, force: Unit) -> Vec<u8> {
     let mut rows = vec![HEADERS.map(str::to_owned)];
     rows.extend(verification.bars.iter().map(|bar| {
         let amount = bar.number.amount;
@@ -34,13 +29,10 @@ fn csv(verification: &Verification, force: Unit) -> Vec<u8> {
             ["curve".to_owned(), key.to_owned(), unit.spelled().to_owned(), at, value, half, String::new()]
         }));
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let never = "memory does not refuse a row";
-    rows.iter().for_each(|row| writer.write_record(row).expect(never));
-    writer.into_inner().expect(never)
+    vec![(FILE.to_owned(), records(rows))]
 }
 
-/// Where, the curve there, and half the band.
+/// Place, value and half the width of a band.
 fn points(band: &Band) -> impl Iterator<Item = [f64; 3]> {
     let sides = band.low.iter().zip(&band.high);
     band.x.iter().zip(sides).map(|(x, (low, high))| [*x, 0.5 * (low + high), 0.5 * (high - low)])

@@ -1,6 +1,6 @@
-//! One line for every stage of a sequence: [`FILE`] and what is printed.
+//! List of a case's stages, as a table and as printed lines.
 
-use super::csv::with_texts;
+use super::csv::csv_with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
 use crate::plot::stage_view::ended;
@@ -9,13 +9,13 @@ use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNES
 use crate::table::{Column, Field, Table, Unit};
 use crate::units::{Amount, joined};
 
-/// The list of a case's stages.
+/// Name of the table.
 pub(super) const FILE: &str = "stages.csv";
 
-/// What its first line begins with.
+/// First columns, by which the table is recognised.
 pub(super) const HEADERS: &str = "stage,name,stop,";
 
-/// The folders of the stages that a list names: `1-draw`.
+/// Folders of the stages in a table: `1-draw`.
 pub(super) fn folders(list: &str) -> Vec<String> {
     let label = |line: &str| {
         line.split_once(',').map(|(i, rest)| format!("{i}-{}", rest.split(',').next().unwrap_or_default()))
@@ -23,12 +23,12 @@ pub(super) fn folders(list: &str) -> Vec<String> {
     list.lines().skip(1).filter_map(label).collect()
 }
 
-/// Names of all stages, with those that were run.
+/// Names of all stages, and the solutions of those that were run.
 fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSolution>)> {
     solution.case.stage_names().enumerate().map(|(i, name)| (name, solution.stages.get(i)))
 }
 
-/// Where every stage ended; NaN for those that were not run.
+/// State at the end of every stage; NaN for those that were not run.
 fn table(solution: &Solution) -> Table {
     let extent = solution.case.model().extent();
     let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
@@ -49,53 +49,50 @@ fn table(solution: &Solution) -> Table {
     ])
 }
 
-/// How a stage ended, in a few words.
 fn stop(stage: Option<&StageSolution>) -> &'static str {
     stage.map_or("not run", ended)
 }
 
-/// [`FILE`], of a case with several stages.
-pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
+/// Makes [`FILE`] of a case with several stages.
+pub(super) fn files(results: &Results) -> Files {
     let solution = results.solution;
-    let several = lines(solution).nth(1).is_some();
-    Box::new(several.then_some(()).into_iter().map(|()| {
-        let names = lines(solution).map(|line| line.0.to_owned()).collect();
-        let stops = lines(solution).map(|line| stop(line.1).to_owned()).collect();
-        (FILE.to_owned(), with_texts(&[("name", names), ("stop", stops)], &table(solution)))
-    }))
+    if lines(solution).nth(1).is_none() {
+        return Vec::new();
+    }
+    let names = lines(solution).map(|(name, _)| name.to_owned()).collect();
+    let stops = lines(solution).map(|(_, stage)| stop(stage).to_owned()).collect();
+    vec![(FILE.to_owned(), csv_with_texts(&table(solution), &[("name", names), ("stop", stops)]))]
 }
 
-/// One printed line for every stage; nothing where there is one only.
+/// One printed line per stage; empty if there is one only.
 pub(super) fn printed(solution: &Solution) -> String {
     if lines(solution).nth(1).is_none() {
         return String::new();
     }
-    let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
+    let width = lines(solution).map(|(name, _)| name.len()).max().unwrap_or(0);
     let each = lines(solution).enumerate().map(|(i, (name, stage))| {
-        let name = String::from(format!("{:>2} {name:<width$}  ", i + 1));
         let ended = match stage {
-            Some(stage) if stage.stop == Stop::FullTravel => format!("{end} reached", end = ended(stage)),
-            stage => stop(stage).into(),
+            Some(stage) if stage.stop == Stop::FullTravel => format!("{} reached", ended(stage)),
+            stage => stop(stage).to_owned(),
         };
         let figures = stage.and_then(figures).unwrap_or_default();
-        joined([name, joined([ended, figures], ": ")], "")
+        format!("{:>2} {name:<width$}  {}", i + 1, joined([ended, figures], ": "))
     });
-    joined(each, "\n")
+    each.collect::<Vec<_>>().join("\n")
 }
 
-/// Where a stage ended, in its main numbers.
+/// Main numbers at the end of a stage.
 fn figures(stage: &StageSolution) -> Option<String> {
     let last = stage.steps.last()?;
     let unit = stage.model.extent().force_unit();
-    let time = if stage.model.timed { Amount::time(last.time).into() } else { String::new() };
-    let figures = format!(
-        "travel {travel}, punch {punch}, holder {holder}, thinnest {thinnest}, edge at {edge}, middle at {middle}",
-        travel = Amount::place(last.travel),
-        punch = Amount::force(last.punch_force, unit),
-        holder = Amount::force(last.holder_force, unit),
-        thinnest = Amount::thickness(last.thinnest),
-        edge = Amount::place(stage.model.blank.length - last.draw_in),
-        middle = Amount::place(last.pole_height)
-    );
-    Some(joined([time, figures], ", "))
+    let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
+    Some(format!(
+        "{time}travel {}, punch {}, holder {}, thinnest {}, edge at {}, middle at {}",
+        Amount::place(last.travel),
+        Amount::force(last.punch_force, unit),
+        Amount::force(last.holder_force, unit),
+        Amount::thickness(last.thinnest),
+        Amount::place(stage.model.blank.length - last.draw_in),
+        Amount::place(last.pole_height)
+    ))
 }

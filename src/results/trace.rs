@@ -1,6 +1,6 @@
 //! Iterations of the corrector as tables: of a run, and of one step with several matrices.
 
-use super::csv::with_texts;
+use super::csv::csv_with_texts;
 use crate::model::Iteration;
 use crate::solver::solution::IterationRecord;
 use crate::solver::trace::IterationHistory;
@@ -44,5 +44,5 @@ pub fn step_csv(histories: &[IterationHistory]) -> Vec<u8> {
         ("start", rows().map(|(_, row)| row.start.key().to_owned()).collect()),
         ("matrix", rows().map(|(_, row)| key(row.matrix).to_owned()).collect()),
     ];
-    with_texts(&texts, &table(&all))
+    csv_with_texts(&table(&all), &texts)
 }

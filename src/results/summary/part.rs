@@ -1,4 +1,4 @@
-//! What forming took, and what the part came out as.
+//! Load, shape, energy and condition of the part.
 
 use super::{Group, Summary, Value, largest};
 use crate::assess::holder_lift;
@@ -12,7 +12,7 @@ use crate::units::ZERO_CELSIUS;
 use crate::units::{Amount, Digits};
 
 impl Summary {
-    /// How far the punch went and what it took, or the gas.
+    /// Travel and forces of the punch, or pressure of the gas.
     pub(super) fn load(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let unit = model.extent().force_unit();
         let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
@@ -41,14 +41,14 @@ impl Summary {
         }
     }
 
-    /// What the part came out as: its height, its angles and its thinnest and thickest places.
+    /// Height, angles, and the thinnest and thickest places.
     pub(super) fn part(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let end = run.frames.last();
         if let Some(height) = end.and_then(part_height) {
             self.number("part_height", "Part height over all", Amount::place(height));
         }
         if let Some(changes) = springback::changes(run) {
-            self.push("springback", "Spring-back", Value::Changes(changes));
+            self.push("springback", "Spring-back", Value::changes(&changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Amount::angle(angle));
         }
@@ -65,7 +65,7 @@ impl Summary {
         }
     }
 
-    /// Where the work and the heat went.
+    /// Work and heat.
     pub(super) fn balance(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let unit = model.extent().energy_unit();
         let energy = |energy| Amount::energy(energy, unit);
@@ -74,7 +74,7 @@ impl Summary {
         if given_back {
             // What the tools did is told as what they got; what was stored, as what came out of it.
             self.number("work_given_back", "Work given back to the tools", energy(-work.external));
-            let mut out_of = |key, label, stored: f64| self.number(key, label, energy(0.0 - stored));
+            let mut out_of = |key, label: &str, stored: f64| self.number(key, label, energy(0.0 - stored));
             out_of("work_out_of_sheet", "  out of the sheet's elasticity", work.elastic);
             out_of("work_out_of_contact", "  out of the contact", work.contact);
         }
@@ -99,7 +99,7 @@ impl Summary {
         }
     }
 
-    /// How near the sheet came to its forming limit.
+    /// Distance to the forming limit.
     pub(super) fn forming_limit(&mut self, model: &Model, assessment: &Assessment) {
         if let Some(curve) = &model.forming_limit {
             self.text("forming_limit", "Forming limit", curve.name);
@@ -141,7 +141,7 @@ impl Summary {
         }
     }
 
-    /// What the holder pressed with, and whether it was lifted.
+    /// Force and lift of the holder.
     pub(super) fn holder(&mut self, model: &Model, run: &StageSolution) {
         let largest = |value| largest(run, value);
         if model.tool(Role::Holder).is_some() && model.release.is_none() {
@@ -152,11 +152,11 @@ impl Summary {
                 self.number("closing_force", "  with a force of", Amount::force(closing.force, unit));
             }
             let width = Amount::given_thicknesses(StepRecord::RIM);
-            let rim = format!("last share on the outer {width}");
+            let rim = format!("  last share on the outer {width}");
             let peak = Amount::force(largest(|s| s.holder_force), unit);
             self.number("peak_holder_force", "Largest holder force", peak);
             let shares = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
-            self.labelled("rim_share", 1, rim, Value::Number(Amount::share(shares)));
+            self.number("rim_share", &rim, Amount::share(shares));
             if let Some(lift) = holder_lift(run) {
                 self.number("holder_lift", "  lifted by up to, while there is a flange", Amount::thickness(lift));
             }
@@ -164,12 +164,12 @@ impl Summary {
     }
 }
 
-/// A part of a whole; 0 of nothing.
+/// Part of a whole; 0 of nothing.
 fn share(part: f64, whole: f64) -> Amount {
     Amount::share(if whole == 0.0 { 0.0 } else { part / whole })
 }
 
-/// A strain rate \[1/s\].
+/// Strain rate \[1/s\].
 fn rate(rate: f64) -> Amount {
     Amount::new(rate, Unit::PerSecond, Digits::Significant(3))
 }

@@ -1,4 +1,4 @@
-//! How the numbers of a stage were found.
+//! Mesh, method and effort of the numerical solution.
 
 use super::{Summary, largest};
 use crate::model::{Grading, Iteration, Model, Norm, Theory};

@@ -1,51 +1,46 @@
-//! What a run comes to, line by line: printed and as JSON from the same list.
+//! Summary of a stage: one list of lines, printed as text and written as JSON.
 
+mod case;
 mod part;
 mod solver;
-mod whole;
-mod written;
+mod text;
 
-pub use whole::CaseSummary;
+pub use case::CaseSummary;
 
 use super::StageView;
 use crate::assess::{Kind, sentences};
 use crate::case::files::sha256;
-use crate::measure::{Change, Event, events, moment_error};
+use crate::measure::{events, moment_error};
 use crate::model::{Extent, Geometry, Mode};
 use crate::plot::stage_view::ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
-use crate::study::verify::Verification;
-use crate::table::Unit;
 use crate::units::{Amount, joined};
 use serde::Serialize;
 
-/// Before a label that belongs to the line above.
+/// Indentation of a label that belongs to the line above.
 const INDENT: &str = "  ";
 
-/// What a line of the summary is about.
+/// Subject of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// What was solved.
+    /// The case that was solved.
     Case,
-    /// How the stage ended.
+    /// The end of the stage.
     End,
-    /// What the part is like and took to form.
+    /// The part, and the load that formed it.
     Part,
-    /// How the numbers were found.
+    /// The numerical solution.
     Solution,
-    /// What a reader should not overlook.
+    /// Warnings.
     Warnings,
 }
 
-/// One line of the summary.
 #[derive(Clone, Debug)]
-struct Entry {
+struct Line {
     group: Group,
     key: &'static str,
-    /// Empty for what only a program wants to know.
+    /// Indented where the line belongs to the one above; empty in lines for programs only.
     label: String,
-    /// 0, and more where it belongs to the line above.
-    level: usize,
     value: Value,
 }
 
@@ -56,40 +51,30 @@ enum Value {
     Flag(bool),
     Text(String),
     List(Vec<String>),
-    Changes(Vec<Change>),
-    Events(Vec<Event>, Unit),
+    /// Rows with labels, and their JSON.
+    Rows(Vec<[String; 2]>, serde_json::Value),
 }
 
-impl Entry {
-    /// With the error bar of its number; words with no digit beyond those of theirs.
-    fn verify(&mut self, verification: &Verification) {
-        match &mut self.value {
-            Value::Number(amount) => *amount = verification.half(*amount).map_or(*amount, |half| amount.with_bar(half)),
-            _ => {}
-        }
-    }
-}
-
-/// A line for readers, its number apart from its unit, as told in a form.
+/// Printed line with its number apart from its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// What the line is about.
+    /// Subject.
     pub group: Group,
-    /// Name in JSON, without the unit.
+    /// Key in JSON, without the unit.
     pub key: &'static str,
-    /// Begins with spaces where it belongs to the line above.
+    /// Name; begins with spaces where it belongs to the line above.
     pub label: String,
-    /// Without its unit.
+    /// Number or words.
     pub value: String,
-    /// Empty for words.
+    /// Unit; empty for words.
     pub unit: &'static str,
 }
 
-/// The lines of the summary, in the order of printing; displays as aligned text, serialises with units in the keys.
+/// Lines in the order of printing; displays as aligned text, serialises with units in the keys.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    entries: Vec<Entry>,
-    /// Of the entries to come.
+    lines: Vec<Line>,
+    /// Group of the lines to come.
     group: Group,
 }
 
@@ -100,7 +85,7 @@ impl Summary {
         let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
         let largest = |value| largest(run, value);
 
-        let mut summary = Self { entries: Vec::new(), group: Group::Case };
+        let mut summary = Self { lines: Vec::new(), group: Group::Case };
         summary.text("case", "Case", view.name.clone());
         summary.text("title", "Title", view.title.to_owned());
         summary.text("section", "Section", section_of(model.extent()));
@@ -115,7 +100,7 @@ impl Summary {
         summary.group = Group::Part;
         summary.push("complete", "", Value::Flag(run.stop.is_complete()));
         summary.load(model, run, &last);
-        summary.push("events", "Events", Value::Events(events(run), model.extent().force_unit()));
+        summary.push("events", "Events", Value::events(&events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
         if let Some(opening) = view.ring_opening() {
             summary.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
@@ -165,51 +150,43 @@ impl Summary {
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")).to_owned());
         summary.text("case_sha256", "", sha256([view.case_text]));
         summary.group = Group::Case;
-        summary.list("overrides", "Set on the command line", plain(view.overrides));
+        summary.list("overrides", "Set on the command line", view.overrides.to_vec());
         summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
         summary.group = Group::Warnings;
         summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
-        summary.list("notes", "Declared assumptions", plain(view.declared));
-        if let Some(verification) = view.verification {
-            summary.entries.iter_mut().for_each(|entry| entry.verify(verification));
+        summary.list("notes", "Declared assumptions", view.declared.to_vec());
+        for line in &mut summary.lines {
+            if let Value::Number(amount) = &mut line.value {
+                let bar = view.verification.and_then(|verification| verification.half(*amount));
+                *amount = bar.map_or(*amount, |bar| amount.with_bar(bar));
+            }
         }
         summary
     }
 
-    /// A label that begins with spaces belongs to the line above.
-    fn push(&mut self, key: &'static str, label: &'static str, value: Value) {
-        let name = label.trim_start();
-        self.labelled(key, (label.len() - name.len()) / INDENT.len(), name.into(), value);
+    fn push(&mut self, key: &'static str, label: &str, value: Value) {
+        self.lines.push(Line { group: self.group, key, label: label.to_owned(), value });
     }
 
-    fn labelled(&mut self, key: &'static str, level: usize, label: String, value: Value) {
-        self.entries.push(Entry { group: self.group, key, label, level, value });
-    }
-
-    fn number(&mut self, key: &'static str, label: &'static str, value: Amount) {
+    fn number(&mut self, key: &'static str, label: &str, value: Amount) {
         self.push(key, label, Value::Number(value));
     }
 
-    fn count(&mut self, key: &'static str, label: &'static str, value: usize) {
+    fn count(&mut self, key: &'static str, label: &str, value: usize) {
         self.push(key, label, Value::Count(value));
     }
 
-    fn text(&mut self, key: &'static str, label: &'static str, value: impl Into<String>) {
+    fn text(&mut self, key: &'static str, label: &str, value: impl Into<String>) {
         self.push(key, label, Value::Text(value.into()));
     }
 
-    fn list(&mut self, key: &'static str, label: &'static str, values: Vec<String>) {
+    fn list(&mut self, key: &'static str, label: &str, values: Vec<String>) {
         self.push(key, label, Value::List(values));
     }
 }
 
-/// Texts of the user.
-fn plain(texts: &[String]) -> Vec<String> {
-    texts.iter().cloned().map(String::from).collect()
-}
-
-/// What a stage without a step leaves: the sheet that it began with, or the blank where it has not begun.
+/// Record of a stage without a step: the sheet at its start, or the blank.
 fn as_begun(run: &StageSolution) -> StepRecord {
     let blank = &run.model.blank;
     let start = run.start.iter();
@@ -226,7 +203,7 @@ fn as_begun(run: &StageSolution) -> StepRecord {
     }
 }
 
-/// The largest of a figure over the steps, or 0.
+/// Largest value over the steps, or 0.
 fn largest(run: &StageSolution, value: fn(&StepRecord) -> f64) -> f64 {
     run.steps.iter().map(value).fold(0.0, f64::max)
 }
@@ -237,23 +214,23 @@ fn bend_radius(run: &StageSolution) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
-/// What `summary.json` has.
+/// Content of `summary.json`.
 #[derive(Serialize)]
 struct Written<'a> {
     #[serde(flatten)]
     summary: Summary,
-    /// On the whole case, as `run --json` has it.
+    /// Verdict on the whole case.
     #[serde(skip_serializing_if = "Option::is_none")]
     verdict: Option<&'a serde_json::Value>,
 }
 
-/// `summary.json`.
+/// Text of `summary.json`.
 pub(super) fn json(view: &StageView) -> Option<String> {
     let written = Written { summary: Summary::of(view), verdict: view.verdict.as_ref() };
     serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
 }
 
-/// What is modelled, and what its forces are of.
+/// Geometry, and the extent that forces refer to.
 pub fn section_of(extent: Extent) -> String {
     let section = match extent.geometry() {
         Geometry::Axisymmetric => "axisymmetric",

@@ -1,16 +1,17 @@
-//! Every output of a solution, written to its folder.
+//! Writing of all outputs of a solution, and protection of files of other origin.
 
-use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, stages};
+use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
 use crate::plot::overlay;
+use crate::solver::solution::Frame;
 use crate::study::verify::answered;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Why results could not be written.
+/// Failure to write results.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
     /// A file or folder cannot be written.
@@ -21,17 +22,17 @@ pub enum OutputError {
     Compare(#[from] CompareError),
 }
 
-/// Whether a file of this name in a folder of results is written by a run.
+/// Tells whether a file of this name is written by a run.
 pub fn is_result(name: &str) -> bool {
     OUTPUTS.iter().any(|output| output.is_named(name))
 }
 
-/// What a report of ours contains.
+/// Mark of a report.
 pub const REPORT_MARKER: &str = concat!(env!("CARGO_PKG_NAME"), " report, version");
-/// A report is a few MB \[bytes\].
+/// Largest file that is searched for the mark \[bytes\].
 const LARGEST_REPORT: usize = 100_000_000;
 
-/// Whether a file is a report of ours, whatever its name.
+/// Tells whether a file is a report, whatever its name.
 pub fn is_report(path: &Path) -> bool {
     let marked = |bytes: Vec<u8>| bytes.windows(REPORT_MARKER.len()).any(|part| part == REPORT_MARKER.as_bytes());
     Disk.read(path, LARGEST_REPORT).is_ok_and(marked)
@@ -69,7 +70,7 @@ pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
     ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| overlay::is_comparison("", name)))
 }
 
-/// A file that has the name of a result is one where a run has left its summary or its list of stages beside it.
+/// Refuses files with names of results in a folder without a summary or a list of stages of a run.
 fn refuse_others(dir: &Path) -> Result<(), WriteError> {
     let holds = |file: &str, what: &str| fs::read_to_string(dir.join(file)).is_ok_and(|text| text.contains(what));
     let is_of_a_run = holds("summary.json", concat!("\"program\": \"", env!("CARGO_PKG_NAME")))
@@ -95,90 +96,78 @@ fn refuse_others(dir: &Path) -> Result<(), WriteError> {
 }
 
 impl Solution {
-    /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, in the place of
-    /// what an earlier run left there; returns what was written.
+    /// Writes every table and plot of [`OUTPUTS`] into `dir` in the place of earlier results; several stages have a folder
+    /// each. Returns the paths.
     ///
     /// # Errors
-    /// When a folder or file cannot be written, or a reference of the case cannot be read.
+    /// If a folder or file cannot be written (the earlier results stay), or a reference of the case cannot be read.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
         let (answer, findings) = answered(self, None);
-        Ok(Results::of(self)?.answered(&answer, &findings).write(&FrameRecorder::default(), dir.as_ref())?)
+        let folder = result_folder(&self.case, dir.as_ref())?;
+        Ok(Results::of(self)?.answered(&answer, &findings).write(&FrameRecorder::default(), None, folder)?)
     }
 }
 
 impl Results<'_> {
-    /// Writes as [`Solution::write`], with what a recorder was asked for.
-    ///
-    /// # Errors
-    /// When a folder or file cannot be written: the earlier results are then still there.
-    pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        self.write_into(recorder, None, result_folder(&self.solution.case, dir)?)
-    }
-
-    /// The same, and a page about them, by its name, into a folder that was taken before.
+    /// Writes every output, with those of the recorder and a report by its name, and commits the folder.
     ///
     /// # Errors
     /// As [`ResultFolder::commit`].
-    pub fn write_into(
+    pub fn write(
         &self,
         recorder: &FrameRecorder,
-        page: Option<(String, Vec<u8>)>,
+        report: Option<(&str, String)>,
         mut folder: ResultFolder,
     ) -> Result<Vec<PathBuf>, WriteError> {
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {
-                make(self).try_for_each(|(name, bytes)| folder.write(name, &bytes))?;
+                make(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
             }
         }
         for (i, view) in self.views.iter().enumerate() {
             let label = self.solution.case.stage_label(i).unwrap_or_default();
-            write_stage(view, i, recorder, &mut folder, Path::new(&label))?;
+            write_stage(view, &recorder.of_stage(i, view.stage), &recorder.extras, &mut folder, &label)?;
         }
-        if let Some((name, bytes)) = page {
-            folder.write(name, &bytes)?;
-        }
+        report.into_iter().try_for_each(|(name, page)| folder.write(name, page.as_bytes()))?;
         folder.commit()
     }
 
-    /// Writes comparisons only.
+    /// Writes comparisons only and commits the folder.
     ///
     /// # Errors
     /// As [`ResultFolder::commit`].
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
-        overlay::files(self).try_for_each(|(name, bytes)| folder.write(name, &bytes))?;
+        overlay::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()
     }
 }
 
 impl StageView<'_> {
-    /// Writes every table and plot of this stage into `dir` in the place of earlier results; returns their paths.
+    /// Writes every table and plot of this stage into `dir` in the place of earlier results; returns the paths.
     ///
     /// # Errors
     /// If a folder or file cannot be written; the earlier results stay.
     pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let mut folder = ResultFolder::open(dir, belongs_to_run)?;
         refuse_others(dir)?;
-        write_stage(self, 0, &FrameRecorder::default(), &mut folder, Path::new(""))?;
+        write_stage(self, &[], &[], &mut folder, "")?;
         folder.commit()
     }
 }
 
 fn write_stage(
     view: &StageView,
-    i: usize,
-    recorder: &FrameRecorder,
+    frames: &[&Frame],
+    extras: &[Extra],
     folder: &mut ResultFolder,
-    inside: &Path,
+    inside: &str,
 ) -> Result<(), WriteError> {
-    let frames = recorder.of_stage(i, view.stage);
     for output in OUTPUTS {
-        if let Make::Moving(extra, make) = output.make {
-            if recorder.extras.contains(&extra) && frames.len() > 1 {
-                make(view, &frames).try_for_each(|(name, bytes)| folder.write(inside.join(name), &bytes))?;
-            }
-        } else {
-            output.files(view).iter().try_for_each(|(name, bytes)| folder.write(inside.join(name), bytes))?;
-        }
+        let files = match output.make {
+            Make::Moving(extra, make) if extras.contains(&extra) && frames.len() > 1 => make(view, frames),
+            _ => output.files(view),
+        };
+        files.iter().try_for_each(|(name, bytes)| folder.write(Path::new(inside).join(name), bytes))?;
     }
     Ok(())
 }

@@ -1,0 +1,68 @@
+//! Summaries of all stages of a case.
+
+use super::Summary;
+use crate::case::Solution;
+use crate::results::{Results, StageView, stages};
+use serde::{Serialize, Serializer};
+use std::fmt;
+
+/// Summary of a case: displays as aligned text; serialises as its one stage, or with a list of them.
+#[derive(Clone, Debug)]
+pub struct CaseSummary {
+    /// Name of the case.
+    pub case: String,
+    /// True if every stage came to its end.
+    pub complete: bool,
+    /// Summaries of the stages that were run.
+    pub stages: Vec<Summary>,
+    /// A line for every stage; empty in a case of one stage.
+    pub lines: String,
+}
+
+impl CaseSummary {
+    fn new(solution: &Solution, views: &[StageView]) -> Self {
+        Self {
+            case: solution.case.name.clone(),
+            complete: solution.is_complete(),
+            stages: views.iter().map(Summary::of).collect(),
+            lines: stages::printed(solution),
+        }
+    }
+}
+
+impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::new(self, &self.views())
+    }
+}
+
+impl Results<'_> {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::new(self.solution, &self.views)
+    }
+}
+
+impl Serialize for CaseSummary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Staged<'a> {
+            case: &'a str,
+            complete: bool,
+            stages: &'a [Summary],
+        }
+        match self.stages.as_slice() {
+            [stage] if self.lines.is_empty() => stage.serialize(serializer),
+            stages => Staged { case: &self.case, complete: self.complete, stages }.serialize(serializer),
+        }
+    }
+}
+
+impl fmt::Display for CaseSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let stages: Vec<String> = self.stages.iter().map(Summary::to_string).collect();
+        f.write_str(&stages.join("\n"))?;
+        if self.lines.is_empty() { Ok(()) } else { write!(f, "\nStages\n{}\n", self.lines) }
+    }
+}
