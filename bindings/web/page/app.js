@@ -9,7 +9,7 @@ import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
 import { Steps } from "./steps.js";
 import { View } from "./view.js";
-import { byId, currentLanguage, setLanguage, tellWords, told, word } from "./words.js";
+import { byId, format } from "./dom.js";
 
 /** After this long without a move a coarse result is followed by a fine one [ms]. */
 const REST = 250;
@@ -31,7 +31,7 @@ const editor = new Editor({ text: byId("text"), lines: byId("lines"), error: byI
 
 function question(coarse) {
   const { base, name, files } = state;
-  return { do: "solve", text: base, name, files, overrides: overrides(state, plan), coarse, language: currentLanguage() };
+  return { do: "solve", text: base, name, files, overrides: overrides(state, plan), coarse };
 }
 
 function status(text, kind) {
@@ -43,7 +43,7 @@ function status(text, kind) {
 async function solve(coarse) {
   clearTimeout(resting);
   const mine = ++asked;
-  status(word("solving …"), "solving");
+  status("solving …", "solving");
   const result = await engine.askLatest(question(coarse));
   if (!result) return;
   if (result.error) return refuse(result.error);
@@ -51,10 +51,10 @@ async function solve(coarse) {
   editor.clear();
   if (document.activeElement !== byId("text")) editor.set(result.text);
   view.show(result);
-  const took = `${told(result.took)} ms`;
+  const took = `${format(result.took)} ms`;
   // A newer question is on its way.
   if (mine !== asked) return;
-  status(coarse ? `${word("coarse")}, ${took}` : `${word("solved")}, ${took}`, coarse ? "coarse" : "solved");
+  status(coarse ? `coarse, ${took}` : `solved, ${took}`, coarse ? "coarse" : "solved");
   if (coarse) {
     resting = setTimeout(() => solve(false), REST);
   } else {
@@ -67,7 +67,7 @@ async function solve(coarse) {
 function refuse(error) {
   document.body.classList.add("stale");
   editor.refuse(error);
-  status(`${error.what} ${view.result ? word("The last good result stays grey.") : ""}`, "error");
+  status(`${error.what} ${view.result ? "The last good result stays grey." : ""}`, "error");
 }
 
 async function remember() {
@@ -104,9 +104,9 @@ function showSliders() {
 
 async function solveA() {
   view.resultOfA = null;
-  byId("keep").textContent = word(state.a ? "Forget A" : "Keep as A");
+  byId("keep").textContent = (state.a ? "Forget A" : "Keep as A");
   if (!state.a) return;
-  const result = await engine.ask({ do: "solve", ...state.a, language: currentLanguage() });
+  const result = await engine.ask({ do: "solve", ...state.a });
   if (!result.error) view.resultOfA = result;
 }
 
@@ -146,7 +146,7 @@ function listen() {
   byId("link").addEventListener("click", async () => {
     await remember();
     await navigator.clipboard.writeText(location.href).catch(() => {});
-    status(word("copied"), document.documentElement.dataset.state);
+    status("copied", document.documentElement.dataset.state);
   });
   const solveText = () => begin({ ...begun(), template: "", base: byId("text").value, name: state.name, files: state.files, a: state.a });
   byId("solve").addEventListener("click", solveText);
@@ -161,7 +161,6 @@ function listen() {
   byId("save-report").addEventListener("click", () => {
     save(state.name.replace(/\.toml$/, ".html"), report(view.result.title, view.result.text), "text/html");
   });
-  byId("language").addEventListener("change", ({ target }) => speak(target.value));
   byId("theme").addEventListener("change", ({ target }) => (document.documentElement.dataset.theme = target.value));
   addEventListener("dragover", (event) => (event.preventDefault(), document.body.classList.add("dropping")));
   addEventListener("dragleave", () => document.body.classList.remove("dropping"));
@@ -176,29 +175,19 @@ function listen() {
   });
 }
 
-async function speak(code) {
-  setLanguage(code);
-  tellWords(document);
-  lessons.tell();
-  showSliders();
-  byId("sheet").options[0].textContent = word("as the case says");
-  await solveA();
-  await solve(false);
-}
-
 /** What a template or sheet may be called, for the lists. */
 function fillLists({ sheets }) {
   const named = templates.map(({ name, about }) => Object.assign(new Option(name, name), { title: about }));
   byId("template").replaceChildren(new Option("–", ""), ...named);
-  byId("sheet").replaceChildren(new Option(word("as the case says"), ""), ...sheets.map((name) => new Option(name, name)));
+  byId("sheet").replaceChildren(new Option("as the case says", ""), ...sheets.map((name) => new Option(name, name)));
 }
 
 /** A step, iteration by iteration. */
 async function takenApart(step) {
-  status(word("solving …"), "solving");
+  status("solving …", "solving");
   const trace = await engine.ask({ ...question(false), do: "trace", step });
   if (trace?.error) refuse(trace.error);
-  else status(word("solved"), "solved");
+  else status("solved", "solved");
   return trace;
 }
 
@@ -211,9 +200,6 @@ async function start() {
   });
   steps = new Steps(takenApart, () => lessons.judge());
   lessons = new Lessons((template) => begin({ ...begun(), template }), steps);
-  setLanguage(navigator.language.startsWith("de") ? "de" : "en");
-  byId("language").value = currentLanguage();
-  tellWords(document);
   listen();
   const lists = await engine.ask({ do: "templates" });
   templates = lists.templates;

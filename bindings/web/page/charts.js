@@ -1,9 +1,9 @@
 // The charts of a solved stage: load, thickness, forming limit. Each has a sentence for who does not see it.
-import { draw } from "./chart.js";
+import { draw } from "./plot.js";
 import { nearest } from "./section.js";
-import { told, word } from "./words.js";
+import { format } from "./dom.js";
 
-/** Forces of several thousand are told in thousands. */
+/** Forces of several thousand are shown in thousands. */
 function forceUnit(stage) {
   const largest = Math.max(...stage.steps.punch_force.map(Math.abs), ...stage.steps.holder_force.map(Math.abs));
   return largest >= 1000 ? { by: 1e-3, unit: `k${stage.forceUnit}` } : { by: 1, unit: stage.forceUnit };
@@ -28,31 +28,31 @@ function stepAt(xs, x) {
 
 export function drawLoad(host, { stage, picture, other, onTravel }) {
   const { steps } = stage;
-  if (stage.isRelease || steps.travel.length === 0) return nothing(host, word("no force in this stage"));
+  if (stage.isRelease || steps.travel.length === 0) return nothing(host, "no force in this stage");
   const byGas = stage.travel === 0;
-  const [over, xLabel] = byGas ? [steps.pole_height, word("Height of the middle")] : [steps.travel, word("Punch travel")];
+  const [over, xLabel] = byGas ? [steps.pole_height, "Height of the middle"] : [steps.travel, "Punch travel"];
   const { by, unit } = byGas ? { by: 1, unit: "MPa" } : forceUnit(stage);
   const keys = byGas
     ? [["pressure", "Gas pressure"]]
     : [["punch_force", "Punch force"], ["holder_force", "Holder force"], ["edge_force", "Edge force"]];
   const acts = keys.filter(([key], i) => i === 0 || steps[key].some((value) => value !== 0));
-  const series = acts.map(([key, label], i) => ({ name: word(label), x: over, y: scaled(steps[key], by), look: `c${i}` }));
+  const series = acts.map(([key, label], i) => ({ name: (label), x: over, y: scaled(steps[key], by), look: `c${i}` }));
   if (other && other.stage.steps.travel.length > 0) {
     const before = other.stage.steps;
-    series.push({ name: `A: ${word(acts[0][1])}`, x: byGas ? before.pole_height : before.travel, y: scaled(before[acts[0][0]], by), look: "a" });
+    series.push({ name: `A: ${(acts[0][1])}`, x: byGas ? before.pole_height : before.travel, y: scaled(before[acts[0][0]], by), look: "a" });
   }
   const main = series[0].y;
   const peak = peakOf(main);
-  const text = `${word("peak")} ${told(main[peak])} ${unit} ${word("at")} ${told(over[peak])} mm`;
+  const text = `peak ${format(main[peak])} ${unit} at ${format(over[peak])} mm`;
   const flags = byGas ? [] : stage.events.map(({ label, travel, force }) => ({ x: travel, y: force * by, label }));
   const now = byGas ? over[stepAt(steps.time, Infinity)] : stage.film.travel[picture];
   draw(host, {
     x: { label: `${xLabel} [mm]` },
-    y: { label: `${word(byGas ? "Gas pressure" : "Load")} [${unit}]`, least: 1e-6 },
+    y: { label: `${(byGas ? "Gas pressure" : "Load")} [${unit}]`, least: 1e-6 },
     series,
     flags: [...flags, { x: over[peak], y: main[peak], label: text }],
     cursor: byGas ? undefined : { x: now, y: main[stepAt(over, now)] },
-    summary: `${word(acts[0][1])}: ${text}. ${stage.events.map(({ label, travel }) => `${label}, ${told(travel)} mm`).join("; ")}`,
+    summary: `${(acts[0][1])}: ${text}. ${stage.events.map(({ label, travel }) => `${label}, ${format(travel)} mm`).join("; ")}`,
     onPick: byGas ? undefined : onTravel,
   });
 }
@@ -62,24 +62,24 @@ function thicknessAt(stage, picture) {
 }
 
 function placeLabel(isRound) {
-  return `${word(isRound ? "Initial distance from the axis" : "Initial distance from the middle")} [mm]`;
+  return `${(isRound ? "Initial distance from the axis" : "Initial distance from the middle")} [mm]`;
 }
 
 export function drawThickness(host, { stage, picture, other, isRound, place, onPlace }) {
   const { s0 } = stage.end;
   const now = thicknessAt(stage, picture);
   const flat = { x: [0, stage.length], y: [stage.thickness, stage.thickness], look: "flat" };
-  const series = [flat, { name: word("Thickness"), x: s0, y: now, look: "c0" }];
-  if (other) series.push({ name: `A: ${word("Thickness")}`, x: other.stage.end.s0, y: thicknessAt(other.stage, other.picture), look: "a" });
+  const series = [flat, { name: "Thickness", x: s0, y: now, look: "c0" }];
+  if (other) series.push({ name: `A: Thickness`, x: other.stage.end.s0, y: thicknessAt(other.stage, other.picture), look: "a" });
   const least = now.indexOf(Math.min(...now));
-  const text = `${word("thinnest")} ${told(now[least])} mm ${word("at")} ${told(s0[least])} mm`;
+  const text = `thinnest ${format(now[least])} mm at ${format(s0[least])} mm`;
   draw(host, {
     x: { label: placeLabel(isRound) },
-    y: { label: `${word("Thickness")} [mm]`, least: 0.1 * stage.thickness },
+    y: { label: `Thickness [mm]`, least: 0.1 * stage.thickness },
     series,
     flags: [{ x: s0[least], y: now[least], label: text, isBelow: true }],
     cursor: Number.isFinite(place) ? { x: place, y: now[nearest(s0, place)] } : undefined,
-    summary: `${word("Thickness on the part")}: ${text}`,
+    summary: `Thickness on the part: ${text}`,
     onPick: onPlace,
   });
 }
@@ -102,7 +102,7 @@ function limitAt(points, minor) {
 }
 
 export function drawLimit(host, { stage, picture, other, isRound, place, onPlace }) {
-  if (!stage.limit) return nothing(host, word("no forming limit in this case"));
+  if (!stage.limit) return nothing(host, "no forming limit in this case");
   const { points, name, endsAt } = stage.limit;
   const now = strains(stage, picture);
   const margin = now.major.map((major, e) => limitAt(points, now.minor[e]) - major);
@@ -110,20 +110,20 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
   const worst = peakOf(judged);
   const used = now.major[worst] / limitAt(points, now.minor[worst]);
   const { s0 } = stage.end;
-  const text = `${word("nearest to the limit")}: ${told(100 * used)} % ${word("at")} ${told(s0[worst])} mm`;
+  const text = `nearest to the limit: ${format(100 * used)} % at ${format(s0[worst])} mm`;
   const chosen = Number.isFinite(place) ? nearest(s0, place) : worst;
   if (!isRound) {
     const level = limitAt(points, 0);
     return draw(host, {
       x: { label: placeLabel(false) },
-      y: { label: `${word("Major strain")} [–]`, least: 0.05 },
+      y: { label: `Major strain [–]`, least: 0.05 },
       series: [
-        { name: word("Major strain"), x: s0, y: now.major, look: "c0" },
-        { name: `${word("limit")}: ${name}`, x: [0, stage.length], y: [level, level], look: "limit" },
+        { name: "Major strain", x: s0, y: now.major, look: "c0" },
+        { name: `limit: ${name}`, x: [0, stage.length], y: [level, level], look: "limit" },
       ],
       flags: [{ x: s0[worst], y: now.major[worst], label: text }],
       cursor: Number.isFinite(place) ? { x: place, y: now.major[chosen] } : undefined,
-      summary: `${word("Forming limit")}: ${text}`,
+      summary: `Forming limit: ${text}`,
       onPick: onPlace,
     });
   }
@@ -136,15 +136,15 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
   const dots = [{ x: now.minor, y: now.major, look: "c0" }];
   if (other) dots.unshift(((before) => ({ x: before.minor, y: before.major, look: "a" }))(strains(other.stage, other.picture)));
   draw(host, {
-    x: { label: `${word("Minor strain")} [–]`, range: [low, high] },
-    y: { label: `${word("Major strain")} [–]`, range: [Math.min(0, ...now.major), top] },
+    x: { label: `Minor strain [–]`, range: [low, high] },
+    y: { label: `Major strain [–]`, range: [Math.min(0, ...now.major), top] },
     series: [
-      { name: `${word("limit")}: ${name}`, x: grid, y: limits, look: "limit" },
+      { name: `limit: ${name}`, x: grid, y: limits, look: "limit" },
       { name: "", x: pictures.map(({ minor }) => minor[chosen]), y: pictures.map(({ major }) => major[chosen]), look: "path" },
     ],
     dots: [...dots, { x: [now.minor[chosen]], y: [now.major[chosen]], look: "chosen" }],
     flags: [{ x: now.minor[worst], y: now.major[worst], label: text }],
-    summary: `${word("Forming limit")}: ${text}`,
+    summary: `Forming limit: ${text}`,
   });
 }
 

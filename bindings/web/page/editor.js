@@ -1,5 +1,4 @@
 // The case file as text, with the numbers of its lines; an error stands at its line, as the command line prints it.
-import { word } from "./words.js";
 
 export class Editor {
   constructor({ text, lines, error, printed }) {
@@ -34,7 +33,7 @@ export class Editor {
 
   /** Shows what is wrong; of an error with a place, its line too. */
   refuse({ what, help, line, column, rendered }) {
-    const place = line ? `${word("line")} ${line}, ${word("column")} ${column}: ` : "";
+    const place = line ? `line ${line}, column ${column}: ` : "";
     const head = document.createElement("p");
     head.textContent = `${place}${what}`;
     const whole = document.createElement("pre");

@@ -1,19 +1,7 @@
 // The solver's thread: started, asked, and ended and begun anew where an answer is no longer wanted or never comes.
 
-import { unpackedLzma } from "./lzma.js";
-import { asBytes } from "./question.js";
-import { joined } from "./streams.js";
-
 /** How long an answer that nobody waits for any more may still take [ms]; then its thread is ended. */
 const PATIENCE = 300;
-
-/** Arrays {at, of} of an answer become views of its numbers. */
-function revived(value, numbers) {
-  if (Array.isArray(value)) return value.map((entry) => revived(entry, numbers));
-  if (value === null || typeof value !== "object") return value;
-  if (Number.isInteger(value.at) && Number.isInteger(value.of)) return numbers.subarray(value.at, value.at + value.of);
-  return Object.fromEntries(Object.entries(value).map(([key, entry]) => [key, revived(entry, numbers)]));
-}
 
 export class Engine {
   /** @param module the compiled solver  @param source text of the worker */
@@ -72,15 +60,15 @@ export class Engine {
     this.running = this.waiting.shift();
     this.running.since = performance.now();
     const { id, question, file } = this.running;
-    this.worker.postMessage({ id, question: asBytes(question), file });
+    this.worker.postMessage({ id, question, file });
   }
 
-  answered({ id, answer, numbers, took, trap }) {
+  answered({ id, answer, took, trap }) {
     const { running } = this;
     if (!running || running.id !== id) return;
     this.running = null;
     if (trap === undefined) {
-      running.resolve(Object.assign(revived(answer, numbers), { took }));
+      running.resolve(Object.assign(answer, { took }));
     } else {
       this.worker.terminate();
       this.begin();
@@ -90,8 +78,9 @@ export class Engine {
   }
 }
 
-/** The solver out of the page: streams in LZMA in base64. */
+/** The solver out of the page: gzip in base64. */
 export async function compiled(base64) {
   const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  return WebAssembly.compile(joined(unpackedLzma(packed)));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }

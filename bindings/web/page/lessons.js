@@ -1,5 +1,5 @@
 // Lessons of one screen: a few sentences, and a question that is answered by moving a slider. docs/lessons.md has more on each.
-import { byId, told, word } from "./words.js";
+import { byId, format } from "./dom.js";
 
 const lastOf = ({ stages }) => stages.at(-1);
 const finding = ({ verdict }, key) => verdict.rows.find((one) => one.key === key);
@@ -31,7 +31,7 @@ export const LESSONS = [
     asks: "Bring the largest punch force below 35 kN with lubricant alone: what is left is nearly the ideal force.",
     template: "cup",
     slider: "friction",
-    tells: ({ result }) => `${told(peak(result) / 1e3)} kN`,
+    answer: ({ result }) => `${format(peak(result) / 1e3)} kN`,
     isAnswered: ({ result }) => peak(result) < 35e3,
   },
   {
@@ -41,7 +41,7 @@ export const LESSONS = [
     template: "cup",
     slider: "iteration",
     isOfStep: true,
-    tells: ({ iterate }) => told(iterate.velocity ?? NaN),
+    answer: ({ iterate }) => format(iterate.velocity ?? NaN),
     isAnswered: ({ iterate }) => (iterate.velocity ?? 1) < 1e-3,
   },
   {
@@ -51,7 +51,7 @@ export const LESSONS = [
     template: "cup",
     slider: "step",
     isOfStep: true,
-    tells: ({ trace }) => `${iterations(trace, "secant")} : ${iterations(trace, "primal_dual")}`,
+    answer: ({ trace }) => `${iterations(trace, "secant")} : ${iterations(trace, "primal_dual")}`,
     isAnswered: ({ trace }) => iterations(trace, "secant") >= 20 * iterations(trace, "primal_dual"),
   },
   {
@@ -60,7 +60,7 @@ export const LESSONS = [
     asks: "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.",
     template: "cup",
     slider: "blank",
-    tells: ({ result }) => `${told(Math.max(...lastOf(result).end.thickness))} mm`,
+    answer: ({ result }) => `${format(Math.max(...lastOf(result).end.thickness))} mm`,
     isAnswered: ({ result }) => Math.max(...lastOf(result).end.thickness) < 1.2,
   },
   {
@@ -69,7 +69,7 @@ export const LESSONS = [
     asks: "Bring the thinnest place within 5 mm of the pole.",
     template: "stretch-dome",
     slider: "friction",
-    tells: ({ result }) => `${told(thinnestAt(result))} mm`,
+    answer: ({ result }) => `${format(thinnestAt(result))} mm`,
     isAnswered: ({ result }) => thinnestAt(result) < 5,
   },
   {
@@ -78,7 +78,7 @@ export const LESSONS = [
     asks: "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.",
     template: "cup",
     slider: "blank",
-    tells: ({ result }) => finding(result, "bottom_tearing")?.found ?? "",
+    answer: ({ result }) => finding(result, "bottom_tearing")?.found ?? "",
     isAnswered: ({ result }) => finding(result, "bottom_tearing")?.light !== "green",
   },
   {
@@ -87,7 +87,7 @@ export const LESSONS = [
     asks: "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.",
     template: "u-bend",
     slider: "nose",
-    tells: ({ result }) => `${told(peak(result))} N/mm`,
+    answer: ({ result }) => `${format(peak(result))} N/mm`,
     isAnswered: ({ result }) => peak(result) > 28,
   },
   {
@@ -96,7 +96,7 @@ export const LESSONS = [
     asks: "Find a thickness at which each leg turns back by more than 4 degrees.",
     template: "v-bend",
     slider: "thickness",
-    tells: ({ result }) => `${told(turnsBack(result))}°`,
+    answer: ({ result }) => `${format(turnsBack(result))}°`,
     isAnswered: ({ result }) => turnsBack(result) > 4,
   },
   {
@@ -105,7 +105,7 @@ export const LESSONS = [
     asks: "Find an n at which the dome tears before its full travel.",
     template: "stretch-dome",
     slider: "n",
-    tells: ({ result }) => finding(result, "forming_limit")?.found ?? "",
+    answer: ({ result }) => finding(result, "forming_limit")?.found ?? "",
     isAnswered: ({ result }) => finding(result, "forming_limit")?.light === "red",
   },
   {
@@ -114,7 +114,7 @@ export const LESSONS = [
     asks: "Take elements away until the largest punch force is off by more than 1 %.",
     template: "cup",
     slider: "elements",
-    tells: ({ result, first }) => `${told(100 * Math.abs(peak(result) / peak(first) - 1), 2)} %`,
+    answer: ({ result, first }) => `${format(100 * Math.abs(peak(result) / peak(first) - 1), 2)} %`,
     isAnswered: ({ result, first }) => Math.abs(peak(result) / peak(first) - 1) > 0.01,
   },
 ];
@@ -142,19 +142,19 @@ export class Lessons {
 
   async open(number) {
     Object.assign(this, { current: LESSONS[number], result: null, first: null });
-    this.tell();
+    this.write();
     await this.begin(this.current.template);
     await this.steps.toggle(Boolean(this.current.isOfStep));
   }
 
-  /** In the language that is set. */
-  tell() {
-    const titles = LESSONS.map(({ title }, i) => new Option(`${i + 1}. ${word(title)}`, i, false, LESSONS[i] === this.current));
+  /** Title, text and question of the lesson. */
+  write() {
+    const titles = LESSONS.map(({ title }, i) => new Option(`${i + 1}. ${(title)}`, i, false, LESSONS[i] === this.current));
     byId("lesson").replaceChildren(...titles);
     if (!this.current) return;
-    byId("lesson-says").textContent = word(this.current.says);
-    byId("lesson-asks").textContent = word(this.current.asks);
-    byId("lesson-book").textContent = `${word("More in the book")}: docs/lessons.md, “${this.current.title}”`;
+    byId("lesson-says").textContent = (this.current.says);
+    byId("lesson-asks").textContent = (this.current.asks);
+    byId("lesson-book").textContent = `More in the book: docs/lessons.md, “${this.current.title}”`;
     byId("lesson-answer").textContent = "";
   }
 
@@ -171,8 +171,8 @@ export class Lessons {
     const { trace, iterate } = this.steps;
     if (!this.current || !this.result || (this.current.isOfStep && !trace)) return;
     const seen = { result: this.result, first: this.first, trace, iterate };
-    const now = this.current.tells(seen);
-    byId("lesson-answer").textContent = this.current.isAnswered(seen) ? `✓ ${word("answered")}: ${now}` : `${word("now")}: ${now}`;
+    const now = this.current.answer(seen);
+    byId("lesson-answer").textContent = this.current.isAnswered(seen) ? `✓ answered: ${now}` : `now: ${now}`;
     byId("lesson-answer").classList.toggle("answered", this.current.isAnswered(seen));
   }
 

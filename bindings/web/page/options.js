@@ -1,5 +1,5 @@
 // What a template may be given beside what it picks by its rules: one field for each, empty where the rule holds.
-import { byId } from "./words.js";
+import { byId } from "./dom.js";
 
 /** onGive(given) after every field that is left with another value. */
 export function drawOptions(template, given, onGive) {

@@ -1,6 +1,5 @@
 // The section as it stands at a picture of the film: true thickness, coloured by how much thinner it is; the tools around it.
-import { svg } from "./chart.js";
-import { told, word } from "./words.js";
+import { format, svg } from "./dom.js";
 
 /** Change of thickness at the ends of the colours [–]. */
 const FULL = 0.25;
@@ -105,7 +104,7 @@ export function nearest(s0, place) {
 function summary(stage, picture) {
   const { film, thickness } = stage;
   const least = Math.min(...film.thickness.subarray(film.elements * picture, film.elements * (picture + 1)));
-  return `${word("The section at travel")} ${told(film.travel[picture])} mm: ${word("thinnest")} ${told(least)} mm, −${told(100 * (1 - least / thickness))} %`;
+  return `The section at travel ${format(film.travel[picture])} mm: thinnest ${format(least)} mm, −${format(100 * (1 - least / thickness))} %`;
 }
 
 function scaleBar() {
@@ -114,7 +113,7 @@ function scaleBar() {
   const bar = document.createElement("span");
   bar.className = "bar";
   bar.style.background = `linear-gradient(to right, ${COLOURS.map((mix) => `rgb(${mix.join(",")})`).join(",")})`;
-  const percent = told(100 * FULL);
-  list.append(`${percent} % ${word("thicker")} `, bar, ` ${percent} % ${word("thinner")}`);
+  const percent = format(100 * FULL);
+  list.append(`${percent} % thicker `, bar, ` ${percent} % thinner`);
   return list;
 }

@@ -1,5 +1,5 @@
 // A slider for each number that matters, with its unit and a field beside it.
-import { told, word } from "./words.js";
+import { format } from "./dom.js";
 
 const LABELS = {
   blank: "Blank",
@@ -35,27 +35,27 @@ function row({ key, value: begun, unit, low, high }, value, isRound, onMove) {
   const range = Object.assign(document.createElement("input"), { type: "range", min: least, max: most, step: (most - least) / STEPS, value });
   const field = Object.assign(document.createElement("input"), { type: "number", step: "any", value: Number(value.toPrecision(4)) });
   const line = document.createElement("div");
-  const name = word(LABELS[key]);
+  const name = (LABELS[key]);
   line.className = "slider";
   line.dataset.key = key;
   range.setAttribute("aria-label", `${name} [${unit || "–"}]`);
   field.setAttribute("aria-label", `${name} [${unit || "–"}]`);
   const across = document.createElement("small");
-  const tell = (now) => {
-    range.setAttribute("aria-valuetext", `${told(now)} ${unit}`);
-    across.textContent = isRound && HALVES.includes(key) ? `Ø ${told(2 * now, 4)} ${unit}` : "";
+  const show = (now) => {
+    range.setAttribute("aria-valuetext", `${format(now)} ${unit}`);
+    across.textContent = isRound && HALVES.includes(key) ? `Ø ${format(2 * now, 4)} ${unit}` : "";
     line.classList.toggle("moved", Math.abs(now - begun) > 1e-9 * Math.abs(begun));
   };
   range.addEventListener("input", () => {
     field.value = Number(range.valueAsNumber.toPrecision(4));
-    tell(range.valueAsNumber);
+    show(range.valueAsNumber);
     onMove(key, range.valueAsNumber, false);
   });
   range.addEventListener("change", () => onMove(key, range.valueAsNumber, true));
   field.addEventListener("change", () => {
     if (!Number.isFinite(field.valueAsNumber)) return;
     range.value = field.valueAsNumber;
-    tell(field.valueAsNumber);
+    show(field.valueAsNumber);
     onMove(key, field.valueAsNumber, true);
   });
   const label = document.createElement("span");
@@ -64,6 +64,6 @@ function row({ key, value: begun, unit, low, high }, value, isRound, onMove) {
   units.className = "unit";
   units.textContent = unit || "–";
   line.append(label, range, field, units);
-  tell(value);
+  show(value);
   return line;
 }

@@ -1,6 +1,6 @@
 // One step of the solver, iteration by iteration: the sheet as it is tried, norms with each matrix, equations with their numbers.
-import { draw, svg } from "./chart.js";
-import { byId, told, word } from "./words.js";
+import { draw } from "./plot.js";
+import { byId, format, svg } from "./dom.js";
 
 const MATRICES = { primal_dual: "primal-dual", newton: "Newton", secant: "secant" };
 const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic", friction: "friction", contact: "contact springs" };
@@ -17,7 +17,7 @@ export class Steps {
     Object.assign(this, { ask, onShow, trace: null, element: 0 });
     byId("teach").addEventListener("click", () => this.toggle(!this.isShown));
     byId("step").addEventListener("change", () => this.load());
-    byId("step").addEventListener("input", () => (byId("step-told").textContent = byId("step").value));
+    byId("step").addEventListener("input", () => (byId("step-text").textContent = byId("step").value));
     byId("iteration").addEventListener("input", () => this.draw());
     byId("matrix").addEventListener("change", () => this.begin());
     new ResizeObserver(([{ contentRect }]) => this.fit(contentRect.width)).observe(byId("steps"));
@@ -60,7 +60,7 @@ export class Steps {
     if (!trace || trace.error) return;
     this.trace = trace;
     const chosen = Math.max(0, byId("matrix").selectedIndex);
-    byId("matrix").replaceChildren(...trace.ways.map(({ matrix }, i) => new Option(word(MATRICES[matrix]), matrix, false, i === chosen)));
+    byId("matrix").replaceChildren(...trace.ways.map(({ matrix }, i) => new Option((MATRICES[matrix]), matrix, false, i === chosen)));
     this.begin();
   }
 
@@ -84,8 +84,8 @@ export class Steps {
   draw() {
     if (!this.trace || !this.isShown) return;
     const { trace, at, iterate, way } = this;
-    byId("step-told").textContent = `${trace.step}: ${told(trace.travel)} mm`;
-    byId("iteration-told").textContent = `${at} / ${way.iterates.length - 1}`;
+    byId("step-text").textContent = `${trace.step}: ${format(trace.travel)} mm`;
+    byId("iteration-text").textContent = `${at} / ${way.iterates.length - 1}`;
     const pick = (node) => {
       this.element = Math.min(Math.round(node), iterate.increments.length - 1);
       this.draw();
@@ -94,7 +94,7 @@ export class Steps {
     drawNorms(byId("norms"), trace, at);
     drawResidual(byId("residual"), iterate, this.element, pick);
     drawPower(byId("power"), trace.power);
-    tellEquations(byId("equations"), trace, iterate, this.element);
+    drawEquations(byId("equations"), trace, iterate, this.element);
     this.onShow();
   }
 }
@@ -118,7 +118,7 @@ function drawTried(host, { nodes, forces, contacts, cutOff, sticking }, element)
   const y = (z) => height - scale * (z - low + room);
   const rigid = cutOff.filter(Boolean).length;
   const touching = contacts.length / 4;
-  const summary = `${cutOff.length - rigid} ${word("flows")}, ${rigid} ${word("nearly rigid")}; ${touching} ${word("points in contact")}, ${sticking} ${word("stick")}`;
+  const summary = `${cutOff.length - rigid} flows, ${rigid} nearly rigid; ${touching} points in contact, ${sticking} stick`;
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
   cutOff.forEach((is, e) => {
     root.append(svg("line", { x1: x(rs[e]), y1: y(zs[e]), x2: x(rs[e + 1]), y2: y(zs[e + 1]), class: `tried ${is ? "rigid" : "flows"}` }));
@@ -141,46 +141,46 @@ function drawTried(host, { nodes, forces, contacts, cutOff, sticking }, element)
   const words = document.createElement("p");
   words.className = "hint";
   const key = (look, text) => Object.assign(document.createElement("span"), { className: `force-key ${look}`, textContent: `→ ${text}` });
-  words.append(`${summary}. `, key("contact", `${word("contact force")}: ${told(pressed)} N`), "  ", key("", `${word("out of balance")}: ${told(most)} N`));
+  words.append(`${summary}. `, key("contact", `contact force: ${format(pressed)} N`), "  ", key("", `out of balance: ${format(most)} N`));
   host.replaceChildren(root, words);
 }
 
 function drawNorms(host, trace, at) {
-  const name = ({ matrix, converged }) => `${word(MATRICES[matrix])}${converged ? "" : ` (${word("not converged")})`}`;
+  const name = ({ matrix, converged }) => `${(MATRICES[matrix])}${converged ? "" : ` (not converged)`}`;
   const series = trace.ways.map((way, i) => ({ name: name(way), x: Array.from(way.velocity, (_, k) => k + 1), y: log(way.velocity), look: `c${i}` }));
   const longest = Math.max(2, ...series.map(({ x }) => x.length));
   const bound = Math.log10(trace.tolerance);
-  series.push({ name: word("tolerance"), x: [0, longest], y: [bound, bound], look: "flat" });
+  series.push({ name: "tolerance", x: [0, longest], y: [bound, bound], look: "flat" });
   const counts = trace.ways.map((way) => `${name(way)}: ${way.velocity.length}`).join("; ");
-  draw(host, { x: { label: word("Iteration") }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
+  draw(host, { x: { label: "Iteration" }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
 }
 
 function drawResidual(host, iterate, element, onPick) {
   const forces = log(sizes(iterate.forces, 2, 0));
   const nodes = forces.map((_, i) => i);
   draw(host, {
-    x: { label: word("Node") },
-    y: { label: `${word("Force")} [N]`, powers: true },
+    x: { label: "Node" },
+    y: { label: `Force [N]`, powers: true },
     series: [{ name: "", x: nodes, y: forces, look: "c0" }],
     cursor: { x: element },
-    summary: `${word("Force out of balance at each node")}: ${told(10 ** Math.max(...forces))} N`,
+    summary: `Force out of balance at each node: ${format(10 ** Math.max(...forces))} N`,
     onPick,
   });
 }
 
 function drawPower(host, power) {
-  const all = Object.entries(POWERS).map(([key, name]) => [word(name), power[key]]).filter(([, value]) => value !== 0);
+  const all = Object.entries(POWERS).map(([key, name]) => [(name), power[key]]).filter(([, value]) => value !== 0);
   const largest = Math.max(...all.map(([, value]) => Math.abs(value)), LEAST);
   const width = Math.max(240, host.clientWidth);
   const line = 34;
   const height = line * all.length + 8;
-  const summary = all.map(([name, value]) => `${name} ${told((100 * value) / largest)} %`).join(", ");
+  const summary = all.map(([name, value]) => `${name} ${format((100 * value) / largest)} %`).join(", ");
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
   all.forEach(([name, value], i) => {
     const length = ((width - 200) * Math.abs(value)) / largest;
     root.append(svg("text", { x: 106, y: line * i + 23, class: "label end" }, name));
     root.append(svg("rect", { x: 114, y: line * i + 8, width: Math.max(1, length), height: 20, class: "bar-of" }));
-    root.append(svg("text", { x: 120 + length, y: line * i + 23 }, `${told((100 * value) / largest)} %`));
+    root.append(svg("text", { x: 120 + length, y: line * i + 23 }, `${format((100 * value) / largest)} %`));
   });
   host.replaceChildren(root);
 }
@@ -189,13 +189,13 @@ function drawPower(host, power) {
 const math = (inner) => `<math display="block"><mrow>${inner}</mrow></math>`;
 const mi = (name) => `<mi>${name}</mi>`;
 const mo = (sign) => `<mo>${sign}</mo>`;
-const mn = (value, digits = 4) => `<mn>${told(value, digits)}</mn>`;
+const mn = (value, digits = 4) => `<mn>${format(value, digits)}</mn>`;
 const rate = `<mover>${mi("ε")}${mo("¯")}</mover>`;
 const increment = `<mrow>${mi("Δ")}${rate}</mrow>`;
 const sub = (base, index) => `<msub>${base}<mn>${index}</mn></msub>`;
 const squared = (base) => `<msup><mrow>${base}</mrow><mn>2</mn></msup>`;
 
-function tellEquations(host, trace, iterate, element) {
+function drawEquations(host, trace, iterate, element) {
   const [own, yieldStress] = [iterate.increments[element], iterate.yieldStresses[element]];
   const regular = Math.hypot(own, trace.cutoff ?? 0);
   const cut = `${mi("Δ")}${sub(mi("ε"), 0)}`;
@@ -207,8 +207,8 @@ function tellEquations(host, trace, iterate, element) {
   ];
   const note = document.createElement("p");
   note.className = "hint";
-  const state = word(iterate.cutOff[element] ? "nearly rigid" : "flows");
-  note.textContent = `${word("Element")} ${element}: ${state}. ${word("Each matrix takes the step from the same state; pick an element in the chart of nodes.")}`;
+  const state = (iterate.cutOff[element] ? "nearly rigid" : "flows");
+  note.textContent = `Element ${element}: ${state}. Each matrix takes the step from the same state; pick an element in the chart of nodes.`;
   host.innerHTML = rows.map((row) => `<p>${row}</p>`).join("");
   host.prepend(note);
 }

@@ -1,5 +1,4 @@
 // The verdict: its sentence with the light, the part's numbers, every row, and what should be known besides.
-import { word } from "./words.js";
 
 /** Shapes beside the colours. */
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
@@ -18,8 +17,8 @@ function light(name, text) {
 }
 
 export function drawAnswer(host, { verdict }, isA) {
-  const sentence = element("p", "sentence", light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`));
-  const numbers = verdict.numbers.map(({ label, told, about }) =>
+  const sentence = element("p", "sentence", light(verdict.answer.light, `${isA ? "A: " : ""}${verdict.answer.sentence}`));
+  const numbers = verdict.answer.numbers.map(({ label, told, about }) =>
     element("div", "", element("dt", "", label), element("dd", "", element("b", "", told), " ", about)),
   );
   host.replaceChildren(sentence, element("dl", "numbers", ...numbers));
@@ -29,7 +28,7 @@ export function drawRows(host, { verdict }) {
   const order = ["red", "amber", "grey", "green"];
   const rows = [...verdict.rows].sort((a, b) => order.indexOf(a.light) - order.indexOf(b.light));
   const head = ["Finding", "Found", "Limit", "What to do"].map((text) => {
-    const cell = element("th", "", word(text));
+    const cell = element("th", "", (text));
     cell.scope = "col";
     return cell;
   });
@@ -44,6 +43,6 @@ export function drawRows(host, { verdict }) {
 }
 
 export function drawNotes(host, { verdict }) {
-  const all = [verdict.end, ...verdict.warnings, ...verdict.notes].filter(Boolean);
+  const all = [verdict.answer.end, ...verdict.warnings, ...verdict.notes].filter(Boolean);
   host.replaceChildren(...all.map((text) => element("li", "", text)));
 }

@@ -2,7 +2,7 @@
 import { drawLimit, drawLoad, drawThickness } from "./charts.js";
 import { drawSection } from "./section.js";
 import { drawAnswer, drawNotes, drawRows } from "./verdict.js";
-import { byId, told, word } from "./words.js";
+import { byId, format } from "./dom.js";
 
 /** Time that the whole travel is played in [ms]. */
 const PLAYED = 3000;
@@ -49,7 +49,7 @@ export class View {
 
   play() {
     this.isPlaying = !this.isPlaying;
-    byId("play").textContent = word(this.isPlaying ? "Stop" : "Play");
+    byId("play").textContent = (this.isPlaying ? "Stop" : "Play");
     if (!this.isPlaying) return;
     const from = performance.now() - PLAYED * (this.at >= 1 ? 0 : this.at);
     const next = (now) => {
@@ -92,7 +92,7 @@ export class View {
     drawLoad(byId("load"), { ...shown, onTravel: (travel) => this.toTravel(travel) });
     drawThickness(byId("thickness"), { ...shown, onPlace });
     drawLimit(byId("limit"), { ...shown, onPlace });
-    byId("travel-told").textContent = `${told(stage.film.travel[picture])} mm`;
-    byId("travel").setAttribute("aria-valuetext", `${told(stage.film.travel[picture])} mm`);
+    byId("travel-text").textContent = `${format(stage.film.travel[picture])} mm`;
+    byId("travel").setAttribute("aria-valuetext", `${format(stage.film.travel[picture])} mm`);
   }
 }

@@ -1,23 +1,28 @@
 // The solver in a thread of its own: questions come in, answers go out, one after the other.
 let solver;
-const decoder = new TextDecoder();
 
-function bytesAt(address, length) {
-  return new Uint8Array(solver.memory.buffer, address, length);
+function textOf(address, length) {
+  return new TextDecoder().decode(new Uint8Array(solver.memory.buffer, address, length));
 }
 
-function answerText() {
-  return decoder.decode(bytesAt(solver.text(), solver.text_length()));
+/** Lists of numbers as typed arrays; null stands for a number that is not finite. */
+function typed(value) {
+  if (Array.isArray(value)) {
+    const isNumeric = value.every((entry) => entry === null || typeof entry === "number");
+    return isNumeric ? Float64Array.from(value, (entry) => entry ?? NaN) : value.map(typed);
+  }
+  if (value === null || typeof value !== "object") return value;
+  return Object.fromEntries(Object.entries(value).map(([key, entry]) => [key, typed(entry)]));
 }
 
 function call(question, file) {
+  const text = new TextEncoder().encode(JSON.stringify(question));
   const extra = file ?? new Uint8Array(0);
-  const room = bytesAt(solver.input(question.length + extra.length), question.length + extra.length);
-  room.set(question);
-  room.set(extra, question.length);
-  solver.call(question.length);
-  const numbers = new Float64Array(solver.memory.buffer, solver.numbers(), solver.numbers_length()).slice();
-  return { answer: JSON.parse(answerText()), numbers };
+  const room = new Uint8Array(solver.memory.buffer, solver.input(text.length + extra.length), text.length + extra.length);
+  room.set(text);
+  room.set(extra, text.length);
+  solver.call(text.length);
+  return typed(JSON.parse(textOf(solver.text(), solver.text_length())));
 }
 
 onmessage = async ({ data }) => {
@@ -27,10 +32,10 @@ onmessage = async ({ data }) => {
   }
   const start = performance.now();
   try {
-    const { answer, numbers } = call(data.question, data.file);
-    postMessage({ id: data.id, answer, numbers, took: performance.now() - start }, [numbers.buffer]);
+    const answer = call(data.question, data.file);
+    postMessage({ id: data.id, answer, took: performance.now() - start });
   } catch (trap) {
-    // A panic leaves its words; this instance is not to be asked again.
-    postMessage({ id: data.id, trap: answerText() || String(trap) });
+    // A panic leaves its message; this instance is not to be asked again.
+    postMessage({ id: data.id, trap: textOf(solver.text(), solver.text_length()) || String(trap) });
   }
 };

@@ -1,6 +1,6 @@
 //! The sheet and its tools as they move.
 
-use crate::json::{Numbers, Value, table};
+use serde_json::{Value, json};
 use stampflow::model::Stage;
 use stampflow::{Model, Observer, State};
 
@@ -18,13 +18,13 @@ pub struct Strip {
     next: f64,
     /// Punch travel \[mm\].
     travel: Vec<f64>,
-    /// Of each node r, z \[mm\], θ \[rad\] and thickness \[mm\].
+    /// r, z \[mm\], θ \[rad\] and thickness \[mm\] of each node.
     nodes: Vec<f64>,
-    /// Of each element \[mm\].
+    /// One per element \[mm\].
     thickness: Vec<f64>,
-    /// Of each element meridional and hoop \[–\].
+    /// Meridional and hoop of each element \[–\].
     strains: Vec<f64>,
-    /// Of each tool away from the axis and along z \[mm\].
+    /// Move of each tool away from the axis and along z \[mm\].
     tools: Vec<f64>,
 }
 
@@ -40,17 +40,17 @@ impl Strip {
     }
 
     /// With the end of the stage, as arrays.
-    pub fn json(mut self, end: &State, numbers: &mut Numbers) -> Value {
+    pub fn json(mut self, end: &State) -> Value {
         self.take(end);
         let elements = end.thickness.len();
-        table! {
+        json!({
             "elements": elements,
-            "travel": numbers.put(self.travel),
-            "nodes": numbers.put(self.nodes),
-            "thickness": numbers.put(self.thickness),
-            "strains": numbers.put(self.strains),
-            "tools": numbers.put(self.tools),
-        }
+            "travel": self.travel,
+            "nodes": self.nodes,
+            "thickness": self.thickness,
+            "strains": self.strains,
+            "tools": self.tools,
+        })
     }
 }
 

@@ -1,83 +1,65 @@
-//! stampflow as WebAssembly, for a worker of the page: one function that takes a question and leaves an answer as JSON
-//! and an array of numbers.
+//! stampflow as WebAssembly, for a worker of the page: one function that takes a request and leaves an answer, both as JSON.
 //!
 //! ```text
 //! JavaScript                          here
-//!   input(length)                →    room for the question; its address
-//!   writes it (see `question`), then a file
-//!   call(length of the question) →    asks; the answer stays until the next call
-//!   text, text_length            ←    JSON; an array of numbers in it is {"at": first, "of": count}
-//!   numbers, numbers_length      ←    all arrays, one after the other
+//!   input(length)                →    room for the request; its address
+//!   writes it, then a file
+//!   call(length of the request)  →    solves; the answer stays until the next call
+//!   text, text_length            ←    the answer
 //! ```
 //!
-//! A panic ends the instance; its words are then the text of the answer.
+//! A panic ends the instance; its message is then the text of the answer.
 
-mod answer;
-mod case;
 mod drawing;
 mod film;
-mod json;
-mod question;
+mod request;
 mod sliders;
+mod solve;
 mod stage;
-mod templates;
 mod trace;
 
-use json::Numbers;
-use question::Question;
+use request::Request;
+use serde_json::json;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 static INPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 static TEXT: Mutex<String> = Mutex::new(String::new());
-static NUMBERS: Mutex<Vec<f64>> = Mutex::new(Vec::new());
 
 /// There is one thread.
-fn held<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
-    of.lock().unwrap_or_else(PoisonError::into_inner)
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Makes room for a question of so many bytes.
+/// Makes room for a request and a file \[bytes\].
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
-    let mut input = held(&INPUT);
+    let mut input = lock(&INPUT);
     input.clear();
     input.resize(length, 0);
     input.as_mut_ptr()
 }
 
-/// Answers a question of so many bytes; a file follows.
+/// Answers a request of so many bytes; a file follows.
 #[unsafe(no_mangle)]
 pub extern "C" fn call(length: usize) {
-    std::panic::set_hook(Box::new(|panic| *held(&TEXT) = panic.to_string()));
-    let input = std::mem::take(&mut *held(&INPUT));
-    let (question, file) = input.split_at(length.min(input.len()));
-    let mut numbers = Numbers::default();
-    let question = String::from_utf8_lossy(question);
-    let answer = Question::read(&question).answer(file, &mut numbers);
-    *held(&TEXT) = answer.to_string();
-    *held(&NUMBERS) = numbers.0;
+    std::panic::set_hook(Box::new(|panic| *lock(&TEXT) = panic.to_string()));
+    let input = std::mem::take(&mut *lock(&INPUT));
+    let (request, file) = input.split_at(length.min(input.len()));
+    let answer = match serde_json::from_slice::<Request>(request) {
+        Ok(request) => request.answer(file).unwrap_or_else(|failure| json!({ "error": failure })),
+        Err(error) => json!({ "error": { "what": error.to_string() } }),
+    };
+    *lock(&TEXT) = answer.to_string();
 }
 
-/// Where the JSON of the answer is.
+/// Address of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
-    held(&TEXT).as_ptr()
+    lock(&TEXT).as_ptr()
 }
 
-/// Its length \[bytes\].
+/// Length of the answer \[bytes\].
 #[unsafe(no_mangle)]
 pub extern "C" fn text_length() -> usize {
-    held(&TEXT).len()
-}
-
-/// Where the numbers of the answer are.
-#[unsafe(no_mangle)]
-pub extern "C" fn numbers() -> *const f64 {
-    held(&NUMBERS).as_ptr()
-}
-
-/// How many there are.
-#[unsafe(no_mangle)]
-pub extern "C" fn numbers_length() -> usize {
-    held(&NUMBERS).len()
+    lock(&TEXT).len()
 }

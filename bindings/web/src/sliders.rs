@@ -1,6 +1,6 @@
-//! What of a case moves with a slider, and what moves along: a die's throat goes with the punch, for the clearance stays.
+//! Sliders of a case, and the keys that move along: a die's throat goes with the punch, for the clearance stays.
 
-use crate::json::{Value, table};
+use serde_json::{Value, json};
 use toml_edit::{DocumentMut, Item};
 
 /// A number that a designer turns: its name, where it may stand, and its range over the number that stands there \[–\].
@@ -52,8 +52,8 @@ const fn known(key: &'static str, paths: &'static [&'static str], range: [f64; 2
     Known { key, paths, range }
 }
 
-/// A number of the case.
-struct Found {
+/// A number of the case that moves.
+struct Slider {
     key: &'static str,
     path: &'static str,
     value: f64,
@@ -63,31 +63,33 @@ struct Found {
 }
 
 /// The sliders of a case's text, and what they write: each path is set to the sum of some sliders and a constant.
-pub fn of(text: &str) -> Value {
-    let Ok(document) = text.parse::<DocumentMut>() else { return told(&[], &[]) };
-    let mut found: Vec<Found> = KNOWN.iter().filter_map(|known| known.find(document.as_item())).collect();
+pub fn sliders(text: &str) -> Value {
+    let Ok(document) = text.parse::<DocumentMut>() else { return listed(&[], &[]) };
+    let mut sliders: Vec<Slider> = KNOWN.iter().filter_map(|known| known.find(document.as_item())).collect();
     let mut writes = Vec::new();
-    couple(&mut found, &mut writes);
-    for one in &found {
+    couple(&mut sliders, &mut writes);
+    for one in &sliders {
         // `friction` is that of every tool.
         let path = if one.key == FRICTION { FRICTION } else { one.path };
         if one.key != CLEARANCE && !writes.iter().any(|write: &Write| write.path == path) {
             writes.push(write(path, &one.unit, &[one.key], 0.0));
         }
     }
-    told(&found, &writes)
+    listed(&sliders, &writes)
 }
 
-fn told(found: &[Found], writes: &[Write]) -> Value {
-    let sliders = found.iter().map(|one| {
+fn listed(sliders: &[Slider], writes: &[Write]) -> Value {
+    let slider = |one: &Slider| {
         let [low, high] = one.range.map(|times| times * one.value);
-        table! { "key": one.key, "value": one.value, "unit": one.unit.as_str(), "low": low, "high": high }
-    });
-    let writes = writes.iter().map(|Write { path, unit, terms, plus }| {
-        let is_whole = *terms == [ELEMENTS];
-        table! { "path": *path, "unit": unit.as_str(), "terms": Value::list(terms.clone()), "plus": *plus, "isWhole": is_whole }
-    });
-    table! { "sliders": Value::list(sliders), "writes": Value::list(writes) }
+        json!({ "key": one.key, "value": one.value, "unit": one.unit, "low": low, "high": high })
+    };
+    let write = |Write { path, unit, terms, plus }: &Write| {
+        json!({ "path": path, "unit": unit, "terms": terms, "plus": plus, "isWhole": *terms == [ELEMENTS] })
+    };
+    json!({
+        "sliders": sliders.iter().map(slider).collect::<Vec<_>>(),
+        "writes": writes.iter().map(write).collect::<Vec<_>>(),
+    })
 }
 
 /// A path of the case, which is set to the sum of some sliders and a constant.
@@ -105,16 +107,16 @@ fn write(path: &'static str, unit: &str, terms: &[&'static str], plus: f64) -> W
 /// Difference below which two lengths are one [mm].
 const SAME: f64 = 1e-6;
 
-fn at(found: &[Found], key: &str) -> Option<usize> {
-    found.iter().position(|one| one.key == key)
+fn at(sliders: &[Slider], key: &str) -> Option<usize> {
+    sliders.iter().position(|one| one.key == key)
 }
 
 /// A throat goes with the punch and has the clearance for its slider; a holder's opening, and a blank that is clamped there, go
 /// with the throat and its shoulder.
-fn couple(found: &mut Vec<Found>, writes: &mut Vec<Write>) {
-    clamp(found, writes);
-    let (Some(punch), Some(throat)) = (at(found, PUNCH), at(found, THROAT)) else { return };
-    let (radius, opening) = (&found[punch], &found[throat]);
+fn couple(sliders: &mut Vec<Slider>, writes: &mut Vec<Write>) {
+    clamp(sliders, writes);
+    let (Some(punch), Some(throat)) = (at(sliders, PUNCH), at(sliders, THROAT)) else { return };
+    let (radius, opening) = (&sliders[punch], &sliders[throat]);
     let gap = opening.value - radius.value;
     let both_are_halves = !radius.path.ends_with("diameter") && !opening.path.ends_with("diameter");
     // A throat far wider than its punch is a tool of another kind.
@@ -125,36 +127,36 @@ fn couple(found: &mut Vec<Found>, writes: &mut Vec<Write>) {
     for edge in writes.iter_mut().filter(|write| write.terms[0] == THROAT) {
         edge.terms = vec![PUNCH, CLEARANCE, SHOULDER];
     }
-    found[throat] = Found { key: CLEARANCE, path: "", value: gap, unit: found[throat].unit.clone(), range: GAP };
-    let (Some(inner), Some(shoulder)) = (at(found, INNER), at(found, SHOULDER)) else { return };
-    let (hole, corner) = (&found[inner], &found[shoulder]);
-    if hole.unit == found[throat].unit && corner.unit == hole.unit {
-        let plus = hole.value - found[punch].value - gap - corner.value;
+    sliders[throat] = Slider { key: CLEARANCE, path: "", value: gap, unit: sliders[throat].unit.clone(), range: GAP };
+    let (Some(inner), Some(shoulder)) = (at(sliders, INNER), at(sliders, SHOULDER)) else { return };
+    let (hole, corner) = (&sliders[inner], &sliders[shoulder]);
+    if hole.unit == sliders[throat].unit && corner.unit == hole.unit {
+        let plus = hole.value - sliders[punch].value - gap - corner.value;
         writes.push(write(hole.path, &hole.unit, &[PUNCH, CLEARANCE, SHOULDER], plus));
-        found.remove(inner);
+        sliders.remove(inner);
     }
 }
 
 /// A blank that ends where the die's shoulder does goes with it.
-fn clamp(found: &mut Vec<Found>, writes: &mut Vec<Write>) {
-    let (Some(blank), Some(throat), Some(shoulder)) = (at(found, "blank"), at(found, THROAT), at(found, SHOULDER))
+fn clamp(sliders: &mut Vec<Slider>, writes: &mut Vec<Write>) {
+    let (Some(blank), Some(throat), Some(shoulder)) = (at(sliders, "blank"), at(sliders, THROAT), at(sliders, SHOULDER))
     else {
         return;
     };
-    let (edge, opening, corner) = (&found[blank], &found[throat], &found[shoulder]);
+    let (edge, opening, corner) = (&sliders[blank], &sliders[throat], &sliders[shoulder]);
     let is_there = (edge.value - opening.value - corner.value).abs() < SAME;
     if is_there && edge.unit == opening.unit && corner.unit == edge.unit {
         writes.push(write(edge.path, &edge.unit, &[THROAT, SHOULDER], 0.0));
-        found.remove(blank);
+        sliders.remove(blank);
     }
 }
 
 impl Known {
-    fn find(&self, case: &Item) -> Option<Found> {
+    fn find(&self, case: &Item) -> Option<Slider> {
         self.paths.iter().find_map(|path| {
             let item = path.split('.').try_fold(case, |item, key| item.get(key))?;
             let (value, unit) = number(item)?;
-            (value > 0.0).then_some(Found { key: self.key, path, value, unit, range: self.range })
+            (value > 0.0).then_some(Slider { key: self.key, path, value, unit, range: self.range })
         })
     }
 }

@@ -1,10 +1,9 @@
 //! A solved stage as the page draws it.
 
 use crate::film::Strip;
-use crate::json::{Numbers, Value, table};
+use serde_json::{Map, Value, json};
 use stampflow::forming_limit::Curve;
 use stampflow::measure::events;
-use stampflow::message::{Form, Message};
 use stampflow::solver::solution::ElementRecord;
 use stampflow::{StageSolution, StepRecord};
 
@@ -42,48 +41,42 @@ const ELEMENT: [Column<ElementRecord>; 9] = [
     ("stress_hoop", |e| e.stress_hoop),
 ];
 
-/// Its curves, its section as it moves, what happens on the way, and why it ended.
-pub fn json(name: &str, stage: &StageSolution, strip: Strip, form: Form, numbers: &mut Numbers) -> Value {
+/// Curves, the section as it moves, events, and why the stage ended.
+pub fn json(name: &str, stage: &StageSolution, strip: Strip) -> Value {
     let model = &stage.model;
     let elements = stage.frames.last().map_or(&[][..], |frame| &frame.elements);
     let tools = model.tools.iter().map(|tool| {
-        let outline = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]);
-        table! { "role": tool.role.name(), "outline": numbers.put(outline) }
+        let outline: Vec<f64> = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]).collect();
+        json!({ "role": tool.role.name(), "outline": outline })
     });
-    let tools: Vec<Value> = tools.collect();
     let events = events(stage).into_iter().map(|event| {
-        let label = form.tell(event.kind.label());
-        table! { "label": label, "travel": event.travel, "force": event.force }
+        json!({ "label": event.kind.label().to_string(), "travel": event.travel, "force": event.force })
     });
-    let events: Vec<Value> = events.collect();
-    table! {
+    json!({
         "name": name,
         "forceUnit": model.extent().force_unit().symbol(),
         "travel": model.travel,
         "thickness": model.blank.thickness,
         "length": model.blank.length,
         "isRelease": model.release.is_some(),
-        "steps": columns(&STEP, &stage.steps, numbers),
-        "end": columns(&ELEMENT, elements, numbers),
-        "film": strip.json(&stage.end, numbers),
-        "tools": tools,
-        "events": events,
-        "limit": model.forming_limit.as_ref().map(|curve| limit(curve, form, numbers)),
+        "steps": columns(&STEP, &stage.steps),
+        "end": columns(&ELEMENT, elements),
+        "film": strip.json(&stage.end),
+        "tools": tools.collect::<Vec<_>>(),
+        "events": events.collect::<Vec<_>>(),
+        "limit": model.forming_limit.as_ref().map(limit),
         "isComplete": stage.stop.is_complete(),
-        "why": form.tell(stage.stop.message()),
-    }
+        "why": stage.stop.to_string(),
+    })
 }
 
-fn columns<T>(fields: &[Column<T>], of: &[T], numbers: &mut Numbers) -> Value {
-    Value::Table(fields.iter().map(|(key, value)| (*key, numbers.put(of.iter().map(value)))).collect())
+fn columns<T>(fields: &[Column<T>], rows: &[T]) -> Value {
+    let column = |(key, value): &Column<T>| ((*key).to_owned(), Value::from(rows.iter().map(value).collect::<Vec<f64>>()));
+    Value::Object(fields.iter().map(column).collect::<Map<_, _>>())
 }
 
 /// Minor and major strain of the curve's points.
-fn limit(curve: &Curve, form: Form, numbers: &mut Numbers) -> Value {
-    let name = Message::from(curve.name);
-    table! {
-        "name": form.tell(name),
-        "points": numbers.put(curve.points().iter().flatten().copied()),
-        "endsAt": curve.ends_at(),
-    }
+fn limit(curve: &Curve) -> Value {
+    let points: Vec<f64> = curve.points().iter().flatten().copied().collect();
+    json!({ "name": curve.name, "points": points, "endsAt": curve.ends_at() })
 }

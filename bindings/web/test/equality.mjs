@@ -45,7 +45,7 @@ function files(folder) {
   return Object.fromEntries(all.map((name) => [`${folder}/${name}`, readFileSync(join(ROOT, folder, name), "utf8")]));
 }
 
-function compared(name, answer, array, folder) {
+function compared(name, answer, folder) {
   let worst = [0, ""];
   /** Of each column of the stage before: what a release leaves of its stresses is the difference of numbers of that size. */
   let sizes = {};
@@ -54,7 +54,7 @@ function compared(name, answer, array, folder) {
     const of = many ? join(folder, `${i + 1}-${stage.name}`) : folder;
     for (const [file, key] of Object.entries(TABLES)) {
       if (key === "steps" && OTHER_STEPS.includes(`${name} ${stage.name}`)) continue;
-      const own = Object.fromEntries(Object.entries(stage[key]).map(([name, place]) => [name, array(place)]));
+      const own = stage[key];
       const native = columns(readFileSync(join(of, file), "utf8"), Object.keys(own));
       for (const [column, values] of Object.entries(native)) {
         const rows = key === "end" ? lastOf(values, own[column].length) : values;
@@ -83,8 +83,8 @@ try {
     } catch (ended) {
       if (ended.status !== 3) throw ended;
     }
-    const { answer, array } = ask({ do: "solve", text: readFileSync(join(ROOT, path), "utf8"), name: path, files: beside });
-    const [off, where] = answer.error ? [Infinity, answer.error.what] : compared(basename(name, ".toml"), answer, array, folder);
+    const answer = ask({ do: "solve", text: readFileSync(join(ROOT, path), "utf8"), name: path, files: beside });
+    const [off, where] = answer.error ? [Infinity, answer.error.what] : compared(basename(name, ".toml"), answer, folder);
     const isSame = off <= SAME;
     failed += !isSame;
     console.log(`${isSame ? "same  " : "DIFFERS"} ${name}: ${off.toExponential(1)} ${where}`);

@@ -60,5 +60,5 @@ const path = join(ROOT, "cases/woo_hemispherical.toml");
 const [page, own] = [inThePage(readFileSync(path, "utf8")), native(path)];
 console.log(`woo_hemispherical: ${page.toFixed(1)} ms in the page's solver, ${own.toFixed(1)} ms native: ${(page / own).toFixed(2)} times`);
 const { coarse, solved } = await latencies();
-const told = ([least, middle]) => `${least.toFixed(0)} ms at best, ${middle.toFixed(0)} ms in the middle`;
-console.log(`slider to picture: coarse ${told(coarse)}; fine ${told(solved)}`);
+const text = ([least, middle]) => `${least.toFixed(0)} ms at best, ${middle.toFixed(0)} ms in the middle`;
+console.log(`slider to picture: coarse ${text(coarse)}; fine ${text(solved)}`);

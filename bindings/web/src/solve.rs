@@ -1,0 +1,43 @@
+//! A solved case, coarser while a slider moves.
+
+use crate::film::Film;
+use crate::stage;
+use serde_json::{Value, json};
+use stampflow::assess::{self, Answer, Kind, judgements, sentences};
+use stampflow::case::Case;
+use stampflow::model::Geometry;
+
+/// Share of the elements of a coarse run \[–\].
+const COARSE: f64 = 0.5;
+
+/// Solves a case and judges it.
+pub fn solve(mut case: Case, is_coarse: bool) -> Value {
+    if let Some(coarser) = is_coarse.then(|| stampflow::study::verify::Direction::Together.refined(&case.stages, COARSE)).flatten() {
+        case.stages = coarser;
+    }
+    let mut film = Film::default();
+    let solution = case.solve(&mut film);
+    let (case, solved) = (&solution.case, &solution.stages);
+    let before = assess::before(case);
+    let findings = if is_coarse { assess::after_one_of_many(case, solved) } else { assess::after(case, solved) };
+    let stages = case.stages.iter().zip(solved).zip(film.0);
+    let stages: Vec<Value> = stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip)).collect();
+    let notes = |kind| -> Vec<String> {
+        let all = sentences(&before, kind).into_iter().chain(sentences(&findings, kind));
+        all.map(|sentence| sentence.to_string()).collect()
+    };
+    json!({
+        "title": case.model().title,
+        "text": case.text,
+        "isRound": case.model().geometry == Geometry::Axisymmetric,
+        "isCoarse": is_coarse,
+        "isComplete": solution.is_complete(),
+        "stages": stages,
+        "verdict": {
+            "answer": Answer::of(case, solved, &findings),
+            "rows": judgements(&findings).collect::<Vec<_>>(),
+            "warnings": notes(Kind::Warning),
+            "notes": notes(Kind::Assumption),
+        },
+    })
+}
