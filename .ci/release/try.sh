@@ -22,12 +22,6 @@ try() {
     grep -q "it does not tear" <<<"$said" || fail "the quickstart says: $said"
     [ -s "$work/run/part.png" ] || fail "no picture"
     rm -r "$work/run"
-    if "$1/bin/stampflow" page -o "$work/page.html" >/dev/null 2>"$work/said"; then
-        grep -q "<title>stampflow</title>" "$work/page.html" || fail "no page in $work/page.html"
-    else
-        grep -q "built without the page" "$work/said" || fail "page: $(cat "$work/said")"
-        echo "not tried: the page, which this program was built without"
-    fi
     grep -q "^miette .*Apache" "$doc/LICENSES-crates.txt" || fail "no licences of the crates"
     if has man; then
         for page in "$1"/share/man/man1/*.gz; do

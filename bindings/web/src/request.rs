@@ -3,10 +3,10 @@
 use crate::{drawing, sliders, solve, trace};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
 use stampflow::author::templates::{Choice, TEMPLATES, find};
 use stampflow::case::files::Memory;
 use stampflow::case::{Case, CaseError, library, parse_with};
+use std::collections::BTreeMap;
 
 /// A request; `do` is its kind.
 #[derive(Deserialize)]

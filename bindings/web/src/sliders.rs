@@ -83,9 +83,7 @@ fn listed(sliders: &[Slider], writes: &[Write]) -> Value {
         let [low, high] = one.range.map(|times| times * one.value);
         json!({ "key": one.key, "value": one.value, "unit": one.unit, "low": low, "high": high })
     };
-    let write = |Write { path, unit, terms, plus }: &Write| {
-        json!({ "path": path, "unit": unit, "terms": terms, "plus": plus, "isWhole": *terms == [ELEMENTS] })
-    };
+    let write = |Write { path, unit, terms, plus }: &Write| json!({ "path": path, "unit": unit, "terms": terms, "plus": plus, "isWhole": *terms == [ELEMENTS] });
     json!({
         "sliders": sliders.iter().map(slider).collect::<Vec<_>>(),
         "writes": writes.iter().map(write).collect::<Vec<_>>(),
@@ -139,7 +137,8 @@ fn couple(sliders: &mut Vec<Slider>, writes: &mut Vec<Write>) {
 
 /// A blank that ends where the die's shoulder does goes with it.
 fn clamp(sliders: &mut Vec<Slider>, writes: &mut Vec<Write>) {
-    let (Some(blank), Some(throat), Some(shoulder)) = (at(sliders, "blank"), at(sliders, THROAT), at(sliders, SHOULDER))
+    let (Some(blank), Some(throat), Some(shoulder)) =
+        (at(sliders, "blank"), at(sliders, THROAT), at(sliders, SHOULDER))
     else {
         return;
     };

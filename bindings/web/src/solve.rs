@@ -12,7 +12,9 @@ const COARSE: f64 = 0.5;
 
 /// Solves a case and judges it.
 pub fn solve(mut case: Case, is_coarse: bool) -> Value {
-    if let Some(coarser) = is_coarse.then(|| stampflow::study::verify::Direction::Together.refined(&case.stages, COARSE)).flatten() {
+    if let Some(coarser) =
+        is_coarse.then(|| stampflow::study::verify::Direction::Together.refined(&case.stages, COARSE)).flatten()
+    {
         case.stages = coarser;
     }
     let mut film = Film::default();

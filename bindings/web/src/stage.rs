@@ -49,9 +49,9 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip) -> Value {
         let outline: Vec<f64> = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]).collect();
         json!({ "role": tool.role.name(), "outline": outline })
     });
-    let events = events(stage).into_iter().map(|event| {
-        json!({ "label": event.kind.label().to_string(), "travel": event.travel, "force": event.force })
-    });
+    let events = events(stage)
+        .into_iter()
+        .map(|event| json!({ "label": event.kind.label().to_string(), "travel": event.travel, "force": event.force }));
     json!({
         "name": name,
         "forceUnit": model.extent().force_unit().symbol(),
@@ -71,7 +71,8 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip) -> Value {
 }
 
 fn columns<T>(fields: &[Column<T>], rows: &[T]) -> Value {
-    let column = |(key, value): &Column<T>| ((*key).to_owned(), Value::from(rows.iter().map(value).collect::<Vec<f64>>()));
+    let column =
+        |(key, value): &Column<T>| ((*key).to_owned(), Value::from(rows.iter().map(value).collect::<Vec<f64>>()));
     Value::Object(fields.iter().map(column).collect::<Map<_, _>>())
 }
 
