@@ -90,7 +90,6 @@ pub mod plot;
 pub mod report;
 #[cfg(feature = "app")]
 pub mod results;
-pub mod rules;
 pub mod solver;
 #[cfg(feature = "app")]
 pub mod study;

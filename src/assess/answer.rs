@@ -1,13 +1,13 @@
 //! What a designer asks first: does it tear, where, what does the press see.
 
-use super::key_number::{KeyNumber, numbers};
+use super::key_number::numbers;
 use super::nearest::Nearest;
 use super::neck::torn;
 use super::place::{on_part, place, thinnest};
 use super::{Finding, Light, forming_limit, judgements, thinning};
 use crate::case::Case;
 use crate::solver::solution::{StageSolution, Stop};
-use crate::units::{Amount, joined};
+use crate::units::{Amount, Quantity, joined};
 use serde::Serialize;
 
 /// The verdict in one sentence, and the numbers that a part is known by.
@@ -21,7 +21,7 @@ pub struct Answer {
     #[serde(skip)]
     pub end: String,
     /// In the order of telling.
-    pub numbers: Vec<KeyNumber>,
+    pub numbers: Vec<Quantity>,
 }
 
 /// Where the sheet tears.
@@ -66,7 +66,7 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: 
     }
     // Of the thinnest place, and of a finding in percent.
     let at = || stages.last().and_then(thinnest).map_or_else(String::new, |(_, s0)| place(stages, s0));
-    let share = |key: &str| judgements(findings).find(|f| f.key == key)?.value.map(|percent| 0.01 * percent);
+    let share = |key: &str| judgements(findings).find(|f| f.key == key)?.value().map(|percent| 0.01 * percent);
     let bottom = share("bottom_tearing");
     match light {
         _ if is_red("bottom_tearing") => "it tears at the bottom: the punch pulls harder than the wall can bear".into(),

@@ -1,8 +1,8 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
 use super::{Finding, Light, run::Run};
+use crate::assess::design::{SHARP, THIN, bent_strength};
 use crate::model::{Model, Theory, Tool};
-use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -1,9 +1,9 @@
 //! What a sheet carries where noses and shoulders bend it.
 
 use super::{Finding, Light, bending_radius::ADVICE, nose::nose, run::Run};
+use crate::assess::design::{SHARP, THIN, bent_strength};
 use crate::geometry::Arc;
 use crate::model::{Role, Tool};
-use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 use crate::units::Amount;

@@ -1,8 +1,8 @@
 //! Whether the blank is large enough for the part.
 
 use super::Finding;
+use crate::assess::estimate;
 use crate::model::{Edge, Model};
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -3,8 +3,8 @@
 use super::nose::NoseEnd;
 use super::run::{Run, at_event};
 use super::{Finding, Light, thinning};
+use crate::assess::estimate::{draw_ratio, tensile_strength};
 use crate::model::{Edge, Geometry};
-use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use crate::units::{Amount, joined};

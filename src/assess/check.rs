@@ -9,9 +9,9 @@ mod tools;
 pub use line::Line;
 
 use super::{Kind, before, sentences};
+use crate::assess::estimate;
 use crate::case::Case;
 use crate::model::{Extent, Geometry, Model, Theory};
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::ZERO_CELSIUS;
 use crate::units::{Amount, Digits, joined};

@@ -2,8 +2,8 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, run::Run};
+use crate::assess::estimate;
 use crate::model::Model;
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::{Amount, Digits};
 

@@ -1,8 +1,8 @@
 //! Whether the holder closed on the die over the sheet before the punch came.
 
 use super::Finding;
+use crate::assess::bead;
 use crate::model::{Geometry, Model};
-use crate::rules::bead;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 use crate::units::{Amount, joined};

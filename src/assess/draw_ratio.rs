@@ -1,9 +1,9 @@
 //! Whether one draw reaches the draw ratio.
 
 use super::Finding;
+use crate::assess::design::LIMITING_RATIO;
+use crate::assess::estimate;
 use crate::model::Model;
-use crate::rules::design::LIMITING_RATIO;
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -1,12 +1,10 @@
 //! The one way in which the program tells a user what to know.
 
-use super::error_bar::ErrorBar;
-use crate::table::Unit;
-use crate::units::{Amount, joined};
-use serde::{Serialize, Serializer};
+use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// How a finding stands to its limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Light {
     /// Not judged: the case does not hold what it would be held against.
@@ -51,7 +49,7 @@ impl Light {
 }
 
 /// When a finding can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum When {
     /// From the case alone.
@@ -71,85 +69,71 @@ pub enum Kind {
     Assumption,
 }
 
-/// Where a number turns amber, and where red.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Limits {
-    /// On which side of them a number is good.
-    pub sense: Sense,
-    /// Amber from here on, in the finding's unit.
-    pub amber: Option<f64>,
-    /// Red from here on, in the finding's unit.
-    pub red: Option<f64>,
-}
-
-/// On which side of its limits a number is good.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Sense {
-    /// Not above them.
-    AtMost,
-    /// Not below them.
-    AtLeast,
-}
-
-/// Something that a user should know.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// Row of the verdict, warning, or assumption.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// Name in JSON: `thinning`.
     pub key: &'static str,
     /// Name in tables: `Thinning`.
     pub label: &'static str,
-    /// How it stands to its limit.
+    /// State against the limit.
     pub light: Light,
-    /// The number, in `unit`; `None` where words say it.
-    pub value: Option<f64>,
-    /// How far the number can be trusted; what was found tells it so.
-    #[serde(flatten)]
-    pub bar: ErrorBar,
-    /// In JSON as at the end of a header: `percent`; empty for plain numbers.
-    #[serde(serialize_with = "spelled")]
-    pub unit: Unit,
-    /// The limits of the number, in `unit`; `None` where words say them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub limits: Option<Limits>,
-    /// The number or the words, with the unit, and where.
-    pub found: String,
-    /// The limit in words, with its unit.
+    /// Number that is judged, if any.
+    pub quantity: Option<Quantity>,
+    /// Sentence, with `{}` in place of the number.
+    pub text: String,
+    /// Limit in words, with its unit.
     pub limit: String,
-    /// Where the limit comes from; a declared rule of thumb is called so.
+    /// Source of the limit.
     pub source: String,
-    /// What to change; empty where all is well.
+    /// Change to make; empty for green findings.
     pub advice: String,
-    /// When it can be made.
+    /// Earliest time at which it is known.
     pub when: When,
-    /// Where it is told.
-    #[serde(skip)]
+    /// Place in the output.
     pub kind: Kind,
-    /// The stage that it is of, counted from 0; `None` of the case or of all stages.
-    #[serde(skip)]
+    /// Stage, counted from 0; `None` for the case or all stages.
     pub stage: Option<usize>,
 }
 
-fn spelled<S: Serializer>(unit: &Unit, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(unit.spelled())
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("key", self.key)?;
+        map.serialize_entry("label", self.label)?;
+        map.serialize_entry("light", &self.light)?;
+        map.serialize_entry("value", &self.value())?;
+        if let Some(quantity) = &self.quantity {
+            quantity.error.write(&mut map)?;
+        }
+        map.serialize_entry("unit", self.quantity.as_ref().map_or("", |quantity| quantity.amount.unit.spelled()))?;
+        if let Some(limits) = self.limits() {
+            map.serialize_entry("limits", &limits)?;
+        }
+        map.serialize_entry("found", &self.found())?;
+        map.serialize_entry("limit", &self.limit)?;
+        map.serialize_entry("source", &self.source)?;
+        map.serialize_entry("advice", &self.advice)?;
+        map.serialize_entry("when", &self.when)?;
+        map.end()
+    }
 }
 
-/// The source of what the solver should keep to.
+/// Source of limits on the solution itself.
 pub(super) const ACCURACY: &str = "declared accuracy of the solver";
-/// What a limit without a source that could be read is called.
+/// Source of limits without a citation.
 const DECLARED: &str = "declared rule of thumb";
+/// Position of the number in [`Finding::text`].
+const PLACEHOLDER: &str = "{}";
 
 impl Finding {
-    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: String) -> Self {
+    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, text: String) -> Self {
         Self {
             key,
             label,
             light,
-            value: None,
-            bar: ErrorBar::Unasked,
-            unit: Unit::None,
-            limits: None,
-            found,
+            quantity: None,
+            text,
             limit: String::new(),
             source: DECLARED.into(),
             advice: String::new(),
@@ -159,55 +143,69 @@ impl Finding {
         }
     }
 
-    /// A row of the verdict.
-    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<String>) -> Self {
-        Self::new(Kind::Judgement, key, label, light, found.into())
+    /// Row of the verdict.
+    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, text: impl Into<String>) -> Self {
+        Self::new(Kind::Judgement, key, label, light, text.into())
     }
 
-    /// A warning; with [`Self::advice`] its sentence is `found: advice`.
-    pub(crate) fn warning(key: &'static str, label: &'static str, found: impl Into<String>) -> Self {
-        Self::new(Kind::Warning, key, label, Light::Amber, found.into())
+    /// Warning; its sentence is `text: advice`.
+    pub(crate) fn warning(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
+        Self::new(Kind::Warning, key, label, Light::Amber, text.into())
     }
 
-    /// What was assumed while a case was read.
-    pub(super) fn assumed(found: impl Into<String>) -> Self {
+    /// Assumption made while the case was read.
+    pub(super) fn assumed(text: impl Into<String>) -> Self {
         let limit = "what the case says".into();
-        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.into()) }
+        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, text.into()) }
     }
 
-    /// With its number and the limit that it is held against.
+    /// Sets the number, which takes the place of `{}` in the text.
+    pub(super) fn number(self, amount: Amount) -> Self {
+        Self { quantity: Some(Quantity::new(self.key, self.label, amount)), ..self }
+    }
+
+    /// Sets number and limit.
     pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<String>) -> Self {
-        Self { value: value.into(), unit, ..self }.limit(limit)
+        match value.into() {
+            Some(value) => self.number(Amount::new(value, unit, Digits::Significant(3))),
+            None => self,
+        }
+        .limit(limit)
     }
 
-    /// With a share and its limit, both \[–\], told in percent.
+    /// Sets a share and its amber limit \[–\].
     pub(super) fn share(self, share: f64, limit: f64) -> Self {
-        self.against(100.0 * share, Unit::Percent, Amount::given_share(limit)).at_most(100.0 * limit, None)
+        self.number(Amount::share(share)).limit(Amount::given_share(limit)).at_most(100.0 * limit, None)
     }
 
-    /// With the numbers, in its unit, above which it turns amber and red.
+    /// Sets the upper limits for amber and red, in the unit of the number.
     pub(super) fn at_most(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
-        Self { limits: Some(Limits { sense: Sense::AtMost, amber: amber.into(), red: red.into() }), ..self }
+        self.limited(Limits { sense: Sense::AtMost, amber: amber.into(), red: red.into() })
     }
 
-    /// With the numbers, in its unit, below which it turns amber and red.
+    /// Sets the lower limits for amber and red, in the unit of the number.
     pub(super) fn at_least(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
-        Self { limits: Some(Limits { sense: Sense::AtLeast, amber: amber.into(), red: red.into() }), ..self }
+        self.limited(Limits { sense: Sense::AtLeast, amber: amber.into(), red: red.into() })
     }
 
-    /// With its limit, a declared rule of thumb until a source is given.
+    fn limited(mut self, limits: Limits) -> Self {
+        self.quantity.iter_mut().for_each(|quantity| quantity.limits = Some(limits));
+        self
+    }
+
+    /// Sets the limit in words.
     pub(super) fn limit(mut self, limit: impl Into<String>) -> Self {
         self.limit = limit.into();
         self
     }
 
-    /// With the source of its limit.
+    /// Sets the source of the limit.
     pub(super) fn source(mut self, source: impl Into<String>) -> Self {
         self.source = source.into();
         self
     }
 
-    /// With what to change, unless all is well.
+    /// Sets the change to make, unless the finding is green.
     pub(super) fn advice(mut self, advice: impl Into<String>) -> Self {
         if self.light != Light::Green {
             self.advice = advice.into();
@@ -215,9 +213,30 @@ impl Finding {
         self
     }
 
-    /// As one sentence: what was found, and of a warning what to change.
+    /// Sentence with the number, and its error bar if there is one.
+    pub fn found(&self) -> String {
+        match &self.quantity {
+            Some(number) if self.text.contains(PLACEHOLDER) => self.text.replacen(PLACEHOLDER, &number.to_string(), 1),
+            Some(number) if number.error != ErrorBar::NotComputed && number.amount.bar().is_some() => {
+                format!("{} ({number})", self.text)
+            }
+            _ => self.text.clone(),
+        }
+    }
+
+    /// Number that is judged, in its unit.
+    pub fn value(&self) -> Option<f64> {
+        self.quantity.as_ref().map(Quantity::value)
+    }
+
+    /// Limits of the number.
+    pub fn limits(&self) -> Option<Limits> {
+        self.quantity.as_ref()?.limits
+    }
+
+    /// Sentence, and for a warning the change to make.
     pub fn sentence(&self) -> String {
-        joined([self.found.clone(), self.advice.clone()], ": ")
+        joined([self.found(), self.advice.clone()], ": ")
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::nearest::Nearest;
 use super::{Finding, Light, run::Run, thinning};
+use crate::assess::design::THIN;
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{CROOKED, Judged};
-use crate::rules::design::THIN;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 use crate::units::{Amount, joined};

@@ -2,9 +2,9 @@
 
 use super::run::Run;
 use super::{Finding, Light, closing, strength};
+use crate::assess::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::measure::rests_on_blocks;
 use crate::model::{Model, Motion, Role, Tool};
-use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use crate::units::{Amount, joined};

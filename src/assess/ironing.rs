@@ -2,7 +2,7 @@
 
 use super::run::Run;
 use super::{Finding, Light};
-use crate::rules::design::IRONING_LIMIT;
+use crate::assess::design::IRONING_LIMIT;
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -1,6 +1,5 @@
 //! The numbers that a part is known by.
 
-use super::error_bar::ErrorBar;
 use super::place::{place, thinnest};
 use super::press::{Load, RESERVE};
 use crate::case::Case;
@@ -8,56 +7,11 @@ use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::model::{Geometry, Model, Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
-use crate::units::rounded;
-use crate::units::{Amount, Digits, joined};
-use serde::{Serialize, Serializer};
-
-/// One of the numbers that a part is known by.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KeyNumber {
-    /// Name in JSON: `thinnest`.
-    pub key: &'static str,
-    /// Name in tables: `Thinnest`.
-    pub label: &'static str,
-    /// The number.
-    pub amount: Amount,
-    /// Where, when, and against what.
-    pub about: String,
-    /// How far it can be trusted; a number with a bar has it in `amount` too.
-    pub bar: ErrorBar,
-}
-
-impl KeyNumber {
-    fn new(key: &'static str, label: &'static str, amount: Amount, about: String) -> Self {
-        Self { key, label, amount, about, bar: ErrorBar::Unasked }
-    }
-
-    /// With its error bar.
-    pub fn with_bar(self, bar: ErrorBar) -> Self {
-        let amount = if let ErrorBar::Half(half) = bar { self.amount.with_bar(half) } else { self.amount };
-        Self { amount, bar, ..self }
-    }
-}
-
-impl Serialize for KeyNumber {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Fields<'a> {
-            key: &'a str,
-            value: f64,
-            #[serde(flatten)]
-            bar: &'a ErrorBar,
-            unit: &'a str,
-            about: &'a String,
-        }
-        let Self { key, amount, about, bar, .. } = self;
-        Fields { key, value: rounded(amount.value), bar, unit: amount.unit.spelled(), about }.serialize(serializer)
-    }
-}
+use crate::units::{Amount, Digits, Quantity, joined};
 
 /// The numbers that a part is known by: thinnest place, force and press, holder, blank, the angle that a bend springs back
 /// to, height, draw-in, and the opening of a slit ring.
-pub(super) fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
+pub(super) fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let all = [
         thinnest_number(stages, is_torn),
         load(case, stages),
@@ -71,7 +25,7 @@ pub(super) fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> V
     all.into_iter().flatten().collect()
 }
 
-fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber> {
+fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<Quantity> {
     let stage = stages.last()?;
     let (thickness, s0) = thinnest(stage)?;
     let thinning = 1.0 - thickness / stage.model.blank.thickness;
@@ -79,7 +33,7 @@ fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber>
     // What comes after it is another sheet.
     let after = if is_torn { "after the tear".into() } else { String::new() };
     let about = joined([about, place(stages, s0), after], ", ");
-    Some(KeyNumber::new("thinnest", "Thinnest", Amount::thickness(thickness), about))
+    Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(thickness)).at(about))
 }
 
 /// The stages that form the sheet, with their numbers.
@@ -99,14 +53,14 @@ pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
 }
 
 /// The largest force over all stages, or the largest gas pressure where no punch moves.
-fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let several = formed(stages).count() > 1;
     let stage = |i: usize| if several { format!("in stage {n}", n = i + 1) } else { String::new() };
     let Some((i, peak)) = largest_force(stages) else {
         let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
         let at = format!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
         let about = joined([stage(i), at], ", ");
-        return Some(KeyNumber::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()), about));
+        return Some(Quantity::new("pressure", "Pressure", Amount::stress(peak.pressure.abs())).at(about));
     };
     let unit = stages[i].model.extent().force_unit();
     let at = format!("at {travel} of travel", travel = Amount::place(peak.travel));
@@ -125,34 +79,34 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
     let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { String::new() };
     let press = joined([press, with_holder, reserve], " ");
     let about = joined([at, press], "; ");
-    Some(KeyNumber::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit), about))
+    Some(Quantity::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit)).at(about))
 }
 
 /// The largest holder force, or the gap of a holder that stands.
-fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
+fn holder(stages: &[StageSolution]) -> Option<Quantity> {
     let stage = stages.first()?;
     let holder = stage.model.tool(Role::Holder)?;
     if let Motion::Gap(gap) = holder.motion {
         let about = format!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
-        return Some(KeyNumber::new("holder_gap", "Holder gap", Amount::size(gap), about));
+        return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
     let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
     let amount = Amount::force(force, stage.model.extent().force_unit());
-    Some(KeyNumber::new("holder_force", "Holder", amount, "at its largest".into()))
+    Some(Quantity::new("holder_force", "Holder", amount).at("at its largest"))
 }
 
-fn blank(model: &Model) -> KeyNumber {
+fn blank(model: &Model) -> Quantity {
     let t = Amount::size(model.blank.thickness);
     let about = match model.geometry {
         Geometry::Axisymmetric => format!("in diameter, {t} thick"),
         Geometry::PlaneStrain => format!("wide, {t} thick"),
     };
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
-    KeyNumber::new("blank", "Blank", amount, about)
+    Quantity::new("blank", "Blank", amount).at(about)
 }
 
 /// Between the legs of a bend, or the walls of a channel, once its tools are taken away.
-fn opening_angle(stages: &[StageSolution]) -> Option<KeyNumber> {
+fn opening_angle(stages: &[StageSolution]) -> Option<Quantity> {
     let stage = stages.last().filter(|stage| stage.model.geometry == Geometry::PlaneStrain)?;
     let [before, after] = stage.released()?;
     let changes = changes(&Shape::of(before), &Shape::of(after));
@@ -161,20 +115,20 @@ fn opening_angle(stages: &[StageSolution]) -> Option<KeyNumber> {
         Some(before) => format!("sprung back, {angle} under load", angle = Amount::angle(before)),
         None => "sprung back".into(),
     };
-    Some(KeyNumber::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?), about))
+    Some(Quantity::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?)).at(about))
 }
 
-fn height(stages: &[StageSolution]) -> Option<KeyNumber> {
+fn height(stages: &[StageSolution]) -> Option<Quantity> {
     let height = part_height(stages.last()?.frames.last()?)?;
-    Some(KeyNumber::new("part_height", "Height", Amount::place(height), "over all".into()))
+    Some(Quantity::new("part_height", "Height", Amount::place(height)).at("over all"))
 }
 
-fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
+fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
     let drawn = stages.last()?.steps.last()?.draw_in;
-    Some(KeyNumber::new("draw_in", "Draw-in", Amount::place(drawn), "of the edge, on each side".into()))
+    Some(Quantity::new("draw_in", "Draw-in", Amount::place(drawn)).at("of the edge, on each side"))
 }
 
-fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+fn ring(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let ring = case.springback.ring?;
     let about = format!(
         "when slit; a ring {height} high, cut {from} over the bottom",
@@ -182,5 +136,5 @@ fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
         from = Amount::size(ring.from)
     );
     let amount = Amount::place(ring.opening(stages)?);
-    Some(KeyNumber::new("ring_opening", "Ring opening", amount, about))
+    Some(Quantity::new("ring_opening", "Ring opening", amount).at(about))
 }

@@ -1,8 +1,8 @@
 //! Whether the elements are small enough for the tools' radii.
 
 use super::Finding;
+use crate::assess::estimate;
 use crate::model::Model;
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::{Amount, Digits};
 

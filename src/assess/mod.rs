@@ -5,6 +5,7 @@
 //! thumb.
 
 mod answer;
+mod bead;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -14,9 +15,11 @@ mod clearance;
 mod closing;
 mod contact_share;
 mod cut_off;
+pub mod design;
 mod draw_ratio;
 mod ears;
-mod error_bar;
+pub mod estimate;
+mod failure_mode;
 mod finding;
 mod forming_limit;
 mod friction;
@@ -37,7 +40,7 @@ mod press;
 mod redraw_ratio;
 mod run;
 mod sharp_corner;
-mod size;
+pub mod size;
 mod springback;
 mod stop;
 mod strength;
@@ -50,12 +53,12 @@ mod yield_condition;
 mod yielding;
 
 pub use answer::{Answer, tears_at};
-pub use error_bar::ErrorBar;
-pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
+pub use failure_mode::FailureMode;
+pub use finding::{Finding, Kind, Light, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
-pub use key_number::{KeyNumber, largest_force};
-pub use size::size_doubts;
+pub use key_number::largest_force;
+pub use size::{SIZE_CHECKS, size_doubts};
 
 use crate::case::Case;
 use crate::model::{Model, Tool};
@@ -83,11 +86,6 @@ enum After {
 
 /// What is asked of a case, in the order of telling.
 const BEFORE: &[Before] = &[
-    Before::Model(size::width),
-    Before::Model(size::thickness),
-    Before::Model(size::slender),
-    Before::Model(size::blank_diameter),
-    Before::Model(size::throat_diameter),
     Before::Case(two_sheets::mixed),
     Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),
@@ -152,13 +150,14 @@ const AFTER: &[After] = &[
 /// What can be found before a case is solved: what was assumed while it was read, and what should be known before a result
 /// is trusted.
 pub fn before(case: &Case) -> Vec<Finding> {
+    let sizes = SIZE_CHECKS.iter().filter_map(|check| check(case.model()));
     let asked = BEFORE.iter().flat_map(|question| match question {
         Before::Case(ask) => ask(case).into_iter().collect(),
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });
     let assumed = case.derived.iter().cloned().map(Finding::assumed);
-    assumed.chain(asked).map(|finding| Finding { when: When::Before, ..finding }).collect()
+    assumed.chain(sizes).chain(asked).map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 
 /// What can be found on a case's solved stages: the verdict, and the warnings of every stage.

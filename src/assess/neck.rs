@@ -19,7 +19,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }) => {
             Some(format!("the run ended by it: {kind}", kind = stop.kind()))
         }
-        _ => seen(last).map(|finding| finding.found),
+        _ => seen(last).map(|finding| finding.found()),
     };
     let light = if seen.is_some() { Light::Red } else { Light::Green };
     Some(

@@ -1,9 +1,9 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
 use super::{Finding, Light, run::Run};
+use crate::assess::design::REDRAW_RATIO;
 use crate::model::tool_sizes::extent;
 use crate::model::{Geometry, Role};
-use crate::rules::design::REDRAW_RATIO;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 use crate::units::Amount;

@@ -1,8 +1,8 @@
 //! Whether the hardening law is that of a sheet metal, or in a wrong unit.
 
 use super::Finding;
+use crate::assess::estimate::tensile_strength;
 use crate::model::Model;
-use crate::rules::estimate::tensile_strength;
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -2,9 +2,9 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, closing, run::Run};
+use crate::assess::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::model::tool_sizes::extent;
 use crate::model::{Model, Motion, Role};
-use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::table::Unit;
 use crate::units::Amount;
 

@@ -12,13 +12,13 @@ pub use imported::{Import, ImportFailure, Imported};
 use super::page::{Page, exact, size_key};
 use super::templates::rules::strip_pressure;
 use super::templates::{FRICTION, typical};
+use crate::assess::design::Picked;
+use crate::assess::estimate::{siebel, tensile_strength};
 use crate::case::library;
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
 use crate::model::tool_sizes::mouth;
 use crate::model::{Geometry, Role};
-use crate::rules::design::Picked;
-use crate::rules::estimate::{siebel, tensile_strength};
 use crate::units::rounded;
 use sizes::Sizes;
 

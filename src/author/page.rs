@@ -1,11 +1,11 @@
 //! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
 
+use crate::assess::design::Picked;
 use crate::forming_limit::{Hill, Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Geometry;
-use crate::rules::design::Picked;
 use crate::units::trimmed;
 use std::fmt::{Display, Write};
 

@@ -35,6 +35,7 @@ mod schema;
 mod solution;
 mod source;
 mod sources;
+pub mod thickness_tolerance;
 mod written;
 
 pub use error::CaseError;
@@ -46,9 +47,9 @@ pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
+use crate::material::RValues;
 use crate::measure::Ring;
 use crate::model::{Model, Stage};
-use crate::rules::r_values::RValues;
 use std::path::PathBuf;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.

@@ -13,7 +13,7 @@ pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification
         [
             Cell::plain(String::from(number.label)),
             Cell::plain(number.amount.to_string()),
-            Cell::plain(number.about.to_string()),
+            Cell::plain(number.place.clone()),
         ]
     });
     let mut shown = sentence(&case.name, answer, "");
@@ -64,9 +64,9 @@ fn judged(findings: &[Finding]) -> Shown {
 
 fn row(finding: &Finding) -> [Cell; 3] {
     // Words are no limit of a number.
-    let found = match finding.value {
-        Some(_) => format!("{found}; limit: {limit}", found = finding.found, limit = finding.limit),
-        None => finding.found.clone(),
+    let found = match finding.value() {
+        Some(_) => format!("{found}; limit: {limit}", found = finding.found(), limit = finding.limit),
+        None => finding.found().clone(),
     };
     [
         Cell { text: String::from(finding.light.name()), tone: Tone::of(finding.light) },

@@ -114,7 +114,7 @@ fn row(finding: &Finding) -> [Cell; 4] {
     [
         Cell::plain(String::from(finding.label)),
         Cell { text: String::from(finding.light.name()), tone: Tone::of(finding.light) },
-        Cell::plain(finding.found.to_string()),
+        Cell::plain(finding.found()),
         Cell::plain(limit.to_string()),
     ]
 }

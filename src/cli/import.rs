@@ -11,7 +11,7 @@ use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::results::{png, sketch, write};
-use stampflow::units::{Length, Positive, Quantity};
+use stampflow::units::{Dimensioned, Length, Positive};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -135,12 +135,12 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
 
 impl Args {
     fn asked(&self) -> Import {
-        let mm = |length: Option<Positive<Length>>| length.map(Quantity::value);
+        let mm = |length: Option<Positive<Length>>| length.map(Dimensioned::value);
         Import {
             options: Options {
                 layers: self.layers.clone(),
                 unit: self.units,
-                axis: self.axis.map(Quantity::value),
+                axis: self.axis.map(Dimensioned::value),
                 join: self.join.value(),
                 tolerance: self.tolerance.value(),
                 punch_moves: self.punch_moves,

@@ -9,10 +9,10 @@ use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Class, Entry, Fit};
+use stampflow::case::thickness_tolerance::Standard;
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::material::BackStress;
 use stampflow::results::{Chart, flow_curve, png, write};
-use stampflow::rules::thickness_tolerance::Standard;
 use stampflow::units::rounded;
 use std::path::PathBuf;
 

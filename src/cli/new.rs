@@ -6,10 +6,10 @@ use super::suggested::Suggested;
 use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
+use stampflow::assess::SIZE_CHECKS;
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
 use stampflow::case;
 use stampflow::results::{can_write, write};
-use stampflow::rules::size::{DOUBTS, Doubt};
 use std::path::{Path, PathBuf};
 
 /// What was asked for.
@@ -37,8 +37,8 @@ pub fn new(args: &Args) -> anyhow::Result<Code> {
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
     let case = case::parse(&text, template.name, &[])?;
-    for Doubt { found, advice, .. } in DOUBTS.iter().filter_map(|doubt| doubt(case.model())) {
-        warn(format!("warning: {found}: {advice}"));
+    for finding in SIZE_CHECKS.iter().filter_map(|check| check(case.model())) {
+        warn(format!("warning: {}", finding.sentence()));
     }
     let Some(path) = output else {
         return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };

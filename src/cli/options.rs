@@ -3,7 +3,7 @@
 use super::suggested::Suggested;
 use clap::ValueEnum;
 use stampflow::results::{Captions, Format, Pictures};
-use stampflow::units::{DisplaySettings, Length, Positive, Quantity};
+use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
 use std::ops::RangeInclusive;
 
 /// The option of every verb that has a result.

@@ -9,7 +9,7 @@ use super::parts::{Part, Parts};
 use super::reference::Placement;
 use super::spline;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
-use crate::units::{Kind, Length, Quantity, rounded};
+use crate::units::{Dimensioned, Kind, Length, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 

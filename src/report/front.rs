@@ -40,7 +40,7 @@ fn numbers(answer: &Answer) -> Vec<KeyNumber> {
     let told = answer.numbers.iter().map(|number| KeyNumber {
         label: String::from(number.label),
         value: number.amount.to_string(),
-        detail: number.about.to_string(),
+        detail: number.place.clone(),
     });
     told.collect()
 }
@@ -52,7 +52,7 @@ fn issues(findings: &[Finding]) -> (Vec<Issue>, usize) {
     let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
         label: String::from(finding.label),
-        found: brief(finding.found.to_string()),
+        found: brief(finding.found()),
         limit: brief(finding.limit.to_string()),
         advice: finding.advice.to_string(),
     });

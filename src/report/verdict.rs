@@ -13,7 +13,7 @@ pub(super) fn section(findings: &[Finding]) -> Section {
         ..Row::plain([
             word(finding.light),
             String::from(finding.label),
-            finding.found.to_string(),
+            finding.found(),
             format!("{} ({})", finding.limit.to_string(), finding.source.to_string()),
             finding.advice.to_string(),
         ])

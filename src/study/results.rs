@@ -5,8 +5,9 @@ use super::plan::{Designs, How, Plan};
 use super::row::{Columns, Solved, header};
 use super::varied::Varied;
 use super::zone::Zone;
-use crate::assess::{Light, Sense};
+use crate::assess::Light;
 use crate::study::verify::{Number, Of};
+use crate::units::Sense;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -74,7 +75,7 @@ impl<'a> Results<'a> {
                 numbers: numbers.iter().map(number).collect(),
                 bars: bars.iter().map(number).collect(),
                 light: LIGHTS.into_iter().find(|light| light.name() == &record[verdict]),
-                fails: record[fails].split(' ').filter_map(Zone::of_key).collect(),
+                fails: record[fails].split(' ').filter_map(Zone::from_key).collect(),
                 red: record[red].split(' ').filter(|row| !row.is_empty()).map(str::to_owned).collect(),
             });
         }
@@ -129,7 +130,7 @@ const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red]
 impl Found {
     /// Whether it says anything.
     pub fn is_known(&self) -> bool {
-        !self.fails.contains(&Zone::Lost)
+        !self.fails.contains(&Zone::NoResult)
     }
 
     /// Whether it does not fail.

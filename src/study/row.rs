@@ -2,10 +2,11 @@
 
 use super::plan::{Design, Designs};
 use super::zone::Zone;
-use crate::assess::{self, Finding, Light, Limits, Sense};
+use crate::assess::{self, Finding, Light};
 use crate::case::Solution;
 use crate::study::verify::{Number, Of, Outcome, Watch, quick};
 use crate::units::rounded;
+use crate::units::{Limits, Sense};
 
 /// A design, and what came of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +57,7 @@ pub struct Judged {
 
 impl Judged {
     fn of(finding: &Finding) -> Self {
-        Self { key: finding.key, label: finding.label, value: finding.value, limits: finding.limits }
+        Self { key: finding.key, label: finding.label, value: finding.value(), limits: finding.limits() }
     }
 
     /// How far it is from red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
@@ -84,7 +85,7 @@ impl Solved {
         let of = |light: Light| assess::judgements(&findings).filter(|f| f.light == light).map(|f| f.key).collect();
         let outcome = Outcome::found(solution, None, &findings);
         Self {
-            fails: Zone::of(solution, &outcome, &findings),
+            fails: Zone::all(&solution.stages, &findings),
             bars: Vec::new(),
             outcome,
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
@@ -204,7 +205,7 @@ impl Columns {
             }
             Err(why) => {
                 let nothing = String::new;
-                let lost = Zone::Lost.key().into();
+                let lost = Zone::NoResult.key().into();
                 [nothing(), lost, nothing(), nothing(), "not run".into(), why.clone(), VERSION.into(), nothing()]
             }
         });

@@ -77,7 +77,7 @@ impl Said {
                 Zone::Wrinkles => format!("{n} wrinkle"),
                 Zone::Press => format!("{n} need a larger press"),
                 Zone::Other => format!("{n} are refused otherwise"),
-                Zone::Lost => format!("{n} have no answer"),
+                Zone::NoResult => format!("{n} have no answer"),
             }
         });
         let parts = joined(std::iter::once(sound).chain(failed), ", ");
@@ -194,7 +194,7 @@ impl Zone {
             Self::Wrinkles => "would wrinkle",
             Self::Press => "needs a larger press",
             Self::Other => "is refused otherwise",
-            Self::Lost => "has no answer",
+            Self::NoResult => "has no answer",
         }
         .into()
     }

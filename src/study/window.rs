@@ -10,7 +10,7 @@ use super::region::{Grid, Point, Region};
 use super::results::{Found, Results};
 use super::varied::Varied;
 use super::zone::Zone;
-use crate::assess::Sense;
+use crate::units::Sense;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 

@@ -1,8 +1,8 @@
 //! Ranges as types: a wrong value cannot be built.
 
+use super::dimensioned::Dimensioned;
 use super::error::QuantityError;
 use super::kind::Kind;
-use super::quantity::Quantity;
 use super::text;
 use super::types::Number;
 
@@ -12,7 +12,7 @@ macro_rules! bounds {
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $type<Q>(Q);
 
-        impl<Q: Quantity> Quantity for $type<Q> {
+        impl<Q: Dimensioned> Dimensioned for $type<Q> {
             const KIND: &'static Kind = Q::KIND;
             const BOUND: &'static [(&'static str, f64)] = &[($keyword, 0.0)];
 
@@ -30,7 +30,7 @@ macro_rules! bounds {
                 self.0.value()
             }
         }
-        text::implement!([Q: Quantity] $type<Q>);
+        text::implement!([Q: Dimensioned] $type<Q>);
     )*};
 }
 
@@ -45,7 +45,7 @@ bounds! {
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Fraction(f64);
 
-impl Quantity for Fraction {
+impl Dimensioned for Fraction {
     const KIND: &'static Kind = Number::KIND;
     const BOUND: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", 1.0)];
 

@@ -1,7 +1,7 @@
 //! Units as they are spelled in file headers and drawn on axes.
 
+use super::dimensioned::Dimensioned;
 use super::parse::parse;
-use super::quantity::Quantity;
 use super::types::{Force, Length, LineForce, Number, Stress, Time};
 
 /// A unit of the solver: mm, N, s, MPa and what follows from them.

@@ -5,7 +5,7 @@
 //! finite and within [`Kind::largest`].
 //!
 //! ```
-//! use stampflow::units::{Length, Positive, Quantity};
+//! use stampflow::units::{Length, Positive, Dimensioned};
 //! let thickness: Positive<Length> = "0.035 in".parse().unwrap();
 //! assert!((thickness.value() - 0.889).abs() < 1e-12);
 //! assert!("3 kN".parse::<Length>().is_err());
@@ -13,6 +13,7 @@
 
 mod amount;
 mod bounds;
+mod dimensioned;
 mod display;
 mod error;
 mod gauge;
@@ -31,6 +32,7 @@ mod unit;
 
 pub use amount::{Amount, Digits};
 pub use bounds::{Fraction, NonNegative, Positive};
+pub use dimensioned::Dimensioned;
 pub use display::{DisplayScope, DisplaySettings, DisplayUnit};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
@@ -38,7 +40,7 @@ pub use kind::Kind;
 pub use number::{four_digits, joined, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse, thicknesses};
 pub(crate) use pattern::pattern;
-pub use quantity::Quantity;
+pub use quantity::{ErrorBar, Limits, Quantity, Sense};
 pub use serde::{As, Plain};
 pub use spelling::closest;
 pub(crate) use spelling::did_you_mean;

@@ -67,11 +67,11 @@ fn alternatives(is: impl Fn(Dimension) -> bool) -> Option<String> {
 mod tests {
     use super::*;
     use crate::units::{
-        Force, Length, LineForce, Quantity, QuantityError, Speed, StrainRate, Stress, Temperature, Time,
+        Dimensioned, Force, Length, LineForce, QuantityError, Speed, StrainRate, Stress, Temperature, Time,
     };
     use regex::Regex;
 
-    fn agrees<Q: Quantity + std::str::FromStr<Err = QuantityError>>() {
+    fn agrees<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>() {
         let pattern = Regex::new(&pattern(&[Q::KIND])).expect("an expression");
         let names = || UNITS.iter().map(|unit| unit.0).chain([CELSIUS, "ga_steel", "ga_al", "furlong"]);
         let powers = ["", "^2", "2", "²", "^3", "3", "³"];

@@ -1,45 +1,119 @@
-//! A number that knows what it measures.
+//! Result numbers: the one form in which verdict, summary, tables, studies and pictures hold them.
 
-use super::error::QuantityError;
-use super::kind::Kind;
-use super::parse::{parse, thicknesses};
-use super::unit::FORCE;
+use super::{Amount, rounded};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::fmt;
 
-/// A number whose dimension and range have been checked.
-pub trait Quantity: Copy {
-    /// What the type is called, measured in and limited to.
-    const KIND: &'static Kind;
-
-    /// Checks a number given in solver units.
-    ///
-    /// # Errors
-    /// When it is not finite or out of range; `found` is quoted in the message.
-    fn checked(value: f64, found: &str) -> Result<Self, QuantityError>;
-
-    /// The number in the solver's unit ([`Kind::unit`]).
-    fn value(self) -> f64;
-
-    /// Further condition of the type, for schemas: a JSON-schema keyword and its bound.
-    const BOUND: &'static [(&'static str, f64)] = &[];
+/// Named result with its unit, error bar, limits and place. Displays as `0.61 ± 0.01 mm`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Name in files: `thinnest`.
+    pub key: &'static str,
+    /// Name in text: `Thinnest`.
+    pub label: &'static str,
+    /// Value, unit and digits.
+    pub amount: Amount,
+    /// Discretisation error.
+    pub error: ErrorBar,
+    /// Numbers from which it is in doubt or refused.
+    pub limits: Option<Limits>,
+    /// Location, instant or reference; may be empty.
+    pub place: String,
 }
 
-/// Checks text against a type: number, unit, dimension, range.
-pub(super) fn read<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
-    let (kind, found) = (Q::KIND, text.trim());
-    let parsed = parse(text).map_err(|error| match (error, thicknesses(text)) {
-        (QuantityError::Thicknesses { .. }, Some(tonnes)) if kind.dimension == FORCE => {
-            QuantityError::tonnes(found, tonnes, kind)
-        }
-        (error, _) => error,
-    })?;
-    // A bare 8 would be 800 %: who writes a percentage says so.
-    let is_bare_share = kind.unit == "%" && !parsed.has_unit;
-    if parsed.dimension == kind.dimension && !is_bare_share {
-        return Q::checked(parsed.value, found);
+/// Numbers, in the quantity's unit, from which it turns amber and red.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Limits {
+    /// Good side.
+    pub sense: Sense,
+    /// Amber from here on.
+    pub amber: Option<f64>,
+    /// Red from here on.
+    pub red: Option<f64>,
+}
+
+/// Good side of limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sense {
+    /// Not above them.
+    AtMost,
+    /// Not below them.
+    AtLeast,
+}
+
+/// Discretisation error of a number. Serialises as `error_bar`, null with an `error_bar_reason` if there is none, and as
+/// nothing if none was computed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum ErrorBar {
+    /// Not computed.
+    #[default]
+    NotComputed,
+    /// Half width, in the unit of the number.
+    Half(f64),
+    /// None, and the reason.
+    Missing(String),
+}
+
+impl Quantity {
+    /// Quantity without error bar, limits and place.
+    pub fn new(key: &'static str, label: &'static str, amount: Amount) -> Self {
+        Self { key, label, amount, error: ErrorBar::NotComputed, limits: None, place: String::new() }
     }
-    let found = found.into();
-    Err(match parsed.has_unit {
-        true => QuantityError::WrongDimension { found, is: parsed.dimension, kind },
-        false => QuantityError::MissingUnit { found, kind },
-    })
+
+    /// Sets the place.
+    pub fn at(self, place: impl Into<String>) -> Self {
+        Self { place: place.into(), ..self }
+    }
+
+    /// Sets the error bar, which then limits the digits.
+    pub fn with_error(self, error: ErrorBar) -> Self {
+        let amount = if let ErrorBar::Half(half) = error { self.amount.with_bar(half) } else { self.amount };
+        Self { amount, error, ..self }
+    }
+
+    /// Value, in its unit.
+    pub fn value(&self) -> f64 {
+        self.amount.value
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.amount.fmt(f)
+    }
+}
+
+impl Serialize for Quantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("key", self.key)?;
+        map.serialize_entry("value", &rounded(self.amount.value))?;
+        self.error.write(&mut map)?;
+        map.serialize_entry("unit", self.amount.unit.spelled())?;
+        map.serialize_entry("about", &self.place)?;
+        map.end()
+    }
+}
+
+impl ErrorBar {
+    /// Writes its entries into a map.
+    pub fn write<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
+        match self {
+            Self::NotComputed => Ok(()),
+            Self::Half(half) => map.serialize_entry("error_bar", &rounded(*half)),
+            Self::Missing(why) => {
+                map.serialize_entry("error_bar", &None::<f64>)?;
+                map.serialize_entry("error_bar_reason", why)
+            }
+        }
+    }
+}
+
+impl Serialize for ErrorBar {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        self.write(&mut map)?;
+        map.end()
+    }
 }

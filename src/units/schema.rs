@@ -1,13 +1,13 @@
 //! Quantities in the JSON schema of a case file.
 
+use super::dimensioned::Dimensioned;
 use super::pattern::pattern;
-use super::quantity::Quantity;
 use super::serde::As;
 use schemars::JsonSchema;
 
 /// The schema of a quantity: a number, or text with examples; with its bounds, which validators leave alone in text, and in
 /// text its kind and unit for the reference.
-pub(super) fn of<Q: Quantity>() -> schemars::Schema {
+pub(super) fn of<Q: Dimensioned>() -> schemars::Schema {
     let kind = Q::KIND;
     let mut schema = if kind.unit.is_empty() {
         schemars::json_schema!({ "type": "number" })

@@ -1,8 +1,8 @@
 //! Quantities in a case file: text with a unit, or a plain number where the quantity has none.
 
+use super::dimensioned::{Dimensioned, read};
 use super::error::QuantityError;
 use super::kind::Kind;
-use super::quantity::{Quantity, read};
 use serde::Deserialize;
 use serde::Serializer;
 use serde::de::{self, Deserializer, Visitor};
@@ -11,7 +11,7 @@ use std::marker::PhantomData;
 
 struct Text<Q>(PhantomData<Q>);
 
-impl<Q: Quantity> Text<Q> {
+impl<Q: Dimensioned> Text<Q> {
     fn number<E: de::Error>(&self, value: f64) -> Result<Q, E> {
         let (found, kind) = (format!("{value:?}"), Q::KIND);
         let found = found.strip_suffix(".0").unwrap_or(&found).to_owned();
@@ -23,7 +23,7 @@ impl<Q: Quantity> Text<Q> {
     }
 }
 
-impl<Q: Quantity> Visitor<'_> for Text<Q> {
+impl<Q: Dimensioned> Visitor<'_> for Text<Q> {
     type Value = Q;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -55,7 +55,7 @@ impl<Q: Quantity> Visitor<'_> for Text<Q> {
     }
 }
 
-pub(super) fn deserialize<'de, Q: Quantity, D: Deserializer<'de>>(from: D) -> Result<Q, D::Error> {
+pub(super) fn deserialize<'de, Q: Dimensioned, D: Deserializer<'de>>(from: D) -> Result<Q, D::Error> {
     from.deserialize_any(Text(PhantomData))
 }
 
@@ -78,7 +78,7 @@ pub trait Plain {
     fn write<S: Serializer>(number: &Self::Number, to: S) -> Result<S::Ok, S::Error>;
 }
 
-impl<Q: Quantity> Plain for Q {
+impl<Q: Dimensioned> Plain for Q {
     type Number = f64;
 
     fn plain(self) -> f64 {
@@ -93,7 +93,7 @@ impl<Q: Quantity> Plain for Q {
     }
 }
 
-impl<Q: Quantity> Plain for Option<Q> {
+impl<Q: Dimensioned> Plain for Option<Q> {
     type Number = Option<f64>;
 
     fn plain(self) -> Option<f64> {

@@ -7,13 +7,13 @@ macro_rules! implement {
             type Err = $crate::units::QuantityError;
 
             fn from_str(text: &str) -> Result<Self, Self::Err> {
-                $crate::units::quantity::read(text)
+                $crate::units::dimensioned::read(text)
             }
         }
 
         impl<$($generic)*> std::fmt::Display for $type {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                let (value, unit) = ($crate::units::Quantity::value(*self), <Self as $crate::units::Quantity>::KIND.unit);
+                let (value, unit) = ($crate::units::Dimensioned::value(*self), <Self as $crate::units::Dimensioned>::KIND.unit);
                 match unit {
                     "" => write!(f, "{value}"),
                     "%" => write!(f, "{} %", $crate::units::rounded(100.0 * value)),
@@ -34,7 +34,7 @@ macro_rules! implement {
             }
 
             fn schema_name() -> std::borrow::Cow<'static, str> {
-                <Self as $crate::units::Quantity>::KIND.name.into()
+                <Self as $crate::units::Dimensioned>::KIND.name.into()
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {

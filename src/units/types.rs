@@ -1,8 +1,8 @@
 //! The quantities of a case, each a type of its own.
 
+use super::dimensioned::Dimensioned;
 use super::error::QuantityError;
 use super::kind::Kind;
-use super::quantity::Quantity;
 use super::text;
 use super::unit::{ANGLE, FORCE, LENGTH, MASS, NONE, POWER, STRESS, TEMPERATURE, TIME};
 
@@ -12,7 +12,7 @@ macro_rules! quantities {
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $type(f64);
 
-        impl Quantity for $type {
+        impl Dimensioned for $type {
             const KIND: &'static Kind = &$kind;
 
             fn checked(value: f64, found: &str) -> Result<Self, QuantityError> {

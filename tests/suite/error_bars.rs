@@ -29,9 +29,8 @@ fn barred(text: &str) -> Vec<(String, String)> {
 
 /// Everything that is told of a run with its bars, in a form.
 fn told(answer: &Answer, findings: &[Finding]) -> String {
-    let numbers =
-        answer.numbers.iter().map(|number| format!("{} {}\n", number.amount.to_string(), number.about.to_string()));
-    let rows = findings.iter().map(|finding| finding.found.to_string() + "\n");
+    let numbers = answer.numbers.iter().map(|number| format!("{} {}\n", number.amount.to_string(), number.place));
+    let rows = findings.iter().map(|finding| finding.found() + "\n");
     numbers.chain(rows).chain([answer.sentence.to_string()]).collect()
 }
 
@@ -73,15 +72,15 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
         let (answer, findings) = answered(solution, found);
         (answer, findings.into_iter().find(|finding| finding.key == "press_force").expect("a row"))
     };
-    let needed = force(&plain, None).1.value.expect("a force");
+    let needed = force(&plain, None).1.value().expect("a force");
     let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
     let near = rated(0.799);
     let found = quick(&near, &());
     assert_eq!(force(&near, None).1.light, Light::Green);
     let (answer, row) = force(&near, Some(&found));
     assert_eq!(row.light, Light::Amber, "{row:?}");
-    assert!(row.found.to_string().starts_with("with its error bar it reaches the limit of"), "{row:?}");
-    assert!(row.found.to_string().contains('±') && !row.advice.is_empty(), "{row:?}");
+    assert!(row.found().starts_with("with its error bar it reaches the limit of"), "{row:?}");
+    assert!(row.found().contains('±') && !row.advice.is_empty(), "{row:?}");
     assert!(answer.sentence.to_string().contains("Press force"), "{answer:?}");
     let far = rated(0.7);
     assert_eq!(force(&far, Some(&quick(&far, &()))).1.light, Light::Green);

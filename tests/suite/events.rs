@@ -50,8 +50,8 @@ fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
     let findings = after(&solution.case, &solution.stages);
     for key in ["bottom_tearing", "press_force"] {
         let finding = judgements(&findings).find(|finding| finding.key == key).expect(key);
-        let told = finding.found.to_string().contains("(rim meets the die)");
-        assert_eq!(told, finding.found.to_string().contains("stage 2"), "{}", finding.found);
+        let told = finding.found().contains("(rim meets the die)");
+        assert_eq!(told, finding.found().contains("stage 2"), "{}", finding.found());
     }
     let summary = solution.summary();
     assert!(

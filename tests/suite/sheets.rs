@@ -146,7 +146,7 @@ fn a_run_says_that_it_goes_beyond_the_range_of_the_fit() {
     assert!(row.light == Light::Green && warning.is_none());
     let (row, warning) = range(&["material.fitted_up_to=0.1".to_owned()]);
     assert_eq!((row.light, row.limit.to_string().as_str()), (Light::Amber, "it is fitted up to 0.1"));
-    let warning = warning.expect("a warning").found.to_string();
+    let warning = warning.expect("a warning").found();
     assert!(warning.starts_with("the hardening law is fitted up to a strain of 0.1; the run reaches 0."), "{warning}");
 }
 

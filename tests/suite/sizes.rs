@@ -2,9 +2,9 @@
 
 use crate::common::cli::{CUP, stampflow};
 use crate::common::files::files;
+use stampflow::assess::SIZE_CHECKS;
 use stampflow::assess::check::report;
 use stampflow::case;
-use stampflow::rules::size::DOUBTS;
 
 /// What `check` warns of in the cup of these tests with overrides.
 fn warnings(overrides: &[&str]) -> Vec<String> {
@@ -45,7 +45,7 @@ fn no_shipped_case_is_doubted() {
     assert!(cases.len() > 10);
     for path in cases {
         let case = case::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
-        let doubts: Vec<_> = DOUBTS.iter().filter_map(|doubt| doubt(case.model())).collect();
+        let doubts: Vec<_> = SIZE_CHECKS.iter().filter_map(|check| check(case.model())).collect();
         assert!(doubts.is_empty(), "{}: {doubts:?}", path.display());
     }
 }

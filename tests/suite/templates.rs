@@ -196,7 +196,7 @@ fn cups_are_made_with_a_margin() {
         let (answer, findings) = answered(&solution, bars.as_ref());
         for key in ["holder", "bend_radius", "forming_limit"] {
             let finding = findings.iter().find(|finding| finding.key == key).expect(key);
-            assert_eq!(finding.light, Light::Green, "{height}: {key} {}", finding.found);
+            assert_eq!(finding.light, Light::Green, "{height}: {key} {}", finding.found());
         }
         let said = answer.sentence.to_string();
         assert!(!said.contains("near to tearing"), "{height}: {said}");
@@ -228,7 +228,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
         let findings = assess::after(&case, &passes);
         for finding in findings {
             if ["wrinkling", "bend_radius"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
-                assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.found);
+                assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.found());
             }
         }
     }

@@ -3,16 +3,16 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stampflow::units::{
-    Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, NonNegative, PerKelvin, Positive,
-    Quantity, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, four_digits, parse, rounded,
+    Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, NonNegative, PerKelvin,
+    Positive, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, four_digits, parse, rounded,
     significant, trimmed, without_zeros,
 };
 
-fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {
+fn value<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {
     text.parse::<Q>().unwrap_or_else(|e| panic!("{text}: {e}")).value()
 }
 
-fn message<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> String {
+fn message<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>(text: &str) -> String {
     match text.parse::<Q>() {
         Ok(q) => panic!("{text} was read as {}", q.value()),
         Err(e) => e.to_string(),

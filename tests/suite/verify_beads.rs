@@ -112,7 +112,7 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     assert!(found.iter().all(|finding| finding.key != "holder_open"));
     assert!(found.iter().any(|finding| finding.key == "holder" && finding.light == Light::Green));
 
-    let said: Vec<String> = assess::before(&case).iter().map(|finding| finding.found.to_string()).collect();
+    let said: Vec<String> = assess::before(&case).iter().map(|finding| finding.found()).collect();
     let offer = said.iter().find(|text| text.contains("[[tools.beads]]")).expect("the line is offered");
     let lines = offer.split("[[tools.beads]] ").nth(1).and_then(|rest| rest.split(" (").next()).expect("its keys");
     let line = format!("[[tools.beads]]\n{}", lines.replace(", ", "\n"));
@@ -133,11 +133,11 @@ fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
     assert!(closing.gap > 0.3 && (closing.force / 15e3 - 1.0).abs() < 1e-2, "{closing:?}");
     assert!(!stages[0].steps.is_empty(), "{}", stages[0].stop);
     let open = found.iter().find(|finding| finding.key == "holder_open").expect("a warning");
-    assert!(open.kind == Kind::Warning && open.value == Some(closing.gap), "{open:?}");
+    assert!(open.kind == Kind::Warning && open.value() == Some(closing.gap), "{open:?}");
     assert!(open.sentence().to_string().contains("[[tools.beads]] at = \"58.0 mm\""), "{open:?}");
     for key in ["holder", "wrinkling"] {
         let row = found.iter().find(|finding| finding.key == key).expect(key);
-        assert!(row.light == Light::Grey && row.found.to_string().contains("open by"), "{row:?}");
+        assert!(row.light == Light::Grey && row.found().contains("open by"), "{row:?}");
     }
 }
 

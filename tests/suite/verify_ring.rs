@@ -131,7 +131,7 @@ fn the_opening_is_a_key_number_a_line_of_the_summary_and_of_the_table() {
     let answer = stampflow::assess::Answer::of(&solution.case, &solution.stages, &findings);
     let told = answer.numbers.iter().find(|number| number.key == "ring_opening").expect("a key number");
     assert_eq!(told.amount.value, opening);
-    assert!(told.about.to_string().contains("when slit"), "{}", told.about);
+    assert!(told.place.clone().contains("when slit"), "{}", told.place);
     let results = Results::of(&solution).expect("results");
     let summary: Value = serde_json::from_str(&serde_json::to_string(&results.summary().stages[1]).unwrap()).unwrap();
     assert!((summary["ring_opening_mm"].as_f64().expect("a number") / opening - 1.0).abs() < 1e-8);

@@ -41,14 +41,14 @@ fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
         assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
         let end = other.stages[0].steps.last().expect("steps");
         let thinning = format!("{:.0}", 100.0 * (1.0 - end.thinnest / other.case.model().blank.thickness));
-        let said = doubted.found.to_string();
+        let said = doubted.found();
         assert!(said.contains(&format!("it thins by {thinning}")) && said.contains("no tear is seen"), "{said}");
         assert!(
             doubted.advice.to_string().contains("yield_condition = { hosford = { crystal = \"fcc\" } }"),
             "{doubted:?}"
         );
         let held = row(&found, "forming_limit");
-        assert!(held.light == Light::Amber && held.found.to_string().starts_with("not judged"), "{held:?}");
+        assert!(held.light == Light::Amber && held.found().starts_with("not judged"), "{held:?}");
         assert_eq!(row(&found, "thinning").light, Light::Red, "the rule of thumb stays");
         assert!(Answer::of(&solution.case, &solution.stages, &found).light == Light::Red);
     }
@@ -87,7 +87,10 @@ fn r_by_direction_is_its_mean_and_tells_the_ears() {
         found.into_iter().find(|finding| finding.key == "ears")
     };
     let found = ears(directions).expect("ears");
-    assert!(found.light == Light::Green && found.value.is_some_and(|height| (0.2..3.0).contains(&height)), "{found:?}");
+    assert!(
+        found.light == Light::Green && found.value().is_some_and(|height| (0.2..3.0).contains(&height)),
+        "{found:?}"
+    );
     assert!(ears(of("material.anisotropy=0.3625")).is_none(), "nothing is known of directions");
     let wrong = |given: &str| {
         let template = templates::find("cup").expect("a template").fill(&[]).expect("a case");

@@ -1,8 +1,8 @@
 //! What presses and pulls the sheet, in lines: holder, beads, gas.
 
 use super::line::{Line, line, size_of};
+use crate::assess::estimate;
 use crate::model::{Bead, Face, Gas, Model, Motion, Pressure, Role};
-use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::{Amount, Digits, joined};
 

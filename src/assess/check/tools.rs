@@ -2,11 +2,11 @@
 
 use super::line::{Line, line, size_of};
 use super::loads;
+use crate::assess::design::LIMITING_RATIO;
+use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Geometry, Model, Role, Tool};
-use crate::rules::design::LIMITING_RATIO;
-use crate::rules::estimate;
 use crate::units::{Amount, joined};
 
 /// More radii than these are told as a range: they round a curve off.

@@ -1,10 +1,10 @@
 //! From the bytes of a drawing to a case: what `stampflow import` writes and Python solves.
 
 use super::draft::{Draft, Drawn};
+use crate::assess::SIZE_CHECKS;
 use crate::case::{Case, CaseError, library};
 use crate::import::{self, ImportError, Options, Section, Sections};
 use crate::model::Geometry;
-use crate::rules::size::{DOUBTS, Doubt};
 use std::path::Path;
 
 /// How a drawing is read, and what is known besides it.
@@ -70,8 +70,8 @@ impl Import {
         if let Some(case) = &case {
             // A drawing in a wrong unit makes a case in a wrong unit: that is said once.
             if doubts.is_empty() {
-                let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
-                doubts.extend(of_case.map(|Doubt { found, advice, .. }| format!("{found}: {advice}")));
+                let of_case = SIZE_CHECKS.iter().filter_map(|check| check(case.model()));
+                doubts.extend(of_case.map(|finding| finding.sentence()));
             }
             notes.extend(case.derived.iter().map(ToString::to_string));
         }

@@ -1,10 +1,10 @@
 //! How large what was drawn is, and the sizes of the placeholders beside it.
 
 use super::draft::Draft;
+use crate::assess::design::Picked;
+use crate::assess::size::WIDTHS;
 use crate::model::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Motion, Role, Tool};
-use crate::rules::design::Picked;
-use crate::rules::size::WIDTHS;
 use crate::units::{mm, rounded};
 use std::ops::RangeInclusive;
 

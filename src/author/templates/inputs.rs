@@ -5,7 +5,7 @@ pub(super) use self::Default::{Rule, Value};
 use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
-    Angle, Force, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+    Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress, closest,
     thicknesses,
 };
 use std::borrow::Cow;
@@ -48,7 +48,7 @@ impl Kind {
 
     /// The value, numbers in solver units.
     fn read(self, text: &str) -> Result<Given, QuantityError> {
-        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Given, QuantityError> {
+        fn value<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Given, QuantityError> {
             text.parse::<Q>().map(|quantity| Given::Number(quantity.value()))
         }
         match self {

@@ -6,10 +6,10 @@ use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
 use super::tools::{HOLDER_PRESSURE, Tools, careful, flat_punch, newtons, throat};
+use crate::assess::design::REDRAW_RATIO;
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
-use crate::rules::design::REDRAW_RATIO;
 use crate::units::rounded;
 use std::f64::consts::PI;
 

@@ -3,7 +3,7 @@
 use crate::author::page::plain;
 use crate::case::CaseError;
 
-pub use crate::rules::design::*;
+pub use crate::assess::design::*;
 
 /// Draw ratio of the blank that a part of this height takes, refused where no single draw reaches it.
 ///

@@ -2,11 +2,11 @@
 
 use super::inputs::{Choice, Inputs, Kind};
 use super::sheet::SHEET;
+use crate::assess::size;
 use crate::author::page::{Page, plain};
 use crate::case::CaseError;
 use crate::model::{Geometry, Model};
-use crate::rules::size;
-use crate::units::{Length, Positive, Quantity, significant};
+use crate::units::{Dimensioned, Length, Positive, significant};
 
 /// What writes a template's case.
 type Write = fn(&Inputs) -> Result<String, CaseError>;
@@ -60,7 +60,7 @@ impl Template {
         if across <= *size::WIDTHS.end() {
             return Ok(());
         }
-        let length = |text: &str| text.parse::<Positive<Length>>().map_or(0.0, Quantity::value);
+        let length = |text: &str| text.parse::<Positive<Length>>().map_or(0.0, Dimensioned::value);
         let lengths = given.iter().filter(|(key, _)| self.options().any(|o| o.key == *key && o.kind == Kind::Length));
         let largest = lengths.max_by(|(_, a), (_, b)| length(a).total_cmp(&length(b)));
         let help = largest.map_or_else(String::new, |(key, text)| {

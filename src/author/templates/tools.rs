@@ -3,10 +3,10 @@
 use super::inputs::{Choice, Kind, Rule};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use crate::assess::design::CAREFUL_RATIO;
 use crate::author::page::{Page, across, mm, plain};
 use crate::case::CaseError;
 use crate::model::{Extent, Geometry};
-use crate::rules::design::CAREFUL_RATIO;
 use crate::units::rounded;
 
 /// Options of the tools that several templates have.

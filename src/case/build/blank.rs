@@ -4,7 +4,7 @@ use super::values::{by_geometry, count};
 use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
 use crate::model::{Blank, Geometry, Mode, Theory, ThicknessRule};
-use crate::units::{Quantity, rounded};
+use crate::units::{Dimensioned, rounded};
 use std::ops::RangeInclusive;
 
 /// Thicknesses of sheet, foil to plate [mm].
@@ -45,7 +45,7 @@ fn automatic(case: &CaseFile, geometry: Geometry) -> i64 {
 
 /// Length of the part across a plane section \[mm\].
 pub(in crate::case) fn depth(case: &CaseFile, source: &Source) -> Result<Option<f64>, CaseError> {
-    let depth = case.blank.depth.map(Quantity::value);
+    let depth = case.blank.depth.map(Dimensioned::value);
     if depth.is_some() && case.geometry == Geometry::Axisymmetric {
         let what = "`depth` is the length across a plane section, this case is axisymmetric";
         return Err(source.error(

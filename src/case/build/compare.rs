@@ -5,7 +5,7 @@ use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::files::{self, FileError, Folder};
 use crate::case::{CaseError, source::Source};
 use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Data, Quantity, SOURCES, Source as Provenance, Spec};
-use crate::units::Quantity as _;
+use crate::units::Dimensioned as _;
 use std::path::{Path, PathBuf};
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";

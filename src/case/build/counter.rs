@@ -8,7 +8,7 @@ use crate::case::file::{Section, SectionTable};
 use crate::geometry::{CavityError, Profile};
 use crate::model::Role;
 use crate::units::Amount;
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 
 /// The die's face goes on for this many blank lengths [–].
 const REACH: f64 = 20.0;
@@ -66,7 +66,7 @@ impl Counter<'_> {
             self.error("by", what, help)
         })?;
         if let Some(shoulder) = table.shoulder {
-            let depth = table.closed_at.map_or(context.travel, Quantity::value);
+            let depth = table.closed_at.map_or(context.travel, Dimensioned::value);
             let die = self.die_with_face(&line, shoulder.value(), depth)?;
             derived.push(closed(self.role, self.of, by, depth));
             return Ok(die);

@@ -8,7 +8,7 @@ use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
 use crate::units::Amount;
-use crate::units::{Number, Quantity, ZERO_CELSIUS};
+use crate::units::{Dimensioned, Number, ZERO_CELSIUS};
 
 const PATH: &str = "forming_limit";
 
@@ -20,7 +20,7 @@ pub(super) fn convert(
     source: &Source,
     derived: &mut Vec<String>,
 ) -> Result<Curve, CaseError> {
-    let n = file.n.map(Quantity::value);
+    let n = file.n.map(Dimensioned::value);
     let points = file.points.as_ref().map(|points| self::points(points, file.strain, source)).transpose()?;
     if let Some(groove) = &file.marciniak_kuczynski {
         groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;

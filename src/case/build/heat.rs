@@ -8,7 +8,7 @@ use crate::model::tool_sizes::extent;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
 use crate::numerics::PiecewiseLinear;
 use crate::table::Unit;
-use crate::units::{Length, Quantity, ZERO_CELSIUS};
+use crate::units::{Dimensioned, Length, ZERO_CELSIUS};
 
 /// Share of the plastic work that becomes heat, in common use for metals \[–\].
 const PLASTIC_SHARE: f64 = 0.9;
@@ -66,8 +66,8 @@ fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<Hea
     }
     Ok(Some(HeatFlow {
         capacity: density.value() * specific_heat.value(),
-        plastic_share: file.plastic_share.map_or(PLASTIC_SHARE, Quantity::value),
-        conductivity: file.conductivity.map_or(0.0, Quantity::value),
+        plastic_share: file.plastic_share.map_or(PLASTIC_SHARE, Dimensioned::value),
+        conductivity: file.conductivity.map_or(0.0, Dimensioned::value),
         tools: exchanging,
     }))
 }

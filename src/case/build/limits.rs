@@ -1,10 +1,10 @@
 //! How much a case may hold: more is a slip, and would fill the memory or a plot before anyone sees it.
 
+use super::memory::{Memory, least_steps, with_path};
 use crate::case::file::{CaseFile, Compare, Section};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Piece;
 use crate::model::{Model, Stage};
-use crate::rules::estimate::{Memory, least_steps, with_path};
 use std::f64::consts::FRAC_PI_2;
 
 /// Characters of a title and of other texts, which every plot repeats.

@@ -8,7 +8,7 @@ use crate::model::{Bead, Extent, Face, Gas, Motion, Press, Pressure, RateControl
 use crate::numerics::PiecewiseLinear;
 use crate::units::Unit;
 use crate::units::{Amount, Digits};
-use crate::units::{Length, NonNegative, Positive, Quantity, Stress, Time};
+use crate::units::{Dimensioned, Length, NonNegative, Positive, Stress, Time};
 
 /// How the holder is pressed or held: exactly one of the four ways.
 pub(super) fn holder(
@@ -205,14 +205,14 @@ pub(super) fn gas(
                 Pressure::OverTime(gas_history(pressure, key, alone, source, derived)?)
             }
             (None, Some(target)) => {
-                let exponent = given.norm.map_or(NORM, Quantity::value);
+                let exponent = given.norm.map_or(NORM, Dimensioned::value);
                 if !(1.0..=50.0).contains(&exponent) {
                     let what = format!("`norm` must lie between 1 and 50, found {exponent}");
                     return Err(source.error(&format!("gas.{key}.norm"), what, "10 follows the fastest place closely"));
                 }
                 let mut control = RateControl::new(target.value(), exponent);
-                control.max_pressure = given.max_pressure.map_or(f64::INFINITY, Quantity::value);
-                control.max_rise = given.max_pressure_rate.map_or(f64::INFINITY, Quantity::value);
+                control.max_pressure = given.max_pressure.map_or(f64::INFINITY, Dimensioned::value);
+                control.max_rise = given.max_pressure_rate.map_or(f64::INFINITY, Dimensioned::value);
                 Pressure::Rate(control)
             }
             (Some(_), Some(_)) => {
@@ -259,7 +259,7 @@ pub(super) fn beads(
         let bead = Bead {
             at: bead.at.value(),
             restraining: bead.restraining.value(),
-            closing: bead.closing.map_or(0.0, Quantity::value),
+            closing: bead.closing.map_or(0.0, Dimensioned::value),
         };
         let Some(die) = tool(Role::Die) else {
             return Err(source.error(&path, "a bead needs a die to sit on", "add [tools.die], or drop the bead"));

@@ -3,11 +3,11 @@
 use super::laws::{blame, only, prepared};
 use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, source::Source};
+use crate::material::RValues;
 use crate::material::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
 use crate::model::Mode;
-use crate::rules::r_values::RValues;
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 use crate::units::{Amount, Digits};
 use std::ops::RangeInclusive;
 
@@ -43,7 +43,7 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     }
     Ok(Material {
         hardening,
-        fitted_up_to: file.fitted_up_to.map(Quantity::value),
+        fitted_up_to: file.fitted_up_to.map(Dimensioned::value),
         elastic,
         rate,
         thermal,

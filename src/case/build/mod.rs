@@ -15,6 +15,7 @@ mod limits;
 mod lines;
 mod loads;
 mod material;
+mod memory;
 mod motion;
 mod patch;
 mod place;

@@ -3,7 +3,7 @@
 use crate::case::file::{CaseFile, Punch};
 use crate::case::{CaseError, source::Source};
 use crate::numerics::PiecewiseLinear;
-use crate::units::{Length, NonNegative, Quantity, Time, rounded};
+use crate::units::{Dimensioned, Length, NonNegative, Time, rounded};
 
 /// Points of a history closer than this share of the whole are no motion, or a blow \[–\].
 const CLOSEST: f64 = 1e-6;
@@ -32,7 +32,7 @@ pub(super) fn travel_key(source: &Source) -> &'static str {
 
 /// The punch's travel at its speed or along its history, or the gas for its duration.
 pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
-    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Quantity::value);
+    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Dimensioned::value);
     match (&file.tools.punch, &file.gas, duration) {
         (Some(_), _, Some(_)) => {
             let help = "drop it: the punch's travel and speed say how long the run takes";
@@ -50,7 +50,7 @@ pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Dri
 fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
     let Some(points) = &punch.motion else {
         let Some(travel) = punch.travel else { return Err(source.missing("tools.punch", "travel")) };
-        let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Quantity::value));
+        let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Dimensioned::value));
         let timed = punch.speed.is_some();
         return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
     };

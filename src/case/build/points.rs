@@ -8,7 +8,7 @@ use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
 use crate::table::{Csv, Record, Unit};
 use crate::units::Amount;
-use crate::units::{Length, Quantity};
+use crate::units::{Dimensioned, Length};
 
 /// Points closer than this are one \[mm\]: drawings repeat where their curves meet.
 const SAME: f64 = 1e-5;

@@ -5,7 +5,7 @@ use crate::case::file::{CaseFile, HolderForce};
 use crate::case::source::Source;
 use crate::case::{CaseError, Press};
 use crate::model::Extent;
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 
 /// The rating of the press in the units of the run's forces and work.
 pub(in crate::case) fn press(file: &CaseFile, source: &Source) -> Result<Press, CaseError> {

@@ -3,7 +3,7 @@
 use crate::case::file::{ProfileStep, Turn};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Arc, Piece, Point, Profile, Segment};
-use crate::units::{Length, Quantity};
+use crate::units::{Dimensioned, Length};
 
 /// How far the centre of an arc may lie from where its ends want it [mm]: drawings are rounded.
 const ROUNDED: f64 = 0.01;

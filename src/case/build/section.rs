@@ -8,7 +8,7 @@ use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
 use crate::model::Role;
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 
 pub(super) fn convert(
     section: &Section,
@@ -27,7 +27,7 @@ pub(super) fn convert(
         }
         Section::Table(table) => match kind(table, &path, context.source)? {
             Kind::Points(file) => {
-                let fillet = table.fillet.map(Quantity::value);
+                let fillet = table.fillet.map(Dimensioned::value);
                 let (profile, points) = points::convert(file, &format!("{path}.file"), fillet, role, context, derived)?;
                 Drawn { profile, path, origin: Origin::Points(points) }
             }

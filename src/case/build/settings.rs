@@ -7,7 +7,7 @@ use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::throat;
 use crate::model::{ModelError, Role, Settings, StopRules, Tool};
-use crate::units::{Quantity, rounded};
+use crate::units::{Dimensioned, rounded};
 
 pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseError> {
     let Err(error) = settings.check() else { return Ok(()) };

@@ -5,7 +5,7 @@ use crate::case::source::Source;
 use crate::case::{CaseError, Springback};
 use crate::measure::Ring;
 use crate::model::Geometry;
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 
 /// The tolerances in the units of what is measured.
 pub(in crate::case) fn springback(file: &CaseFile, source: &Source) -> Result<Springback, CaseError> {
@@ -17,7 +17,7 @@ pub(in crate::case) fn springback(file: &CaseFile, source: &Source) -> Result<Sp
         tolerance: file.tolerance.map(|angle| degrees(angle.value())),
         wall_tolerance: file.wall_tolerance.map(|angle| degrees(angle.value())),
         flange_tolerance: file.flange_tolerance.map(|angle| degrees(angle.value())),
-        edge_tolerance: file.edge_tolerance.map(Quantity::value),
+        edge_tolerance: file.edge_tolerance.map(Dimensioned::value),
         ring: file.ring.map(|ring| Ring { from: ring.from.value(), height: ring.height.value() }),
     };
     if found.ring.is_some() {

@@ -11,7 +11,7 @@ use crate::case::{CaseError, source::Source};
 use crate::geometry::{Point, Profile};
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
 use crate::numerics::PiecewiseLinear;
-use crate::units::{Length, Quantity, rounded};
+use crate::units::{Dimensioned, Length, rounded};
 
 /// Name of the first stage where it has none.
 const FIRST: &str = "forming";
@@ -166,7 +166,7 @@ impl StageContext<'_> {
     fn tools(&self) -> Vec<WrittenTool> {
         let file::Stage { punch, die, holder, .. } = self.written;
         let way = |axial: Option<Length>, radial: Option<Length>| {
-            let mm = |length: Option<Length>| length.map_or(0.0, Quantity::value);
+            let mm = |length: Option<Length>| length.map_or(0.0, Dimensioned::value);
             (axial.is_some() || radial.is_some()).then(|| Point::new(mm(radial), mm(axial)))
         };
         let punch = punch.as_ref().map(|t| WrittenTool {
@@ -218,7 +218,8 @@ impl StageContext<'_> {
             return Err(self.error(furthest.name(), what, "check the unit"));
         }
         let usual = self.first.speed;
-        let (speed, duration) = (self.written.speed.map(Quantity::value), self.written.duration.map(Quantity::value));
+        let (speed, duration) =
+            (self.written.speed.map(Dimensioned::value), self.written.duration.map(Dimensioned::value));
         let (duration, speed) = match (speed, duration) {
             (Some(_), Some(_)) => {
                 return Err(self.error("duration", "both a speed and a duration are given", "keep one"));
@@ -324,7 +325,7 @@ impl StageContext<'_> {
 
     /// Where the sheet is cut \[mm\].
     fn trim(&self) -> Result<Option<f64>, CaseError> {
-        let radius = self.written.trim.map(Quantity::value);
+        let radius = self.written.trim.map(Dimensioned::value);
         let length = self.before.blank.length;
         if let Some(radius) = radius.filter(|radius| *radius >= length) {
             let what =

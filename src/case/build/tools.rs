@@ -8,7 +8,7 @@ use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Motion, Role, Tool};
-use crate::units::{Length, Positive, Quantity, rounded};
+use crate::units::{Dimensioned, Length, Positive, rounded};
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].
 const SMALLEST: f64 = 1e-3;

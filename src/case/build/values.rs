@@ -3,7 +3,7 @@
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
 use crate::model::Geometry;
-use crate::units::{Length, Positive, Quantity, rounded};
+use crate::units::{Dimensioned, Length, Positive, rounded};
 
 /// A length \[mm\] whose key depends on the geometry, and that key; the other geometry's key is an error that says so.
 pub(super) fn by_geometry(

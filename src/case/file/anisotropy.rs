@@ -1,7 +1,7 @@
 //! `[material] anisotropy`: a mean r-value, or those of three directions.
 
-use crate::rules::r_values::RValues;
-use crate::units::{Number, Positive, Quantity};
+use crate::material::RValues;
+use crate::units::{Dimensioned, Number, Positive};
 use serde::Deserialize;
 use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, Visitor, value};
 use std::fmt;

@@ -1,6 +1,6 @@
 //! A quantity that stays, or one that changes from point to point.
 
-use crate::units::Quantity;
+use crate::units::Dimensioned;
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::{Deserialize, Deserializer, de};
@@ -16,7 +16,7 @@ pub enum Given<X, V> {
     Points(Vec<(X, V)>),
 }
 
-impl<X: Quantity, V: Copy> Given<X, V> {
+impl<X: Dimensioned, V: Copy> Given<X, V> {
     /// The points with the x in solver units; a constant is one point.
     pub fn points(&self) -> Vec<(f64, V)> {
         match self {

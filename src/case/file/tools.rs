@@ -1,7 +1,7 @@
 //! `[tools.punch]`, `[tools.die]`, `[tools.holder]`, `[[tools.beads]]`.
 
 use super::{Friction, Given, Section};
-use crate::units::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
+use crate::units::{Dimensioned, Force, Length, LineForce, NonNegative, Positive, Speed, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -209,7 +209,7 @@ macro_rules! in_all_or_per_depth {
 
                     fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<$type, E> {
                         let per_depth = crate::units::parse(text)
-                            .is_ok_and(|p| p.dimension == <$per_depth as Quantity>::KIND.dimension);
+                            .is_ok_and(|p| p.dimension == <$per_depth as Dimensioned>::KIND.dimension);
                         let read = if per_depth {
                             text.parse().map($type::PerDepth)
                         } else {
@@ -240,7 +240,7 @@ macro_rules! in_all_or_per_depth {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                let kinds = [<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND];
+                let kinds = [<$in_all as Dimensioned>::KIND, <$per_depth as Dimensioned>::KIND];
                 let pattern = crate::units::pattern(&kinds);
                 let quantity = kinds.map(crate::units::Kind::measured).join(", or ");
                 schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern, "x-quantity": quantity })

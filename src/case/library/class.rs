@@ -1,7 +1,7 @@
 //! How much sheets of a class scatter, by the standard that the class is delivered to: declared, never measured on a coil.
 
-use crate::rules::thickness_tolerance::Standard;
-use crate::units::{Quantity, Stress};
+use crate::case::thickness_tolerance::Standard;
+use crate::units::{Dimensioned, Stress};
 use serde::{Deserialize, Deserializer, de::Error};
 
 /// How much sheets of a class scatter.

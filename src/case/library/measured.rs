@@ -2,7 +2,7 @@
 //! are from them.
 
 use crate::material::Material;
-use crate::units::{Number, Quantity, StrainRate, Stress};
+use crate::units::{Dimensioned, Number, StrainRate, Stress};
 use serde::Deserialize;
 
 /// Points that were measured.

@@ -70,8 +70,8 @@ impl Law for Table {
                 Monotone::of_pairs(pairs, self.extrapolation)?
             }
             (None, Some(strain), Some(stress)) => {
-                let strain = strain.into_iter().map(Quantity::value).collect();
-                let stress = stress.into_iter().map(Quantity::value).collect();
+                let strain = strain.into_iter().map(Dimensioned::value).collect();
+                let stress = stress.into_iter().map(Dimensioned::value).collect();
                 Monotone::new(strain, stress, self.extrapolation)?
             }
             _ => {

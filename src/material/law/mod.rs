@@ -28,7 +28,7 @@ pub(crate) mod prelude {
     pub use super::{Law, LawError};
     pub(crate) use super::{require, require_or};
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
-    pub use crate::units::{NonNegative, Number, Positive, Quantity, Stress, ZERO_CELSIUS, rounded};
+    pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};
 
     /// The default of a factor or an exponent.
     pub fn one() -> f64 {

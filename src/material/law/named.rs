@@ -1,7 +1,7 @@
 //! The text form of a family: a table that names one of its laws.
 
 use super::Family;
-use crate::units::{Fraction, Quantity};
+use crate::units::{Dimensioned, Fraction};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor, value};
 use std::fmt;

@@ -43,7 +43,7 @@ fn notes(results: &Results) -> Vec<String> {
     let met = Zone::ALL.into_iter().filter(|zone| results.rows.iter().any(|found| found.fails.contains(zone)));
     let (by_numbers, half_way): (Vec<Zone>, Vec<Zone>) =
         met.partition(|zone| windows(results).iter().all(|window| window.zone(*zone).1));
-    let listed = |zones: Vec<Zone>| joined(zones.into_iter().map(Zone::label), ", ");
+    let listed = |zones: Vec<Zone>| joined(zones.into_iter().map(|zone| zone.label().to_owned()), ", ");
     if !by_numbers.is_empty() {
         let zones = listed(by_numbers);
         notes.push(format!("Borders between designs where their number passes its limit: {zones}."));

@@ -19,7 +19,7 @@ fn pen(zone: Zone) -> (Color, f64) {
         Zone::Wrinkles => (color(0), 135.0),
         Zone::Press => (color(3), 0.0),
         Zone::Other => (color(4), 90.0),
-        Zone::Lost => (GREY, 70.0),
+        Zone::NoResult => (GREY, 70.0),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::flow_curve::{FlowCurve, Reduction};
 use super::tension::Tension;
 use crate::study::{Readings, StudyError};
-use crate::units::{Positive, Quantity, Stress, parse};
+use crate::units::{Dimensioned, Positive, Stress, parse};
 
 /// Tension tests, and how they are reduced.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,11 +2,12 @@
 
 use super::StudyError;
 use super::curves::Grids;
-use crate::assess::{self, Limits};
+use crate::assess;
 use crate::study::verify::{Of, Watch};
 use crate::study::{Columns, Designs, Solved, Subject};
 use crate::table::Unit;
 use crate::units::Amount;
+use crate::units::Limits;
 
 /// The case as it stands.
 #[derive(Clone, Debug)]
@@ -65,7 +66,7 @@ impl Base {
                 row: row.map(|row| row.key),
                 unit: number.amount.unit,
                 told: number.amount,
-                limits: row.and_then(|row| row.limits),
+                limits: row.and_then(|row| row.limits()),
                 value: number.amount.value,
             }
         });

@@ -6,7 +6,7 @@ use crate::case::Case;
 use crate::material::chaboche;
 use crate::study::vary::split;
 use crate::study::{Value, Vary};
-use crate::units::{self, Quantity, Stress, significant};
+use crate::units::{self, Dimensioned, Stress, significant};
 use toml_edit::{InlineTable, Value as Toml};
 
 /// What the factor on all stresses of the hardening law is called.

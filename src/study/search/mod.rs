@@ -31,8 +31,8 @@ pub use template::{Draft, TEMPLATES, Template, Wanted};
 pub use trials::{Keep, Trials, reasons};
 pub use wish::Wish;
 
+use crate::assess::estimate::draw_ratio;
 use crate::case::Solution;
-use crate::rules::estimate::draw_ratio;
 use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base};
 use crate::units::Parsed;

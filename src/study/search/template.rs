@@ -1,9 +1,9 @@
 //! What shops ask for: the key, its span and the condition taken from the case itself.
 
+use crate::assess::design::tensile_strength;
 use crate::case::Case;
 use crate::model::tool_sizes::{mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role};
-use crate::rules::design::tensile_strength;
 use crate::study::StudyError;
 use crate::units::significant;
 

@@ -4,7 +4,7 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use super::numbers::Number;
 use super::said;
-use crate::assess::ErrorBar;
+use crate::units::ErrorBar;
 use crate::units::{Amount, joined};
 
 /// A number with its error bar.

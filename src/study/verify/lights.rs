@@ -2,8 +2,8 @@
 
 use super::numbers::Of;
 use super::verify::Verification;
-use crate::assess::{Finding, Light, Limits, Sense, judgements};
-use crate::units::{Amount, Digits};
+use crate::assess::{Finding, Light, judgements};
+use crate::units::{Digits, Limits, Sense};
 
 /// A light that a bar reaches beyond.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,15 +43,15 @@ const RUN: &str = "stop";
 pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
     let of_row = |finding: &Finding| {
         let bar = verification.bar(Of::Verdict, finding.key)?.half?;
-        let (value, limits) = (finding.value?, finding.limits?);
+        let (number, limits) = (finding.quantity.as_ref()?.amount, finding.limits()?);
+        let value = number.value;
         let (reached, limit) = reached(value, bar, &limits)?;
-        let tell = |value: f64, digits: Digits| Amount::new(value, finding.unit, digits);
-        let limit = tell(limit, Digits::Given(3));
+        let limit = number.of(limit).to(Digits::Given(3));
         let clause = match reached {
             Light::Red => format!("with its error bar it reaches red at {limit}"),
             _ => format!("with its error bar it reaches the limit of {limit}"),
         };
-        let number = tell(value, Digits::Significant(3)).with_bar(bar);
+        let number = number.with_bar(bar);
         (reached > finding.light).then(|| Moved::told(finding, number.into(), clause))
     };
     let run = judgements(findings).find(|finding| finding.key == RUN && finding.light == Light::Green);
@@ -59,7 +59,7 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
         let other = verification.finer_that_ends_otherwise()?;
         let direction = other.direction?.told(other.times);
         let clause = format!("with {direction} it ends otherwise");
-        Some(Moved::told(finding, finding.found.clone(), clause))
+        Some(Moved::told(finding, finding.found(), clause))
     });
     let rows = judgements(findings).filter(|finding| finding.light != Light::Grey).filter_map(of_row);
     run.into_iter().chain(rows).collect()

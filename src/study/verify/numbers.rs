@@ -83,7 +83,7 @@ pub fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> V
         .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
     let judged = assess::judgements(findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
-        let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
+        let amount = row.quantity.as_ref()?.amount.to(Digits::Significant(3));
         let place = used.as_ref().filter(|_| row.key == LIMIT).map(|used| used.worst);
         Some(Number { of: Of::Verdict, place, ..Number::new(row.key, row.label, amount) })
     });

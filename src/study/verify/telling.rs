@@ -5,10 +5,10 @@ use super::direction::Direction;
 use super::lights::moved;
 use super::numbers::{Number, Of};
 use super::verify::Verification;
-use crate::assess::{self, Answer, ErrorBar, Finding, KeyNumber};
+use crate::assess::{self, Answer, Finding};
 use crate::case::Solution;
-use crate::units::rounded;
 use crate::units::{Amount, Digits, joined};
+use crate::units::{ErrorBar, Quantity, rounded};
 use serde::Serialize;
 
 /// Two numbers of one unit nearer to each other than that, over their size, are one and the same \[–\]: round-off of a
@@ -84,8 +84,7 @@ impl Verification {
         let weighed = findings.into_iter().map(|finding| {
             let mut finding = self.told(finding);
             if let Some(moved) = moved.iter().find(|moved| moved.key == finding.key) {
-                let found = finding.found;
-                finding.found = format!("{clause}: {found}", clause = moved.clause);
+                finding.text = format!("{}: {}", moved.clause, finding.text);
                 if finding.light < moved.light {
                     finding.advice = moved.advice();
                 }
@@ -98,26 +97,20 @@ impl Verification {
 
     /// A finding whose number is told with its bar, and every other with no digit beyond its own.
     fn told(&self, finding: Finding) -> Finding {
-        let Some(value) = finding.value else { return finding };
-        let bar = match self.bar(Of::Verdict, finding.key) {
+        let error = match self.bar(Of::Verdict, finding.key) {
             Some(bar) => bar.told(),
             None => ErrorBar::Missing("not estimated: it judges the solution, not the part".into()),
         };
-        let own = Amount::new(value, finding.unit, Digits::Significant(3));
-        let found = match bar {
-            ErrorBar::Half(half) => format!("{found} ({number})", found = finding.found, number = own.with_bar(half)),
-            _ => finding.found,
-        };
-        Finding { found, bar, ..finding }
+        Finding { quantity: finding.quantity.map(|number| number.with_error(error)), ..finding }
     }
 
     /// A number of the answer with its bar, and what is said about it with no digit beyond its own.
-    fn barred(&self, number: KeyNumber) -> KeyNumber {
+    fn barred(&self, number: Quantity) -> Quantity {
         let bar = match self.bar(Of::Answer, number.key) {
             Some(bar) => bar.told(),
             None => ErrorBar::Missing("given, not computed".into()),
         };
-        number.with_bar(bar)
+        number.with_error(bar)
     }
 
     /// Half the bar of the number that an amount tells, in its unit.

@@ -1,9 +1,9 @@
 //! What becomes of runs that are made up: their numbers, their ends and what is told of them.
 
 use super::*;
-use crate::assess::{ErrorBar, Finding, Kind, Light, Limits, Sense, When};
+use crate::assess::{Finding, Kind, Light, When};
 use crate::units::Amount;
-use crate::units::Unit;
+use crate::units::{ErrorBar, Limits, Quantity, Sense};
 use approx::assert_relative_eq;
 
 fn end(kind: &'static str, lost: bool) -> End {
@@ -133,17 +133,21 @@ fn elements_below_the_thickness_are_told() {
     assert!(found.told[0].to_string().contains("4 times the elements. A shell resolves"), "{:?}", found.told);
 }
 
+fn percent(value: f64) -> Amount {
+    Amount::share(0.01 * value)
+}
+
 fn row(light: Light, value: f64) -> Finding {
     let limits = Limits { sense: Sense::AtMost, amber: Some(90.0), red: Some(100.0) };
     Finding {
         key: "forming_limit",
         label: "Forming limit",
         light,
-        value: Some(value),
-        bar: ErrorBar::Unasked,
-        unit: Unit::Percent,
-        limits: Some(limits),
-        found: String::new(),
+        quantity: Some(Quantity {
+            limits: Some(limits),
+            ..Quantity::new("forming_limit", "Forming limit", percent(value))
+        }),
+        text: String::new(),
         limit: String::new(),
         source: String::new(),
         advice: String::new(),
@@ -178,9 +182,7 @@ fn a_light_is_green_only_where_its_whole_bar_is() {
 /// Trust: by hand, as above; what the found words tell of the number has its bar, other numbers none.
 #[test]
 fn a_finding_is_told_with_its_bar_and_what_to_do_about_it() {
-    let found =
-        |value: f64| format!("{used} at {place}", used = Amount::share(0.01 * value), place = Amount::place(7.0));
-    let finding = |value: f64| Finding { found: found(value), ..row(Light::Green, value) };
+    let finding = |value: f64| Finding { text: "{} at 7.0 mm".into(), ..row(Light::Green, value) };
     let weighed = |value: f64| {
         let mut finer = finer();
         finer.iter_mut().for_each(|run| run.numbers[2].amount.value += value - 80.0);
@@ -188,10 +190,13 @@ fn a_finding_is_told_with_its_bar_and_what_to_do_about_it() {
         let estimate = |direction: Direction, levels: &[f64]| estimate(levels, direction.order());
         Verification::of(base, finer, 1e-5, estimate).weigh(vec![finding(value)]).remove(0)
     };
-    let told = |finding: &Finding| finding.found.to_string().replace('\u{a0}', " ");
+    let told = |finding: &Finding| finding.found().replace('\u{a0}', " ");
     let low = weighed(79.0);
     assert_eq!((low.light, told(&low).as_str()), (Light::Green, "79 ± 10 % at 7.0 mm"));
-    assert!(low.bar == ErrorBar::Half(10.0) && low.advice.is_empty(), "{low:?}");
+    assert!(
+        low.quantity.as_ref().is_some_and(|number| number.error == ErrorBar::Half(10.0)) && low.advice.is_empty(),
+        "{low:?}"
+    );
     let high = weighed(81.0);
     let expected = "with its error bar it reaches the limit of 90 %: 81 ± 10 % at 7.0 mm";
     assert_eq!((high.light, told(&high).as_str()), (Light::Amber, expected));
@@ -204,14 +209,13 @@ fn where_a_finer_run_tears_the_run_is_amber() {
     let mut finer = finer();
     finer[3].end = end("localised", false);
     let found = verified(finer);
-    let stop =
-        Finding { key: "stop", value: None, limits: None, found: "full travel".into(), ..row(Light::Green, 0.0) };
+    let stop = Finding { key: "stop", quantity: None, text: "full travel".into(), ..row(Light::Green, 0.0) };
     let stop = found.weigh(vec![stop]).remove(0);
-    let told = stop.found.to_string();
+    let told = stop.found();
     assert_eq!((stop.light, told.as_str()), (Light::Amber, "with 4 times the elements it ends otherwise: full travel"));
     let sentences: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
     assert_eq!(sentences[0], "no error bars: other runs end otherwise");
     assert!(sentences.len() == 2 && sentences[1].contains("localised"), "{sentences:?}");
     let weighed = found.weigh(vec![row(Light::Green, 85.0)]).remove(0);
-    assert_eq!(weighed.bar, ErrorBar::Missing("other runs end otherwise".into()));
+    assert_eq!(weighed.quantity.expect("a number").error, ErrorBar::Missing("other runs end otherwise".into()));
 }

@@ -1,13 +1,10 @@
 //! Estimates from a model alone.
 
-use crate::forming_limit::Paths;
+pub(crate) use super::design::{siebel, tensile_strength};
 use crate::geometry::Point;
 use crate::model::mesh;
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::model::{Edge, Geometry, Model, Motion, Role};
-pub(crate) use crate::rules::design::{siebel, tensile_strength};
-use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
-use crate::solver::state::MaterialPoint;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at
@@ -109,37 +106,6 @@ pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
     fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
 }
 
-/// Fewest steps that a run takes: every frame is landed on, and no step is longer than the longest.
-pub(crate) fn least_steps(model: &Model) -> usize {
-    model.frames.len().max((1.0 / model.settings.max_step).round() as usize)
-}
-
-/// Elements whose strains are kept for the forming limit.
-pub(crate) fn with_path(model: &Model) -> usize {
-    if model.forming_limit.is_some() { model.blank.elements } else { 0 }
-}
-
-/// What a stage keeps in memory until the run has ended \[bytes\].
-pub(crate) struct Memory {
-    pub frames: usize,
-    /// Points through the thickness, of the first frame, the last one and the last state alone.
-    pub points: usize,
-    /// The [`least_steps`], with the strains of every element where there is a forming limit.
-    pub steps: usize,
-}
-
-impl Memory {
-    pub fn of(model: &Model) -> Self {
-        let (elements, points, steps) = (model.blank.elements, model.blank.layers, least_steps(model));
-        let instants = steps.min(Paths::MOST);
-        Self {
-            frames: model.frames.len() * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
-            points: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
-            steps: steps * size_of::<StepRecord>() + instants * with_path(model) * size_of::<[f64; 2]>(),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,22 +137,5 @@ mod tests {
         let model = quickstart(&sharp).model().clone();
         let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
         assert_relative_eq!(drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
-    }
-
-    /// Trust: what a solved case holds, counted in what came out of it.
-    #[test]
-    fn what_is_counted_is_what_a_run_keeps() {
-        let case = quickstart(&["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"]);
-        let solution = case.clone().solve(&mut ());
-        let Memory { frames, points, steps } = Memory::of(case.model());
-        let stage = &solution.stages[0];
-        let of_frame = |f: &crate::Frame| size_of_val(&f.elements[..]) + size_of_val(&f.nodes[..]);
-        // A sheet has a node more than elements.
-        let ends = stage.frames.len() * size_of::<NodeRecord>();
-        assert_eq!(frames, stage.frames.iter().map(of_frame).sum::<usize>() - ends);
-        let through = stage.start.iter().chain(&stage.frames).map(|f| size_of_val(&f.through.points[..]));
-        let end = stage.end.points.iter().map(size_of_val);
-        assert_eq!(points, through.chain(end).sum::<usize>());
-        assert!(steps <= size_of_val(&stage.steps[..]), "{steps}");
     }
 }

@@ -1,0 +1,90 @@
+//! Failure modes of a part, decided once from the verdict.
+
+use super::{Finding, Light, judgements};
+use crate::solver::solution::{StageSolution, Stop};
+
+/// Failure mode of a part or a design; the order is that of importance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FailureMode {
+    /// The sheet tears or necks.
+    Tears,
+    /// The flange wrinkles.
+    Wrinkles,
+    /// The press lacks force or energy.
+    Press,
+    /// Any other red finding.
+    Other,
+    /// No result: invalid case, no equilibrium, or interrupted.
+    NoResult,
+}
+
+const TEARS: [&str; 4] = ["thinning", "localisation", "forming_limit", "bottom_tearing"];
+const WRINKLES: [&str; 2] = ["wrinkling", "wall_wrinkles"];
+const PRESS: [&str; 2] = ["press_force", "energy"];
+const STOP: &str = "stop";
+
+impl FailureMode {
+    /// All modes, in their order.
+    pub const ALL: [Self; 5] = [Self::Tears, Self::Wrinkles, Self::Press, Self::Other, Self::NoResult];
+
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Tears => "tears",
+            Self::Wrinkles => "wrinkles",
+            Self::Press => "press",
+            Self::Other => "other",
+            Self::NoResult => "no_answer",
+        }
+    }
+
+    /// Mode of a name in files.
+    pub fn from_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|mode| mode.key() == key)
+    }
+
+    /// Name in text.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Tears => "tears",
+            Self::Wrinkles => "wrinkles",
+            Self::Press => "press too small",
+            Self::Other => "refused otherwise",
+            Self::NoResult => "no result",
+        }
+    }
+
+    /// Mode of a red row of the verdict; the row on how the run ended is decided by [`Self::all`].
+    pub fn of_row(key: &str) -> Self {
+        match key {
+            key if TEARS.contains(&key) => Self::Tears,
+            key if WRINKLES.contains(&key) => Self::Wrinkles,
+            key if PRESS.contains(&key) => Self::Press,
+            _ => Self::Other,
+        }
+    }
+
+    /// All modes of a solved case, the most important first; empty if the part is sound.
+    pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
+        let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
+        if !stop.is_complete() && !stop.is_physical() {
+            return vec![Self::NoResult];
+        }
+        let red = judgements(findings).filter(|finding| finding.light == Light::Red);
+        let mut modes: Vec<Self> = red
+            .map(|finding| match finding.key {
+                STOP if is_tear(stop) => Self::Tears,
+                key => Self::of_row(key),
+            })
+            .collect();
+        modes.sort_unstable();
+        modes.dedup();
+        modes
+    }
+}
+
+/// Whether a run ended because the sheet tears.
+fn is_tear(stop: &Stop) -> bool {
+    use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
+    matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. })
+}
