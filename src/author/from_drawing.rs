@@ -1,132 +1,292 @@
-//! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
+//! A case file around tools that were drawn: their profiles, and declared placeholders for the rest.
 
-mod draft;
-mod imported;
-mod later;
-mod refused;
 mod sizes;
 
-pub use draft::{Draft, Drawn};
-pub use imported::{Import, ImportFailure, Imported};
-
-use super::page::{Page, exact, size_key};
-use super::templates::rules::strip_pressure;
+use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{FRICTION, typical};
-use crate::assess::design::Picked;
-use crate::assess::estimate::{siebel, tensile_strength};
-use crate::case::library;
+use super::writer::{CaseWriter, exact};
+use crate::case::{self, Case, CaseError, library};
+use crate::import::{self, ImportError, Options, Section, Sections};
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
-use crate::model::tool_sizes::mouth;
-use crate::model::{Geometry, Role};
+use crate::model::tool_sizes::{extent, mouth, throat};
+use crate::model::{Extent, Geometry, Role};
+use crate::rules::size::DOUBTS;
 use crate::units::rounded;
-use sizes::Sizes;
+use sizes::DrawnTools;
+use std::path::Path;
 
-impl Draft<'_> {
-    /// The case file's text: TOML with comments, every placeholder marked and declared in `notes`.
-    pub fn toml(&self) -> String {
-        let sizes = self.sizes();
-        let mut page = self.head(&sizes);
-        if let Some(name) = &self.name {
-            page.table("stage", "");
-            page.set("name", format!("\"{name}\""), "");
-        }
-        self.sheet(&sizes, &mut page);
-        for (role, profile, made_of) in &self.tools {
-            page.table(&format!("tools.{}", role.name()), made_of);
-            page.profile(profile);
-            page.set("friction", FRICTION, "placeholder: Coulomb's coefficient; change it");
-            match (role, &sizes.travel) {
-                (Role::Punch, Some(travel)) => page.set("travel", exact(travel.value), &change(travel)),
-                (Role::Holder, _) => {
-                    let (pressure, rule) = self.pressure(&sizes);
-                    let why =
-                        format!("placeholder: {rule}, on the area between holder and die; change it, or give a force");
-                    page.set("pressure", format!("\"{pressure} MPa\""), &why);
-                }
-                _ => {}
+/// How a drawing is read, and what is known besides it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// Options of the reader.
+    pub options: Options,
+    /// Axisymmetric or plane strain.
+    pub geometry: Geometry,
+    /// Sheet of the library, by its name or a grade; a placeholder where `None`.
+    pub material: Option<String>,
+    /// Thickness of the sheet \[mm\]; a placeholder where `None`.
+    pub thickness: Option<f64>,
+    /// Radius or half-length \[mm\]; a placeholder where `None`.
+    pub blank: Option<f64>,
+    /// Travel of the punch \[mm\]; a placeholder where `None`.
+    pub travel: Option<f64>,
+}
+
+/// A case made from a drawing.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The tools as they are drawn.
+    pub sections: Sections,
+    /// Text of the case file.
+    pub text: String,
+    /// The case; `None` where no punch is drawn, so that the user has to give one.
+    pub case: Option<Case>,
+    /// Sizes of the tools, in words.
+    pub size: String,
+    /// How the drawing was understood, what the case derives from it, and doubts.
+    pub notes: Vec<String>,
+}
+
+/// Reason why no case is made from a drawing.
+#[derive(Debug, thiserror::Error)]
+pub enum ImportFailure {
+    /// The drawing cannot be read.
+    #[error(transparent)]
+    Drawing(#[from] ImportError),
+    /// The library has no such sheet.
+    #[error(transparent)]
+    Sheet(CaseError),
+    /// The tools make no case.
+    #[error(transparent)]
+    Case(CaseError),
+}
+
+impl Import {
+    /// Makes a case of the bytes of a DXF file.
+    ///
+    /// # Errors
+    /// When the drawing cannot be read, the sheet is unknown, or the tools make no case.
+    pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported, ImportFailure> {
+        let sections = import::read(bytes, &self.options)?;
+        let metal = match self.material.as_deref().map(library::material).transpose().map_err(ImportFailure::Sheet)? {
+            Some(entry) => entry.material,
+            None => {
+                let [k, n, offset] = typical();
+                Material::plain(Hardening::Swift(Swift::new(k, n, offset).expect("the law is one")))
             }
+        };
+        let tools = DrawnTools::new(self, sections.tools.iter().collect());
+        let (size, doubts) = (tools.size(), tools.doubts());
+        let text = self.text(drawing, &sections, &tools, &metal);
+        let case = self.case(&text, &drawing.display().to_string(), &tools).map_err(ImportFailure::Case)?;
+        let mut notes = sections.notes.clone();
+        if let Some(case) = &case {
+            // A doubt of the drawing is the cause of those of the case.
+            if doubts.is_empty() {
+                let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
+                notes.extend(of_case.map(|doubt| format!("{}: {}", doubt.found, doubt.advice)));
+            }
+            notes.extend(case.derived.iter().map(ToString::to_string));
         }
-        if !self.has(Role::Punch) {
-            page.proposal(&[
-                "No punch is drawn. Add one, for example:",
-                "[tools.punch]",
-                "flat = { radius = \"30 mm\", nose = \"6 mm\" }",
-                &format!("friction = {FRICTION}"),
-                "travel = \"10 mm\"",
-            ]);
-        }
-        self.later_stages(&sizes, &mut page);
-        page.text()
+        notes.extend(doubts);
+        Ok(Imported { sections, text, case, size, notes })
     }
 
-    fn head(&self, sizes: &Sizes) -> Page {
-        let written = "Written by `stampflow import`: the tools are as drawn, what is marked as placeholder is not in the drawing.";
-        let about = std::iter::once(written.to_owned()).chain(self.notes.iter().map(|note| format!("- {note}")));
-        let title: String = self.title.chars().filter(|c| !c.is_control()).take(150).collect();
-        let mut open: Vec<&str> =
-            self.material.is_none().then_some("material").into_iter().chain(["friction"]).collect();
-        let picked =
-            [("thickness", Some(&sizes.thickness)), ("blank", Some(&sizes.blank)), ("travel", sizes.travel.as_ref())];
-        open.extend(picked.iter().filter(|(_, size)| size.is_some_and(|size| !size.is_given())).map(|(name, _)| name));
-        open.extend(self.has(Role::Holder).then_some("holder pressure"));
-        open.extend((!self.later.is_empty()).then_some("ways and holder forces of the later stages"));
-        let notes = [
-            "declared: the tools' sections are those of the drawing".to_owned(),
-            format!("declared: placeholders, not in the drawing: {}", open.join(", ")),
-        ];
-        Page::new(about, &title, self.geometry, &notes)
+    /// The case of a text, `None` without a punch; errors name the drawing and the option.
+    fn case(&self, text: &str, drawing: &str, tools: &DrawnTools) -> Result<Option<Case>, CaseError> {
+        if tools.tool(Role::Die).is_none() {
+            let what = format!("no die in {drawing}: nothing would draw the sheet over the punch");
+            return Err(CaseError::bare(what, "name its layer with --layer NAME=die".to_owned()));
+        }
+        if tools.tool(Role::Punch).is_none() {
+            return Ok(None);
+        }
+        case::parse(text, drawing, &[]).map(Some).map_err(|error| {
+            let place = match error.key() {
+                "tools.punch.travel" => Some("set it with --travel".to_owned()),
+                "blank.thickness" => Some("set it with --thickness".to_owned()),
+                "blank.radius" | "blank.half_length" => Some("set it with --blank-radius".to_owned()),
+                key => tools.sections.iter().find_map(|section| {
+                    let is_here = key.split('.').take(2).eq(["tools", section.role.name()]);
+                    is_here.then(|| format!("it is drawn in {}, r is x from the axis", section.made_of))
+                }),
+            };
+            let help: Vec<String> =
+                error.remedy().map(str::to_owned).into_iter().chain(place).chain(tools.doubts()).collect();
+            let what = format!("the case made from {drawing} is refused, and no file is written: {error}");
+            CaseError::bare(what, help.join("; "))
+        })
     }
 
-    fn sheet(&self, sizes: &Sizes, page: &mut Page) {
-        let Sizes { thickness, blank, .. } = sizes;
-        page.table("blank", "");
-        page.set(size_key(self.geometry), exact(blank.value), &change(blank));
-        page.set("thickness", exact(thickness.value), &change(thickness));
-        match self.material {
+    fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
+        let mut writer = CaseWriter::default();
+        self.head(&mut writer, drawing, sections, first);
+        if let Some(name) = sections.number.map(stage).or((!sections.later.is_empty()).then(|| "first".to_owned())) {
+            writer.table("stage", "");
+            writer.set("name", format!("{name:?}"), "");
+        }
+        let sizes = first.sizes();
+        writer.table("blank", "");
+        let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
+        writer.set(key, exact(sizes.blank.value), &reason(&sizes.blank));
+        writer.set("thickness", exact(sizes.thickness.value), &reason(&sizes.thickness));
+        match &self.material {
             Some(name) => {
-                page.table("material", "");
-                page.set("name", format!("{name:?}"), "of the library: stampflow materials");
+                writer.table("material", "");
+                writer.set("name", format!("{name:?}"), "of the library: stampflow materials");
             }
-            None => page.swift(
+            None => writer.swift(
                 typical(),
                 "placeholder: typical of mild deep-drawing steel; change it, or name one of `stampflow materials`. \
                  σ = k (offset + ε)^n",
             ),
         }
-        page.forming_limit(&self.law(), thickness.value, false);
+        writer.forming_limit(metal, sizes.thickness.value, false);
+        let (pressure, rule) = self.pressure(first, metal);
+        for section in &first.sections {
+            write_tool(&mut writer, "tools", section);
+            match (section.role, &sizes.travel) {
+                (Role::Punch, Some(travel)) => writer.set("travel", exact(travel.value), &reason(travel)),
+                (Role::Holder, _) => {
+                    let why = format!("placeholder: {rule}, between holder and die; change it, or give a force");
+                    writer.set("pressure", format!("\"{pressure} MPa\""), &why);
+                }
+                _ => {}
+            }
+        }
+        if first.tool(Role::Punch).is_none() {
+            writer.line("", "");
+            for line in [
+                "No punch is drawn. Add one, for example:",
+                "[tools.punch]",
+                "flat = { radius = \"30 mm\", nose = \"6 mm\" }",
+                &format!("friction = {FRICTION}"),
+                "travel = \"10 mm\"",
+            ] {
+                writer.comment(line);
+            }
+        }
+        self.later_stages(&mut writer, sections, first, pressure);
+        writer.text()
     }
 
-    /// The sheet's metal: that of the library, or the placeholder.
-    fn law(&self) -> Material {
-        let named = self.material.and_then(|name| library::material(name).ok()).map(|entry| entry.material);
-        named.unwrap_or_else(|| {
-            let [k, n, offset] = typical();
-            Material::plain(Hardening::Swift(Swift::new(k, n, offset).expect("the law is one")))
-        })
+    /// Comments, title and declared notes.
+    fn head(&self, writer: &mut CaseWriter, drawing: &Path, sections: &Sections, first: &DrawnTools) {
+        writer.comment("Written by `stampflow import`: the tools are as drawn; placeholders are not in the drawing.");
+        sections.notes.iter().for_each(|note| writer.comment(&format!("- {note}")));
+        let name = drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let title: String = format!("Tools of {name}").chars().filter(|c| !c.is_control()).take(150).collect();
+        let sizes = first.sizes();
+        let is_open = |size: Option<&Picked>| size.is_some_and(|size| !size.is_given());
+        let open: Vec<&str> = [
+            ("material", self.material.is_none()),
+            ("friction", true),
+            ("thickness", is_open(Some(&sizes.thickness))),
+            ("blank", is_open(Some(&sizes.blank))),
+            ("travel", is_open(sizes.travel.as_ref())),
+            ("holder pressure", first.tool(Role::Holder).is_some()),
+            ("ways and holder forces of the later stages", !sections.later.is_empty()),
+        ]
+        .into_iter()
+        .filter_map(|(name, is_open)| is_open.then_some(name))
+        .collect();
+        writer.line("", "");
+        writer.set("title", toml_edit::Value::from(title), "");
+        writer.set("geometry", format!("{:?}", self.geometry.key()), "");
+        let drawn = "declared: the tools' sections are those of the drawing";
+        let open = format!("declared: placeholders, not in the drawing: {}", open.join(", "));
+        writer.set("notes", format!("[\n    {drawn:?},\n    {open:?},\n]"), "");
     }
 
-    /// The holder's pressure \[MPa\], rounded up, and its rule: Siebel's for a blank that is drawn in round an axis.
-    fn pressure(&self, sizes: &Sizes) -> (f64, &'static str) {
-        let strength = tensile_strength(&self.law());
+    /// Writes each later operation with new tools; the die stays where none is drawn, and with it the holder.
+    fn later_stages(&self, writer: &mut CaseWriter, sections: &Sections, first: &DrawnTools, pressure: f64) {
+        let sizes = first.sizes();
+        let mut before = DrawnTools { travel: sizes.travel.as_ref().map(|travel| travel.value), ..first.clone() };
+        for later in &sections.later {
+            let name = later.number.map_or_else(String::new, stage);
+            let has = |role: Role| later.tools.iter().any(|tool| tool.role == role);
+            let stays = |role: Role| match role {
+                Role::Punch => false,
+                Role::Die => !has(Role::Die),
+                Role::Holder => !has(Role::Holder) && !has(Role::Die),
+            };
+            let staying = before.sections.iter().copied().filter(|section| stays(section.role));
+            let now = DrawnTools {
+                sections: later.tools.iter().chain(staying).collect(),
+                thickness: Some(sizes.thickness.value),
+                blank: Some(sizes.blank.value),
+                travel: None,
+                ..*first
+            };
+            writer.table(
+                "[stages]",
+                &format!("{name}: new tools, brought up to where they touch the sheet as it then is."),
+            );
+            writer.set("name", format!("{name:?}"), "");
+            if before.tool(Role::Holder).is_some() && now.tool(Role::Holder).is_none() {
+                writer.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
+            }
+            for section in &later.tools {
+                write_tool(writer, "stages", section);
+                match (section.role, now.sizes().travel) {
+                    (Role::Punch, Some(travel)) => writer.set("move", exact(travel.value), &reason(&travel)),
+                    (Role::Holder, _) => self.write_force(writer, &before, &now, pressure),
+                    _ => {}
+                }
+            }
+            before = now;
+        }
+    }
+
+    /// Writes the first holder's pressure on the sheet between the die's throat and the part as it comes, as a force.
+    fn write_force(&self, writer: &mut CaseWriter, before: &DrawnTools, now: &DrawnTools, pressure: f64) {
+        let travel = before.sizes().travel.map_or(0.0, |travel| travel.value);
+        let part = before.tool(Role::Punch).map_or(f64::INFINITY, |punch| mouth(&punch, travel));
+        let holder = now.tool(Role::Holder).map_or((0.0, 0.0), |holder| extent(&holder));
+        let inner = now.tool(Role::Die).and_then(|die| throat(&die)).unwrap_or(0.0).max(holder.0);
+        let outer = holder.1.min(part).max(inner);
+        let (area, unit) = match self.geometry {
+            Geometry::Axisymmetric => {
+                let whole = Extent::of(self.geometry, None);
+                (whole.area(outer) - whole.area(inner), "N")
+            }
+            Geometry::PlaneStrain => (outer - inner, "N/mm"),
+        };
+        let why =
+            format!("placeholder: the first pressure between {inner:.1} and {outer:.1} mm from the axis; change it");
+        writer.set("force", format!("\"{:.0} {unit}\"", (pressure * area).ceil().max(1.0)), &why);
+    }
+
+    /// The holder's pressure \[MPa\], rounded up, and its rule.
+    fn pressure(&self, tools: &DrawnTools, metal: &Material) -> (f64, &'static str) {
+        let (strength, sizes) = (tensile_strength(metal), tools.sizes());
         let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.value);
-        let punch = self.tool(Role::Punch).map(|punch| mouth(&punch, travel));
+        let punch = tools.tool(Role::Punch).map(|punch| mouth(&punch, travel));
         let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.value > *punch);
         let (pressure, rule) = match drawn {
             Some(punch) => {
-                (siebel(sizes.blank.value / punch, 2.0 * punch, sizes.thickness.value, strength), "Siebel's pressure")
+                let ratio = sizes.blank.value / punch;
+                (siebel(ratio, 2.0 * punch, sizes.thickness.value, strength), "Siebel's pressure")
             }
             None => (strip_pressure(strength).value, "1 % of the tensile strength"),
         };
         (rounded(0.01 * (100.0 * pressure).ceil()), rule)
     }
-
-    fn has(&self, role: Role) -> bool {
-        self.tools.iter().any(|(tool, ..)| *tool == role)
-    }
 }
 
-/// What stands behind a size: nothing where it was given.
-fn change(size: &Picked) -> String {
+fn write_tool(writer: &mut CaseWriter, table: &str, section: &Section) {
+    writer.table(&format!("{table}.{}", section.role.name()), &section.made_of);
+    writer.profile(&section.profile);
+    writer.set("friction", FRICTION, "placeholder: Coulomb's coefficient; change it");
+}
+
+/// Name of an operation's stage.
+fn stage(number: u32) -> String {
+    format!("op{number}")
+}
+
+/// Reason of a placeholder; empty where the size was given.
+fn reason(size: &Picked) -> String {
     if size.is_given() { String::new() } else { format!("placeholder: {}; change it", size.why) }
 }

@@ -2,9 +2,8 @@
 
 mod case_reference;
 mod from_drawing;
-mod page;
 pub mod templates;
+mod writer;
 
 pub use case_reference::case_reference;
-pub use from_drawing::{Draft, Drawn};
 pub use from_drawing::{Import, ImportFailure, Imported};

@@ -62,9 +62,9 @@ fn of(template: &Template) -> Value {
         json!({
             "key": choice.key,
             "diameter": choice.diameter,
-            "value": choice.kind.placeholder(),
+            "value": choice.kind.placeholder,
             "about": choice.about,
-            "default": choice.default.words(),
+            "default": choice.default,
         })
     };
     json!({
@@ -130,10 +130,10 @@ fn subcommand(template: &Template) -> Command {
 fn option(choice: &'static Choice, heading: &'static str) -> Arg {
     let arg = Arg::new(choice.key)
         .long(choice.key)
-        .value_name(choice.kind.placeholder())
+        .value_name(choice.kind.placeholder)
         .allow_hyphen_values(true)
         .help_heading(heading)
-        .help(format!("{} [default: {}]", choice.about, choice.default.words()));
+        .help(format!("{} [default: {}]", choice.about, choice.default));
     match choice.key {
         "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
         _ => arg,
@@ -145,7 +145,7 @@ fn diameter(choice: &'static Choice) -> Option<Arg> {
     let key = choice.diameter?;
     let arg = Arg::new(key)
         .long(key)
-        .value_name(choice.kind.placeholder())
+        .value_name(choice.kind.placeholder)
         .allow_hyphen_values(true)
         .conflicts_with(choice.key)
         .help_heading("Sizes")

@@ -365,7 +365,7 @@ fn the_list_and_the_help_name_every_option() {
         for choice in template.options() {
             let option = format!("--{} ", choice.key);
             assert!(list().contains(&option) && help.contains(&option), "{}: {option}", template.name);
-            assert!(help.contains(choice.default.words()), "{}: {option}", template.name);
+            assert!(help.contains(choice.default), "{}: {option}", template.name);
         }
     }
 }

@@ -12,7 +12,7 @@
 //! begins κ is the nose's; a strip that is bent less than that touches it in one line, φ = 0. Straight legs, the rule for
 //! rigid hinges, come out 2 to 3° too sharp. Derived here; the V-bend's test measures it against the run.
 
-use crate::material::Elastic;
+use crate::material::{Elastic, Hardening};
 use crate::numerics::bisect;
 
 /// Stress and strain in plane strain over their equivalents, 2/√3 [–].
@@ -29,8 +29,7 @@ pub(super) struct Strip<'a> {
     /// \[mm\]
     pub thickness: f64,
     pub elastic: Elastic,
-    /// Yield stress \[MPa\] at an equivalent plastic strain.
-    pub stress: &'a dyn Fn(f64) -> f64,
+    pub hardening: &'a Hardening,
 }
 
 /// Moment per depth \[N\], and κ M less the work ∫ M dκ \[N/mm\].
@@ -44,7 +43,7 @@ impl Strip<'_> {
         let fibres = (0..FIBRES).map(|i| {
             let y = (f64::from(i) + 0.5) * step;
             let strain = curvature * y;
-            (plane * strain).min(PLANE * (self.stress)(PLANE * strain)) * y
+            (plane * strain).min(PLANE * self.hardening.at(PLANE * strain).stress) * y
         });
         2.0 * step * fibres.sum::<f64>()
     }
@@ -76,8 +75,8 @@ fn leg(bent: &[Bent], from: f64, to: f64) -> [f64; 2] {
     [along * to.cos() + aside * to.sin(), along * to.sin() - aside * to.cos()]
 }
 
-/// The place in an interval where a condition that holds at its beginning ceases to.
-fn ends(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+/// Value in an interval where a condition ceases to hold.
+fn end_of(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let [low, high] = bisect(low, high, HALVINGS, holds);
     0.5 * (low + high)
 }
@@ -91,14 +90,14 @@ pub(super) fn travel(strip: &Strip, turn: f64, reach: f64, nose: f64, shoulder: 
     let tight = strip.bent_to(1.0 / nose);
     let [across, rise] = if leg(&tight, 0.0, turn)[0] < wanted {
         let reaches = |curvature: f64| leg(&strip.bent_to(curvature), 0.0, turn)[0] > wanted;
-        let curvature = ends(0.0, 1.0 / nose, reaches);
+        let curvature = end_of(0.0, 1.0 / nose, reaches);
         leg(&strip.bent_to(curvature), 0.0, turn)
     } else {
         let end = |wrap: f64| {
             let [across, rise] = leg(&tight, wrap, turn);
             [nose * wrap.sin() + across, nose * (1.0 - wrap.cos()) + rise]
         };
-        end(ends(0.0, turn, |wrap| end(wrap)[0] > wanted))
+        end(end_of(0.0, turn, |wrap| end(wrap)[0] > wanted))
     };
     debug_assert!((across - wanted).abs() < 1e-3 * reach);
     rise + shoulder * (1.0 - turn.cos())

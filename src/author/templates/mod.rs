@@ -1,4 +1,6 @@
-//! Case files to begin with: a process, a few wanted sizes, and everything else picked by stated rules.
+//! Case files to begin with: a few wanted sizes, and everything else picked by stated rules.
+//!
+//! A template is a case with `<placeholders>`, `cup.toml`, and the function beside it that derives their sizes.
 //!
 //! ```
 //! let cup = stampflow::author::templates::find("cup")?;
@@ -17,20 +19,26 @@ mod hat_section;
 mod hemispherical_cup;
 mod inputs;
 mod redraw;
-pub mod rules;
 mod sheet;
+mod sizes;
 mod stretch_dome;
 mod template;
-mod tools;
 mod u_bend;
 mod v_bend;
 
-pub use inputs::{Choice, Default, Kind};
+pub use crate::rules::design as rules;
+pub use inputs::{Choice, Kind};
 pub use sheet::{FRICTION, SHEET, typical};
 pub use template::Template;
 
+use crate::author::writer::plain;
 use crate::case::CaseError;
-use crate::units::did_you_mean;
+use crate::model::Geometry;
+use crate::units::{did_you_mean, rounded};
+use inputs::{CLEARANCE, HOLDER_PRESSURE, Inputs, NOSE, SHOULDER, STRIP_CLEARANCE};
+use rules::Picked;
+use sheet::Sheet;
+use sizes::{Sizes, draw_ratio, ensure, nose, throat, warning};
 use std::fmt::Write;
 
 /// Every template.
@@ -50,7 +58,7 @@ pub const TEMPLATES: &[Template] = &[
 /// The template of a name.
 ///
 /// # Errors
-/// When there is none; the message names those that are there.
+/// When there is none; the message names all.
 pub fn find(name: &str) -> Result<&'static Template, CaseError> {
     TEMPLATES.iter().find(|template| template.name == name).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();
@@ -61,20 +69,17 @@ pub fn find(name: &str) -> Result<&'static Template, CaseError> {
 
 /// All templates with their options, as text.
 pub fn list() -> String {
+    let sheet = ("every template".to_owned(), SHEET);
     let mut text = String::new();
-    let lines = |text: &mut String, options: &[Choice]| {
+    for (title, options) in TEMPLATES.iter().map(|t| (format!("{}\n  {}", t.name, t.about), t.own)).chain([sheet]) {
+        let _ = writeln!(text, "{title}");
         for choice in options {
-            let option = format!("--{} {}", choice.key, choice.kind.placeholder());
-            let across = choice.diameter.map_or(String::new(), |key| format!("; or --{key}"));
-            let _ = writeln!(text, "    {option:<26} {} [{}]{across}", choice.about, choice.default.words());
+            let option = format!("--{} {}", choice.key, choice.kind.placeholder);
+            let diameter = choice.diameter.map_or(String::new(), |key| format!("; or --{key}"));
+            let _ = writeln!(text, "    {option:<26} {} [{}]{diameter}", choice.about, choice.default);
         }
-    };
-    for template in TEMPLATES {
-        let _ = writeln!(text, "{}\n  {}", template.name, template.about);
-        lines(&mut text, template.own);
         text.push('\n');
     }
-    let _ = writeln!(text, "every template");
-    lines(&mut text, SHEET);
-    text
+    text.truncate(text.trim_end().len());
+    text + "\n"
 }

@@ -1,177 +1,134 @@
 //! The sheet that every template forms.
 
-use super::inputs::{self, Choice, Default, Inputs};
-use super::rules::{self, Picked};
-use crate::author::page::{Page, mm, size_key};
+use super::inputs::{Choice, Inputs, Kind};
+use super::sizes::Sizes;
+use crate::author::writer::{CaseWriter, mm};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
-use crate::model::Geometry;
+use crate::rules::design::tensile_strength;
 use crate::units::{parse, rounded};
 
-/// The law of a sheet that is not named, as an option has it.
 const K: &str = "520 MPa";
 const N: &str = "0.22";
 const OFFSET: &str = "0.005";
-/// Coulomb's coefficient where nothing is known of it \[–\].
+/// Default of Coulomb's coefficient \[–\].
 pub const FRICTION: &str = "0.08";
+const SWIFT: &str = "the law of --k, --n and --offset";
+const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
+/// Elasticity of steel \[MPa, –\], where the library has none of a sheet.
+const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
 
-/// k \[MPa\], n and offset strain \[–\] of the law of a sheet that is not named.
+/// Swift's law of mild deep-drawing steel: k \[MPa\], n and offset strain \[–\].
 pub fn typical() -> [f64; 3] {
     [K, N, OFFSET].map(|text| parse(text).expect("the law is well written").value)
 }
 
-/// The options of the sheet, which every template has.
+/// Options of the sheet, which every template has.
 pub const SHEET: &[Choice] = &[
-    Choice::new("thickness", inputs::Kind::Length, Default::Value("1 mm"), "sheet thickness"),
-    Choice::new(
-        "material",
-        inputs::Kind::Name,
-        Default::Rule("the law of --k, --n and --offset"),
-        "sheet of the library, see `stampflow materials`",
-    ),
-    Choice::new("k", inputs::Kind::Stress, Default::Value(K), "k of the hardening law σ = k (offset + ε)^n"),
-    Choice::new("n", inputs::Kind::Number, Default::Value(N), "its exponent"),
-    Choice::new("offset", inputs::Kind::Number, Default::Value(OFFSET), "its offset strain"),
-    Choice::new("friction", inputs::Kind::Fraction, Default::Value(FRICTION), "Coulomb's coefficient on all tools"),
+    Choice::length("thickness", "1 mm", "sheet thickness"),
+    Choice::new("material", Kind::NAME, SWIFT, "sheet of the library, see `stampflow materials`"),
+    Choice::new("k", Kind::STRESS, K, "k of the hardening law σ = k (offset + ε)^n"),
+    Choice::new("n", Kind::NUMBER, N, "its exponent"),
+    Choice::new("offset", Kind::NUMBER, OFFSET, "its offset strain"),
+    Choice::new("friction", Kind::FRACTION, FRICTION, "Coulomb's coefficient on all tools"),
 ];
-
-/// Those of [`SHEET`] that write a hardening law.
-const LAW: [&str; 3] = ["k", "n", "offset"];
-/// Of steel, declared where the material does not say it \[MPa, –\].
-const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
-/// What is said of the law that is taken where none is given.
-const TYPICAL: &str =
-    "declared: hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
-/// Where the hardening comes from.
-enum Origin {
-    Library {
-        name: &'static str,
-        /// The word that it was asked for by: its name, or a grade that it stands for.
-        word: String,
-        /// Of the sheet that the library's numbers are of.
-        thickness: Option<String>,
-        /// Whether the library has a measured forming limit of it.
-        measured: bool,
-    },
-    /// k \[MPa\], n and offset strain \[–\] of Swift's law, and whether any of them was given.
-    Swift { law: [f64; 3], own: bool },
-}
 
 /// Thickness, material and friction.
 pub(super) struct Sheet {
     /// \[mm\]
     pub thickness: f64,
-    origin: Origin,
-    material: Material,
-    pub friction: f64,
-    /// Tensile strength \[MPa\].
-    pub strength: f64,
+    friction: f64,
+    /// \[MPa\]
+    pub tensile_strength: f64,
+    pub metal: Material,
+    /// Entry of the library, and the word by which it was named.
+    entry: Option<(Entry, String)>,
+    /// Swift's law without an entry, and its origin.
+    law: [f64; 3],
+    origin: &'static str,
 }
 
 impl Sheet {
     /// # Errors
     /// When there is no such law or material, or both are given.
     pub fn read(inputs: &Inputs) -> Result<Self, CaseError> {
-        let own = LAW.iter().find(|key| inputs.given(key).is_some());
-        let (origin, material) = match (inputs.name("material"), own) {
+        const LAW: [&str; 3] = ["k", "n", "offset"];
+        let own = LAW.iter().find(|key| inputs.number(key).is_some());
+        let law = LAW.map(|key| inputs.value(key));
+        let (entry, metal) = match (inputs.name("material"), own) {
             (Some(name), Some(key)) => {
                 let what = format!("--material {name} has its own hardening law, and --{key} is of another one");
                 return Err(CaseError::bare(what, "give either --material, or --k, --n and --offset".into()));
             }
             (Some(word), None) => {
-                let Entry { name, thickness, material, measured_limit, .. } = library::material(word)?;
-                let measured = measured_limit.is_some();
-                (Origin::Library { name, word: word.to_owned(), thickness, measured }, material)
+                let entry = library::material(word)?;
+                let metal = entry.material.clone();
+                (Some((entry, word.to_owned())), metal)
             }
-            (None, own) => {
-                let law = LAW.map(|key| inputs.value(key));
-                let swift = Swift::new(law[0], law[1], law[2]).map_err(|error| {
-                    CaseError::bare(error.to_string(), "give other values of --k, --n or --offset".into())
-                })?;
-                (Origin::Swift { law, own: own.is_some() }, Material::plain(Hardening::Swift(swift)))
+            (None, _) => {
+                let help = "give other values of --k, --n or --offset";
+                let swift = Swift::new(law[0], law[1], law[2]);
+                let swift = swift.map_err(|error| CaseError::bare(error.to_string(), help.into()))?;
+                (None, Material::plain(Hardening::Swift(swift)))
             }
         };
-        let strength = rules::tensile_strength(&material);
+        let origin = if own.is_some() { "hardening as given when the case was made" } else { TYPICAL };
         let [thickness, friction] = ["thickness", "friction"].map(|key| inputs.value(key));
-        Ok(Self { thickness, origin, material, friction, strength })
-    }
-
-    /// Yield stress at an equivalent plastic strain \[MPa\].
-    pub fn stress(&self, strain: f64) -> f64 {
-        self.material.hardening.at(strain).stress
+        Ok(Self { thickness, friction, tensile_strength: tensile_strength(&metal), metal, entry, law, origin })
     }
 
     /// Mean r-value \[–\].
-    pub fn anisotropy(&self) -> f64 {
-        self.material.yield_criterion.ratio()
-    }
-
-    /// Stress over yield stress in even biaxial tension \[–\].
-    pub fn biaxial_factor(&self) -> f64 {
-        self.material.yield_criterion.biaxial_factor()
+    pub fn r_value(&self) -> f64 {
+        self.metal.yield_criterion.ratio()
     }
 
     /// E and ν: the material's, or those of steel.
     pub fn elastic(&self) -> Elastic {
-        self.material.elastic.unwrap_or(STEEL)
+        self.metal.elastic.unwrap_or(STEEL)
     }
 
-    /// What is declared: the part, and where hardening and friction come from; a case says that of the library's itself.
-    pub fn notes(&self, part: &str) -> Vec<String> {
-        let law = match self.origin {
-            Origin::Library { .. } => None,
-            Origin::Swift { own: true, .. } => Some("declared: hardening as given when the case was made"),
-            Origin::Swift { own: false, .. } => Some(TYPICAL),
-        };
-        let part = format!("declared: {part}, not a published one; sizes by the rules that stand beside them");
-        let friction = format!("declared: friction {} on all tools, not measured", rounded(self.friction));
-        std::iter::once(part).chain(law.map(str::to_owned)).chain([friction]).collect()
+    /// Sizes of the sheet: thickness, friction, material and forming limit.
+    pub fn sizes(&self, is_elastic: bool) -> Sizes {
+        let mut sizes = Sizes::default();
+        let thickness = self.entry.as_ref().and_then(|(entry, _)| entry.thickness.as_ref());
+        let why = thickness.map_or(String::new(), |of| format!("the material's numbers are of a sheet of {of}"));
+        sizes.set("thickness", mm(self.thickness), &why);
+        sizes.set("friction", rounded(self.friction), "");
+        sizes.set("material", self.material(is_elastic), "");
+        let mut limit = CaseWriter::default();
+        let is_measured = self.entry.as_ref().is_some_and(|(entry, _)| entry.measured_limit.is_some());
+        limit.forming_limit(&self.metal, self.thickness, is_measured);
+        sizes.set("forming_limit", limit.text().trim(), "");
+        if self.entry.is_none() {
+            sizes.set("law", format!("\"declared: {}\"", self.origin), "");
+        }
+        sizes
     }
 
-    /// `[blank]` but for its keys after the thickness.
-    pub fn blank(&self, page: &mut Page, geometry: Geometry, size: &Picked) {
-        page.table("blank", "");
-        page.length(size_key(geometry), size);
-        let of = match &self.origin {
-            Origin::Library { thickness: Some(of), .. } => format!("the material's numbers are of a sheet of {of}"),
-            _ => String::new(),
-        };
-        page.set("thickness", mm(self.thickness), &of);
-    }
-
-    /// `[material]`, of elastoplastic metal where `elastic`.
-    pub fn material(&self, page: &mut Page, elastic: bool) {
-        let named = match &self.origin {
-            Origin::Library { name, word, .. } => Some((name, word)),
-            Origin::Swift { .. } => None,
-        };
-        if elastic || named.is_some() {
-            page.table("material", if elastic { "Elastic and plastic, so that the sheet springs back." } else { "" });
+    fn material(&self, is_elastic: bool) -> String {
+        let mut writer = CaseWriter::default();
+        if is_elastic || self.entry.is_some() {
+            writer.table(
+                "material",
+                if is_elastic { "Elastic and plastic, so that the sheet springs back." } else { "" },
+            );
         }
-        if let Some((name, word)) = named {
-            let why = match word == name {
-                true => "of the library: stampflow materials".to_owned(),
-                false => format!("of the library, asked for as {word}: stampflow materials {name}"),
-            };
-            page.set("name", format!("{name:?}"), &why);
+        if let Some((entry, word)) = &self.entry {
+            let why = if word == entry.name { String::new() } else { format!("named as {word}: ") };
+            writer.set("name", format!("{:?}", entry.name), &format!("{why}stampflow materials {}", entry.name));
         }
-        if elastic {
-            page.set("mode", "\"elasto_viscoplastic\"", "");
+        if is_elastic {
+            writer.set("mode", "\"elasto_viscoplastic\"", "");
         }
-        if elastic && self.material.elastic.is_none() {
-            page.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
-            page.set("poisson", STEEL.poisson, "");
+        if is_elastic && self.metal.elastic.is_none() {
+            writer.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
+            writer.set("poisson", STEEL.poisson, "");
         }
-        if let Origin::Swift { law, .. } = self.origin {
-            page.swift(law.map(rounded), "σ = k (offset + ε)^n");
+        if self.entry.is_none() {
+            writer.swift(self.law.map(rounded), "σ = k (offset + ε)^n");
         }
-    }
-
-    /// `[forming_limit]` of a part that is drawn or stretched, where the hardening law gives one.
-    pub fn forming_limit(&self, page: &mut Page) {
-        let measured = matches!(self.origin, Origin::Library { measured: true, .. });
-        page.forming_limit(&self.material, self.thickness, measured);
+        writer.text().trim().to_owned()
     }
 }

@@ -1,85 +1,53 @@
-//! What a template is: its options, and the text made of them.
+//! A kind of case that is written from a few sizes.
 
-use super::inputs::{Choice, Inputs, Kind};
-use super::sheet::SHEET;
-use crate::assess::size;
-use crate::author::page::{Page, plain};
+use super::inputs::{Choice, Inputs};
+use super::sheet::{SHEET, Sheet};
+use super::sizes::{Sizes, ensure};
+use crate::author::writer::plain;
 use crate::case::CaseError;
-use crate::model::{Geometry, Model};
-use crate::units::{Dimensioned, Length, Positive, significant};
+use crate::rules::size;
+use crate::units::significant;
 
-/// What writes a template's case.
-type Write = fn(&Inputs) -> Result<String, CaseError>;
-
-/// A kind of case that can be written from a few sizes.
+/// A kind of case that is written from a few sizes.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
-    /// Its name, as `stampflow new` takes it.
+    /// Name, as `stampflow new` takes it.
     pub name: &'static str,
-    /// What it forms, in one line.
+    /// Description in one line.
     pub about: &'static str,
     /// Its own options; those of the sheet, [`SHEET`], come on top.
     pub own: &'static [Choice],
-    /// The text of its case, or why the values do not go together.
-    write: Write,
-}
-
-/// The page of a template's case.
-pub(super) fn begin(about: &str, title: &str, geometry: Geometry, notes: &[String]) -> Page {
-    let units = "Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.";
-    Page::new([about, units], title, geometry, notes)
+    /// Case file with placeholders.
+    pub(super) text: &'static str,
+    /// Derives the values of the placeholders.
+    pub(super) sizes: fn(&Inputs, &Sheet) -> Result<Sizes, CaseError>,
 }
 
 impl Template {
-    pub(super) const fn new(name: &'static str, about: &'static str, own: &'static [Choice], write: Write) -> Self {
-        Self { name, about, own, write }
-    }
-
-    /// Everything that may be given, the sheet's options last.
+    /// All options, those of the sheet last.
     pub fn options(&self) -> impl Iterator<Item = &'static Choice> + use<> {
         self.own.iter().chain(SHEET)
     }
 
-    /// The text of a case file; `given` are names of options and their values with units.
+    /// Writes the text of a case file from option names and their values with units.
     ///
     /// # Errors
-    /// When an option is not one of this template's, a value is none of its kind, the sizes do not go together, or the blank
-    /// would be wider than any.
+    /// When an option is unknown, a value is not of its kind, sizes do not fit each other, or the blank is too wide.
     pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
-        let text = (self.write)(&Inputs::read(self.name, self.options(), given)?)?;
-        // What the rules above let pass and a case does not.
-        match crate::case::parse(&text, &format!("{}.toml", self.name), &[]) {
-            Ok(case) => self.small_enough(given, case.model()).map(|()| text),
-            Err(error) => Err(self.refused(given, &error)),
-        }
-    }
-
-    /// A blank that is wider than any is made by a wrong unit.
-    fn small_enough(&self, given: &[(&str, &str)], model: &Model) -> Result<(), CaseError> {
-        let across = size::across(model);
-        if across <= *size::WIDTHS.end() {
-            return Ok(());
-        }
-        let length = |text: &str| text.parse::<Positive<Length>>().map_or(0.0, Dimensioned::value);
-        let lengths = given.iter().filter(|(key, _)| self.options().any(|o| o.key == *key && o.kind == Kind::Length));
-        let largest = lengths.max_by(|(_, a), (_, b)| length(a).total_cmp(&length(b)));
-        let help = largest.map_or_else(String::new, |(key, text)| {
-            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
-            format!("is the unit right? --{key} {text:?} was given; try --{key} \"{number} mm\"")
-        });
-        let most = plain(*size::WIDTHS.end());
-        Err(CaseError::bare(
-            format!("the blank would be {} wide; stampings are up to {most}", plain(significant(across, 3))),
-            help,
-        ))
-    }
-
-    /// An error of a case that nobody has seen yet, as one of the options that make it.
-    fn refused(&self, given: &[(&str, &str)], error: &CaseError) -> CaseError {
+        let inputs = Inputs::read(self, given)?;
+        let text = (self.sizes)(&inputs, &Sheet::read(&inputs)?)?.fill(self.text);
         let options: Vec<String> = given.iter().map(|(key, value)| format!("--{key} {value:?}")).collect();
         let with = if options.is_empty() { "its defaults".to_owned() } else { options.join(" ") };
-        let line = error.line().map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
-        let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
-        CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
+        let case = crate::case::parse(&text, &format!("{}.toml", self.name), &[]).map_err(|error| {
+            // Nobody has seen this case: the error is told in terms of the options.
+            let line = error.line().map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
+            let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
+            CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
+        })?;
+        let (width, most) = (size::across(case.model()), *size::WIDTHS.end());
+        let what =
+            || format!("the blank would be {} wide; stampings are up to {}", plain(significant(width, 3)), plain(most));
+        ensure(width <= most, what, &format!("are the units right? given: {with}"))?;
+        Ok(text)
     }
 }

@@ -1,96 +1,61 @@
 //! A strip bent in air over a V, and let go.
 
-use super::air_bend::{self, Strip};
-use super::inputs::{Choice, Inputs, Kind, Rule, Value};
-use super::rules::{self, Picked};
-use super::sheet::Sheet;
-use super::template::{Template, begin};
-use super::tools::{Tools, bend, round_punch};
-use crate::author::page::plain;
-use crate::case::CaseError;
-use crate::model::Geometry;
-use crate::units::rounded;
+use super::air_bend::{Strip, travel};
+use super::*;
 
-pub(super) const TEMPLATE: Template = Template::new(
-    "v-bend",
-    "a strip (plane strain) bent in air to a wanted angle, and its spring-back",
-    OPTIONS,
-    write,
-);
+const ANGLE: &str = "angle between the legs under load; released they open by some degrees, as the run says";
 
-const OPTIONS: &[Choice] = &[
-    Choice::new(
-        "angle",
-        Kind::Angle,
-        Value("90 deg"),
-        "angle between the legs under load; released they open by some degrees, as the run says",
-    ),
-    Choice::length("nose", Rule("6 thicknesses"), "radius of the punch's nose"),
-    Choice::length("width", Rule("6 noses"), "whole width of the V, between the centres of its shoulders"),
-    Choice::length("shoulder", Rule("6 thicknesses"), "radius of the V's shoulders"),
-    Choice::length("leg", Rule("half the V"), "length of each leg beyond the V's shoulder"),
-];
+pub(super) const TEMPLATE: Template = Template {
+    name: "v-bend",
+    about: "a strip (plane strain) bent in air to a wanted angle, and its spring-back",
+    own: &[
+        Choice::new("angle", Kind::ANGLE, "90 deg", ANGLE),
+        Choice::length("nose", "6 thicknesses", "radius of the punch's nose"),
+        Choice::length("width", "6 noses", "whole width of the V, between the centres of its shoulders"),
+        Choice::length("shoulder", "6 thicknesses", "radius of the V's shoulders"),
+        Choice::length("leg", "half the V", "length of each leg beyond the V's shoulder"),
+    ],
+    text: include_str!("v_bend.toml"),
+    sizes,
+};
 
-fn write(inputs: &Inputs) -> Result<String, CaseError> {
-    let sheet = Sheet::read(inputs)?;
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let t = sheet.thickness;
     let angle = inputs.value("angle");
     let turn = 0.5 * (std::f64::consts::PI - angle);
-    let [least, most] = [60.0, 170.0];
     // "60 deg" is 59.99999999999999° once it has been a radian.
-    if !(least..=most).contains(&rounded(angle.to_degrees())) {
-        let what =
-            format!("an angle of {:.1}° between the legs is none that is bent in air over a V", angle.to_degrees());
-        return Err(CaseError::bare(what, format!("--angle from {least} deg to {most} deg")));
-    }
+    let degrees = rounded(angle.to_degrees());
+    let what = || format!("an angle of {degrees:.1}° between the legs is none that is bent in air over a V");
+    ensure((60.0..=170.0).contains(&degrees), what, "--angle from 60 deg to 170 deg")?;
     let nose = inputs.pick("nose", || rules::tool_radius(t));
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let width = inputs.pick("width", || rules::v_width(nose.value));
     let reach = 0.5 * width.value;
-    let throat = Picked::by(
-        reach - shoulder.value,
-        format!("half of the V's width of {} less its shoulder{}", plain(width.value), width.reason(", ")),
-    );
-    if throat.value < nose.value + t {
-        let what = format!(
-            "a V {} wide between the centres of its shoulders leaves no room for the punch and the sheet",
-            plain(width.value)
-        );
-        return Err(CaseError::bare(what, "make --width larger, or --nose or --shoulder smaller".into()));
-    }
-    let leg = inputs.given("leg").unwrap_or(reach);
-    let strip = Strip { thickness: t, elastic: sheet.elastic(), stress: &|strain| sheet.stress(strain) };
+    let why = format!("half of the V's width of {} less its shoulder{}", plain(width.value), width.reason(", "));
+    let throat = Picked::by(reach - shoulder.value, why);
+    let help = "make --width larger, or --nose or --shoulder smaller";
+    let what = || {
+        let width = plain(width.value);
+        format!("a V {width} wide between the centres of its shoulders leaves no room for the punch and the sheet")
+    };
+    ensure(throat.value >= nose.value + t, what, help)?;
+    let strip = Strip { thickness: t, elastic: sheet.elastic(), hardening: &sheet.metal.hardening };
     let travel = Picked::by(
-        air_bend::travel(&strip, turn, reach, nose.value, shoulder.value),
+        travel(&strip, turn, reach, nose.value, shoulder.value),
         "where legs that bend freely from the nose to the shoulders have the wanted angle, before they spring back",
     );
-    if travel.value <= 0.0 || travel.value < t {
-        let what = format!(
-            "an angle of {:.1}° takes {} of travel over a V {} wide: no bend",
-            angle.to_degrees(),
-            plain(travel.value),
-            plain(width.value)
-        );
-        return Err(CaseError::bare(what, "make --width larger, or --nose or --shoulder smaller".into()));
-    }
-    // From the middle to where the straight leg meets the shoulder's circle, and the leg's end.
+    let what = || {
+        let [travel, width] = [travel.value, width.value].map(plain);
+        format!("an angle of {degrees:.1}° takes {travel} of travel over a V {width} wide: no bend")
+    };
+    ensure(travel.value > 0.0 && travel.value >= t, what, help)?;
+    let leg = inputs.number("leg").unwrap_or(reach);
     let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
-    let tools =
-        Tools { geometry: Geometry::PlaneStrain, punch: round_punch(&nose), travel, throat, shoulder, holder: None };
-
-    let mut page = begin(
-        "One half of a strip that is bent in air over a V and then let go. The punch is a blade with a round nose.",
-        &format!("V-bend, {:.0}°", angle.to_degrees()),
-        Geometry::PlaneStrain,
-        &sheet.notes("a made-up bend"),
-    );
-    bend(&mut page, &sheet, &blank, nose.value, &tools);
-    let wanted = format!("angle = \"{} deg\"", rounded(angle.to_degrees()));
-    page.proposal(&[
-        "The wanted angle after release and its tolerance: the verdict then judges it, and says how far to over-bend.",
-        "[springback]",
-        &wanted,
-        "tolerance = \"1 deg\"",
-    ]);
-    Ok(page.text())
+    let mut sizes = sheet.sizes(true);
+    sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
+    sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
+    sizes.set("angle", format!("\"{degrees} deg\""), "");
+    sizes.lengths([("blank", &blank), ("radius", &nose), ("travel", &travel)]);
+    sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
+    Ok(sizes)
 }

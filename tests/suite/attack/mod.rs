@@ -13,17 +13,18 @@ mod promises;
 use crate::common::files::files;
 use fastrand::Rng;
 use mutate::{Form, mutated};
-use stampflow::author::{Draft, Drawn};
+use stampflow::author::Import;
 use stampflow::case::files::{Disk, Files, Memory};
 use stampflow::case::{self, Case, CaseError};
 use stampflow::compare::Computed;
-use stampflow::import::{self, Options};
+use stampflow::import::Options;
 use stampflow::model::{Geometry, Model};
 use stampflow::results::{Make, OUTPUTS, Results, comparisons, csv, svg};
 use stampflow::solver::solution::IterationRecord;
 use stampflow::{Observer, State};
 use std::fmt::Write;
 use std::fs;
+use std::path::Path;
 use std::sync::mpsc::channel;
 use std::time::{Duration, Instant};
 
@@ -198,38 +199,23 @@ fn check_case(text: &str, files: &dyn Files) -> bool {
     check_read(case::parse_with(text, "cases/mutated.toml", &[], files), WORK)
 }
 
-fn drawn(tools: &[import::Section]) -> Vec<Drawn<'_>> {
-    tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect()
-}
-
 fn check_drawing(bytes: &[u8]) -> bool {
-    let sections = match import::read(bytes, &Options::default()) {
-        Ok(sections) => sections,
-        Err(error) => {
-            let length = error.what.chars().count() + error.help.chars().count();
-            assert!(length < 3_000, "a message of {length} characters");
-            return false;
-        }
-    };
-    let tools = drawn(&sections.tools);
-    let later: Vec<_> = sections.later.iter().map(|later| (later.name(), drawn(&later.tools))).collect();
-    let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
-    let geometry = Geometry::Axisymmetric;
-    let name = (!later.is_empty()).then(|| "first".to_owned());
-    let draft = Draft {
-        title,
-        geometry,
-        name,
-        tools,
-        later,
+    let import = Import {
+        options: Options::default(),
+        geometry: Geometry::Axisymmetric,
         material: None,
         thickness: None,
         blank: None,
         travel: None,
-        notes,
     };
-    let _ = (draft.size(), draft.doubts());
-    draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
+    match import.read(bytes, Path::new("mutated.dxf")) {
+        Ok(imported) => imported.case.is_some_and(|case| check_read(Ok(case), WORK)),
+        Err(error) => {
+            let length = error.to_string().chars().count();
+            assert!(length < 3_000, "a message of {length} characters");
+            false
+        }
+    }
 }
 
 /// Whether the bytes could be read and solved.
