@@ -57,7 +57,7 @@ impl Sizes {
 
     /// Text of the case: lines with a missing value and paragraphs `<if NAME>` without one are left out.
     pub fn fill(&self, text: &str) -> String {
-        let mut writer = CaseWriter::default();
+        let (mut writer, is_round) = (CaseWriter::default(), text.contains("\ngeometry = \"axisymmetric\""));
         for paragraph in text.split("\n\n") {
             let condition = paragraph.strip_prefix("<if ").and_then(|rest| rest.split_once(">\n"));
             let (name, paragraph) = condition.unwrap_or(("", paragraph));
@@ -65,7 +65,7 @@ impl Sizes {
                 continue;
             }
             for line in paragraph.lines() {
-                let Some((filled, why)) = self.line(line) else { continue };
+                let Some((filled, why)) = self.line(line, is_round) else { continue };
                 match line.starts_with("# ") {
                     true => writer.comment(&filled[2..]),
                     false => writer.line(&filled, &why),
@@ -77,7 +77,7 @@ impl Sizes {
     }
 
     /// A line with its values, and their reasons.
-    fn line(&self, line: &str) -> Option<(String, String)> {
+    fn line(&self, line: &str, is_round: bool) -> Option<(String, String)> {
         let (mut filled, mut reasons, mut rest) = (String::new(), Vec::new(), line);
         while let Some((before, (name, after))) = rest.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?)))
         {
@@ -86,7 +86,7 @@ impl Sizes {
             reasons.push(why.as_str());
             rest = after;
         }
-        let diameter = line.split_once(" = <").filter(|(key, _)| RADII.contains(key)).and_then(|_| {
+        let diameter = line.split_once(" = <").filter(|(key, _)| is_round && RADII.contains(key)).and_then(|_| {
             let radius = filled.split('"').nth(1)?.strip_suffix(" mm")?.parse::<f64>().ok()?;
             Some(format!("Ø {}", plain(2.0 * radius)))
         });
