@@ -5,13 +5,13 @@ mod sizes;
 use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{FRICTION, typical};
 use super::writer::{CaseWriter, exact};
+use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library};
 use crate::import::{self, ImportError, Options, Section, Sections};
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
 use crate::model::tool_sizes::{extent, mouth, throat};
 use crate::model::{Extent, Geometry, Role};
-use crate::rules::size::DOUBTS;
 use crate::units::rounded;
 use sizes::DrawnTools;
 use std::path::Path;
@@ -84,8 +84,7 @@ impl Import {
         if let Some(case) = &case {
             // A doubt of the drawing is the cause of those of the case.
             if doubts.is_empty() {
-                let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
-                notes.extend(of_case.map(|doubt| format!("{}: {}", doubt.found, doubt.advice)));
+                notes.extend(size_doubts(case));
             }
             notes.extend(case.derived.iter().map(ToString::to_string));
         }

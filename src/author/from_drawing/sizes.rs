@@ -1,11 +1,11 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
 use super::Import;
+use crate::assess::design::Picked;
+use crate::assess::size::WIDTHS;
 use crate::import::Section;
 use crate::model::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::rules::design::Picked;
-use crate::rules::size::WIDTHS;
 use crate::units::{mm, rounded};
 use std::ops::RangeInclusive;
 

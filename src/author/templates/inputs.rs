@@ -1,10 +1,10 @@
 //! Options of templates and their values.
 
 use super::template::Template;
+use crate::assess::design::Picked;
 use crate::case::CaseError;
-use crate::rules::design::Picked;
 use crate::units::{
-    Angle, Force, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+    Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress, closest,
     thicknesses,
 };
 use std::collections::BTreeMap;
@@ -29,8 +29,8 @@ impl Kind {
     pub(super) const FRACTION: Self = Self::of::<Fraction>("FRACTION");
     pub(super) const NAME: Self = Self { placeholder: "NAME", read: |_| Ok(0.0) };
 
-    const fn of<Q: Quantity + FromStr<Err = QuantityError>>(placeholder: &'static str) -> Self {
-        Self { placeholder, read: |text| text.parse::<Q>().map(Quantity::value) }
+    const fn of<Q: Dimensioned + FromStr<Err = QuantityError>>(placeholder: &'static str) -> Self {
+        Self { placeholder, read: |text| text.parse::<Q>().map(Dimensioned::value) }
     }
 }
 

@@ -26,7 +26,7 @@ mod template;
 mod u_bend;
 mod v_bend;
 
-pub use crate::rules::design as rules;
+pub use crate::assess::design as rules;
 pub use inputs::{Choice, Kind};
 pub use sheet::{FRICTION, SHEET, typical};
 pub use template::Template;

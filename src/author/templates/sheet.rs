@@ -2,12 +2,12 @@
 
 use super::inputs::{Choice, Inputs, Kind};
 use super::sizes::Sizes;
+use crate::assess::design::tensile_strength;
 use crate::author::writer::{CaseWriter, mm};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
-use crate::rules::design::tensile_strength;
 use crate::units::{parse, rounded};
 
 const K: &str = "520 MPa";

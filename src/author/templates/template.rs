@@ -3,9 +3,9 @@
 use super::inputs::{Choice, Inputs};
 use super::sheet::{SHEET, Sheet};
 use super::sizes::{Sizes, ensure};
+use crate::assess::size;
 use crate::author::writer::plain;
 use crate::case::CaseError;
-use crate::rules::size;
 use crate::units::significant;
 
 /// A kind of case that is written from a few sizes.
