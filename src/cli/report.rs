@@ -12,7 +12,7 @@ use super::say::{say, say_json};
 use super::titles::Titles;
 use serde_json::json;
 use stampflow::case::Case;
-use stampflow::report::{Report, html};
+use stampflow::report::Report;
 use stampflow::results::{FrameRecorder, is_report, write};
 use stampflow::study::verify::quick;
 use stampflow::study::versus::Asked;
@@ -83,7 +83,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let versus = versus.transpose().map_err(asked)?;
     let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
     let report = versus.iter().fold(report, Report::against);
-    let saved = write(&path, html(&report.document()).as_bytes());
+    let saved = write(&path, report.html().as_bytes());
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();

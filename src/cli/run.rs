@@ -13,7 +13,7 @@ use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
-use stampflow::report::{Report, html};
+use stampflow::report::Report;
 use stampflow::results::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
     trace, verdict, write,
@@ -110,8 +110,8 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             let results = results.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.
             let pages = args.report.then(|| {
-                let report = Report::found(&solution, verification, (answer.clone(), findings.clone()));
-                (PAGE, html(&report.document()))
+                let report = Report::answered(&solution, verification, (answer.clone(), findings.clone()));
+                (PAGE, report.html())
             });
             let written = results.write(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {

@@ -1,52 +1,113 @@
-//! A solved case on a few pages for people: one [`Document`] of sections, written as HTML, and the same numbers as JSON.
+//! Report on a solved case: one HTML page for people, and the same numbers as JSON.
 //!
-//! Each file of this folder makes one part. The document holds nothing of the clock but the wall time of the solution, so
-//! two reports of one case can be compared.
+//! It holds nothing of the clock but the wall time of the solution, so that two reports of one case can be compared.
 
-mod document;
 mod front;
-mod html;
-mod inputs;
-mod plots;
-mod program;
+mod page;
 mod results;
+mod sections;
 mod sizes;
 mod sketch;
-mod solved;
-mod solver;
-mod sureness;
-mod title;
-mod verdict;
 mod versus;
 
-pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
-pub use html::html;
-pub use program::MARKER;
-pub use solved::Report;
+pub use sizes::dimensions;
 
-impl Report<'_> {
-    /// The first page and all sections.
-    pub fn document(&self) -> Document {
-        let report = self;
-        let model = self.solution.case.model();
-        let mut sections = vec![verdict::section(&self.findings)];
-        sections.extend(sureness::section(report));
-        sections.extend(sketch::sections(report));
-        sections.push(inputs::section(&self.check));
-        sections.extend(results::sections(report));
-        sections.extend(report.versus.map(|versus| versus::section(versus)));
-        sections.extend([
-            inputs::assumptions(&self.check),
-            solver::warnings(report),
-            solver::section(report),
-            title::section(report),
-        ]);
-        Document {
-            title: model.title.clone(),
-            author: self.title_block.author.clone().unwrap_or_default(),
-            title_block: title::block(report).map(|(name, value)| [String::from(name), value.to_owned()]).collect(),
-            front: front::blocks(report),
-            sections,
+use crate::assess::check::{self, Check};
+use crate::assess::{self, Answer, Finding, Kind, judgements};
+use crate::case::{Solution, TitleBlock};
+use crate::plot::{Dimension, StageView};
+use crate::results::Summary;
+use crate::study::verify::{self, Told, Verification};
+use crate::study::versus::Versus;
+use crate::units::rounded;
+use serde_json::{Map, Value, json};
+
+/// Program and version.
+const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
+
+/// Solved case with everything that its report says.
+#[derive(Clone, Debug)]
+pub struct Report<'a> {
+    solution: &'a Solution,
+    /// Stages that were run, with their summaries.
+    stages: Vec<(StageView<'a>, Summary)>,
+    check: Check,
+    dimensions: Vec<Dimension>,
+    findings: Vec<Finding>,
+    answer: Answer,
+    title_block: TitleBlock,
+    verification: Option<&'a Verification>,
+    versus: Option<&'a Versus>,
+}
+
+impl<'a> Report<'a> {
+    /// Prepares a report without error bars.
+    pub fn of(solution: &'a Solution) -> Self {
+        Self::verified(solution, None)
+    }
+
+    /// Prepares a report with the error bars of a verified case.
+    pub fn verified(solution: &'a Solution, verification: Option<&'a Verification>) -> Self {
+        Self::answered(solution, verification, verify::answered(solution, verification))
+    }
+
+    /// Prepares a report on a verdict from [`answered`](verify::answered), which may have taken a second solution.
+    pub fn answered(
+        solution: &'a Solution,
+        verification: Option<&'a Verification>,
+        (answer, after): (Answer, Vec<Finding>),
+    ) -> Self {
+        let before = assess::before(&solution.case);
+        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
+        let mut views = solution.views_telling(&assumed);
+        StageView::verify(&mut views, &solution.stages, verification);
+        let views = views.into_iter().map(StageView::without_captions);
+        Self {
+            solution,
+            stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
+            check: check::report(&solution.case),
+            dimensions: sizes::dimensions(solution.case.model(), None),
+            findings: before.into_iter().chain(after).collect(),
+            answer,
+            title_block: solution.case.title_block.clone(),
+            verification,
+            versus: None,
         }
+    }
+
+    /// Replaces entries of the case's title block.
+    pub fn titled(self, given: TitleBlock) -> Self {
+        Self { title_block: self.title_block.clone().replaced_by(given), ..self }
+    }
+
+    /// Adds a comparison with other runs and measurements.
+    pub fn against(self, versus: &'a Versus) -> Self {
+        Self { versus: Some(versus), ..self }
+    }
+
+    /// Every number of the page, with those of the summaries behind its pictures.
+    pub fn json(&self) -> Value {
+        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
+        let mut answer = json!(self.answer);
+        for (value, number) in answer["numbers"].as_array_mut().into_iter().flatten().zip(&self.answer.numbers) {
+            value["told"] = number.amount.to_string().into();
+        }
+        json!({
+            "case": self.solution.case.name,
+            "complete": self.solution.is_complete(),
+            "program": PROGRAM,
+            "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
+            "answer": answer,
+            "error_bars": self.verification.map(Told::from),
+            "check": self.check,
+            "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
+            "verdict": judgements(&self.findings).collect::<Vec<_>>(),
+            "stages": self.stages.iter().map(|(_, summary)| summary).collect::<Vec<_>>(),
+        })
+    }
+
+    /// `1-draw: ` before the headings of a stage; empty if there is one only.
+    fn stage(&self, i: usize) -> String {
+        self.solution.case.stage_label(i).map_or_else(String::new, |label| format!("{label}: "))
     }
 }

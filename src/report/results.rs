@@ -1,43 +1,65 @@
-//! What came out, stage by stage: the summary's lines, of a release its spring-back, and every plot of a stage.
+//! Results of every stage: lines of the summary, spring-back, and the pictures.
 
-use super::document::{Block, Row, Section};
-use super::front;
-use super::plots::plot;
-use super::solved::Report;
-use super::solver::figures;
-use crate::results::summary::Group;
-use crate::results::{OUTPUTS, StageView, springback};
+use super::page::{Row, Section, figure, table};
+use super::{Report, front};
+use crate::assess::tears_at;
+use crate::plot::{Chart, StageView};
+use crate::results::summary::{Figure, Group};
+use crate::results::{OUTPUTS, Summary, springback};
 use crate::table::Unit;
 use crate::units::Amount;
+use maud::{Markup, html};
 
-/// A section for each stage; the pictures of the first page are not repeated.
+/// Picture of the part.
+pub(super) const PART: &str = "part.png";
+const TORN: &str = "the part coloured by thinning, its thinnest place and where it tears";
+
+/// One section per stage, without the pictures of the first page.
 pub(super) fn sections(report: &Report) -> Vec<Section> {
-    let shown: Vec<(usize, &str)> = front::pictures(report).map(|(stage, file, _)| (stage, file)).collect();
-    let stages = report.stages.iter().enumerate();
-    stages
-        .map(|(i, (view, summary))| {
-            let part = figures(summary, |group| matches!(group, Group::End | Group::Part));
-            let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !shown.contains(&(i, *file)));
-            let plots = files.filter_map(|file| plot(view, file)).map(Block::Picture);
-            let blocks = std::iter::once(part).chain(released(view)).chain(plots);
-            Section { heading: report.stage(i) + &String::from("Results"), blocks: blocks.collect() }
-        })
-        .collect()
+    let on_front: Vec<(usize, &str)> = front::pictures(report).map(|picture| (picture.stage, picture.file)).collect();
+    let section = |(i, (view, summary)): (usize, &(StageView, Summary))| {
+        let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !on_front.contains(&(i, *file)));
+        let content = html! {
+            (figures(summary, |group| matches!(group, Group::End | Group::Part)))
+            @if let Some(changes) = changes(view) { (changes) }
+            @for (chart, caption) in files.filter_map(|file| plot(view, file)) { (figure(&chart, caption)) }
+        };
+        Section::new(report.stage(i) + "Results", content)
+    };
+    report.stages.iter().enumerate().map(section).collect()
 }
 
-/// What was measured before and after, of a stage that takes its tools away.
-fn released(view: &StageView) -> Option<Block> {
+/// Table of the summary's lines of some groups.
+pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Markup {
+    let row = |f: Figure| Row {
+        belongs: f.label.starts_with(' '),
+        ..Row::from([f.label.trim_start().to_owned(), f.value, f.unit.to_owned()])
+    };
+    let wanted = summary.figures().filter(|figure| is_wanted(figure.group));
+    table(&["Quantity", "Value", "Unit"], wanted.map(row))
+}
+
+/// Plot of a stage by its file, with its caption.
+pub(super) fn plot(view: &StageView, file: &str) -> Option<(Chart, &'static str)> {
+    let output = OUTPUTS.iter().find(|output| output.file == file)?;
+    let is_torn = file == PART && tears_at(view.stage).is_some();
+    Some((output.chart(view)?, if is_torn { TORN } else { output.about }))
+}
+
+/// Measures before and after the release of the tools; the error bar is that of the released part.
+fn changes(view: &StageView) -> Option<Markup> {
     let rows = springback::changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
-        let told = |amount: Option<Amount>| amount.map_or_else(|| String::from("none"), |amount| amount.parts().0);
-        let [before, after, by] = [change.before, change.after, change.change()].map(|value| value.map(amount));
-        // The bar is that of the part as it comes out.
-        let bar = after.and_then(|after| view.verification?.half(after));
-        let barred = |amount: Option<Amount>| amount.map(|amount| bar.map_or(amount, |bar| amount.with_bar(bar)));
-        let within = |amount: Option<Amount>| amount.map(|amount| bar.map_or(amount, |bar| amount.within_bar(bar)));
-        let [before, after, by] = [within(before), barred(after), within(by)].map(told);
-        Row::plain([String::from(change.quantity.label), before, after, by, amount(0.0).parts().1.to_owned()])
+        let bar = change.after.and_then(|after| view.verification?.half(amount(after)));
+        let text = |value: Option<f64>, shows_bar: bool| match (value.map(amount), bar) {
+            (None, _) => "none".to_owned(),
+            (Some(amount), Some(bar)) if shows_bar => amount.with_bar(bar).parts().0,
+            (Some(amount), Some(bar)) => amount.within_bar(bar).parts().0,
+            (Some(amount), None) => amount.parts().0,
+        };
+        let [before, after, by] = [text(change.before, false), text(change.after, true), text(change.change(), false)];
+        [change.quantity.label.to_string(), before, after, by, amount(0.0).parts().1.to_owned()]
     });
-    Some(Block::table(["Spring-back", "Before", "After", "Change", "Unit"], rows.collect()))
+    Some(table(&["Spring-back", "Before", "After", "Change", "Unit"], rows))
 }

@@ -3,7 +3,7 @@
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::results::{Dimension, Mark, Size};
+use crate::plot::{Dimension, Mark, Size};
 use crate::solver::solution::Frame;
 use crate::units::Amount;
 
@@ -18,7 +18,7 @@ const ON_AXIS: f64 = 1e-6;
 
 /// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
 /// the sheet of `start`, without the blank's.
-pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
+pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
     let mut found = Vec::new();
     if start.is_none() {

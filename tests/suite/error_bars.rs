@@ -8,7 +8,7 @@ use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
 use stampflow::plot::chart::Look;
-use stampflow::report::{Report, html};
+use stampflow::report::Report;
 use stampflow::results::{OUTPUTS, Results, svg};
 use stampflow::study::verify::{Of, Verification, Watch, answered, quick, verify};
 use std::fs;
@@ -202,7 +202,7 @@ fn reports_and_pictures_carry_the_bars() {
     let solution = shipped_case("quickstart", &[]).solve(&mut ());
     let found = verify(&solution, &());
     let report = Report::verified(&solution, Some(&found));
-    let page = html(&report.document()).replace('\u{a0}', " ");
+    let page = report.html().replace('\u{a0}', " ");
     for said in
         ["How sure", "Made of (observed order)", "error bars from 14 finer runs", "Error band", "0.94 ± 0.01 mm"]
     {
@@ -212,7 +212,7 @@ fn reports_and_pictures_carry_the_bars() {
         report.json()["error_bars"]["runs"] == 14 && report.json()["answer"]["numbers"][0]["error_bar"].is_number()
     );
     let plain = Report::of(&solution);
-    let text = html(&plain.document());
+    let text = plain.html();
     assert!(!text.contains("How sure") && !text.contains('±'), "{text}");
 
     let results = Results::of(&solution).expect("no references").verified(Some(&found));

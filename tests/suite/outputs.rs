@@ -8,7 +8,7 @@ use stampflow::case::{Solution, parse};
 use stampflow::compare::{Against, BandQuantity, BandSpec, Comparison, Computed, Data, Found, Spec, compare};
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
-use stampflow::report::{Report, html};
+use stampflow::report::Report;
 use stampflow::results::{Make, OUTPUTS, Results, Summary, comparison_folder, load_travel, profile};
 use stampflow::solver::solution::StageSolution;
 use stampflow::table::{Csv, Table};
@@ -148,7 +148,7 @@ fn nothing_that_is_no_number_is_written() {
         assert_eq!(solution.is_complete(), ends, "{name}: {}", solution.stages.last().unwrap().stop);
         let mut texts = vec![
             ("summary".into(), solution.summary().to_string()),
-            ("report".into(), html(&Report::of(&solution).document())),
+            ("report".into(), Report::of(&solution).html()),
             ("frames".into(), solution.stages.iter().map(|stage| format!("{:?}", stage.frames)).collect()),
         ];
         let dir = temp_dir::TempDir::new().unwrap();

@@ -8,7 +8,8 @@ use stampflow::case::{Case, Press, parse};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::{Bead, Geometry};
 use stampflow::plot::chart::{Look, Scale, Series};
-use stampflow::report::Report;
+use stampflow::plot::dimensioned;
+use stampflow::report::{Report, dimensions};
 use stampflow::results::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::solver::solution::StageSolution;
 
@@ -180,9 +181,9 @@ fn a_dimensioned_section_has_diameters_and_leaders_that_do_not_cross() {
         model.beads = vec![Bead { at: 0.8 * model.blank.length, restraining: 50.0, closing: 10.0 }];
         let mut solution = stampflow::case::Solution { case: case(name, &[]), stages: Vec::new(), wall: None };
         solution.case.stages[0].model = model;
-        let document = Report::of(&solution).document();
-        let picture = document.pictures().find(|picture| picture.name == "section").expect("a section");
-        let series = &picture.chart.panels[0].series;
+        let model = solution.case.model();
+        let chart = dimensioned("Section".to_owned(), model, None, &dimensions(model, None));
+        let series = &chart.panels[0].series;
         let thin = |s: &&Series| s.points.len() == 2 && matches!(s.look, Look::Line { width: 1.0, .. });
         let lines: Vec<_> = series.iter().filter(thin).map(|s| s.points.as_slice()).collect();
         let right = lines.iter().map(|line| line[1].0).fold(0.0, f64::max);
@@ -191,7 +192,7 @@ fn a_dimensioned_section_has_diameters_and_leaders_that_do_not_cross() {
             assert!(leaders[..i].iter().all(|b| !cross(a, b)), "{name}: leaders cross");
         }
         // Half of the width is drawn: its line begins beyond the axis, where a dash-dotted line stands.
-        let texts = labels(&picture.chart, |look| look == Look::Text);
+        let texts = labels(&chart, |look| look == Look::Text);
         let whole = series.iter().filter(thin).filter(|s| s.points[0].0 < 0.0 && s.points[0].1 == s.points[1].1);
         let sizes = texts.iter().filter(|text| text.contains(" Ø ") || text.contains(" width "));
         assert_eq!(whole.count(), sizes.filter(|text| !text.starts_with("Draw bead")).count(), "{name}: {texts:?}");
@@ -218,9 +219,9 @@ fn every_stage_with_tools_of_its_own_has_a_section() {
     let cup = parse(&format!("{CUP}{}", crate::common::cli::STAGES), "cup.toml", &[]).unwrap();
     for (case, later) in [(redraw, true), (cup, false)] {
         let solution = case.solve(&mut ());
-        let document = Report::of(&solution).document();
-        let sections = document.pictures().filter(|picture| picture.name.starts_with("section")).count();
-        assert_eq!(sections > 1, later, "{}", document.title);
+        let page = Report::of(&solution).html();
+        let sections = page.matches("<figcaption>the section at the start").count();
+        assert_eq!(sections > 1, later, "{sections}");
     }
 }
 

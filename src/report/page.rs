@@ -1,0 +1,146 @@
+//! HTML of the report: pictures and style inside, nothing fetched from elsewhere; a browser prints it on A4 pages.
+
+use super::{PROGRAM, Report, front, results, sections, sketch, versus};
+use crate::assess::Light;
+use crate::plot::{Chart, svg};
+use crate::results::REPORT_MARKER;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+const STYLE: &str = include_str!("style.css");
+
+/// Longest cell that has room beside others on a phone \[letters\].
+const SHORT: usize = 24;
+
+/// Heading with its content.
+pub(super) struct Section {
+    pub heading: String,
+    pub content: Markup,
+}
+
+/// Row of a table.
+#[derive(Default)]
+pub(super) struct Row {
+    pub cells: Vec<String>,
+    /// Colour of the first cell, whose word says the same.
+    pub light: Option<Light>,
+    /// True if it belongs to the row above and is indented.
+    pub belongs: bool,
+}
+
+impl<const N: usize> From<[String; N]> for Row {
+    fn from(cells: [String; N]) -> Self {
+        Self { cells: cells.into(), ..Self::default() }
+    }
+}
+
+impl Section {
+    pub fn new(heading: impl Into<String>, content: Markup) -> Self {
+        Self { heading: heading.into(), content }
+    }
+}
+
+impl Report<'_> {
+    /// The whole page.
+    pub fn html(&self) -> String {
+        let title = &self.solution.case.model().title;
+        let block = self.title_block.entries().chain([("Case", self.solution.case.name.as_str())]);
+        let mut sections = vec![sections::verdict(self)];
+        sections.extend(sections::error_bars(self));
+        sections.extend(sketch::sections(self));
+        sections.push(sections::inputs(self));
+        sections.extend(results::sections(self));
+        sections.extend(self.versus.map(versus::section));
+        sections.extend([
+            sections::assumptions(self),
+            sections::warnings(self),
+            sections::solver(self),
+            sections::case(self),
+        ]);
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="generator" content={ (REPORT_MARKER) " " (env!("CARGO_PKG_VERSION")) };
+                    @if let Some(author) = &self.title_block.author { meta name="author" content=(author); }
+                    title { (title) }
+                    style { (PreEscaped(STYLE)) }
+                }
+                body {
+                    main {
+                        header {
+                            h1 { (title) }
+                            dl.title-block { @for (name, value) in block { div { dt { (name) } dd { (value) } } } }
+                        }
+                        section.front { (front::content(self)) }
+                        nav {
+                            h2 { "Contents" }
+                            ol { @for (i, s) in sections.iter().enumerate() { li { a href={ "#s" (i + 1) } { (s.heading) } } } }
+                        }
+                        @for (i, section) in sections.iter().enumerate() {
+                            section id={ "s" (i + 1) } { h2 { (section.heading) } (section.content) }
+                        }
+                    }
+                    footer { "Written by " (PROGRAM) "." }
+                }
+            }
+        };
+        page.into_string()
+    }
+}
+
+/// Picture with its caption; the style counts the figures.
+pub(super) fn figure(chart: &Chart, caption: &str) -> Markup {
+    // Inside HTML an SVG needs no namespace.
+    let picture = svg(chart).replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    html! {
+        figure {
+            div.picture role="img" aria-label=(caption) { (PreEscaped(picture)) }
+            figcaption { (caption) "." }
+        }
+    }
+}
+
+/// Table; on a phone the cells of wide ones stand below each other under their columns' names.
+pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = R>) -> Markup {
+    let rows: Vec<Row> = rows.into_iter().map(Into::into).collect();
+    let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
+    let is_wide = head.len() > 3 || rows.iter().any(is_long);
+    html! {
+        div.table {
+            table.{ "columns-" (head.len()) }.wide[is_wide] {
+                thead { tr { @for cell in head { th scope="col" { (cell) } } } }
+                tbody {
+                    @for row in &rows {
+                        tr.belongs[row.belongs] {
+                            @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
+                                td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[is_wide.then_some(name)] {
+                                    (cell)
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// List, or a sentence if it is empty.
+pub(super) fn list(entries: &[String], none: &str) -> Markup {
+    html! {
+        @if entries.is_empty() { p { (none) } } @else { ul { @for entry in entries { li { (entry) } } } }
+    }
+}
+
+/// Sign and word of a light: the colour only repeats them.
+pub(super) fn word(light: Light) -> String {
+    let sign = match light {
+        Light::Grey => '○',
+        Light::Green => '●',
+        Light::Amber => '▲',
+        Light::Red => '■',
+    };
+    format!("{sign} {}", light.name())
+}

@@ -1,0 +1,107 @@
+//! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
+
+use super::page::{Row, Section, list, table, word};
+use super::results::figures;
+use super::{PROGRAM, Report};
+use crate::assess::check::Line;
+use crate::assess::{Kind, Light, judgements};
+use crate::case::files::sha256;
+use crate::results::summary::{Group, section_of};
+use crate::study::verify::{Bar, Of};
+use maud::html;
+
+const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
+
+/// Full verdict.
+pub(super) fn verdict(report: &Report) -> Section {
+    let with = |light| judgements(&report.findings).filter(move |finding| finding.light == light);
+    let rows = WORST_FIRST.into_iter().flat_map(with).map(|finding| Row {
+        light: Some(finding.light),
+        ..Row::from([
+            word(finding.light),
+            finding.label.to_string(),
+            finding.found(),
+            format!("{} ({})", finding.limit, finding.source),
+            finding.advice.to_string(),
+        ])
+    });
+    Section::new("Verdict", table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
+}
+
+/// Numbers with error bars; their parts are not known from one coarser run alone.
+pub(super) fn error_bars(report: &Report) -> Option<Section> {
+    let verification = report.verification?;
+    let bars: Vec<&Bar> = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict).collect();
+    let row = |bar: &Bar| {
+        let (value, unit) = bar.amount().parts();
+        [bar.number.label.to_string(), value, unit.to_owned(), bar.made_of().to_string()]
+    };
+    let head = ["Quantity", "Value", "Unit", "Made of (observed order)"];
+    let has_parts = bars.iter().any(|bar| bar.parts.len() > 1);
+    let content = html! {
+        (list(&verification.sentences(), ""))
+        @if has_parts || bars.iter().any(|bar| bar.half.is_some()) {
+            (table(&head[..if has_parts { 4 } else { 3 }], bars.into_iter().map(row)))
+        }
+    };
+    Some(Section::new("Error bars", content))
+}
+
+/// Inputs and what follows from them, as the check of a case has them.
+pub(super) fn inputs(report: &Report) -> Section {
+    let rows = |lines: &[Line]| {
+        let row = |line: &Line| [line.label.to_string(), line.value.to_string(), line.meaning.to_string()];
+        lines.iter().map(row).collect::<Vec<_>>()
+    };
+    let content = html! {
+        (table(&["Input", "Value", "Meaning"], rows(&report.check.lines)))
+        (table(&["Sheet, mesh and solver", "Value", "Meaning"], rows(&report.check.details)))
+    };
+    Section::new("Inputs", content)
+}
+
+/// Declared assumptions, and those made while reading.
+pub(super) fn assumptions(report: &Report) -> Section {
+    Section::new("Assumptions", list(&report.check.notes, "None are declared."))
+}
+
+/// Warnings of the check and of the solver.
+pub(super) fn warnings(report: &Report) -> Section {
+    let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
+    let stage = |i: Option<usize>| i.map_or_else(String::new, |i| report.stage(i));
+    let sentences: Vec<String> = warnings.map(|f| format!("{}{}", stage(f.stage), f.sentence())).collect();
+    Section::new("Warnings", list(&sentences, "None."))
+}
+
+/// Mesh, steps and norms of every stage.
+pub(super) fn solver(report: &Report) -> Section {
+    let content = html! {
+        @for (i, (_, summary)) in report.stages.iter().enumerate() {
+            @if let Some(name) = report.stage(i).strip_suffix(": ") { p { "Stage " (name) } }
+            (figures(summary, |group| group == Group::Solution))
+        }
+    };
+    Section::new("Solver", content)
+}
+
+/// Case, its file and checksum, and the program.
+pub(super) fn case(report: &Report) -> Section {
+    let case = &report.solution.case;
+    let stages = case.stage_names().collect::<Vec<_>>().join(", ");
+    let ended = match report.solution.stages.last() {
+        Some(_) if report.solution.is_complete() => "complete".to_owned(),
+        Some(last) => format!("stopped early: {}", last.stop),
+        None => "not begun".to_owned(),
+    };
+    let rows = [
+        ("Case file", case.path.display().to_string()),
+        ("Set on the command line", case.overrides.join(", ")),
+        ("Section", section_of(case.model().extent())),
+        ("Stages", if case.later().is_empty() { String::new() } else { stages }),
+        ("Run", ended),
+        ("Program", PROGRAM.to_owned()),
+        ("SHA-256 of the case, settings applied", sha256([&case.text])),
+    ];
+    let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
+    Section::new("Case", table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value])))
+}
