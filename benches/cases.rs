@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 struct Count(usize);
 
 impl Observer for Count {
-    fn iteration(&mut self, _: &IterationRecord) {
+    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.0 += 1;
     }
 }

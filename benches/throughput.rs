@@ -30,7 +30,7 @@ struct Count {
 }
 
 impl Observer for Count {
-    fn iteration(&mut self, _: &IterationRecord) {
+    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.iterations += 1;
     }
 

@@ -76,7 +76,7 @@ fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Opti
         return Some(grey("no angle was found to measure", advice));
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-    let said = joined(angles.map(|change| change.quantity.named(change.told())), ", ");
+    let said = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
     let over = changes.iter().filter_map(|change| {
         // The wall's is half of the opening angle's.
         let is_told = change.quantity.key != WALL_ANGLE.key;
@@ -148,8 +148,8 @@ impl Judged {
     /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
     fn found(&self) -> String {
         let quantity = self.change.quantity;
-        let by = quantity.signed(self.missed);
-        let missed = quantity.named(format!("{change}, off by {by}", change = self.change.told()));
+        let by = quantity.signed_text(self.missed);
+        let missed = format!("{} {}, off by {by}", quantity.label, self.change);
         joined([missed, self.each_wall()], ", ")
     }
 
@@ -161,7 +161,7 @@ impl Judged {
             _ => return String::new(),
         };
         let Some(change) = self.change.change() else { return String::new() };
-        let by = self.change.quantity.told(share * change.abs());
+        let by = self.change.quantity.text(share * change.abs());
         match change < 0.0 {
             true => format!("each wall closes by {by}"),
             false => format!("each wall opens by {by}"),
@@ -171,7 +171,7 @@ impl Judged {
     /// `0.0° ± 1.0° of the punch's wall`.
     fn limit(&self) -> String {
         let quantity = self.change.quantity;
-        let (wanted, tolerance) = (quantity.told(self.wanted), quantity.told(self.tolerance));
+        let (wanted, tolerance) = (quantity.text(self.wanted), quantity.text(self.tolerance));
         let limit = format!("{wanted} ± {tolerance}");
         if self.of_punch { format!("{limit} of the punch's wall") } else { limit }
     }
@@ -193,11 +193,11 @@ fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
     let back = change.change().filter(|_| of_wall || quantity.key == FLANGE_ANGLE.key)?;
     let angle = wanted - back;
     // To the digit that is told: 0.0° is upright.
-    if of_wall && back > 0.0 && quantity.told(angle) != quantity.told(angle.max(0.0)) {
+    if of_wall && back > 0.0 && quantity.text(angle) != quantity.text(angle.max(0.0)) {
         return Some(Overbend::Undercut);
     }
-    let (angle, by) = (quantity.told(angle), quantity.told(back.abs()));
-    Some(Overbend::By(quantity.named(format!("{angle}, over-bent by {by}"))))
+    let (angle, by) = (quantity.text(angle), quantity.text(back.abs()));
+    Some(Overbend::By(format!("{} {angle}, over-bent by {by}", quantity.label)))
 }
 
 /// Nothing where there is no angle.

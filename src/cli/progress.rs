@@ -201,7 +201,7 @@ impl Observer for Watch {
         }
     }
 
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
         if let Some(trace) = &mut self.kept.trace {
             trace.push(*record);
         }

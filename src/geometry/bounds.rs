@@ -1,8 +1,8 @@
-//! Boxes around pieces: what lies apart need not be compared any closer.
+//! Bounding boxes of pieces.
 
 use super::{Piece, Point};
 
-/// A box with its sides along the axes \[mm\].
+/// Bounding box \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds {
     pub low: Point,
@@ -10,7 +10,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// The box around pieces; `None` around nothing.
+    /// Box around pieces; `None` without pieces.
     pub fn around(pieces: &[Piece]) -> Option<Self> {
         pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
     }
@@ -19,13 +19,13 @@ impl Bounds {
         Self { low: self.low.inf(&p), high: self.high.sup(&p) }
     }
 
-    /// Whether a point lies farther away than `margin` \[mm\] along an axis.
+    /// True if a point lies farther away than `margin` \[mm\] along an axis.
     pub fn is_beyond(&self, p: Point, margin: f64) -> bool {
         let out = (self.low - p).sup(&(p - self.high));
         out.x > margin || out.y > margin
     }
 
-    /// Whether two boxes lie farther apart than `margin` \[mm\] along an axis.
+    /// True if two boxes lie farther apart than `margin` \[mm\] along an axis.
     pub fn is_apart(&self, other: &Self, margin: f64) -> bool {
         let out = (self.low - other.high).sup(&(other.low - self.high));
         out.x > margin || out.y > margin
@@ -33,7 +33,7 @@ impl Bounds {
 }
 
 impl Piece {
-    /// The least box around the piece.
+    /// Bounding box of the piece.
     pub(crate) fn bounds(&self) -> Bounds {
         let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
         let Piece::Arc(arc) = self else { return ends };
@@ -49,8 +49,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Trust: brute force. No point of an arc lies outside of its box, and the box is not larger than those points need
-        /// (1e-3 of the radius: chords of at most 2π/400 rad leave the arc by 3e-5 of it).
+        /// Trust: brute force; chords of at most 2π/400 rad leave the arc by 3e-5 of its radius.
         #[test]
         fn an_arc_fills_its_box(start in -7.0..7.0_f64, sweep in -6.2..6.2_f64, radius in 0.1..100.0_f64) {
             prop_assume!(sweep.abs() > 0.01);

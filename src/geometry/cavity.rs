@@ -1,36 +1,35 @@
-//! The die around a cavity: a line cut off at the die's face, with a shoulder between.
+//! Die around a cavity: a line cut off at the die's face, with a shoulder.
 
 use super::crossing::common;
-use super::fillet::arc_beside;
+use super::fillet::parallel_arc;
 use super::{Piece, Point, Profile, Segment};
 
-/// Why a line does not become a die.
+/// Reason why a line does not become a die.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CavityError {
     /// The line does not come up to the face.
     #[error("the cavity begins {below:.4} mm below the die's face")]
     Below {
-        /// \[mm\]
+        /// Depth of its first point below the face \[mm\].
         below: f64,
     },
     /// The line does not go down below the face.
     #[error("the cavity ends {above:.4} mm above the die's face")]
     Above {
-        /// \[mm\]
+        /// Height of its last point above the face \[mm\].
         above: f64,
     },
     /// The corner does not fit.
     #[error("a shoulder of {shoulder:.4} mm finds no room between the face and the wall of the cavity")]
     Shoulder {
-        /// \[mm\]
+        /// Radius of the shoulder \[mm\].
         shoulder: f64,
     },
 }
 
 impl Profile {
-    /// The die whose cavity is this line, walked from the axis outward with the die on its left: the line down to the
-    /// height `face` \[mm\], a convex corner of `shoulder` radius \[mm\], and the face out to `reach` \[mm\]. The result is
-    /// walked from outside inward, the sheet (below) on its left.
+    /// Die with this line as its cavity, walked from the axis outward: the line down to the height `face`, a corner of the radius
+    /// `shoulder`, and the face out to `reach` \[mm\]. The result is walked inward, the sheet (below) on its left.
     ///
     /// # Errors
     /// When the line does not lead from above the face to below it, or the shoulder finds no place.
@@ -45,7 +44,7 @@ impl Profile {
         };
         // The shoulder may use up the pieces next to the face.
         let corner = self.pieces()[..=crossed].iter().rev().enumerate().find_map(|(back, piece)| {
-            let corner = arc_beside(&plane, &piece.reversed(), -shoulder)?;
+            let corner = parallel_arc(&plane, &piece.reversed(), -shoulder)?;
             (corner.sweep < 0.0).then_some((crossed - back, corner))
         });
         let Some((last, corner)) = corner else { return Err(CavityError::Shoulder { shoulder }) };

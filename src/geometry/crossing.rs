@@ -1,19 +1,18 @@
-//! Where pieces meet, and whether a profile runs into itself.
+//! Intersections of pieces, and folds of a profile.
 
-use super::{Bounds, Piece, Point, Profile};
+use super::{Bounds, Piece, Point, Profile, Segment};
 use std::f64::consts::PI;
 
-/// Pieces that come this close touch \[mm\].
+/// Largest distance of touching pieces \[mm\].
 const TOUCH: f64 = 1e-7;
 
-/// A chain that turns by more than this at a vertex goes back the way it came \[rad\].
+/// Turn at a vertex above which a chain goes back on itself \[rad\].
 const BACK: f64 = 175.0 * PI / 180.0;
 
-/// Neighbours may meet a second time this close to their vertex \[mm\]: drawings are rounded, and an arc that should
-/// be tangent to a line then crosses it twice.
+/// Distance from their vertex within which neighbours may meet a second time \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.05;
 
-/// Where a profile is not the outline of a tool.
+/// Self-intersection of a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fold {
     /// It turns back on itself.
@@ -27,7 +26,7 @@ pub enum Fold {
     },
     /// Two pieces cross or touch, or neighbours do so away from their vertex.
     Crossing {
-        /// Where they meet \[mm\].
+        /// Meeting point \[mm\].
         at: Point,
         /// Indices of both pieces, rising.
         pieces: [usize; 2],
@@ -35,7 +34,7 @@ pub enum Fold {
 }
 
 impl Profile {
-    /// The first place where the profile turns back, crosses or touches itself.
+    /// Finds the first place where the profile turns back, crosses or touches itself.
     pub fn fold(&self) -> Option<Fold> {
         let back = self.vertices().find(|v| v.turn.abs() > BACK);
         if let Some(v) = back {
@@ -60,7 +59,7 @@ impl Profile {
         first.map(|(pieces, at)| Fold::Crossing { at, pieces })
     }
 
-    /// Where two pieces meet, neighbours away from their vertex.
+    /// Meeting point of two pieces, of neighbours away from their vertex.
     fn meeting(&self, [i, j]: [usize; 2]) -> Option<Point> {
         let (a, b) = (&self.pieces()[i], &self.pieces()[j]);
         // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
@@ -70,8 +69,27 @@ impl Profile {
     }
 }
 
-/// Points that two pieces have in common: where they cross or touch, and where one ends on the other. Of a stretch
-/// in common, its ends.
+/// Half length of the axis that pieces are cut at \[mm\].
+const FAR: f64 = 1e6;
+
+impl Piece {
+    /// Cuts the piece at the axis r = 0, but not closer than `near` \[mm\] to an end.
+    pub fn cut_at_axis(&self, near: f64) -> Vec<Piece> {
+        let axis = Piece::Segment(Segment::new(Point::new(0.0, -FAR), Point::new(0.0, FAR)));
+        let far_from_ends = |p: &Point| (p - self.first()).norm() > near && (p - self.last()).norm() > near;
+        let mut parts = vec![*self];
+        for point in common(self, &axis).into_iter().filter(far_from_ends) {
+            let on = |part: &Piece| (part.closest_point(point) - point).norm() < 1e-6;
+            if let Some(i) = parts.iter().position(on) {
+                let halves = parts[i].split(point).into_iter().flatten();
+                parts.splice(i..=i, halves.collect::<Vec<_>>());
+            }
+        }
+        parts
+    }
+}
+
+/// Common points of two pieces: crossings, touching points and ends on the other; the ends of a common stretch.
 pub(super) fn common(a: &Piece, b: &Piece) -> Vec<Point> {
     let on = |piece: &Piece, p: &Point| (piece.closest_point(*p) - p).norm() <= TOUCH;
     let mut points: Vec<Point> = carriers(a, b).into_iter().filter(|p| on(a, p) && on(b, p)).collect();
@@ -80,7 +98,7 @@ pub(super) fn common(a: &Piece, b: &Piece) -> Vec<Point> {
     points
 }
 
-/// Where the lines and circles that carry two pieces meet.
+/// Intersections of the lines and circles of two pieces.
 fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
     match (a, b) {
         (Piece::Segment(s), Piece::Segment(t)) => {
@@ -109,7 +127,7 @@ fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
     }
 }
 
-/// The two points of a circle on a chord whose middle lies at `distance` from the centre; one where it only touches.
+/// Points of a circle on a chord whose middle lies at `distance` from the centre.
 fn either_side(middle: Point, along: Point, radius: f64, distance: f64) -> Vec<Point> {
     if distance > radius + TOUCH {
         return Vec::new();
@@ -128,7 +146,7 @@ fn radius(piece: &Piece) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Arc, Segment};
+    use crate::geometry::Arc;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
     fn line(x: [f64; 4]) -> Piece {

@@ -3,25 +3,24 @@
 use super::crossing::common;
 use super::{Arc, Piece, Point, Segment, turn};
 
-/// A vertex that turns by less has no corner to round \[rad\].
+/// Turn below which a vertex has no corner \[rad\].
 const STRAIGHT: f64 = 1e-9;
 
-/// A fillet that the segments beside its vertex have no room for.
+/// Error: the segments at a vertex have no room for its fillet.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("a fillet of {radius:.4} mm does not fit at r = {:.4} mm, z = {:.4} mm: at most {largest:.4} mm", at.x, at.y)]
 pub struct FilletTooLarge {
     /// Index of the point.
     pub vertex: usize,
-    /// Where the vertex lies \[mm\].
+    /// Position of the vertex \[mm\].
     pub at: Point,
-    /// \[mm\]
+    /// Requested radius \[mm\].
     pub radius: f64,
-    /// Largest radius that fits while larger neighbours shrink along with it and smaller ones stay \[mm\].
+    /// Largest radius that fits when larger neighbours shrink along with it \[mm\].
     pub largest: f64,
 }
 
-/// The chain through `points` \[mm\] with the vertex `i` rounded by `radii[i]` \[mm\]; 0 leaves it sharp. The first and
-/// the last point have no corner.
+/// Chain through `points` \[mm\] with vertex `i` rounded by `radii[i]` \[mm\]; 0 leaves it sharp.
 ///
 /// # Errors
 /// When the tangent lengths R tan(turn/2) of two neighbours are longer than the segment between them.
@@ -72,20 +71,18 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     Ok(pieces)
 }
 
-/// The arc of `radius` \[mm\] that rounds the corner between two pieces; `None` where there is no corner, no radius or
-/// no room.
+/// Arc that rounds the corner between two pieces; `None` without corner, radius or room.
 fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
     let turn_at_vertex = turn(before.tangent(true), after.tangent(false));
     if radius <= 0.0 || turn_at_vertex.abs() < STRAIGHT {
         return None;
     }
-    arc_beside(before, after, radius * turn_at_vertex.signum())
+    parallel_arc(before, after, radius * turn_at_vertex.signum())
 }
 
-/// The arc that leads from one piece into another, its centre at the distance `side` \[mm\] on the left of both
-/// (negative: on the right).
-pub(super) fn arc_beside(before: &Piece, after: &Piece, side: f64) -> Option<Arc> {
-    let centers = common(&before.beside(side)?, &after.beside(side)?);
+/// Arc from one piece into another, its centre at the distance `side` on the left of both \[mm\].
+pub(super) fn parallel_arc(before: &Piece, after: &Piece, side: f64) -> Option<Arc> {
+    let centers = common(&before.parallel(side)?, &after.parallel(side)?);
     let distance = |p: &Point| (p - before.last()).norm_squared();
     let center = centers.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     let (from, to) = (before.closest_point(center) - center, after.closest_point(center) - center);

@@ -8,13 +8,12 @@
 mod bounds;
 mod cavity;
 mod crossing;
-mod cut;
-mod extreme;
 mod fillet;
 mod moves;
 mod offset;
 mod piece;
 mod profile;
+mod queries;
 mod rounding;
 mod shapes;
 
@@ -24,28 +23,29 @@ pub use crossing::Fold;
 pub use fillet::{FilletTooLarge, fillet};
 pub use offset::OffsetError;
 pub use piece::{Arc, Piece, Segment};
-pub use profile::{Closest, Nearest, Profile, ProfileError, Vertex};
+pub use profile::{Closest, Nearest, Profile, ProfileError};
+pub use queries::Vertex;
 pub use rounding::{CORNER, biarc};
 
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;
 
-/// The vector turned by +90° in the r-z plane.
+/// Turns a vector by +90° in the r-z plane.
 pub(crate) fn turned(v: Point) -> Point {
     Point::new(-v.y, v.x)
 }
 
-/// The angle from one direction to another \[rad\], positive counter-clockwise, within ±π.
+/// Angle from one direction to another \[rad\], positive counter-clockwise, within ±π.
 pub(crate) fn turn(from: Point, to: Point) -> f64 {
     from.perp(&to).atan2(from.dot(&to))
 }
 
-/// Whether a point lies on the axis r = 0, where every profile meets its mirror image.
+/// True on the axis r = 0, where a profile meets its mirror image.
 pub(crate) fn on_axis(point: &Point) -> bool {
     point.x.abs() < 1e-9
 }
 
-/// How far a chain and its mirror image beyond the axis turn where they meet \[rad\].
+/// Turn between a chain and its mirror image on the axis \[rad\].
 pub(crate) fn turn_on_axis(tangent: Point) -> f64 {
     let image = Point::new(tangent.x, -tangent.y);
     // Towards the axis the image comes after, from the axis before.

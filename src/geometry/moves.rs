@@ -1,10 +1,10 @@
-//! Pieces and profiles moved along z, turned round, mirrored.
+//! Pieces and profiles moved along z, reversed, mirrored.
 
 use super::{Arc, Piece, Point, Profile, Segment};
 use std::f64::consts::PI;
 
 impl Piece {
-    /// The same piece walked the other way.
+    /// Piece walked the other way.
     pub fn reversed(&self) -> Self {
         match self {
             Piece::Segment(s) => Piece::Segment(Segment::new(s.to, s.from)),
@@ -12,7 +12,7 @@ impl Piece {
         }
     }
 
-    /// The mirror image in the axis r = 0, walked from the image of the first point to that of the last.
+    /// Mirror image in the axis r = 0.
     pub fn across_axis(&self) -> Self {
         let image = |p: Point| Point::new(-p.x, p.y);
         match self {
@@ -21,7 +21,7 @@ impl Piece {
         }
     }
 
-    /// The mirror image in the plane z = 0, walked from the image of the first point to that of the last.
+    /// Mirror image in the plane z = 0.
     pub fn upside_down(&self) -> Self {
         let image = |p: Point| Point::new(p.x, -p.y);
         match self {
@@ -32,7 +32,7 @@ impl Piece {
 }
 
 impl Profile {
-    /// The profile moved by `dz` \[mm\] along z.
+    /// Profile moved by `dz` \[mm\] along z.
     pub fn shifted(&self, dz: f64) -> Self {
         let up = Point::new(0.0, dz);
         self.each(|piece| match piece {
@@ -41,13 +41,13 @@ impl Profile {
         })
     }
 
-    /// The same line walked the other way: the sheet's side becomes the tool's.
+    /// Line walked the other way: the sheet's side becomes the tool's.
     pub fn reversed(&self) -> Self {
         let pieces = self.pieces().iter().rev().map(Piece::reversed);
         Self::new(pieces.collect()).expect("a reversed chain stays connected")
     }
 
-    /// The mirror image in the plane z = 0, the sheet on the left again: a punch becomes a die.
+    /// Mirror image in the plane z = 0, the sheet on the left again: a punch becomes a die.
     pub fn mirrored(&self) -> Self {
         self.each(Piece::upside_down).reversed()
     }

@@ -1,33 +1,33 @@
-//! The line at a fixed distance from a profile, on the sheet's side: what a counter-tool follows.
+//! Offset of a profile on the sheet's side: the line of a counter-tool.
 
 use super::crossing::common;
 use super::{Arc, Fold, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
-/// A hollow that turns by less is the rounding of a drawing; the pieces beside it are cut where they meet \[rad\].
+/// Largest turn of a hollow vertex that counts as rounding of a drawing \[rad\].
 const KINK: f64 = 5.0 * PI / 180.0;
 
-/// Why a profile has no offset.
+/// Reason why a profile has no offset.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OffsetError {
     /// A hollow has no room for the offset.
     #[error("the hollow of radius {radius:.4} mm at r = {:.4} mm, z = {:.4} mm is smaller than the offset", at.x, at.y)]
     TooTight {
-        /// \[mm\], 0 at a sharp vertex
+        /// Radius of the hollow \[mm\], 0 at a sharp vertex.
         radius: f64,
-        /// Where the hollow is \[mm\].
+        /// Position \[mm\].
         at: Point,
     },
     /// The offset meets itself.
     #[error("its walls are too close to each other: the offset runs into itself at r = {:.4} mm, z = {:.4} mm", at.x, at.y)]
     Crosses {
-        /// Where the offset meets itself.
+        /// Position \[mm\].
         at: Point,
     },
 }
 
 impl OffsetError {
-    /// Where \[mm\].
+    /// Position \[mm\].
     pub fn at(&self) -> Point {
         match self {
             Self::TooTight { at, .. } | Self::Crosses { at } => *at,
@@ -36,10 +36,8 @@ impl OffsetError {
 }
 
 impl Profile {
-    /// The line at the distance `by` > 0 \[mm\] on the left of the profile, walked the same way.
-    ///
-    /// Straight lines move, convex arcs grow, hollow arcs shrink, a sharp convex corner becomes an arc of radius `by`.
-    /// A tip on the axis is such a corner too, with its mirror image beyond the axis.
+    /// Line at the distance `by` > 0 \[mm\] on the left: convex arcs grow, hollow arcs shrink, a sharp convex corner or a tip on the
+    /// axis becomes an arc of radius `by`.
     ///
     /// # Errors
     /// When a hollow is narrower than `by`: an arc of a smaller radius, a sharp vertex, or walls that face each other.
@@ -47,12 +45,12 @@ impl Profile {
         let mut moved = Vec::new();
         for piece in self.pieces() {
             let middle = piece.sample(2)[1];
-            match (piece.beside(by), piece) {
+            match (piece.parallel(by), piece) {
                 (Some(beside), _) if beside.length() > super::profile::GAP => moved.push(beside),
                 (_, Piece::Arc(a)) if a.radius < by * (1.0 - 1e-9) => {
                     return Err(OffsetError::TooTight { radius: a.radius, at: middle });
                 }
-                // Shrunk to a point, from which the next piece goes on.
+                // shrunk to a point
                 _ => {}
             }
         }
@@ -85,7 +83,7 @@ impl Profile {
         self.pieces()[self.pieces().len() - 1].tangent(true)
     }
 
-    /// The half arc around a tip on the axis, at the first or the last point.
+    /// Half arc around a tip on the axis, at the first or the last point.
     fn corner_on_axis(&self, by: f64, at_first: bool) -> Option<Piece> {
         let (tip, tangent) = match at_first {
             true => (self.first(), self.pieces()[0].tangent(false)),
@@ -102,7 +100,7 @@ impl Profile {
     }
 }
 
-/// Adds a piece to a line: with an arc about the vertex where they have come apart, cut where they overlap.
+/// Adds a piece to a line, joined by an arc about the vertex or cut at the intersection.
 fn join(line: &mut Vec<Piece>, piece: Piece, by: f64) {
     let Some(last) = line.last().copied() else { return line.push(piece) };
     let (a, b) = (last.tangent(true), piece.tangent(false));

@@ -1,12 +1,12 @@
-//! The two pieces of a tool profile: straight segment and circular arc.
+//! Pieces of a tool profile: straight segment and circular arc.
 
 use super::{Point, turned};
 use std::f64::consts::TAU;
 
-/// A piece that is not longer has no direction \[mm\].
+/// Length up to which a piece has no direction \[mm\].
 pub(super) const SHORTEST: f64 = 1e-9;
 
-/// A straight piece from `from` to `to` \[mm\].
+/// Straight segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// First point \[mm\].
@@ -17,10 +17,7 @@ pub struct Segment {
     length: f64,
 }
 
-/// A circular arc about `center` \[mm\]; `sweep` \[rad\] is positive counter-clockwise in the r-z plane.
-///
-/// Swept counter-clockwise the sheet (on the left) is inside the circle; clockwise, outside: a clockwise arc
-/// is a convex tool corner.
+/// Circular arc. The sheet lies on its left: a clockwise arc is a convex tool corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     /// Centre of the circle \[mm\].
@@ -36,25 +33,25 @@ pub struct Arc {
     ends: [Point; 2],
 }
 
-/// One piece of a tool profile.
+/// Piece of a tool profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
-    /// A straight line.
+    /// Straight line.
     Segment(Segment),
     /// Part of a circle.
     Arc(Arc),
 }
 
-/// Closest point of one piece.
+/// Closest point of a piece.
 pub(super) enum Foot {
-    /// Inside the piece: signed distance \[mm\].
+    /// Inside the piece, with signed distance \[mm\].
     Interior { distance: f64 },
-    /// The first or the last point of the piece is closest.
+    /// First or last point of the piece.
     End { first: bool, point: Point },
 }
 
 impl Segment {
-    /// Segment between two different points.
+    /// Segment between two different points \[mm\].
     pub fn new(from: Point, to: Point) -> Self {
         let length = (to - from).norm();
         Self { from, to, direction: (to - from) / length, length }
@@ -89,8 +86,7 @@ impl Arc {
         }
     }
 
-    /// The arc from `start` to `end` about `center` \[mm\], counter-clockwise or not, and how far \[mm\] the centre had to
-    /// be moved along the chord to be equally far from both: drawings are rounded.
+    /// Arc from `start` to `end` about `center` \[mm\], and how far the centre had to move to be equally far from both \[mm\].
     pub fn between(start: Point, end: Point, center: Point, counter_clockwise: bool) -> (Self, f64) {
         let (middle, chord) = (0.5 * (start + end), (end - start).normalize());
         let off = (center - middle).dot(&chord);
@@ -104,7 +100,7 @@ impl Arc {
         (Self::new(center, (start - center).norm(), angle(start), sweep), off.abs())
     }
 
-    /// The arc from the first point of this one to the last point of the next, turning as much as both.
+    /// Arc from the first point of this one to the last of the next, with the turn of both.
     pub(super) fn joined(&self, next: &Arc) -> Self {
         let sweep = self.sweep + next.sweep;
         let radius = 0.5 * (next.ends[1] - self.ends[0]).norm() / (0.5 * sweep).abs().sin();
@@ -118,13 +114,13 @@ impl Arc {
         self.center + self.radius * Point::new(angle.cos(), angle.sin())
     }
 
-    /// Whether `x` lies within the angle that the arc sweeps.
+    /// True if `x` lies within the angle of the arc.
     pub fn faces(&self, x: Point) -> bool {
         let from_center = x - self.center;
         from_center.dot(&self.middle) >= from_center.norm() * self.cos_half_sweep
     }
 
-    /// 1 where the sheet lies outside the circle, −1 where it lies inside.
+    /// 1 if the sheet lies outside the circle, −1 inside.
     #[inline]
     fn side(&self) -> f64 {
         if self.sweep < 0.0 { 1.0 } else { -1.0 }
@@ -180,7 +176,7 @@ impl Piece {
         }
     }
 
-    /// Points along the piece for drawing and sampling, `n` ≥ 1 intervals, both ends included.
+    /// Points along the piece in `n` ≥ 1 intervals, both ends included.
     pub fn sample(&self, n: usize) -> Vec<Point> {
         (0..=n)
             .map(|i| {
@@ -193,7 +189,7 @@ impl Piece {
             .collect()
     }
 
-    /// Points along the piece, both ends included: of an arc every `step` \[rad\] or finer.
+    /// Points along the piece with both ends, an arc every `step` \[rad\] or finer.
     pub fn polyline(&self, step: f64) -> Vec<Point> {
         self.sample(match self {
             Piece::Segment(_) => 1,
@@ -201,7 +197,7 @@ impl Piece {
         })
     }
 
-    /// The point of the piece that is closest to `x` \[mm\].
+    /// Closest point to `x` \[mm\].
     pub fn closest_point(&self, x: Point) -> Point {
         match self.foot(x) {
             Foot::Interior { distance } => x - distance * self.facing(x).0,
@@ -209,7 +205,7 @@ impl Piece {
         }
     }
 
-    /// The parts before and after `point`, which lies on the piece; one without length is left out.
+    /// Parts before and after a point of the piece; one without length is left out.
     pub(super) fn split(&self, point: Point) -> [Option<Piece>; 2] {
         let halves = match self {
             Piece::Segment(s) => [Segment::new(s.from, point), Segment::new(point, s.to)].map(Piece::Segment),
@@ -229,8 +225,8 @@ impl Piece {
         halves.map(|half| (half.length() > SHORTEST).then_some(half))
     }
 
-    /// The piece at the distance `by` on its left (negative: right) \[mm\]; `None` when an arc's radius is used up.
-    pub(super) fn beside(&self, by: f64) -> Option<Piece> {
+    /// Parallel piece at the distance `by` on the left \[mm\]; `None` when an arc's radius is used up.
+    pub(super) fn parallel(&self, by: f64) -> Option<Piece> {
         match self {
             Piece::Segment(s) => {
                 let shift = by * turned(s.direction);

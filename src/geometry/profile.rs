@@ -1,37 +1,30 @@
-//! A tool's section: a chain of pieces with signed distance, normal and curvature.
+//! Section of a tool: chain of pieces with signed distance, normal and curvature.
 
 use super::piece::{Foot, SHORTEST};
-use super::{Arc, Piece, Point, Segment, on_axis, turn, turned};
+use super::{Piece, Point, on_axis, turned};
 
-/// How far apart consecutive pieces may be \[mm\].
+/// Largest gap between consecutive pieces \[mm\].
 pub(super) const GAP: f64 = 1e-6;
 
-/// Two arcs with a smaller turn between them are parts of one corner \[rad\].
-const SMOOTH: f64 = 0.02;
-
-/// Radii of the arcs that make up one corner differ by less than this factor: points are rounded \[–\].
-const ALIKE: f64 = 1.5;
-
-/// Behind its line a tool is solid up to 45° from where the line ends: distance of an end over the depth below which a
-/// point has come round that end, not through the line \[–\].
+/// Distance of an end over the depth below which a point has come round that end \[–\]: a tool is solid up to 45° behind it.
 const ROUND_THE_END: f64 = std::f64::consts::SQRT_2;
 
 /// A connected chain of pieces, the sheet on its left. See the [module](crate::geometry) for frame and sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    pieces: Vec<Piece>,
-    /// Outward normals averaged at the vertices, one more than pieces; they decide the sign at a corner.
+    pub(super) pieces: Vec<Piece>,
+    /// Mean outward normals at the vertices, one more than pieces; they decide the sign at a corner.
     vertex_normals: Vec<Point>,
-    /// Where the line ends in space: not on the axis, where it meets its mirror image, nor where it closes.
-    ends: [Option<Point>; 2],
+    /// Free ends: neither on the axis nor where the line closes.
+    pub(super) ends: [Option<Point>; 2],
 }
 
-/// The closest point of a profile as seen from a point in space.
+/// Closest point of a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {
     /// Signed distance \[mm\]: positive on the sheet's side.
     pub distance: f64,
-    /// StrainDisplacement of the distance, a unit vector pointing from the tool to the sheet.
+    /// Gradient of the distance, a unit vector from the tool to the sheet.
     pub normal: Point,
     /// ∇²d = curvature · ττᵀ \[1/mm\]; positive over a convex corner.
     pub curvature: f64,
@@ -39,7 +32,7 @@ pub struct Closest {
     pub piece: usize,
 }
 
-/// Which piece of a profile is the closest one, and how far a point may move before another one can be \[mm\].
+/// Cached closest piece of a profile, and how far a point may move before another one can be closer \[mm\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Nearest {
     piece: usize,
@@ -47,28 +40,17 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    /// Digits that distances are rounded to are no reason to change the piece \[mm\].
+    /// Round-off of distances \[mm\].
     const ROUNDED: f64 = 1e-9;
 
-    /// Whether it is the closest one still after a point has `moved` \[mm\]; distances change no faster than it moves.
+    /// True if it is still the closest after a move \[mm\]; distances change no faster.
     #[inline]
     fn is_after(&self, moved: f64) -> bool {
         moved < self.room - Self::ROUNDED
     }
 }
 
-/// Where one piece of a profile ends and the next begins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vertex {
-    /// Where it lies \[mm\].
-    pub point: Point,
-    /// Index of the piece before.
-    pub after: usize,
-    /// How far the chain turns \[rad\]: positive to the left, into a hollow; negative around a convex corner.
-    pub turn: f64,
-}
-
-/// Why a chain of pieces is not a profile.
+/// Reason why a chain of pieces is not a profile.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ProfileError {
     /// There is no piece.
@@ -146,9 +128,8 @@ impl Profile {
 
     /// Signed distance, normal and curvature at `x` \[mm\]; exact for segments, arcs and corners.
     ///
-    /// A tool acts only where it is drawn. What lies beyond an end of the line is outside, at its distance from that end,
-    /// which on the sheet's side goes on smoothly from the distance to the line. So is what lies behind the line but nearer
-    /// round the end than through it:
+    /// Beyond a free end, and behind the line where the end is nearer than √2 times the depth, a point is outside at its
+    /// distance from that end:
     ///
     /// ```text
     ///      d > 0      :  d > 0, from the end
@@ -160,7 +141,7 @@ impl Profile {
         self.seen_from(x, self.nearest(x).piece)
     }
 
-    /// The same of a point that has `moved` \[mm\] since its nearest piece was `known`, which is kept up to date.
+    /// As [`Self::closest`], for a point that has `moved` \[mm\] since `known`, which is updated.
     pub fn closest_after(&self, x: Point, moved: f64, known: &mut Nearest) -> Closest {
         *known = if known.is_after(moved) { Nearest { room: known.room - moved, ..*known } } else { self.nearest(x) };
         self.seen_from(x, known.piece)
@@ -171,7 +152,7 @@ impl Profile {
         if best.distance >= 0.0 { best } else { self.round_an_end(x, &best).unwrap_or(best) }
     }
 
-    /// As seen from the end that `x`, behind the line, has come round.
+    /// Closest point for an `x` behind the line that has come round an end.
     #[cold]
     fn round_an_end(&self, x: Point, behind: &Closest) -> Option<Closest> {
         let away = self.ends.iter().flatten().map(|end| x - end).min_by(|a, b| a.norm().total_cmp(&b.norm()))?;
@@ -196,7 +177,7 @@ impl Profile {
         Nearest { piece, room: 0.5 * (next.sqrt() - square.sqrt()) }
     }
 
-    /// As seen from a piece of a line that goes on straight beyond its ends, as far as the side goes.
+    /// Closest point of a piece, with the side of a line that goes on straight beyond its ends.
     #[inline]
     fn on_line(&self, x: Point, piece: usize) -> Closest {
         match self.pieces[piece].foot(x) {
@@ -216,88 +197,6 @@ impl Profile {
                 Closest { distance: side * distance, normal: away * curvature, curvature, piece }
             }
         }
-    }
-
-    /// The same profile with every arc replaced by `per_quarter` chords per 90° (at least one per arc).
-    pub fn faceted(&self, per_quarter: usize) -> Self {
-        let mut pieces = Vec::new();
-        for piece in &self.pieces {
-            match piece {
-                Piece::Segment(_) => pieces.push(*piece),
-                Piece::Arc(arc) => {
-                    let quarters = arc.sweep.abs() / std::f64::consts::FRAC_PI_2;
-                    let n = (quarters * per_quarter as f64).ceil().max(1.0) as usize;
-                    let points = piece.sample(n);
-                    pieces.extend(points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))));
-                }
-            }
-        }
-        Self::new(pieces).expect("chords of a connected chain are connected")
-    }
-
-    /// Convex corners (they bend the sheet), in order. Arcs of about one radius that follow each other smoothly are one
-    /// corner: they round off the chords of one.
-    pub fn corners(&self) -> impl Iterator<Item = Arc> {
-        let mut corners: Vec<(usize, Arc)> = Vec::new();
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let Piece::Arc(arc) = piece else { continue };
-            if arc.sweep >= 0.0 {
-                continue;
-            }
-            let goes_on = |(last, corner): &(usize, Arc)| {
-                let turn = turn(self.pieces[*last].tangent(true), piece.tangent(false)).abs();
-                let ratio = corner.radius / arc.radius;
-                last + 1 == i && turn < SMOOTH && ratio < ALIKE && ratio > 1.0 / ALIKE
-            };
-            match corners.last_mut().filter(|last| goes_on(last)) {
-                Some(last) => *last = (i, last.1.joined(arc)),
-                None => corners.push((i, *arc)),
-            }
-        }
-        corners.into_iter().map(|(_, corner)| corner)
-    }
-
-    /// The inner vertices in order, smooth ones too.
-    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
-        self.pieces.windows(2).enumerate().map(|(after, pair)| Vertex {
-            point: pair[0].last(),
-            after,
-            turn: turn(pair[0].tangent(true), pair[1].tangent(false)),
-        })
-    }
-
-    /// Smallest r of the chain \[mm\].
-    pub fn least_r(&self) -> f64 {
-        self.polyline(0.01).iter().map(|p| p.x).fold(f64::INFINITY, f64::min)
-    }
-
-    /// Smallest distance between this profile, moved by `shift` \[mm\], and another: negative when they overlap; and
-    /// where it is. Measured at points of both, no more than 0.02 rad of arc apart.
-    pub fn distance_to(&self, other: &Self, shift: Point) -> (f64, Point) {
-        self.distance_by(other, shift, 0.02, 1)
-    }
-
-    /// As [`Self::distance_to`], with arcs looked at every `step` \[rad\] and lines in `parts`: chords of 0.005 are short of an
-    /// arc by 3e-6 of its radius.
-    pub fn distance_by(&self, other: &Self, shift: Point, step: f64, parts: usize) -> (f64, Point) {
-        let points = |of: &Self| -> Vec<Point> {
-            let along = |piece: &Piece| match piece {
-                Piece::Segment(_) => piece.sample(parts),
-                Piece::Arc(_) => piece.polyline(step),
-            };
-            of.pieces.iter().flat_map(along).collect()
-        };
-        let mine = points(self).into_iter().map(|p| (other.closest(p + shift).distance, p + shift));
-        let others = points(other).into_iter().map(|p| (self.closest(p - shift).distance, p));
-        mine.chain(others).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, self.first() + shift))
-    }
-
-    /// Where the line begins and ends in space, and its direction there, away from the line (a unit vector): `None` on the
-    /// axis, where it meets its mirror image, and where it closes.
-    pub fn ends(&self) -> [Option<(Point, Point)>; 2] {
-        let last = &self.pieces[self.pieces.len() - 1];
-        let away = [-self.pieces[0].tangent(false), last.tangent(true)];
-        [0, 1].map(|k| self.ends[k].map(|end| (end, away[k])))
     }
 
     /// First point of the chain \[mm\].
@@ -323,6 +222,7 @@ impl Profile {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Arc, Segment};
     use approx::assert_relative_eq;
     use std::f64::consts::FRAC_PI_2;
 
@@ -380,9 +280,7 @@ mod tests {
         assert_eq!(plate.closest(point(0.0, -2.0)).distance, -2.0);
     }
 
-    /// Trust: the definition of smoothness. Half a thickness of 1 mm off a nose that ends after 40°, a node that slides
-    /// round the end sees its distance and normal change by no more than it moves (1e-3 mm; the turn is that over the
-    /// distance), all the way to the other face.
+    /// Trust: the definition of smoothness, half a thickness of 1 mm off a nose that ends after 40°, round to the other face.
     #[test]
     fn distance_and_normal_are_continuous_for_a_sheet_that_bends_over_the_end() {
         let arc = Arc::new(point(0.0, -6.0), 6.0, FRAC_PI_2, -0.7);

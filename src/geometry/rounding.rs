@@ -1,7 +1,5 @@
-//! Chains of chords rounded off: what a drawing made of points meant.
-//!
-//! A node that slides over bare chords feels every vertex: the load ticks by the chord error over the element's own
-//! sag. Each chord is replaced by one or two arcs through its ends that share their tangents with the neighbours.
+//! Rounding of chains of chords: each chord is replaced by one or two arcs that share tangents with the neighbours, because a
+//! node that slides over bare chords feels every vertex.
 //!
 //! # References
 //! The idea of interpolating vertex normals for tool contact: D. M. Neto, M. C. Oliveira, L. F. Menezes, J. L. Alves,
@@ -11,17 +9,17 @@
 use super::{Arc, Piece, Point, Profile, Segment, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
-/// A chain that turns by more than this at a vertex has a corner there \[rad\].
+/// Turn at a vertex above which it is a corner \[rad\].
 pub const CORNER: f64 = 25.0 * PI / 180.0;
 
-/// A chain that turns by less is straight \[rad\]: arcs of larger radii would lose their ends to round-off.
+/// Turn below which a chain is straight \[rad\]: larger arcs would lose their ends to round-off.
 const STRAIGHT: f64 = 1e-6;
 
-/// A piece this many times longer than its neighbour is a straight wall \[–\].
+/// Length over that of a neighbour above which a piece is a straight wall \[–\].
 const WALL: f64 = 4.0;
 
 impl Profile {
-    /// The profile with its chords rounded off; arcs, corners and long straight pieces stay.
+    /// Rounds chords off; arcs, corners and long straight pieces stay.
     pub fn rounded(&self) -> Self {
         let pieces = self.pieces();
         let n = pieces.len();
@@ -72,7 +70,7 @@ impl Profile {
     }
 }
 
-/// Two arcs from `a` along `ta` to `b` along `tb` (unit tangents), joined with a common tangent; one where one does.
+/// One or two arcs with a common tangent from `a` along `ta` to `b` along `tb` (unit tangents).
 pub fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
     let v = b - a;
     let t = ta + tb;
@@ -93,7 +91,7 @@ pub fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
     }
 }
 
-/// The arc from `a` along the unit tangent `t` to `b`; `None` when it is straight.
+/// Arc from `a` along the unit tangent `t` to `b`; `None` when straight.
 fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
     let chord = b - a;
     let normal = turned(t);

@@ -1,8 +1,7 @@
-//! The stretches of a formed part as a die designer names them: bottom, punch radius, wall, die radius, flange.
+//! Bands of a formed part as a die designer names them: bottom, punch radius, wall, die radius, flange.
 //!
-//! They come from the tools' pieces that the sheet lies against. Where it lies against none it belongs to what is on
-//! both sides of it: between punch and die it is the wall, beside a dome the unsupported stretch, and within one tool
-//! what the nearest piece makes.
+//! They follow the pieces of the tools that the sheet lies against. Free stretches take their name from both sides: wall between
+//! punch and die, unsupported beside a dome, else what the nearest piece makes.
 //!
 //! ```text
 //!   bottom     punch radius     wall      die radius     flange
@@ -11,48 +10,47 @@
 //!                    ╲        neither)     ╱
 //!                     ╲___________________╱
 //! ```
-//! A stage that takes its tools away, or whose punch leaves the sheet, is named as it began: these are the same places
-//! of the sheet.
+//! A release, or a stage whose punch leaves the sheet, keeps the bands of its start.
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Geometry, Model, Role, Tool};
 use crate::solver::solution::{Frame, StageSolution};
 use std::ops::Range;
 
-/// A sheet that is no further from a tool than this share of its thickness lies against it \[–\]; declared.
+/// Largest gap of a sheet that lies against a tool, over its thickness \[–\].
 const TOUCHES: f64 = 0.1;
-/// What lies this much into a tool, over the thickness, is behind another part of its line \[–\].
+/// Depth in a tool, over the thickness, from which a node is behind another part of its line \[–\].
 const BEHIND: f64 = 0.5;
-/// A straight piece of a tool that rises by less than this is level \[rad\]: 20°; declared.
+/// Largest slope of a level piece \[rad\].
 const LEVEL: f64 = 20.0 * std::f64::consts::PI / 180.0;
-/// What is within so many thicknesses of the end of a band is said to be next to the other one; declared.
+/// Distance from the end of a band that counts as next to the other one, over the thickness \[–\].
 const NEXT_TO: f64 = 3.0;
 
-/// A stretch of the part by its name in the shop.
+/// Band of a part by its name in the shop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Band {
-    /// Level, over the punch's end or on the bottom of a die.
+    /// Level sheet on the punch or on the bottom of a die.
     Bottom,
-    /// On a punch that is round from the axis on, or blown up free.
+    /// Sheet on a punch that is round from the axis on, or free under gas.
     Dome,
-    /// Around the punch's edge.
+    /// Bend around the punch's edge.
     PunchRadius,
-    /// Steep: free between punch and die, or along one of them.
+    /// Steep sheet, free between punch and die or along one of them.
     Wall,
-    /// Free between a dome and the die.
+    /// Free sheet between a dome and the die.
     Unsupported,
-    /// In the hollow corner of a die.
+    /// Bend in the hollow corner of a die.
     DieCorner,
-    /// Over the die's edge.
+    /// Bend over the die's edge.
     DieRadius,
-    /// Over the edge of a holder that stands within the part.
+    /// Bend over the edge of a holder within the part.
     HolderRadius,
-    /// Between holder and die, or flat outside of the die radius.
+    /// Sheet between holder and die, or flat outside the die radius.
     Flange,
 }
 
 impl Band {
-    /// The word for it: `punch radius`.
+    /// Name: `punch radius`.
     pub fn name(self) -> &'static str {
         match self {
             Band::Bottom => "bottom",
@@ -67,7 +65,7 @@ impl Band {
         }
     }
 
-    /// The same with its preposition: `on the punch radius`.
+    /// Name with its preposition: `on the punch radius`.
     pub fn at(self) -> &'static str {
         match self {
             Band::Bottom => "in the bottom",
@@ -83,29 +81,29 @@ impl Band {
     }
 }
 
-/// A band of a part.
+/// Extent of a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
-    /// Its name.
+    /// Name.
     pub band: Band,
-    /// Its elements, from the axis outward.
+    /// Elements, from the axis outward.
     pub elements: Range<usize>,
-    /// Where it begins and ends: length along the deformed mid-surface from the middle \[mm\].
+    /// Both ends as length along the deformed mid-surface from the middle \[mm\].
     pub along: [f64; 2],
 }
 
-/// A place on a part, as a designer says it.
+/// Place on a part in a designer's terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartPlace {
-    /// The band that it lies in.
+    /// Band of the place.
     pub band: Band,
-    /// The band that begins within three thicknesses of it.
+    /// Other band within three thicknesses.
     pub next_to: Option<Band>,
     /// Length along the deformed mid-surface from the middle \[mm\].
     pub along: f64,
     /// Distance from the axis or symmetry plane \[mm\].
     pub r: f64,
-    /// Height from the middle of the part, along the punch travel, without sign \[mm\].
+    /// Absolute height from the middle of the part \[mm\].
     pub height: f64,
 }
 
@@ -128,10 +126,10 @@ pub fn along(frame: &Frame) -> Vec<f64> {
     std::iter::once(0.0).chain(ends).collect()
 }
 
-/// The bands of the part that a stage left, from the middle outward; none where neither punch nor gas made it.
+/// Bands of the part after a stage, from the middle outward; empty if neither punch nor gas formed it.
 pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     let Some(last) = stage.frames.last() else { return Vec::new() };
-    let Some(names) = named_of(stage, last) else { return Vec::new() };
+    let Some(names) = bands_of_nodes(stage, last) else { return Vec::new() };
     let along = along(last);
     let mut from = 0;
     let end = |node: usize| match node {
@@ -153,7 +151,7 @@ pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     stretches.filter(|stretch| !stretch.elements.is_empty()).collect()
 }
 
-/// Where on the part the element is that was initially so far from the axis \[mm\].
+/// Place of the element with this initial distance from the axis \[mm\].
 pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let frame = stage.frames.last()?;
     let away = |e: &usize| (frame.elements[*e].s0 - s0).abs();
@@ -177,26 +175,26 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     })
 }
 
-/// What a node lies against.
+/// Tool that a node lies against.
 #[derive(Clone, Copy)]
-struct Touch<'a> {
+struct NodeContact<'a> {
     tool: &'a Tool,
-    /// Where the tool has moved \[mm\].
+    /// Displacement of the tool \[mm\].
     moved: Point,
     band: Band,
 }
 
-impl Touch<'_> {
+impl NodeContact<'_> {
     fn is_punch(&self) -> bool {
         self.tool.role == Role::Punch
     }
 }
 
-/// The band of each node by the frame in which the tools formed it; `None` where no punch and no gas made it.
-fn named_of(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
+/// Band of each node by the frame in which the tools formed it; `None` if neither punch nor gas did.
+fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
     let (at_end, at_start) =
         (touches(&stage.model, last), stage.start.as_ref().map(|start| touches(&stage.model, start)));
-    let punched = |touches: &[Option<Touch>]| touches.iter().flatten().any(Touch::is_punch);
+    let punched = |touches: &[Option<NodeContact>]| touches.iter().flatten().any(NodeContact::is_punch);
     let leaves = stage.model.release.is_some() || !punched(&at_end);
     let (frame, touches) = match (&stage.start, &at_start) {
         (Some(start), Some(at_start)) if leaves && punched(at_start) => (start, at_start),
@@ -204,16 +202,16 @@ fn named_of(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
     };
     // Without a punch or a gas that made the part, contact says nothing of its bands.
     let formed = punched(touches) || !stage.model.gas.is_empty() && touches.iter().any(Option::is_some);
-    formed.then(|| named(stage.model.geometry, frame, touches))
+    formed.then(|| node_bands(stage.model.geometry, frame, touches))
 }
 
-/// What each node lies against.
-fn touches<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<Touch<'a>>> {
+/// Tool that each node lies against.
+fn touches<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {
     frame.nodes.iter().map(|node| touch(model, frame, Point::new(node.r, node.z), node.thickness)).collect()
 }
 
-/// The band of each node.
-fn named(geometry: Geometry, frame: &Frame, touches: &[Option<Touch>]) -> Vec<Band> {
+/// Band of each node.
+fn node_bands(geometry: Geometry, frame: &Frame, touches: &[Option<NodeContact>]) -> Vec<Band> {
     let at = |i: usize| Point::new(frame.nodes[i].r, frame.nodes[i].z);
     let mut names: Vec<Band> = Vec::with_capacity(touches.len());
     for run in touches.chunk_by(|a, b| a.is_some() == b.is_some()) {
@@ -233,22 +231,22 @@ fn named(geometry: Geometry, frame: &Frame, touches: &[Option<Touch>]) -> Vec<Ba
     names
 }
 
-/// The tool that a node lies against, the punch first.
-fn touch<'a>(model: &'a Model, frame: &Frame, node: Point, thickness: f64) -> Option<Touch<'a>> {
+/// Tool that a node lies against, the punch first.
+fn touch<'a>(model: &'a Model, frame: &Frame, node: Point, thickness: f64) -> Option<NodeContact<'a>> {
     let touches = Role::ALL.into_iter().filter_map(|role| {
         let (i, tool) = model.tools.iter().enumerate().find(|(_, tool)| tool.role == role)?;
         let moved = frame.tool_displacement.get(i).copied().unwrap_or_default();
         let closest = tool.profile.closest(node - moved);
         let gap = closest.distance / thickness - 0.5;
         let touches = gap < TOUCHES && gap > -0.5 - BEHIND;
-        touches.then(|| Touch { tool, moved, band: of_piece(model.geometry, tool, closest.piece, node - moved) })
+        touches.then(|| NodeContact { tool, moved, band: of_piece(model.geometry, tool, closest.piece, node - moved) })
     });
     touches.into_iter().next()
 }
 
-/// What a stretch is that lies against nothing, by its neighbours.
-fn between(geometry: Geometry, node: Point, inner: Option<&Touch>, outer: Option<&Touch>) -> Band {
-    let along = |touch: &Touch| {
+/// Band of a free node by its neighbours.
+fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: Option<&NodeContact>) -> Band {
+    let along = |touch: &NodeContact| {
         let at = node - touch.moved;
         of_piece(geometry, touch.tool, touch.tool.profile.closest(at).piece, at)
     };
@@ -257,12 +255,12 @@ fn between(geometry: Geometry, node: Point, inner: Option<&Touch>, outer: Option
         (Some(inner), None) if !inner.is_punch() => along(inner),
         (None, Some(outer)) if outer.is_punch() => along(outer),
         (None, _) => Band::Dome,
-        (Some(Touch { band: Band::Dome, .. }), _) => Band::Unsupported,
+        (Some(NodeContact { band: Band::Dome, .. }), _) => Band::Unsupported,
         _ => Band::Wall,
     }
 }
 
-/// What a piece of a tool makes of the sheet at a point of the tool's own frame.
+/// Band on a piece of a tool at a point of the tool's own frame.
 fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     let (role, profile) = (tool.role, &tool.profile);
     match &profile.pieces()[piece] {
@@ -286,7 +284,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     }
 }
 
-/// What a convex arc of a punch makes: its edge, or the end of a punch that is round or crowned from the axis on.
+/// Band on a convex arc of a punch: its edge, or the end of a round or crowned punch.
 fn nose(geometry: Geometry, profile: &Profile, at: Point) -> Band {
     let mut corners = profile.corners();
     let from_axis = corners.next().filter(|corner| on_axis(&corner.at(0.0)) || on_axis(&corner.at(1.0)));

@@ -1,95 +1,92 @@
-//! What happens on the way: the events that explain kinks and jumps of a load curve.
+//! Events that explain kinks and jumps of a load curve.
 //!
-//! An event is looked for in the records of the accepted steps and stands at the end of the step in which it came, so that
-//! it is exact to one step of the travel; the forming limit and a tool that the sheet leaves are known more finely.
-//!
-//! What the sheet has touched all the time is no event, nor is a touch that is found again before the sheet has gone a
-//! thickness away, as under a rim that slides on its corner.
+//! Events are found in the records of accepted steps, exact to one step of the travel; the forming limit and the leaving of a
+//! tool are known more finely. A contact that lasts from the start, or that is found again before the sheet has gone a
+//! thickness away, is no event.
 
 use crate::forming_limit;
 use crate::model::{Edge, Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 
-/// Gap over the thickness from which on the sheet is off a tool, and up to which it is on it \[–\].
+/// Gaps over the thickness above which the sheet is off a tool, and below which it is on it \[–\].
 const OFF: f64 = 1.0;
 const ON: f64 = 0.05;
-/// How much steeper than at the start the die is where its shoulder begins, and how near to upright its throat \[rad\]: less
-/// than can be seen.
+/// Slope over that of the start where the die's shoulder begins, and slope of its throat \[rad\].
 const STEEPER: f64 = 5.0 * std::f64::consts::PI / 180.0;
 const UPRIGHT: f64 = std::f64::consts::FRAC_PI_2 - std::f64::consts::PI / 180.0;
-/// Reduction by ironing up to which it is a rub \[–\].
+/// Largest reduction that does not count as ironing \[–\].
 const RUBBED: f64 = 1e-3;
-/// Share of the holder's force on its blocks above which it rests on them \[–\].
+/// Share of the holder's force on its blocks from which it rests on them \[–\].
 const BORNE: f64 = 0.5;
 
-/// What happens.
+/// Kind of event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum EventKind {
-    /// The sheet's edge, which was off the die, comes to it: a flange that stood up, or the rim of an earlier draw.
+    /// The sheet's edge, which was off the die, comes to it.
     RimMeetsDie,
-    /// The sheet's edge leaves the die's flat, or the cone that it lay on, for the shoulder: the flange is used up.
+    /// The sheet's edge runs onto the die's shoulder: the flange is used up.
     RimOnShoulder,
-    /// The sheet's edge leaves the die's shoulder for its throat.
+    /// The sheet's edge enters the die's throat.
     RimInThroat,
-    /// The sheet's middle comes to this tool, off which it was.
+    /// The sheet's middle comes to this tool.
     BottomMeets(Role),
-    /// The sheet leaves this tool, which stands still from there on.
+    /// The sheet leaves this tool.
     SheetLeaves(Role),
-    /// The holder comes to rest on its distance blocks and no longer on the sheet.
+    /// The holder comes to rest on its distance blocks.
     HolderOnBlocks,
-    /// Punch and die, nearer to each other than the sheet is thick, begin to thin it.
+    /// Punch and die begin to iron the sheet.
     IroningBegins,
-    /// A place of the sheet comes to its forming limit.
+    /// A place of the sheet reaches its forming limit.
     LimitReached,
-    /// The sheet tears: the stretching gathers at one place, or the voids there grow together.
+    /// The sheet tears by a neck or by voids.
     Tears,
 }
 
 impl EventKind {
     /// Name in files.
     pub fn key(self) -> &'static str {
-        self.words()[0]
+        self.key_and_label().0
     }
 
-    /// In a few words, for a line of a table or a mark on a curve.
+    /// Label in tables and on curves.
     pub fn label(self) -> &'static str {
-        self.words()[1]
+        self.key_and_label().1
     }
 
-    fn words(self) -> [&'static str; 2] {
+    fn key_and_label(self) -> (&'static str, &'static str) {
         match self {
-            Self::RimMeetsDie => ["rim_meets_die", "rim meets the die"],
-            Self::RimOnShoulder => ["rim_on_shoulder", "rim runs onto the die's shoulder"],
-            Self::RimInThroat => ["rim_in_throat", "rim enters the die's throat"],
-            Self::BottomMeets(Role::Punch) => ["bottom_meets_punch", "bottom meets the punch"],
-            Self::BottomMeets(Role::Die) => ["bottom_meets_die", "bottom meets the die"],
-            Self::BottomMeets(Role::Holder) => ["bottom_meets_holder", "bottom meets the holder"],
-            Self::SheetLeaves(Role::Punch) => ["sheet_leaves_punch", "sheet leaves the punch"],
-            Self::SheetLeaves(Role::Die) => ["sheet_leaves_die", "sheet leaves the die"],
-            Self::SheetLeaves(Role::Holder) => ["sheet_leaves_holder", "sheet leaves the holder"],
-            Self::HolderOnBlocks => ["holder_on_blocks", "holder comes to rest on its distance blocks"],
-            Self::IroningBegins => ["ironing_begins", "ironing begins"],
-            Self::LimitReached => ["limit_reached", "forming limit reached"],
-            Self::Tears => ["tears", "sheet tears"],
+            Self::RimMeetsDie => ("rim_meets_die", "rim meets the die"),
+            Self::RimOnShoulder => ("rim_on_shoulder", "rim runs onto the die's shoulder"),
+            Self::RimInThroat => ("rim_in_throat", "rim enters the die's throat"),
+            Self::BottomMeets(Role::Punch) => ("bottom_meets_punch", "bottom meets the punch"),
+            Self::BottomMeets(Role::Die) => ("bottom_meets_die", "bottom meets the die"),
+            Self::BottomMeets(Role::Holder) => ("bottom_meets_holder", "bottom meets the holder"),
+            Self::SheetLeaves(Role::Punch) => ("sheet_leaves_punch", "sheet leaves the punch"),
+            Self::SheetLeaves(Role::Die) => ("sheet_leaves_die", "sheet leaves the die"),
+            Self::SheetLeaves(Role::Holder) => ("sheet_leaves_holder", "sheet leaves the holder"),
+            Self::HolderOnBlocks => ("holder_on_blocks", "holder comes to rest on its distance blocks"),
+            Self::IroningBegins => ("ironing_begins", "ironing begins"),
+            Self::LimitReached => ("limit_reached", "forming limit reached"),
+            Self::Tears => ("tears", "sheet tears"),
         }
     }
 }
 
-/// Something that happens in a stage.
+/// Event of a stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// What.
+    /// Kind.
     pub kind: EventKind,
     /// Punch travel of the stage \[mm\].
     pub travel: f64,
     /// Time of the stage \[s\].
     pub time: f64,
-    /// Punch force then, of the whole part \[N, or N/mm of depth\].
+    /// Punch force of the whole part \[N, or N/mm of depth\].
     pub force: f64,
 }
 
-/// The events of a stage in the order of its travel, each kind once: the first of it. Empty of a release.
+/// Events of a stage in the order of travel, the first of each kind; empty for a release.
 pub fn events(stage: &StageSolution) -> Vec<Event> {
     let steps = &stage.steps[..];
     if stage.model.release.is_some() {
@@ -128,19 +125,19 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
     found
 }
 
-/// Whether the holder rests on its blocks, and no longer on the sheet.
+/// True if the holder rests on its blocks.
 pub fn rests_on_blocks(step: &StepRecord) -> bool {
     step.block_force > BORNE * (step.block_force + step.holder_force)
 }
 
-/// The first step with the sheet on a tool that it was off, by the gap between them \[mm\].
+/// First step with the sheet on a tool that it was off, by their gap \[mm\].
 fn comes(stage: &StageSolution, gap: impl Fn(&StepRecord) -> f64) -> Option<&StepRecord> {
     let thickness = stage.model.blank.thickness;
     let off = stage.steps.iter().position(|step| gap(step) > OFF * thickness)?;
     stage.steps[off..].iter().find(|step| gap(step) < ON * thickness)
 }
 
-/// An event at a travel between two steps, its time and force in proportion.
+/// Event at a travel between two steps, with interpolated time and force.
 fn between(steps: &[StepRecord], kind: EventKind, travel: f64) -> Event {
     let after = steps.partition_point(|step| step.travel < travel).min(steps.len().saturating_sub(1));
     let now = steps.get(after).copied().unwrap_or_default();

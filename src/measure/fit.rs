@@ -1,20 +1,20 @@
-//! Least-squares lines and circles through stretches of the meridian, every point with the length that belongs to it.
+//! Least-squares lines and circles through stretches of the meridian, weighted by length.
 
 use crate::geometry::Point;
 use nalgebra::{Matrix3, Vector3};
 
-/// A line through points, and how much they curve away from it.
+/// Fitted line and curvature.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
-    /// A point of the line, in the middle, and its direction from the first point to the last.
+    /// Middle of the line, and its direction from the first point to the last.
     pub(super) middle: Point,
     pub(super) direction: Point,
-    /// Of the circle through the points \[1/mm\]: 0 straight, positive to the left of the direction.
+    /// Curvature of the fitted circle \[1/mm\], positive to the left of the direction.
     pub(super) curvature: f64,
 }
 
 impl Fit {
-    /// `None` through fewer than three points or where they lie on each other.
+    /// Fit; `None` with fewer than three points or coincident ones.
     pub(super) fn through(points: &[Point]) -> Option<Self> {
         let ([first, .., last], true) = (points, points.len() > 2) else { return None };
         let weights = weights(points);

@@ -1,27 +1,26 @@
-//! The meridian of a frame: its slope and curvature, its bends and the straight legs between them.
+//! Meridian of a frame: slope, curvature, bends and the straight legs between them.
 
 use crate::geometry::{Point, turn};
 use crate::solver::solution::Frame;
 use std::ops::Range;
 
-/// A leg bends less than this share of the bends at its ends.
+/// Largest curvature of a leg over that of the bends at its ends \[–\].
 const FLAT: f64 = 0.25;
-/// What turns the sheet less than this is no bend but a dent \[rad\].
+/// Least turn of a bend \[rad\].
 const BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
-/// The same of a stretch that begins on the axis or symmetry plane, which has half of a bend that a blade made there \[rad\].
+/// Least turn of half a bend on the axis or symmetry plane \[rad\].
 const HALF: f64 = 0.25 * BEND;
-/// How much the curvature that counts as a bend is lowered from one look at the sheet to the next.
+/// Factor on the curvature of a bend from one search to the next \[–\].
 const FINER: f64 = 0.8;
-/// What is left out at both ends of a leg, over its length: the sheet goes over into the bends there.
+/// Share of a leg left out at both ends \[–\].
 const ENDS: f64 = 0.1;
 /// Least length of a leg without its ends, over the thickness.
 const LEAST: f64 = 4.0;
 
-/// The mid-surface from the axis outward, turned upside down where it must be for the middle to lie above the edge, so
-/// that walls descend.
+/// Mid-surface from the axis outward, mirrored so that its middle lies above its edge.
 pub(super) struct Meridian {
     pub(super) points: Vec<Point>,
-    /// −1 where it was turned.
+    /// −1 if mirrored.
     pub(super) up: f64,
     /// Length from the axis to each node \[mm\].
     pub(super) along: Vec<f64>,
@@ -33,17 +32,17 @@ pub(super) struct Meridian {
     pub(super) thickness: f64,
 }
 
-/// A stretch between the places where the curvature becomes and ceases to be that of a bend.
+/// Bend or straight stretch.
 struct Part {
     nodes: Range<usize>,
-    /// −1 and 1: a bend clockwise or counter-clockwise; 0: straight.
+    /// −1 for a clockwise and 1 for a counter-clockwise bend; 0 straight.
     sense: i8,
-    /// Whether a bend reaches the curvature that is looked for.
+    /// True for a bend of at least the searched curvature.
     sharp: bool,
 }
 
 impl Meridian {
-    /// `None` for what is no line: fewer than three nodes, nodes on each other, no numbers, no thickness.
+    /// Meridian of a frame; `None` with fewer than three nodes, coincident or infinite nodes, or no thickness.
     pub(super) fn of(frame: &Frame) -> Option<Self> {
         let (first, last) = (frame.nodes.first()?, frame.nodes.last()?);
         let up = if first.z < last.z { -1.0 } else { 1.0 };
@@ -69,11 +68,8 @@ impl Meridian {
         Some(Self { points, up, along, slope, curvature, thickness })
     }
 
-    /// The stretches between bends, each with the sense of the bend on its inside: −1 where that made the sheet descend
-    /// more steeply, 1 where it brought it back.
-    ///
-    /// They are looked for at every curvature from the sharpest down, and the first that `wanted` finds among those of
-    /// one look is taken.
+    /// Searches for a leg at falling curvatures of bends; `wanted` picks one of the legs with the senses of their inner bends: −1
+    /// where the bend made the sheet descend, 1 where it brought it back.
     pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
         let sharpest = self.sharpest();
         let length = self.along[self.along.len() - 1];
@@ -81,7 +77,7 @@ impl Meridian {
         looks.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
     }
 
-    /// The legs between bends of this curvature or more \[1/mm\], without their ends.
+    /// Legs between bends of at least this curvature \[1/mm\], without their ends.
     fn legs(&self, level: f64) -> Vec<(Range<usize>, i8)> {
         let parts = self.parts(level);
         let inside = |i: usize| parts[..i].last();
@@ -93,7 +89,7 @@ impl Meridian {
         legs.filter_map(|i| Some((self.without_ends(&parts[i].nodes)?, inside(i)?.sense))).collect()
     }
 
-    /// Bends and straight stretches in turn; dents belong to what they are in.
+    /// Bends and straight stretches in turn.
     fn parts(&self, level: f64) -> Vec<Part> {
         let senses: Vec<i8> =
             self.curvature.iter().map(|k| if k.abs() < FLAT * level { 0 } else { k.signum() as i8 }).collect();
@@ -113,7 +109,7 @@ impl Meridian {
         parts
     }
 
-    /// How far the elements beside these nodes turn away from each other \[rad\]; the sheet is level on the axis.
+    /// Turn of the sheet over these nodes \[rad\]; level on the axis.
     fn turn_of(&self, nodes: &Range<usize>) -> f64 {
         let before = if nodes.start == 0 { 0.0 } else { self.slope[nodes.start - 1] };
         self.slope[(nodes.end - 1).min(self.slope.len() - 1)] - before
@@ -128,26 +124,25 @@ impl Meridian {
         is_long.then_some(start..stop)
     }
 
-    /// How far down a stretch goes over its length \[–\]: 1 upright.
+    /// Descent of a stretch over its length \[–\]: 1 upright.
     pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
         let way = self.points[nodes.end - 1] - self.points[nodes.start];
         -way.y / way.norm()
     }
 
-    /// The largest curvature, without sign \[1/mm\].
+    /// Largest absolute curvature \[1/mm\].
     pub(super) fn sharpest(&self) -> f64 {
         self.curvature.iter().fold(0.0, |most, k| k.abs().max(most))
     }
 
-    /// The node nearest to a length from the axis \[mm\].
+    /// Node nearest to a length from the axis \[mm\].
     pub(super) fn node_at(&self, along: f64) -> usize {
         let distance = |i: &usize| (self.along[*i] - along).abs();
         (0..self.along.len()).min_by(|i, j| distance(i).total_cmp(&distance(j))).unwrap_or(0)
     }
 }
 
-/// Difference of the slopes a `reach` before and behind each node, over the way between them; slopes are those of the
-/// elements' middles, linear between them.
+/// Curvature at each node: difference of the slopes a `reach` before and behind it over their distance.
 fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
     let middles: Vec<f64> = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
     let (first, last) = (middles[0], middles[middles.len() - 1]);

@@ -1,13 +1,10 @@
-//! What a person would measure on the formed sheet: the angles of wall and flange, the curl of the wall, height and
-//! edge; and where to look through its thickness.
+//! Measurements on the formed sheet: angles of wall and flange, curl of the wall, height and edge, named places.
 //!
 //! # Legs
-//! A **leg** is a nearly straight stretch of the meridian between two bends, or between a bend and the free edge: its
-//! curvature is at most a quarter of that of the bends beside it, and each of these turns the sheet by ten degrees or
-//! more, or by 2.5° where it is the half of a bend on the axis or symmetry plane. The **wall** is the steepest leg behind
-//! a bend that made the sheet descend, as around the punch radius; the **flange** is the outermost leg, behind a bend that brought the sheet back, as over the die radius. A dome that only
-//! bulges has neither, a bent strip has a wall and no flange. A tenth of a leg's length is left out at both ends, and a
-//! straight line and a circle are fitted through the rest by least squares, weighted by length.
+//! A **leg** is a stretch of the meridian between two bends, or a bend and the free edge, with at most a quarter of their
+//! curvature; a bend turns the sheet by ten degrees or more, or by 2.5° as the half of one on the axis. The **wall** is the
+//! steepest leg behind a bend that made the sheet descend; the **flange** is the outermost leg, behind a bend that brought it
+//! back. A line and a circle are fitted to a leg without a tenth of its length at both ends.
 //!
 //! # Angles
 //! ```text
@@ -18,11 +15,9 @@
 //!   │        \________  flange         θ₂ = 90° + α − β, between wall and flange
 //!   │                                  2α   opening angle, between the two walls of the whole strip
 //! ```
-//! θ₁, θ₂ and the radius ρ of the side-wall curl are the three numbers of the draw bending benchmark of 1993. The
-//! bottom's line is horizontal here, as any line through two mirror images is. The benchmark takes the wall's line and ρ
-//! through single points of the wall at given distances; here all points of the wall give the mean line and the mean
-//! circle. The tangents at the ends of a curled wall of length L differ from its line by L/(2ρ) each. The opening angle
-//! is the angle of the unconstrained cylindrical bending benchmark of 2002, between the straight legs of the strip.
+//! θ₁, θ₂ and the radius ρ of the side-wall curl are the numbers of the draw bending benchmark of 1993, which takes them from
+//! single points of the wall; here all points give the mean line and circle. The opening angle is that of the unconstrained
+//! cylindrical bending benchmark of 2002.
 //!
 //! # References
 //! A. Makinouchi, E. Nakamachi, E. Oñate, R. H. Wagoner (eds.), Numisheet '93, 2-D draw bending; D. Y. Yang, S. I. Oh,
@@ -49,41 +44,37 @@ use fit::Fit;
 use meridian::Meridian;
 use std::ops::Range;
 
-/// A leg that sags by less than this share of the sheet's thickness counts as straight \[–\]: 0.05 mm on a sheet of 1 mm, the
-/// thinnest leaf of a usual feeler gauge. Under load the contact, which gives way by a hundredth of the thickness, makes
-/// straight walls sag by that.
+/// Largest sag of a straight leg over the thickness \[–\]: on 1 mm the thinnest leaf of a usual feeler gauge.
 const STRAIGHT: f64 = 0.05;
 
-/// A die radius bends the sheet by more than this share of its sharpest bend.
+/// Least curvature of a die radius over that of the sharpest bend \[–\].
 const SHARP: f64 = 0.1;
 
-/// A nearly straight stretch of the sheet.
+/// Nearly straight stretch of the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leg {
-    /// The nodes that were measured.
+    /// Measured nodes.
     pub nodes: Range<usize>,
     /// Ends of the fitted line [r, z] \[mm\], the inner one first.
     pub line: [[f64; 2]; 2],
-    /// Slope of the line to the horizontal in the direction away from the axis, of a sheet whose middle lies above its
-    /// edge \[rad\]: −π/2 for an upright wall.
+    /// Slope of the line away from the axis, middle above edge \[rad\]: −π/2 for an upright wall.
     pub slope: f64,
-    /// Of the fitted circle \[1/mm\]: positive where its centre lies outside, as of the curl that drawing over a die
-    /// leaves.
+    /// Curvature of the fitted circle \[1/mm\], positive with its centre outside, as curl has it.
     pub curvature: f64,
-    /// Of the line \[mm\].
+    /// Length of the line \[mm\].
     pub length: f64,
     /// Mean thickness of the sheet \[mm\].
     pub thickness: f64,
 }
 
-/// What was measured on a frame; what it has not is `None`.
+/// Measurements on a frame; `None` for what it has not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// The steepest leg.
+    /// Steepest leg.
     pub wall: Option<Leg>,
-    /// The outermost leg, behind a bend that brought the sheet back.
+    /// Outermost leg, behind a bend that brought the sheet back.
     pub flange: Option<Leg>,
-    /// Height of the middle over the edge, without sign: of a dome or of a drawn part \[mm\].
+    /// Absolute height of the middle over the edge \[mm\].
     pub height: Option<f64>,
     /// Distance of the edge from the axis or the symmetry plane \[mm\].
     pub edge: Option<f64>,
@@ -104,8 +95,7 @@ impl Leg {
         })
     }
 
-    /// How far the middle of the fitted circle's arc is off the chord between its ends, κ L²/8 \[mm\], with the sign of the
-    /// curvature.
+    /// Sag of the fitted circle, κ L²/8 \[mm\], with the sign of the curvature.
     pub fn sag(&self) -> f64 {
         0.125 * self.curvature * self.length * self.length
     }
@@ -164,7 +154,7 @@ impl Shape {
     }
 }
 
-/// The steepest leg behind a bend that made the sheet descend.
+/// Steepest leg behind a bend that made the sheet descend.
 fn wall(meridian: &Meridian) -> Option<Range<usize>> {
     meridian.leg(|legs| {
         let down = legs.iter().filter(|(_, sense)| *sense < 0).map(|(nodes, _)| nodes.clone());
@@ -172,15 +162,15 @@ fn wall(meridian: &Meridian) -> Option<Range<usize>> {
     })
 }
 
-/// The outermost leg, where it lies behind a bend that brought the sheet back.
+/// Outermost leg, if behind a bend that brought the sheet back.
 fn flange(meridian: &Meridian) -> Option<Range<usize>> {
     meridian.leg(|legs| legs.last().filter(|(_, sense)| *sense > 0).map(|(nodes, _)| nodes.clone()))
 }
 
-/// Where to look at the sheet.
+/// Named place of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// What it is called on plots.
+    /// Name on plots.
     pub name: &'static str,
     /// Index of the element, from the axis outward.
     pub element: usize,
@@ -191,11 +181,8 @@ impl Place {
     pub const FLANGE: &str = "Flange";
 }
 
-/// The places that a designer would look at first, from the axis outward: middle, punch radius, wall, die radius and
-/// flange where the sheet has them; of a sheet without wall and flange middle, half-way and edge.
-///
-/// The radii are the places of the largest curvature inside the wall and between wall and flange; a place that another one
-/// has already named is left out.
+/// Places from the axis outward: middle, punch radius, wall, die radius and flange where the sheet has them; else middle, half-way
+/// and edge. The radii are the places of the largest curvature inside and outside the wall.
 pub fn places(frame: &Frame) -> Vec<Place> {
     let Some(meridian) = Meridian::of(frame) else { return Vec::new() };
     let last = meridian.points.len() - 1;

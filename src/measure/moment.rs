@@ -1,24 +1,21 @@
-//! How well the layers resolve the section's moment.
+//! Resolution of the section's moment by the thickness points.
 
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord};
 
-/// What the thickness points may miss of a moment.
+/// Estimated quadrature error of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MomentError {
-    /// Over the largest moment of the sheet \[–\].
+    /// Error over the largest moment of the sheet \[–\].
     pub share: f64,
-    /// Where, initially from the axis \[mm\].
+    /// Initial distance of the place from the axis \[mm\].
     pub s0: f64,
 }
 
-/// An estimate of the largest error that the quadrature through the thickness makes in a section's meridional moment.
+/// Estimates the largest quadrature error of the meridional moment through the thickness.
 ///
-/// The Lobatto sum Σ w ζ σ is compared with the exact integral of ζσ for a stress that is linear between the layer
-/// points. Where the stress has kinks, as at the edge of an elastic core, both miss the true moment by as much, so that
-/// their difference says how large that is; it is an estimate, no bound. Where the stress is smooth but curved the sum is
-/// the better of the two and the estimate is too large. `None` without a moment: membranes, flat sheets, frames without
-/// layers.
+/// The rule Σ w ζ σ is compared with the exact integral of a stress that is linear between the points: with kinks of the stress
+/// both miss the moment by as much; with a smooth stress the estimate is too large. `None` without a moment.
 pub fn moment_error(frame: &Frame) -> Option<MomentError> {
     let layers = &frame.through.layers;
     let sections = || frame.elements.iter().zip(frame.through.elements());

@@ -1,25 +1,23 @@
-//! The split-ring test: a ring that is cut from the wall of a drawn cup springs open when it is slit.
+//! Split-ring test: a ring cut from the wall of a drawn cup springs open when it is slit.
 //!
 //! # Opening
-//! The wall keeps a hoop moment M per mm of its height, tension outside. Slit, the ring gives it back: its curvature falls by
-//! M/(E′I), I = t³/12, and the ends of its 2πr part by
+//! The wall keeps a hoop moment M per mm of its height, tension outside. The slit ring loses the curvature M/(E′I), I = t³/12,
+//! and its ends part by
 //!
 //! ```text
 //!   δ = 2π r² M/(E′ I)         > 0 opens, to the first order in δ/2πr; measured along the ring
 //! ```
 //!
 //! # E′ and M of a ring of some height
-//! A low ring is a bar: free to curl along the axis, E′ = E. A high one is a plate: held straight by its own roundness,
-//! E′ = E/(1 − ν²). Between them the shell equation of a ring of height h decides, D w⁗ + E t w/r² = 0 with both edges free,
-//! whose mean over the height is that of H. Lamb (1891) for a bent plate, Searle's question:
+//! A low ring is a bar, E′ = E, a high one a plate, E′ = E/(1 − ν²). Between them the shell equation of a ring of height h
+//! holds, D w⁗ + E t w/r² = 0 with free edges, whose mean over the height is Lamb's (1891) for a bent plate:
 //!
 //! ```text
 //!   F = 2 (cosh x − cos x) / (x (sinh x + sin x)),   x = h ⁴√(3 (1 − ν²)) / √(r t)        1 of a low ring, 0 of a high one
 //!   E′ = E (1 − ν² F)/(1 − ν²),   M = M_hoop − ν F M_meridional
 //! ```
 //!
-//! The second term is what cutting the ring does before it is slit: its edges lose their meridional moment, and with it, as the
-//! closed ring keeps its curvature, ν times as much of the hoop moment.
+//! The second term is the cutting of the ring: its edges lose their meridional moment and ν times as much hoop moment.
 //!
 //! # References
 //! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
@@ -32,63 +30,63 @@ use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord, StageSolution};
 use std::f64::consts::TAU;
 
-/// Cosine of the largest angle between a wall and the axis of the cup \[–\]: 30°.
+/// Cosine of the largest angle between wall and axis \[–\]: 30°.
 const UPRIGHT: f64 = 0.866;
-/// Share of a ring's height that may lie beyond the wall by round-off \[–\].
+/// Round-off of a ring's height \[–\].
 const ROUND_OFF: f64 = 1e-9;
 
-/// Rings over the height of a cup.
+/// Number of rings over the height of a cup.
 const PLACES: u32 = 100;
 
-/// Where a ring is cut from the wall of a cup that stands on its bottom.
+/// Position of a ring in the wall of a cup that stands on its bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
-    /// Of its lower edge over the outside of the bottom \[mm\].
+    /// Height of its lower edge over the outside of the bottom \[mm\].
     pub from: f64,
-    /// From edge to edge along the axis \[mm\].
+    /// Height of the ring \[mm\].
     pub height: f64,
 }
 
-/// The openings of rings of one wall.
+/// Openings of rings of one wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RingTest {
-    /// The one that is asked for.
+    /// Requested ring.
     pub ring: Ring,
-    /// Its opening \[mm\].
+    /// Opening of the requested ring \[mm\].
     pub opening: f64,
-    /// Lower edges of rings as high \[mm\], rising, and their openings \[mm\]; it is among them.
+    /// Lower edges and openings of rings of the same height \[mm\], rising, with the requested one.
     pub places: Vec<(f64, f64)>,
 }
 
-/// A ring as it is cut, before it is slit; means over its height.
+/// Cut ring before slitting: means over its height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutRing {
-    /// Of the mid-surface \[mm\].
+    /// Radius of the mid-surface \[mm\].
     pub radius: f64,
-    /// \[mm\]
+    /// Thickness \[mm\].
     pub thickness: f64,
-    /// From edge to edge \[mm\].
+    /// Height \[mm\].
     pub height: f64,
-    /// Of the wall, per mm of height, positive with tension outside \[N\].
+    /// Hoop moment per mm of height, positive with tension outside \[N\].
     pub moment_hoop: f64,
-    /// Of the wall, per mm of circumference, positive with tension outside \[N\].
+    /// Meridional moment per mm of circumference, positive with tension outside \[N\].
     pub moment_meridional: f64,
 }
 
 impl CutRing {
-    /// The share of a free ring's curling that a ring of its height does on average \[–\]: 1 of a bar, 0 of a plate.
+    /// F: share of a bar's curling \[–\], 1 for a low ring, 0 for a high one.
     pub fn curling(&self, poisson: f64) -> f64 {
         let x = self.height * (3.0 * (1.0 - poisson * poisson)).powf(0.25) / (self.radius * self.thickness).sqrt();
         match x {
-            // Its series is 1 − x⁴/180; beyond, the difference of cosines would be round-off.
+            // series 1 − x⁴/180; the difference of cosines would be round-off
             x if x < 1e-2 => 1.0,
-            // There the hyperbolic functions are equal to round-off, and may overflow.
+            // the hyperbolic functions are equal to round-off, and may overflow
             x if x > 40.0 => 2.0 / x,
             x => 2.0 * (x.cosh() - x.cos()) / (x * (x.sinh() + x.sin())),
         }
     }
 
-    /// By how much the ends part when the ring is slit \[mm\], along the ring: positive opened, negative closed.
+    /// Opening of the slit ring along its circumference \[mm\]; negative when it closes.
     pub fn opening(&self, elastic: Elastic) -> f64 {
         let Elastic { young, poisson } = elastic;
         let curling = self.curling(poisson);
@@ -99,9 +97,8 @@ impl CutRing {
 }
 
 impl Ring {
-    /// The ring of a cup; `None` where the wall does not reach so far, or leans by more than 30°, and of a frame without
-    /// thickness points.
-    pub fn of(self, frame: &Frame) -> Option<CutRing> {
+    /// Cuts the ring; `None` where the wall is too low or leans by more than 30°, and without thickness points.
+    pub fn cut(self, frame: &Frame) -> Option<CutRing> {
         let (middle, rim) = (frame.nodes.first()?, frame.nodes.last()?);
         let down = (middle.z - rim.z).signum();
         // Over the outside of the bottom.
@@ -120,7 +117,7 @@ impl Ring {
             if along.abs() < UPRIGHT * along.hypot(across) {
                 return None;
             }
-            // The layers run towards the punch's face, which lies inside of a wall that goes away from its bottom.
+            // layers run towards the punch's face, inside of a wall that goes away from its bottom
             let outward = along.signum();
             let moment = |stress: fn(&PointRecord) -> f64| outward * moment(element.thickness, layers, points, stress);
             let values = [
@@ -140,27 +137,26 @@ impl Ring {
         Some(CutRing { radius, thickness, height, moment_hoop, moment_meridional })
     }
 
-    /// The opening of a ring of the cup that the last of some stages has let go \[mm\]; `None` where that stage takes no tools
-    /// away, and where there is no such wall.
+    /// Opening of the ring after a release as the last stage \[mm\]; `None` without release or wall.
     pub fn opening(self, stages: &[StageSolution]) -> Option<f64> {
         let (frame, elastic) = released(stages)?;
-        Some(self.of(frame)?.opening(elastic))
+        Some(self.cut(frame)?.opening(elastic))
     }
 
-    /// The opening of it and of rings as high all along the wall; `None` where it has none itself.
+    /// Openings of this ring and of rings all along the wall; `None` where it has none itself.
     pub fn test(self, stages: &[StageSolution]) -> Option<RingTest> {
         let (frame, elastic) = released(stages)?;
         let opening = self.opening(stages)?;
         let height = part_height(frame)?;
         let others = (0..=PLACES).map(|i| height * f64::from(i) / f64::from(PLACES));
-        let along = others.filter_map(|from| Some((from, Self { from, ..self }.of(frame)?.opening(elastic))));
+        let along = others.filter_map(|from| Some((from, Self { from, ..self }.cut(frame)?.opening(elastic))));
         let mut places: Vec<(f64, f64)> = along.chain([(self.from, opening)]).collect();
         places.sort_by(|a, b| a.0.total_cmp(&b.0));
         Some(RingTest { ring: self, opening, places })
     }
 }
 
-/// The cup that the last of some stages has let go, and its elastic constants.
+/// Released cup of the last stage, and its elastic constants.
 fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
     let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
     let [_, frame] = last.released()?;

@@ -1,12 +1,11 @@
-//! What is measured on a shape, by name, and how it is written: with the digits that a mesh supports.
+//! Angles and lengths measured on a shape, with the digits that a mesh supports.
 
 use super::Shape;
-use crate::table::Unit;
-use crate::units::{Amount, Digits};
+use crate::units::{Amount, Digits, Unit};
+use std::fmt;
 
-/// Decimals of an angle \[°\] and of a length \[mm\]. Twice the elements, or four times, move the angle of a bent strip by
-/// 0.04°, and those of a channel or a hat that has sprung back by 0.1 to 0.2°; height and edge go with the angle, by
-/// 0.1 mm.
+/// Decimals of angles \[°\] and lengths \[mm\]: twice the elements move the angles of a strip, a channel or a hat by 0.04 to
+/// 0.2°, height and edge by 0.1 mm.
 const DECIMALS: usize = 1;
 
 /// Something that can be measured on a shape.
@@ -18,104 +17,91 @@ pub struct ShapeMeasure {
     pub label: &'static str,
     /// Unit of its values.
     pub unit: Unit,
-    /// Measures it; `None` where the shape has no such thing.
+    /// Measures a shape; `None` where it has no such part.
     pub of: fn(&Shape) -> Option<f64>,
-    /// How a value is told.
-    told: fn(f64, Unit) -> String,
 }
 
-/// Of the wall to the direction of the punch \[°\].
-pub const WALL_ANGLE: ShapeMeasure =
-    ShapeMeasure::new("wall_angle", "Wall to the punch direction", Unit::Degree, Shape::wall_angle);
-/// Between both walls \[°\].
-pub const OPENING_ANGLE: ShapeMeasure =
-    ShapeMeasure::new("opening_angle", "Opening angle", Unit::Degree, Shape::opening_angle);
-/// Of the flange to the horizontal \[°\].
-pub const FLANGE_ANGLE: ShapeMeasure =
-    ShapeMeasure::new("flange_angle", "Flange to the horizontal", Unit::Degree, Shape::flange_angle);
-/// Of the edge from the axis or the symmetry plane \[mm\].
-pub const EDGE: ShapeMeasure = ShapeMeasure::new("edge", "Distance of the edge", Unit::Mm, |shape| shape.edge);
+/// Angle of the wall to the direction of the punch \[°\].
+pub const WALL_ANGLE: ShapeMeasure = angle("wall_angle", "Wall to the punch direction", Shape::wall_angle);
+/// Angle between both walls \[°\].
+pub const OPENING_ANGLE: ShapeMeasure = angle("opening_angle", "Opening angle", Shape::opening_angle);
+/// Angle of the flange to the horizontal \[°\].
+pub const FLANGE_ANGLE: ShapeMeasure = angle("flange_angle", "Flange to the horizontal", Shape::flange_angle);
+/// Distance of the edge from the axis or the symmetry plane \[mm\].
+pub const EDGE: ShapeMeasure = length("edge", "Distance of the edge", |shape| shape.edge);
+const CURL_RADIUS: ShapeMeasure = length("curl_radius", "Wall curl radius, ρ", Shape::curl_radius);
 
-/// Everything that is measured, in the order of tables.
+/// All measures in the order of tables.
 pub const SHAPE_MEASURES: &[ShapeMeasure] = &[
     WALL_ANGLE,
     OPENING_ANGLE,
-    ShapeMeasure::new("bottom_to_wall", "Bottom to wall, θ₁", Unit::Degree, Shape::bottom_to_wall),
-    ShapeMeasure::new("wall_to_flange", "Wall to flange, θ₂", Unit::Degree, Shape::wall_to_flange),
+    angle("bottom_to_wall", "Bottom to wall, θ₁", Shape::bottom_to_wall),
+    angle("wall_to_flange", "Wall to flange, θ₂", Shape::wall_to_flange),
     FLANGE_ANGLE,
-    ShapeMeasure {
-        told: radius,
-        ..ShapeMeasure::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius)
-    },
-    ShapeMeasure::new("height", "Height of the middle over the edge", Unit::Mm, |shape| shape.height),
+    CURL_RADIUS,
+    length("height", "Height of the middle over the edge", |shape| shape.height),
     EDGE,
 ];
 
+const fn angle(key: &'static str, label: &'static str, of: fn(&Shape) -> Option<f64>) -> ShapeMeasure {
+    ShapeMeasure { key, label, unit: Unit::Degree, of }
+}
+
+const fn length(key: &'static str, label: &'static str, of: fn(&Shape) -> Option<f64>) -> ShapeMeasure {
+    ShapeMeasure { key, label, unit: Unit::Mm, of }
+}
+
 impl ShapeMeasure {
-    const fn new(key: &'static str, label: &'static str, unit: Unit, of: fn(&Shape) -> Option<f64>) -> Self {
-        Self { key, label, unit, of, told: measured }
+    /// Formats a value: `47.5°`, `224 mm`, `straight`.
+    pub fn text(&self, value: f64) -> String {
+        if self.key != CURL_RADIUS.key {
+            let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
+            let value = if value.abs() < least { 0.0 } else { value };
+            return Amount::new(value, self.unit, Digits::Decimals(DECIMALS)).to_string();
+        }
+        let radius = Amount::new(value.abs(), self.unit, Digits::Decimals(0));
+        match value {
+            r if r.is_infinite() => "straight".into(),
+            r if r < 0.0 => format!("{radius} inward"),
+            _ => radius.to_string(),
+        }
     }
 
-    /// A value as a reader is told it: `47.5°`, `224 mm`, `straight`.
-    pub fn told(&self, value: f64) -> String {
-        (self.told)(value, self.unit)
-    }
-
-    /// What is told of it behind its name: `Opening angle 90.0°`.
-    pub fn named(&self, told: String) -> String {
-        format!("{quantity} {told}", quantity = self.label)
-    }
-
-    /// A difference of values: `+7.9°`.
-    pub fn signed(&self, difference: f64) -> String {
-        let by = (self.told)(difference, self.unit);
-        let is_more = difference > 0.0 && by != (self.told)(0.0, self.unit);
+    /// Formats a difference of values: `+7.9°`.
+    pub fn signed_text(&self, difference: f64) -> String {
+        let by = self.text(difference);
+        let is_more = difference > 0.0 && by != self.text(0.0);
         if is_more { format!("+{by}") } else { by }
     }
 }
 
-/// `-0.3°`, `12.0 mm`.
-fn measured(value: f64, unit: Unit) -> String {
-    let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
-    let value = if value.abs() < least { 0.0 } else { value };
-    Amount::new(value, unit, Digits::Decimals(DECIMALS)).into()
-}
-
-/// `224 mm`, to whole millimetres, for twice the elements move it by a hundredth; an infinite one is that of a straight wall.
-fn radius(value: f64, unit: Unit) -> String {
-    let radius = Amount::new(value.abs(), unit, Digits::Decimals(0));
-    match value {
-        r if r.is_infinite() => "straight".into(),
-        r if r < 0.0 => format!("{radius} inward"),
-        _ => radius.into(),
-    }
-}
-
-/// A quantity measured on two sheets.
+/// A measure of two shapes.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
-    /// What was measured.
+    /// The measure.
     pub quantity: &'static ShapeMeasure,
-    /// On the first sheet, in the unit of the quantity.
+    /// Value of the first shape, in the unit of the measure.
     pub before: Option<f64>,
-    /// On the second.
+    /// Value of the second shape.
     pub after: Option<f64>,
 }
 
 impl Change {
-    /// After minus before, where both were found and neither is infinite.
+    /// After minus before, where both are finite.
     pub fn change(&self) -> Option<f64> {
         Some(self.after? - self.before?).filter(|change| change.is_finite())
     }
+}
 
-    /// `0.3° → 8.2°`.
-    pub fn told(&self) -> String {
-        let told = |value: Option<f64>| value.map_or("none".into(), |value| self.quantity.told(value));
-        format!("{before} → {after}", before = told(self.before), after = told(self.after))
+impl fmt::Display for Change {
+    /// `0.3° → 8.2°`
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let text = |value: Option<f64>| value.map_or("none".into(), |value| self.quantity.text(value));
+        write!(f, "{} → {}", text(self.before), text(self.after))
     }
 }
 
-/// Every quantity that one of the two shapes has, before and after; a wall's curl where it is curled.
+/// All measures that one of the two shapes has; the curl of a wall where it is curled.
 pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
     let all = SHAPE_MEASURES.iter().map(|quantity| {
         let of = quantity.of;
@@ -129,23 +115,15 @@ pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
 mod tests {
     use super::*;
 
-    fn change(key: &str, before: Option<f64>, after: Option<f64>) -> Change {
-        Change { quantity: SHAPE_MEASURES.iter().find(|q| q.key == key).expect("a quantity"), before, after }
-    }
-
     #[test]
     fn values_have_the_digits_that_a_mesh_supports() {
-        let angle = change("wall_angle", Some(-0.311), Some(8.234));
-        assert_eq!(angle.told().to_string(), "-0.3° → 8.2°");
-        assert_eq!(angle.quantity.signed(angle.change().expect("both")).to_string(), "+8.5°");
-        assert_eq!(angle.quantity.signed(0.04).to_string(), "0.0°");
-        assert_eq!(change("height", Some(28.819_725), Some(27.646_222)).told().to_string(), "28.8 mm → 27.6 mm");
-    }
-
-    #[test]
-    fn a_wall_without_curl_is_called_straight() {
-        let curl = change("curl_radius", Some(f64::INFINITY), Some(223.6));
-        assert_eq!((curl.told().to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
-        assert_eq!(change("curl_radius", None, Some(-150.0)).told().to_string(), "none → 150 mm inward");
+        let angle = Change { quantity: &WALL_ANGLE, before: Some(-0.311), after: Some(8.234) };
+        assert_eq!(angle.to_string(), "-0.3° → 8.2°");
+        assert_eq!(angle.quantity.signed_text(angle.change().expect("both")), "+8.5°");
+        assert_eq!(angle.quantity.signed_text(0.04), "0.0°");
+        let curl = Change { quantity: &CURL_RADIUS, before: Some(f64::INFINITY), after: Some(223.6) };
+        assert_eq!((curl.to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
+        let inward = Change { before: None, after: Some(-150.0), ..curl };
+        assert_eq!(inward.to_string(), "none → 150 mm inward");
     }
 }

@@ -66,5 +66,5 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 
 /// `Wall to the punch direction: 0.3° → 8.2°`.
 fn worded(change: &Change) -> String {
-    format!("{quantity}: {change}", quantity = change.quantity.label, change = change.told())
+    format!("{}: {change}", change.quantity.label)
 }

@@ -3,10 +3,9 @@
 use super::equilibrium::evaluate;
 use super::evaluation::{Evaluation, Linearisation};
 use super::process::Process;
-use super::step::{CUT_OFF_ZONE, Step};
+use super::step::Step;
 use super::trial::Trial;
-use super::{Observer, Start};
-use crate::material::flow::StressUpdate;
+use super::{Iterate, Observer, Start};
 use crate::model::{Iteration, Mode, Model, Norm};
 use crate::solver::solution::IterationRecord;
 
@@ -109,7 +108,7 @@ pub(super) fn correct(
         {
             return outcome;
         }
-        observer.iteration(&record(step, pass, trial, evaluation, &outcome));
+        observe(step, pass, trial, evaluation, &outcome, observer);
         let looks_back = searches && (1..most).contains(&outcome.iterations);
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.process, -back);
@@ -134,17 +133,18 @@ pub(super) fn correct(
     }
 }
 
-/// The evaluation as observers see it.
-fn record(step: &Step, pass: Pass, trial: &Trial, evaluation: &Evaluation, outcome: &Outcome) -> IterationRecord {
-    let penalty = &step.process.penalty;
-    let touching = || evaluation.contacts.iter().filter(|contact| contact.is_active(penalty));
-    let least = CUT_OFF_ZONE * step.cutoff(trial.softening);
-    let flows = |(updates, bends): (&[StressUpdate], &bool)| {
-        let points = if *bends { updates } else { &updates[..1] };
-        points.iter().any(|update| update.increment >= least)
-    };
-    let flowing = || evaluation.updates.rows().zip(&step.bends).filter(|element| flows(*element));
-    IterationRecord {
+/// Calls the observer with the evaluation.
+fn observe(
+    step: &Step,
+    pass: Pass,
+    trial: &Trial,
+    evaluation: &Evaluation,
+    outcome: &Outcome,
+    observer: &mut dyn Observer,
+) {
+    let cutoff = if step.model.mode == Mode::Flow { step.cutoff(trial.softening) } else { 0.0 };
+    let iterate = Iterate { step, evaluation, cutoff };
+    let record = IterationRecord {
         step: step.number,
         travel: step.travel(),
         start: pass.start,
@@ -155,10 +155,11 @@ fn record(step: &Step, pass: Pass, trial: &Trial, evaluation: &Evaluation, outco
         share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
         worst_r: evaluation.nodes[evaluation.worst_node][0],
         active_contacts: evaluation.active_contacts,
-        touching: touching().count(),
-        sticking: touching().filter(|contact| contact.slip.abs() < step.slip_scale).count(),
-        cut_off: if step.model.mode == Mode::Flow { step.bends.len() - flowing().count() } else { 0 },
-    }
+        touching: iterate.contacts().count(),
+        sticking: iterate.contacts().filter(|contact| contact.sticks).count(),
+        cut_off: iterate.increments().filter(|[increment, _]| iterate.is_cut_off(*increment)).count(),
+    };
+    observer.iteration(&record, &iterate);
 }
 
 /// Evaluates a trial and notes how far it is from equilibrium; `false` when an element has collapsed.

@@ -13,6 +13,7 @@ mod equilibrium;
 mod evaluation;
 mod heat;
 mod ironing;
+mod iterate;
 mod line_search;
 mod no_equilibrium;
 mod observer;
@@ -53,6 +54,7 @@ use time_step::StepControl;
 use trial::Trial;
 
 pub use closing::closing_way;
+pub use iterate::{Iterate, IterateContact, IterateSnapshot};
 pub use observer::Observer;
 pub use retry::Start;
 pub use single_step::try_step;

@@ -1,5 +1,6 @@
 //! Callbacks of a run.
 
+use super::iterate::Iterate;
 use crate::model::Model;
 use crate::model::stage::Stage;
 use crate::solver::solution::{IterationRecord, StepRecord};
@@ -12,7 +13,7 @@ pub trait Observer {
     /// Called at the start and after every accepted step.
     fn state(&mut self, _model: &Model, _state: &State) {}
     /// Called after every evaluation of the corrector.
-    fn iteration(&mut self, _record: &IterationRecord) {}
+    fn iteration(&mut self, _record: &IterationRecord, _iterate: &Iterate<'_>) {}
     /// Called before each stage of a sequence.
     fn stage(&mut self, _stage: &Stage) {}
     /// Returns `true` to end the run with [`Stop::Interrupted`](crate::Stop::Interrupted) and all results so far; asked before

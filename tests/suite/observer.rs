@@ -46,7 +46,7 @@ struct Allocations {
 }
 
 impl Observer for Allocations {
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
         let now = ALLOCATIONS.get();
         if let Some((last, before)) = self.last.filter(|(last, _)| last.step == record.step)
             && record.iteration > last.iteration
@@ -96,7 +96,7 @@ impl Observer for Stopper {
     fn step(&mut self, _record: &StepRecord) {
         self.steps -= 1;
     }
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.iterations -= usize::from(record.iteration > 0);
     }
     fn wants_to_stop(&mut self) -> bool {
@@ -132,7 +132,7 @@ struct LastIteration {
 }
 
 impl Observer for LastIteration {
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.last = Some(*record);
     }
     fn step(&mut self, record: &StepRecord) {

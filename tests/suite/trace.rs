@@ -23,7 +23,7 @@ impl Observer for OfStep {
         self.is_over = record.step == self.step;
     }
 
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.kept.extend((record.step == self.step).then_some(*record));
     }
 

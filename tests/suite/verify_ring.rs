@@ -98,7 +98,7 @@ fn wall(towards: f64, lean: f64, slope: f64) -> Frame {
 fn a_ring_is_cut_over_the_bottom_and_has_the_wall_s_moments() {
     let exact = 100.0 * T.powi(3) / 12.0;
     for towards in [-1.0, 1.0] {
-        let found = Ring { from: 4.0, height: 7.3 }.of(&wall(towards, 0.0, 100.0)).expect("a wall");
+        let found = Ring { from: 4.0, height: 7.3 }.cut(&wall(towards, 0.0, 100.0)).expect("a wall");
         for (found, expected) in [
             (found.radius, R),
             (found.thickness, T),
@@ -110,12 +110,12 @@ fn a_ring_is_cut_over_the_bottom_and_has_the_wall_s_moments() {
         }
     }
     // A wall that leans has its radius in the middle of the ring.
-    let leaning = Ring { from: 0.55 + 3.0, height: 6.0 }.of(&wall(-1.0, 0.1, 100.0)).expect("a wall");
+    let leaning = Ring { from: 0.55 + 3.0, height: 6.0 }.cut(&wall(-1.0, 0.1, 100.0)).expect("a wall");
     let middle = R + 6.0 * 0.1f64.tan();
     assert!((leaning.radius - middle).abs() < 0.02, "{} {middle}", leaning.radius);
-    assert_eq!(Ring { from: 20.0, height: 5.0 }.of(&wall(-1.0, 0.0, 100.0)), None, "beyond the rim");
-    assert_eq!(Ring { from: 0.1, height: 5.0 }.of(&wall(-1.0, 0.0, 100.0)), None, "in the bottom");
-    assert_eq!(Ring { from: 4.0, height: 5.0 }.of(&wall(-1.0, 0.6, 100.0)), None, "no wall");
+    assert_eq!(Ring { from: 20.0, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "beyond the rim");
+    assert_eq!(Ring { from: 0.1, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "in the bottom");
+    assert_eq!(Ring { from: 4.0, height: 5.0 }.cut(&wall(-1.0, 0.6, 100.0)), None, "no wall");
 }
 
 /// Trust: what is told in four places is one number; a quarter more of the same ring's place changes it, so that it is of the

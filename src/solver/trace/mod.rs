@@ -19,7 +19,7 @@ pub use rate::ConvergenceRate;
 use crate::model::{Iteration, Model, Settings, Stage};
 use crate::solver::solution::{IterationRecord, StepRecord, Stop};
 use crate::solver::state::State;
-use crate::solver::{Observer, solve, try_step};
+use crate::solver::{Iterate, IterateSnapshot, Observer, solve, try_step};
 
 /// Step to trace and matrices to iterate with.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +64,8 @@ pub struct IterationHistory {
     pub matrix: Iteration,
     /// Iterations of all tries; a pass of the corrector begins at iteration 0.
     pub rows: Vec<IterationRecord>,
+    /// Sheet and forces of every row.
+    pub iterates: Vec<IterateSnapshot>,
     /// State after the step; `None` without equilibrium.
     pub end: Option<State>,
 }
@@ -137,7 +139,7 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
         model.settings = Settings { iteration: matrix, tolerance, ..model.settings };
         let mut rows = Rows::default();
         let end = try_step(&model, &before, dt, request.step, &mut rows);
-        IterationHistory { matrix, rows: rows.0, end }
+        IterationHistory { matrix, rows: rows.0, iterates: rows.1, end }
     };
     let histories = matrices.iter().map(repeat).collect();
     Ok(Trace { stage: request.stage, tolerance, before, record, dt, histories })
@@ -201,8 +203,8 @@ impl Observer for Replay<'_> {
         self.observer.stage(stage);
     }
 
-    fn iteration(&mut self, record: &IterationRecord) {
-        self.observer.iteration(record);
+    fn iteration(&mut self, record: &IterationRecord, iterate: &Iterate<'_>) {
+        self.observer.iteration(record, iterate);
     }
 
     fn wants_to_stop(&mut self) -> bool {
@@ -212,10 +214,11 @@ impl Observer for Replay<'_> {
 
 /// Keeps every iteration.
 #[derive(Default)]
-struct Rows(Vec<IterationRecord>);
+struct Rows(Vec<IterationRecord>, Vec<IterateSnapshot>);
 
 impl Observer for Rows {
-    fn iteration(&mut self, record: &IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord, iterate: &Iterate<'_>) {
         self.0.push(*record);
+        self.1.push(iterate.snapshot());
     }
 }

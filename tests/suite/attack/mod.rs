@@ -122,7 +122,7 @@ impl Observer for Budget {
         self.size = model.blank.elements * (model.blank.layers + pieces);
     }
 
-    fn iteration(&mut self, _: &IterationRecord) {
+    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
         self.left = self.left.saturating_sub(self.size);
     }
 

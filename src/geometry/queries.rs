@@ -1,0 +1,117 @@
+//! Corners, vertices, ends, extreme points and distances of profiles.
+
+use super::crossing::common;
+use super::{Arc, Piece, Point, Profile, Segment, turn};
+
+/// Largest turn between two arcs of one corner \[rad\].
+const SMOOTH: f64 = 0.02;
+
+/// Largest ratio of the radii of arcs of one corner \[–\].
+const ALIKE: f64 = 1.5;
+
+/// Vertex between two pieces of a profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    /// Position \[mm\].
+    pub point: Point,
+    /// Index of the piece before.
+    pub after: usize,
+    /// Turn of the chain \[rad\]: positive to the left, into a hollow; negative around a convex corner.
+    pub turn: f64,
+}
+
+impl Profile {
+    /// Replaces every arc by `per_quarter` chords per 90°, at least one.
+    pub fn faceted(&self, per_quarter: usize) -> Self {
+        let mut pieces = Vec::new();
+        for piece in &self.pieces {
+            match piece {
+                Piece::Segment(_) => pieces.push(*piece),
+                Piece::Arc(arc) => {
+                    let quarters = arc.sweep.abs() / std::f64::consts::FRAC_PI_2;
+                    let n = (quarters * per_quarter as f64).ceil().max(1.0) as usize;
+                    let points = piece.sample(n);
+                    pieces.extend(points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))));
+                }
+            }
+        }
+        Self::new(pieces).expect("chords of a connected chain are connected")
+    }
+
+    /// Convex corners in order; smoothly connected arcs of about one radius are one corner.
+    pub fn corners(&self) -> impl Iterator<Item = Arc> {
+        let mut corners: Vec<(usize, Arc)> = Vec::new();
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let Piece::Arc(arc) = piece else { continue };
+            if arc.sweep >= 0.0 {
+                continue;
+            }
+            let goes_on = |(last, corner): &(usize, Arc)| {
+                let turn = turn(self.pieces[*last].tangent(true), piece.tangent(false)).abs();
+                let ratio = corner.radius / arc.radius;
+                last + 1 == i && turn < SMOOTH && ratio < ALIKE && ratio > 1.0 / ALIKE
+            };
+            match corners.last_mut().filter(|last| goes_on(last)) {
+                Some(last) => *last = (i, last.1.joined(arc)),
+                None => corners.push((i, *arc)),
+            }
+        }
+        corners.into_iter().map(|(_, corner)| corner)
+    }
+
+    /// Inner vertices in order, smooth ones included.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        self.pieces.windows(2).enumerate().map(|(after, pair)| Vertex {
+            point: pair[0].last(),
+            after,
+            turn: turn(pair[0].tangent(true), pair[1].tangent(false)),
+        })
+    }
+
+    /// Smallest r of the chain \[mm\].
+    pub fn least_r(&self) -> f64 {
+        self.polyline(0.01).iter().map(|p| p.x).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest distance to another profile when this one is moved by `shift` \[mm\], negative when they overlap, and its place;
+    /// arcs are sampled every 0.02 rad.
+    pub fn distance_to(&self, other: &Self, shift: Point) -> (f64, Point) {
+        self.distance_by(other, shift, 0.02, 1)
+    }
+
+    /// As [`Self::distance_to`], with arcs sampled every `step` \[rad\] and lines in `parts`.
+    pub fn distance_by(&self, other: &Self, shift: Point, step: f64, parts: usize) -> (f64, Point) {
+        let points = |of: &Self| -> Vec<Point> {
+            let along = |piece: &Piece| match piece {
+                Piece::Segment(_) => piece.sample(parts),
+                Piece::Arc(_) => piece.polyline(step),
+            };
+            of.pieces.iter().flat_map(along).collect()
+        };
+        let mine = points(self).into_iter().map(|p| (other.closest(p + shift).distance, p + shift));
+        let others = points(other).into_iter().map(|p| (self.closest(p - shift).distance, p));
+        mine.chain(others).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, self.first() + shift))
+    }
+
+    /// Free ends of the line with their unit directions away from it; `None` on the axis and where it closes.
+    pub fn ends(&self) -> [Option<(Point, Point)>; 2] {
+        let last = &self.pieces[self.pieces.len() - 1];
+        let away = [-self.pieces[0].tangent(false), last.tangent(true)];
+        [0, 1].map(|k| self.ends[k].map(|end| (end, away[k])))
+    }
+
+    /// Highest (or lowest) point with r ≤ `within` \[mm\]; `None` when the profile lies beyond it.
+    pub fn extreme(&self, highest: bool, within: f64) -> Option<Point> {
+        let sign = if highest { 1.0 } else { -1.0 };
+        let edge = Piece::Segment(Segment::new(Point::new(within, -1e6), Point::new(within, 1e6)));
+        let points = self.pieces().iter().flat_map(|piece| {
+            let mut points = common(piece, &edge);
+            points.extend([piece.first(), piece.last()]);
+            if let Piece::Arc(a) = piece {
+                points.push(piece.closest_point(a.center + Point::new(0.0, sign * 2.0 * a.radius)));
+            }
+            points
+        });
+        points.filter(|p| p.x <= within + 1e-9).max_by(|a, b| (sign * a.y).total_cmp(&(sign * b.y)))
+    }
+}
