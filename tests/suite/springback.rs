@@ -101,12 +101,12 @@ fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
 fn a_wall_between_the_tools_is_straight_and_angles_have_the_digits_of_the_mesh() {
     let [coarse, fine] = [97, 194].map(|elements| released(&hat(elements)));
     for found in [&coarse, &fine] {
-        let curl = of(found, "curl_radius").told().to_string();
+        let curl = of(found, "curl_radius").to_string();
         assert!(curl.starts_with("straight → 2") && curl.ends_with(" mm"), "{curl}");
         assert!(of(found, "curl_radius").change().is_none());
     }
     for (a, b) in coarse.iter().zip(&fine).filter(|(a, _)| a.quantity.key.ends_with("angle")) {
-        assert!((a.after.unwrap() - b.after.unwrap()).abs() < 0.2, "{} {}", a.told(), b.told());
+        assert!((a.after.unwrap() - b.after.unwrap()).abs() < 0.2, "{} {}", a, b);
     }
 }
 
@@ -117,7 +117,7 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
     let mut solution = hat(97);
     let wall = *of(&released(&solution), "wall_angle");
     let (before, after) = (wall.before.unwrap(), wall.after.unwrap());
-    assert!(before.abs() > 1e-3 && after > before, "{}", wall.told());
+    assert!(before.abs() > 1e-3 && after > before, "{}", wall);
     solution.case.springback.wall_tolerance = Some(after);
     let found = verdict(&solution);
     assert_eq!((found.light, found.value()), (Light::Amber, Some(after)), "{found:?}");
@@ -148,7 +148,7 @@ fn tension_straightens_a_wall_only_once_all_of_it_yields() {
         let solution = hat_held(97, &[&force, "springback.wall_tolerance=1 deg"]);
         let advice = verdict(&solution).advice.to_string();
         let share = advice.split("the wall carries ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
-        println!("{force}: {share} %, {}", of(&released(&solution), "wall_angle").told());
+        println!("{force}: {share} %, {}", of(&released(&solution), "wall_angle"));
         (share.parse::<f64>().expect("a number"), of(&released(&solution), "wall_angle").after.unwrap())
     };
     let [slack, tight] = ["100 N/mm", "3200 N/mm"].map(pulled);

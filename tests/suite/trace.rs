@@ -100,6 +100,11 @@ fn cut_off_and_contact_are_counted() {
     let end = midst.histories[0].rows.last().expect("an answer");
     assert!(end.cut_off < midst.before.thickness.len() / 10 && end.touching > 20, "{end:?}");
     assert!(end.sticking < end.touching && end.velocity_norm > 0.0 && end.share == 1.0, "{end:?}");
+    let iterate = midst.histories[0].iterates.last().expect("an answer");
+    assert_eq!(iterate.contacts.len(), end.touching);
+    // Every force of tools on the sheet: with the residual they are in balance along z but for what the edge holds.
+    let sum: f64 = iterate.contacts.iter().map(|contact| contact.force[1]).sum();
+    assert!(sum.abs() < 1e-3 * midst.record.punch_force, "{sum} of {}", midst.record.punch_force);
 }
 
 #[test]

@@ -101,8 +101,8 @@ impl Value {
     /// `Wall to the punch direction  0.3° → 8.2° (+7.9°)`
     pub(super) fn changes(changes: &[Change]) -> Self {
         let row = |change: &Change| {
-            let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed(by)));
-            [format!("{INDENT}{}", change.quantity.label), change.told() + &by]
+            let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed_text(by)));
+            [format!("{INDENT}{}", change.quantity.label), format!("{change}{by}")]
         };
         let entry = |change: &Change| {
             json!({

@@ -48,7 +48,7 @@ impl Versus {
         for compared in self.compared().into_iter().filter(|compared| compared.number.of != Of::Verdict) {
             let changes = std::iter::once(&Change::None).chain(&compared.changes);
             let said = compared.values.iter().zip(changes).map(|(value, change)| Said {
-                change: change.to_string(),
+                change: change.told(),
                 ..Said::of(value.map_or_else(|| NOTHING.into(), String::from))
             });
             lines.push(Line { label: compared.number.label.into(), of_runs: said.collect() });
