@@ -246,11 +246,11 @@ impl Current {
         [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
     }
 
-    /// ∂(Δε_s + Δε_θ) by r₁+r₂, r₂−r₁, z₂−z₁ \[1/mm\].
+    /// ∂(Δε_s + Δε_θ) by the element's freedoms \[1/mm\].
     #[inline]
-    pub fn stretch_rows(&self) -> [f64; 3] {
-        let [c, s] = self.along();
-        [self.hoop(), c, s]
+    pub fn stretch_rows(&self) -> Vector6 {
+        let ([c, s], hoop) = (self.along(), self.hoop());
+        [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()
     }
 
     /// Whether the element bends, or is a membrane.

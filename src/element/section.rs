@@ -69,37 +69,45 @@ fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
     [s, t, zeta * s, zeta * t, shear].into()
 }
 
-/// C of a point at ζ that acts on the volume `v`.
+/// Adds the lower triangle of C of a point at ζ that acts on the volume `v`.
 #[inline]
-fn point_stiffness(zeta: f64, v: f64, tangent: &Symmetric) -> Matrix5 {
+fn add_point(c: &mut Matrix5, zeta: f64, v: f64, tangent: &Symmetric) {
     let [ss, st, tt, sg, tg, gg] = tangent.map(|entry| v * entry);
-    bordered(
-        [ss, st, tt],
-        [ss, st, tt].map(|c| zeta * c),
-        [ss, st, tt].map(|c| zeta * zeta * c),
-        [sg, tg, zeta * sg, zeta * tg, gg],
-    )
+    let membrane = [ss, st, tt];
+    add_blocks(c, membrane, membrane.map(|c| zeta * c), membrane.map(|c| zeta * zeta * c));
+    for (j, shear) in [sg, tg, zeta * sg, zeta * tg, gg].into_iter().enumerate() {
+        c[(GAMMA, j)] += shear;
+    }
 }
 
-/// C of a point in the middle of a part of the thickness of 2 `half`.
+/// Adds the lower triangle of C of a point in the middle of a part of the thickness of 2 `half`.
 #[inline]
-fn part_stiffness(zeta: f64, half: f64, v: f64, part: &Across) -> Matrix5 {
-    let resultant =
-        |g: [f64; 5]| Generalised::from([g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3], g[4]]);
-    let [p, q] = part.outer.map(resultant);
-    let [ss, st, tt, shear] = part.metric;
-    let (own, coupling) = ([ss, st, tt], part.coupling.unwrap_or_default());
+fn add_part(c: &mut Matrix5, zeta: f64, half: f64, v: f64, part: &Across) {
+    let [ss, st, tt, shear] = part.metric.map(|entry| v * entry);
+    let (own, coupling) = ([ss, st, tt], part.coupling.unwrap_or_default().map(|entry| v * half * entry));
     let square = zeta * zeta + half * half * MEAN_SQUARE;
-    let coupled = [0, 1, 2].map(|j| zeta * own[j] + half * coupling[j]);
-    let bending = [0, 1, 2].map(|j| square * own[j] + 2.0 * zeta * half * coupling[j]);
-    (bordered(own, coupled, bending, [0.0, 0.0, 0.0, 0.0, shear]) + p * q.transpose() + q * p.transpose()) * v
+    let coupled = [0, 1, 2].map(|j| zeta * own[j] + coupling[j]);
+    let bending = [0, 1, 2].map(|j| square * own[j] + 2.0 * zeta * coupling[j]);
+    add_blocks(c, own, coupled, bending);
+    c[(GAMMA, GAMMA)] += shear;
+    let [p, q] = part.outer.map(|g| [g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3], g[4]]);
+    let q = q.map(|q| v * q);
+    for j in 0..5 {
+        for i in j..5 {
+            c[(i, j)] += p[i] * q[j] + q[i] * p[j];
+        }
+    }
 }
 
-/// Matrix of the blocks membrane, coupling and bending, each ss, sθ, θθ, and the row of the shear.
+/// Adds the blocks of membrane, coupling and bending, each ss, sθ, θθ.
 #[inline]
-fn bordered(membrane: Triple, coupling: Triple, bending: Triple, shear: [f64; 5]) -> Matrix5 {
-    let ([a, b, c], [d, e, f], [g, h, i], [p, q, r, s, t]) = (membrane, coupling, bending, shear);
-    Matrix5::from([[a, b, d, e, p], [b, c, e, f, q], [d, e, g, h, r], [e, f, h, i, s], [p, q, r, s, t]])
+fn add_blocks(c: &mut Matrix5, membrane: Triple, coupling: Triple, bending: Triple) {
+    for (place, [ss, st, tt]) in [((0, 0), membrane), ((2, 0), coupling), ((2, 2), bending)] {
+        c[place] += ss;
+        c[(place.0 + 1, place.1)] += st;
+        c[(place.0 + 1, place.1 + 1)] += tt;
+    }
+    c[(KAPPA_S, EPS_T)] += coupling[1];
 }
 
 impl Section<'_> {
@@ -126,14 +134,14 @@ impl Section<'_> {
                     s[KAPPA_S] += half * v * across.moment[0];
                     s[KAPPA_T] += half * v * across.moment[1];
                     if !self.forces_alone {
-                        c += part_stiffness(zeta, half, v, &across);
+                        add_part(&mut c, zeta, half, v, &across);
                     }
                     across.update
                 }
                 None => {
                     let update = law.respond(point, iterate, strain);
                     if !self.forces_alone {
-                        c += point_stiffness(zeta, v, &update.tangent);
+                        add_point(&mut c, zeta, v, &update.tangent);
                     }
                     update
                 }
@@ -147,6 +155,7 @@ impl Section<'_> {
         if self.forces_alone {
             return Internal { force, matrix: None };
         }
+        c.fill_upper_triangle_with_lower_triangle();
         let mut matrix = b.tr_mul(&(c * b)) + current.geometric_stiffness(&s);
         if !current.bends() {
             matrix += current.transverse_stiffness((self.slack_tension * volume * yield_stress - s[EPS_S]).max(0.0));

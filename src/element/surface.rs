@@ -11,8 +11,10 @@
 //! # References
 //! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
 
-use super::Node;
+use super::kinematics::Matrix6;
+use super::{Node, Vector6};
 use crate::geometry::Point;
+use nalgebra::SMatrix;
 
 /// A place on an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,32 +48,6 @@ pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
     if bends { &INSIDE } else { &ENDS }
 }
 
-/// Derivatives of a place's position by the element's motions: the sums s = (r₁+r₂, z₁+z₂), by which it is half the unit
-/// matrix; the differences d = (r₂−r₁, z₂−z₁); and θ₂−θ₁.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
-    /// ∂x/∂(r₂−r₁) and ∂x/∂(z₂−z₁).
-    pub by_difference: [[f64; 2]; 2],
-    /// ∂x/∂(θ₂−θ₁).
-    pub by_bend: [f64; 2],
-}
-
-impl Slope {
-    /// ∂(v·x) of a vector v by the motions: sums, differences, θ₂−θ₁.
-    #[inline(always)]
-    pub fn of(&self, [r, z]: [f64; 2]) -> [f64; 5] {
-        let ([by_r, by_z], by_bend) = (self.by_difference, self.by_bend);
-        let bend = by_bend[0] * r + by_bend[1] * z;
-        [r * 0.5, z * 0.5, by_r[0] * r + by_r[1] * z, by_z[0] * r + by_z[1] * z, bend]
-    }
-}
-
-/// The differences of an element's nodes: r₂−r₁, z₂−z₁, θ₂−θ₁.
-#[inline(always)]
-pub fn difference(a: &Node, b: &Node) -> [f64; 3] {
-    [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
-}
-
 impl Station {
     const fn at(xi: f64, skew: f64) -> Self {
         Self { xi, skew, shape: [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)], bow: 0.125 * (1.0 - xi * xi) }
@@ -85,53 +61,54 @@ impl Station {
         Point::new(p * a[0] + q * b[0] + bow * (b[1] - a[1]), p * a[1] + q * b[1] - bow * (b[0] - a[0]))
     }
 
-    /// Derivatives of the position by the [`difference`] of the nodes.
-    #[inline(always)]
-    pub fn slope(&self, [dr, dz, turn]: [f64; 3]) -> Slope {
-        let (along, bow) = (0.5 * self.xi, turn * self.bow);
-        Slope { by_difference: [[along, -bow], [bow, along]], by_bend: [dz * self.bow, -(dr * self.bow)] }
+    /// Derivatives of the position (rows r, z) by the element's freedoms.
+    #[inline]
+    pub fn slope(&self, a: &Node, b: &Node) -> SMatrix<f64, 2, 6> {
+        let ([p, q], turn) = (self.shape, self.bow * (b[2] - a[2]));
+        let (dr, dz) = (self.bow * (b[0] - a[0]), self.bow * (b[1] - a[1]));
+        SMatrix::from_row_slice(&[p, -turn, -dz, q, turn, dz, turn, p, dr, -turn, q, -dr])
     }
 
-    /// ∂²(F·x)/∂(θ₂−θ₁)∂d; all other second derivatives are zero.
-    #[inline(always)]
-    pub fn second(&self, [r, z]: [f64; 2]) -> [f64; 2] {
-        [-(z * self.bow), r * self.bow]
-    }
-}
-
-/// Forces on an element's motions \[N, N mm\] and their derivatives: sums of r and z, differences of r and z, difference of θ.
-#[derive(Clone, Copy, Debug)]
-pub struct MotionForces {
-    /// Force by motion.
-    pub force: [f64; 5],
-    /// Its derivatives: rows by forces, columns by motions.
-    pub matrix: [[f64; 5]; 5],
-}
-
-impl MotionForces {
-    /// The block of the matrix of nodes `i` and `j`, −1 the first and +1 the second, column after column.
-    #[inline(always)]
-    pub fn block(&self, i: f64, j: f64) -> [f64; 9] {
-        let m = &self.matrix;
-        let (mut r, mut z, mut bend) = (m[0], m[1], m[4]);
-        for k in 0..5 {
-            (r[k], z[k], bend[k]) = (r[k] + m[2][k] * i, z[k] + m[3][k] * i, bend[k] * i);
+    /// Second derivatives of F·x by the element's freedoms.
+    #[inline]
+    pub fn second(&self, [r, z]: [f64; 2]) -> Matrix6 {
+        let (r, z) = (self.bow * r, self.bow * z);
+        let mut matrix = Matrix6::zeros();
+        for (turn, sign) in [(2, 1.0), (5, -1.0)] {
+            for (move_, value) in [(0, -z), (1, r), (3, z), (4, -r)] {
+                matrix[(turn, move_)] = sign * value;
+                matrix[(move_, turn)] = sign * value;
+            }
         }
-        let (r, z, bend) = (of_node(j, &r), of_node(j, &z), of_node(j, &bend));
-        [r[0], z[0], bend[0], r[1], z[1], bend[1], r[2], z[2], bend[2]]
+        matrix
     }
 }
 
-/// What goes with node `i`, −1 the first and +1 the second, of values by motion: differences count −1 at the first and +1
-/// at the second, sums +1 at both.
-#[inline(always)]
-pub fn of_node(i: f64, v: &[f64; 5]) -> [f64; 3] {
-    [v[0] + v[2] * i, v[1] + v[3] * i, v[4] * i]
+/// Second derivatives of the thickness t by the element's freedoms, from its first ones.
+///
+/// ```text
+/// ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ),   ∂t = −t ∂(ε_s + ε_θ)
+/// ```
+#[inline]
+pub fn thickness_second(first: &Vector6, thickness: f64) -> Matrix6 {
+    // By r₁+r₂, r₂−r₁ and z₂−z₁.
+    let [hoop, r, z] = [0.5 * (first[0] + first[3]), 0.5 * (first[3] - first[0]), first[4]];
+    let (own, mixed) = (r * r - z * z, 2.0 * r * z);
+    let mut matrix = first * first.transpose();
+    for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
+        matrix[(i, j)] += hoop * hoop + sign * own;
+        matrix[(i, j + 1)] += sign * mixed;
+        matrix[(i + 1, j)] += sign * mixed;
+        matrix[(i + 1, j + 1)] -= sign * own;
+    }
+    matrix / thickness
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::kinematics::{EPS_S, EPS_T, Reference};
+    use crate::element::{Geometry, Theory};
     use approx::assert_relative_eq;
 
     const A: Node = [11.0, 2.0, 0.2];
@@ -148,38 +125,44 @@ mod tests {
         }
     }
 
-    /// Trust: central differences of a bilinear function: round-off only, 1e-15 h⁻¹ of positions of 10 mm.
+    /// Trust: central differences; the position is bilinear, of the thickness truncation is near 1e-8.
     #[test]
-    fn slopes_and_second_derivatives_are_those_of_the_position() {
+    fn derivatives_agree_with_differences() {
         let h = 1e-4;
-        let moved = |sum: [f64; 2], difference: [f64; 2], bend: f64| {
-            let node = |x: Node, i: f64| {
-                let [r, z] = [0, 1].map(|d| x[d] + 0.5 * (sum[d] + i * difference[d]));
-                [r, z, x[2] + 0.5 * i * bend]
-            };
-            (node(A, -1.0), node(B, 1.0))
+        let moved = |i: usize, by: f64| {
+            let (mut a, mut b) = (A, B);
+            if i < 3 {
+                a[i] += by
+            } else {
+                b[i - 3] += by
+            }
+            (a, b)
         };
         let force = Point::new(3.0, -2.0);
         for station in INSIDE {
-            let slope = station.slope(difference(&A, &B));
-            let by = |plus: (Node, Node), minus: (Node, Node)| {
-                (station.position(&plus.0, &plus.1) - station.position(&minus.0, &minus.1)) / (2.0 * h)
-            };
-            for d in 0..2 {
-                let unit = |v: f64| if d == 0 { [v, 0.0] } else { [0.0, v] };
-                let sum = by(moved(unit(h), [0.0; 2], 0.0), moved(unit(-h), [0.0; 2], 0.0));
-                assert_relative_eq!(sum, Point::from(unit(0.5)), epsilon = 1e-10);
-                let (plus, minus) = (moved([0.0; 2], unit(h), 0.0), moved([0.0; 2], unit(-h), 0.0));
-                assert_relative_eq!(by(plus, minus), Point::from(slope.by_difference[d]), epsilon = 1e-10);
-                let bend = |(a, b): (Node, Node)| Point::from(station.slope(difference(&a, &b)).by_bend).dot(&force);
-                assert_relative_eq!(
-                    (bend(plus) - bend(minus)) / (2.0 * h),
-                    station.second([force.x, force.y])[d],
-                    epsilon = 1e-10
-                );
+            let (slope, second) = (station.slope(&A, &B), station.second(force.into()));
+            for i in 0..6 {
+                let [plus, minus] = [h, -h].map(|h| moved(i, h));
+                let by = (station.position(&plus.0, &plus.1) - station.position(&minus.0, &minus.1)) / (2.0 * h);
+                assert_relative_eq!(slope.column(i).into_owned(), by, epsilon = 1e-10);
+                let by = (station.slope(&plus.0, &plus.1) - station.slope(&minus.0, &minus.1)) / (2.0 * h);
+                assert_relative_eq!(second.column(i).into_owned(), by.tr_mul(&force), epsilon = 1e-10);
             }
-            let bend = by(moved([0.0; 2], [0.0; 2], h), moved([0.0; 2], [0.0; 2], -h));
-            assert_relative_eq!(bend, Point::from(slope.by_bend), epsilon = 1e-10);
+        }
+        let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, A, B);
+        let thinning = |moves: &[f64; 6]| {
+            let [a, b] = [[moves[0], moves[1], moves[2]], [moves[3], moves[4], moves[5]]];
+            let current = reference.moved(a, b).expect("sound");
+            let thickness = (-current.strain[EPS_S] - current.strain[EPS_T]).exp();
+            (thickness, current.stretch_rows() * -thickness)
+        };
+        let (thickness, first) = thinning(&[0.0; 6]);
+        let second = thickness_second(&first, thickness);
+        for i in 0..6 {
+            let at = |h: f64| thinning(&std::array::from_fn(|j| if i == j { h } else { 0.0 }));
+            let (plus, minus) = (at(h), at(-h));
+            assert_relative_eq!(first[i], (plus.0 - minus.0) / (2.0 * h), epsilon = 1e-7);
+            assert_relative_eq!(second.column(i).into_owned(), (plus.1 - minus.1) / (2.0 * h), epsilon = 1e-6);
         }
     }
 }

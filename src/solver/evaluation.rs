@@ -1,10 +1,11 @@
 //! What follows from a step and a trial of it: residual, matrix, stress, contacts.
 
+use super::contact_tangent::{ContactTangent, Near, Place};
 use super::process::{Process, references};
-use super::push::{Near, Place, Push};
 use super::step::rise;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
+use crate::element::Vector6;
 use crate::element::kinematics::Reference;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
@@ -90,14 +91,14 @@ pub(super) struct Evaluation {
     pub updates: Grid<StressUpdate>,
     /// Of each element \[mm\], and its derivative by r₁+r₂, r₂−r₁, z₂−z₁.
     pub thickness: Vec<f64>,
-    pub thickness_rows: Vec<[f64; 3]>,
+    pub thickness_rows: Vec<Vector6>,
     /// Membrane strains Δε_s, Δε_θ of each element \[–\].
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
     /// The contact points, and what all tools do to them.
     pub places: Vec<Place>,
-    pub pushes: Vec<Push>,
+    pub contact_tangents: Vec<ContactTangent>,
     /// The contact points within reach of the tool that was looked at last.
     pub near: Vec<Near>,
     /// Tools by contact points.
@@ -134,11 +135,11 @@ impl Evaluation {
             nodes: state.nodes.clone(),
             updates: Grid::new(elements, process.rule.len(), StressUpdate::default()),
             thickness: state.thickness.clone(),
-            thickness_rows: vec![[0.0; 3]; elements],
+            thickness_rows: vec![Vector6::zeros(); elements],
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
             places: vec![Place::default(); state.contact_points()],
-            pushes: vec![Push::default(); state.contact_points()],
+            contact_tangents: vec![ContactTangent::default(); state.contact_points()],
             near: Vec::with_capacity(state.contact_points()),
             contacts: Grid::new(process.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); process.tools.len()],

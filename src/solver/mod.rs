@@ -3,6 +3,7 @@
 mod augmented_lagrangian;
 mod budget;
 mod closing;
+mod contact_tangent;
 mod converged;
 mod corrector;
 mod distance_blocks;
@@ -20,7 +21,6 @@ mod observer;
 mod places;
 mod porosity;
 mod process;
-mod push;
 mod retry;
 mod selective_bending;
 mod single_step;

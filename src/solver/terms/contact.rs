@@ -16,18 +16,18 @@ mod assembly;
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactPoint, Touch};
-use crate::element::surface::{STATIONS, difference, stations};
+use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
+use crate::solver::contact_tangent::{ContactTangent, Near, Place, slope};
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
-use crate::solver::push::{Near, Place, Push};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
-    out.pushes.fill(Push::default());
+    out.contact_tangents.fill(ContactTangent::default());
     out.active_contacts = 0;
     let mut largest: f64 = 0.0;
     for j in 0..step.process.tools.len() {
@@ -60,18 +60,21 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
     let (mut largest, mut whole): (f64, Point) = (0.0, Point::zeros());
     for Near { index: i, point, by_thickness } in &out.near {
         let force = touch.force(point);
-        let (e, push) = (i / STATIONS, Push::new(&force, *by_thickness));
+        let (e, tangent) = (i / STATIONS, ContactTangent::new(&force, *by_thickness));
         let contact = &mut contacts[*i];
         (contact.normal, contact.tangential, contact.slip) = (force.normal, force.tangential, force.slip);
         (contact.pressure, memories[*i].pressure) = (force.pressure, force.pressure);
-        let force = Point::from(push.force);
+        let force = tangent.force.xy();
         largest = largest.max(force.norm());
         whole += force;
         out.active_contacts += usize::from(point.gap < 0.0);
-        out.pushes[*i].add(&push);
+        let sum = &mut out.contact_tangents[*i];
+        sum.force += tangent.force;
+        sum.matrix += tangent.matrix;
         if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-            let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
-            push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
+            let station = &stations(step.bends[e])[i % STATIONS];
+            let slope = slope(station, &out.nodes[e], &out.nodes[e + 1], &out.thickness_rows[e]);
+            tangent.follow(e, &slope, shared, &mut out.system);
         }
     }
     out.tool_force[j] = whole;

@@ -69,7 +69,7 @@ fn add_elements<L: PointLaw>(
         let Internal { force, matrix } = section.internal(&current, step.volume[e], step.section[e], &mut integrand);
         let thickness = step.growth[e] * step.state.thickness[e] * (-stretch[0] - stretch[1]).exp();
         out.thickness[e] = thickness;
-        out.thickness_rows[e] = current.stretch_rows().map(|row| -thickness * row);
+        out.thickness_rows[e] = current.stretch_rows() * -thickness;
         let system = &mut out.system;
         system.rhs[e] -= force.fixed_rows::<3>(0);
         system.rhs[e + 1] -= force.fixed_rows::<3>(3);
