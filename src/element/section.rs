@@ -3,7 +3,7 @@
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6};
 use crate::material::PointLaw;
-use crate::material::flow::{Across, MEAN_SQUARE, StressUpdate, Symmetric, Triple};
+use crate::material::flow::{MEAN_SQUARE, StressUpdate, Tangent, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::SMatrix;
 
@@ -69,30 +69,20 @@ fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
     [s, t, zeta * s, zeta * t, shear].into()
 }
 
-/// Adds the lower triangle of C of a point at ζ that acts on the volume `v`.
+/// Adds the lower triangle of C of a point at ζ that acts on the volume `v`, in the middle of a part of the thickness of
+/// 2 `half`.
 #[inline]
-fn add_point(c: &mut Matrix5, zeta: f64, v: f64, tangent: &Symmetric) {
-    let [ss, st, tt, sg, tg, gg] = tangent.map(|entry| v * entry);
-    let membrane = [ss, st, tt];
-    add_blocks(c, membrane, membrane.map(|c| zeta * c), membrane.map(|c| zeta * zeta * c));
-    for (j, shear) in [sg, tg, zeta * sg, zeta * tg, gg].into_iter().enumerate() {
-        c[(GAMMA, j)] += shear;
-    }
-}
-
-/// Adds the lower triangle of C of a point in the middle of a part of the thickness of 2 `half`.
-#[inline]
-fn add_part(c: &mut Matrix5, zeta: f64, half: f64, v: f64, part: &Across) {
-    let [ss, st, tt, shear] = part.metric.map(|entry| v * entry);
-    let (own, coupling) = ([ss, st, tt], part.coupling.unwrap_or_default().map(|entry| v * half * entry));
+fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
+    let [ss, st, tt, sg, tg, gg] = tangent.own.map(|entry| v * entry);
+    let (own, coupling) = ([ss, st, tt], tangent.coupling.map(|entry| v * half * entry));
     let square = zeta * zeta + half * half * MEAN_SQUARE;
     let coupled = [0, 1, 2].map(|j| zeta * own[j] + coupling[j]);
     let bending = [0, 1, 2].map(|j| square * own[j] + 2.0 * zeta * coupling[j]);
     add_blocks(c, own, coupled, bending);
-    c[(GAMMA, GAMMA)] += shear;
-    let [p, q] = part.outer.map(|g| [g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3], g[4]]);
+    let [p, q] = tangent.outer.map(|g| [g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3], g[4]]);
     let q = q.map(|q| v * q);
     for j in 0..5 {
+        c[(GAMMA, j)] += [sg, tg, zeta * sg, zeta * tg, gg][j];
         for i in j..5 {
             c[(i, j)] += p[i] * q[j] + q[i] * p[j];
         }
@@ -127,25 +117,13 @@ impl Section<'_> {
             let (zeta, half, v) = (0.5 * thickness * at.xi, 0.5 * thickness * at.half, volume * at.weight);
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
             let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];
-            let (law, point, iterate) = (integrand.law, &integrand.points[i], &mut integrand.iterates[i]);
-            let across = if half > 0.0 { law.respond_across(point, iterate, strain, spread) } else { None };
-            let update = match across {
-                Some(across) => {
-                    s[KAPPA_S] += half * v * across.moment[0];
-                    s[KAPPA_T] += half * v * across.moment[1];
-                    if !self.forces_alone {
-                        add_part(&mut c, zeta, half, v, &across);
-                    }
-                    across.update
-                }
-                None => {
-                    let update = law.respond(point, iterate, strain);
-                    if !self.forces_alone {
-                        add_point(&mut c, zeta, v, &update.tangent);
-                    }
-                    update
-                }
-            };
+            let (point, iterate) = (&integrand.points[i], &mut integrand.iterates[i]);
+            let (update, tangent) = integrand.law.respond(point, iterate, strain, spread);
+            if !self.forces_alone {
+                add_point(&mut c, zeta, half, v, &tangent);
+            }
+            s[KAPPA_S] += half * v * update.moment[0];
+            s[KAPPA_T] += half * v * update.moment[1];
             s += resultants(zeta, v, update.stress);
             yield_stress = update.yield_stress;
             integrand.updates[i] = update;

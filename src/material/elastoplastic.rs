@@ -23,8 +23,8 @@
 mod hosford;
 
 use super::chaboche::{BackStress, BackStresses};
-use super::point_law::StressUpdate;
-use super::yield_condition::{SHEAR_FACTOR, Triple};
+use super::point_law::{StressUpdate, Tangent};
+use super::yield_condition::{SHEAR_FACTOR, Symmetric, Triple};
 use super::{Elastic, FlowStress, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -72,11 +72,11 @@ impl Operators {
 
     /// The answer of a point that stays elastic.
     #[inline]
-    fn unyielding(&self, stress: Triple, point: &Carried) -> StressUpdate {
+    fn unyielding(&self, stress: Triple, point: &Carried) -> (StressUpdate, Tangent) {
         let d = self.elastic;
         let sum = 0.5 * (d[0] + d[1]);
         let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
-        StressUpdate { stress, tangent, increment: 0.0, yield_stress: point.yield_stress, work_across: 0.0 }
+        answer(stress, tangent, 0.0, point.yield_stress)
     }
 }
 
@@ -140,6 +140,12 @@ fn turned(v: Triple) -> Triple {
     [FRAC_1_SQRT_2 * (v[0] + v[1]), FRAC_1_SQRT_2 * (v[0] - v[1]), v[2]]
 }
 
+#[inline]
+fn answer(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -> (StressUpdate, Tangent) {
+    let update = StressUpdate { stress, increment, yield_stress, ..StressUpdate::default() };
+    (update, Tangent { own, ..Tangent::default() })
+}
+
 /// A back-stress once Δp has been added along n.
 #[inline]
 fn moved(law: &BackStress, back: Triple, x: f64, n: Triple) -> Triple {
@@ -175,7 +181,7 @@ impl PointLaw for ElastoplasticLaw<'_> {
     /// Stress, tangent and Δp that go with the strain increment `e`; the tangent is symmetric but for the dynamic recovery of
     /// back-stresses, of which its symmetric part is given.
     #[inline]
-    fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple) -> StressUpdate {
+    fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple, _: [f64; 2]) -> (StressUpdate, Tangent) {
         if let Some(hosford) = &self.operators.hosford {
             return self.respond_by_hosford(hosford, point, trial, e);
         }
@@ -211,7 +217,7 @@ impl PointLaw for ElastoplasticLaw<'_> {
         let (ac, bc) = (FRAC_1_SQRT_2 * entry(0, 2), FRAC_1_SQRT_2 * entry(1, 2));
         let (mean, half) = (0.5 * (aa + bb), 0.5 * (aa - bb));
         let tangent = [mean + ab, half, mean - ab, ac + bc, ac - bc, own[2] + entry(2, 2)];
-        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius, work_across: 0.0 }
+        answer(stress, tangent, x, at.radius)
     }
 }
 

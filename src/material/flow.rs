@@ -23,16 +23,16 @@
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-mod parts;
 mod point;
 
-pub use point::{Past, PointState, ROOM_TEMPERATURE};
+pub use point::{PointState, PreviousRate, ROOM_TEMPERATURE};
 
-use super::yield_condition::{Kept, dot};
-use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, ThermalLaw, YieldCriterion};
+use super::{FlowStress, Gtn, Hardening, PointLaw, Rate, ThermalLaw, YieldCriterion};
 
-pub use super::point_law::{Across, StressUpdate};
-pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
+pub use super::point_law::{StressUpdate, Tangent};
+pub use super::yield_condition::{
+    Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition,
+};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -73,22 +73,32 @@ impl PointLaw for FlowLaw<'_> {
     type PointState = PointState;
     type Iterate = Iterate;
 
-    #[inline(always)]
-    fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
-        iterate.advance(self, point, e)
-    }
-
-    #[inline(always)]
-    fn respond_across(&self, point: &PointState, iterate: &mut Iterate, e: Triple, spread: [f64; 2]) -> Option<Across> {
-        iterate.advance_across(self, point, e, spread)
+    #[inline]
+    fn respond(
+        &self,
+        point: &PointState,
+        iterate: &mut Iterate,
+        e: Triple,
+        spread: [f64; 2],
+    ) -> (StressUpdate, Tangent) {
+        match (self.voids, &self.criterion) {
+            (None, YieldCriterion::Hill48(hill)) => iterate.flow(self, hill, point, e, spread),
+            (None, YieldCriterion::Hosford(hosford)) => iterate.flow(self, hosford, point, e, spread),
+            (Some(voids), criterion) => {
+                let condition = voids.condition(criterion.quadratic(), point.porosity);
+                iterate.flow(self, &condition, point, e, [0.0; 2])
+            }
+        }
     }
 }
 
 impl FlowLaw<'_> {
-    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, of
-    /// which the hardening goes with one over `steep`; `flow` is that increment, regularised, and `ratio` its derivative.
-    #[inline(always)]
-    fn yielding(
+    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end.
+    ///
+    /// The derivative of the increment by the hardening is `steep`; `flow` is the increment, regularised, and `ratio` its
+    /// derivative.
+    #[inline]
+    fn yield_stress(
         &self,
         point: &PointState,
         hardening: f64,
@@ -114,27 +124,26 @@ impl FlowLaw<'_> {
     }
 }
 
-/// What one thickness point remembers from one iteration to the next.
+/// Memory of a thickness point from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Iterate {
-    /// The carried stress w of the primal-dual matrix \[MPa\].
-    pub carried: Triple,
-    /// That of the moment of the point's part of the thickness \[MPa\].
-    carried_moment: [f64; 2],
-    /// Δε, the Δt ε̇ that goes with it, and the spread of that.
+    /// Carried stress w of the primal-dual matrix \[MPa\].
+    carried: Layer,
+    /// Δε \[–\].
     strain: Triple,
-    flow: Triple,
-    spread: [f64; 2],
+    /// Δt ε̇ at the end of the step, and its metric.
+    flow: Layer,
+    metric: LayerMetric,
+    /// f, h and 1/Δε̄_reg² of the last matrix.
     fluidity: f64,
     hardening: f64,
     inverse_square: f64,
-    kept: Kept,
 }
 
 impl Iterate {
-    /// The first iterate of a step: `carried` is the stress w kept from the step before.
-    pub fn start(carried: Triple) -> Self {
-        Self { carried, ..Self::default() }
+    /// First iterate of a step, which carries the stress w of the step before.
+    pub fn start([s, t, shear]: Triple) -> Self {
+        Self { carried: [s, t, 0.0, 0.0, shear], ..Self::default() }
     }
 
     /// Strain increment of the last evaluation \[–\].
@@ -142,10 +151,15 @@ impl Iterate {
         self.strain
     }
 
-    /// Evaluates the law at the strain increment `e` and moves on to it.
+    /// Carried stress \[MPa\].
+    pub fn carried(&self) -> Triple {
+        [self.carried[0], self.carried[1], self.carried[4]]
+    }
+
+    /// Evaluates the law at a strain increment and moves on to it.
     ///
-    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times what the point's [`Surroundings`] hold. With Δε
-    /// for Δt ε̇, which is (1 + a) times as steep, the matrices are
+    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times the factor of the point's
+    /// [`Surroundings`](crate::material::Surroundings). With Δε for Δt ε̇, which is (1 + a) times as steep, the matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -154,130 +168,85 @@ impl Iterate {
     /// w ← σ + C δ(Δε), scaled back to √(wᵀA⁻¹w) = σ_y when beyond it
     /// ```
     ///
+    /// Where bending reverses the flow within the point's part of the thickness the stress jumps: a single point would
+    /// stick to the jump and bear any tension without stretching. With k the strain of bending over half the part, the
+    /// root mean square of the strain over it
+    ///
+    /// ```text
+    /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
+    /// ```
+    ///
+    /// takes the place of Δε̄_reg: a norm of both, so that stress, moment and matrices are those of a point with five strains.
+    ///
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
-    #[inline(always)]
-    pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
-        match (law.voids, &law.criterion) {
-            (None, YieldCriterion::Hill48(hill)) => self.flow(law, hill, point, e),
-            (None, YieldCriterion::Hosford(hosford)) => self.flow_by_hosford(law, hosford, point, e),
-            (Some(voids), _) => self.flow_voided(law, voids, point, e),
-        }
-    }
-
-    /// Apart from the plain law, so that this one stays small where it is called; so is the next one.
-    #[inline(never)]
-    fn flow_by_hosford(&mut self, law: &FlowLaw, hosford: &Hosford, point: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, hosford, point, e)
-    }
-
-    #[inline(never)]
-    fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, &voids.condition(law.criterion.quadratic(), point.porosity), point, e)
-    }
-}
-
-impl Iterate {
-    #[inline(always)]
     fn flow(
         &mut self,
         law: &FlowLaw,
         condition: &impl YieldCondition,
         point: &PointState,
         strain: Triple,
-    ) -> StressUpdate {
-        let Past { weight, strain: past, equivalent, .. } = point.past;
-        let steep = weight + 1.0;
-        let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let w = if self.goes_on(law) { Some(self.carried_at(condition, e)) } else { None };
-        let metric = match w {
-            Some([s, t, _]) => condition.metric_towards(e, [s, t]),
-            None => condition.metric(e),
-        };
-        let a = metric.gradient;
-        let square = metric.square;
-        let increment = square.sqrt();
-        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
-        let inverse = inverse_square.sqrt();
-        let share = condition.strain_share();
-        let hardening = (increment * share + equivalent) / steep;
-        let mut yielding =
-            law.yielding(point, hardening, steep, increment * share, 1.0 / inverse * share, increment * inverse);
-        yielding.slope = yielding.slope * share;
-        let f = yielding.stress * inverse;
-        let h = slope_share(yielding.slope * inverse, increment);
-        let stress = [f * a[0], f * a[1], f * a[2]];
+        spread: [f64; 2],
+    ) -> (StressUpdate, Tangent) {
+        let PreviousRate { weight, strain: past, spread: past_spread, equivalent } = point.previous;
+        let steep = 1.0 + weight;
+        let e = [0, 1, 2].map(|i| steep * strain[i] - past[i]);
+        let k = [0, 1].map(|i| steep * spread[i] - past_spread[i]);
+        let flow = [e[0], e[1], k[0], k[1], e[2]];
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let carried = goes_on.then(|| self.carried_to(flow));
+        let metric = condition.layer(e, k, carried);
+        let (g, increment) = (metric.gradient, metric.square.sqrt());
+        let inverse_square = 1.0 / (metric.square + law.cutoff * law.cutoff);
+        let (inverse, share) = (inverse_square.sqrt(), condition.strain_share());
+        let hardening = (share * increment + equivalent) / steep;
+        let FlowStress { stress: yield_stress, slope } =
+            law.yield_stress(point, hardening, steep, share * increment, share / inverse, increment * inverse);
+        let f = yield_stress * inverse;
+        let h = if increment > 0.0 { share * slope * inverse / increment } else { 0.0 };
 
-        // C = (f A + ½ (a⊗b + b⊗a)) (1 + a)
+        // C = (1 + a) (f A + g⊗b + b⊗g)
         let b = match law.matrix {
-            Iteration::Secant => [0.0; 3],
-            Iteration::Newton => {
-                let g = h - f * inverse_square;
-                [g * a[0], g * a[1], g * a[2]]
-            }
+            Iteration::Secant => [0.0; 5],
+            Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = w.unwrap_or(self.carried);
-                let back = return_factor(condition.stress_square(&metric, w), yielding.stress);
-                let w = [back * w[0], back * w[1], back * w[2]];
-                self.carried = w;
-                let i = inverse_square;
-                [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
+                let w = carried.unwrap_or(self.carried);
+                let square = condition.stress_square(&metric, w);
+                let beyond = square > yield_stress * yield_stress;
+                let back = if beyond { yield_stress / square.sqrt() } else { 1.0 };
+                self.carried = w.map(|w| back * w);
+                std::array::from_fn(|i| 0.5 * (h * g[i] - inverse_square * self.carried[i]))
             }
         };
-        let fa = condition.scaled(&metric, f);
-        let tangent = [
-            steep * (fa[0] + a[0] * b[0]),
-            steep * (fa[1] + (a[0] * b[1] + a[1] * b[0]) * 0.5),
-            steep * (fa[2] + a[1] * b[1]),
-            steep * (fa[3] + (a[0] * b[2] + a[2] * b[0]) * 0.5),
-            steep * (fa[4] + (a[1] * b[2] + a[2] * b[1]) * 0.5),
-            steep * (fa[5] + a[2] * b[2]),
-        ];
-        *self = Self {
-            carried: self.carried,
-            carried_moment: [0.0; 2],
-            strain,
-            flow: e,
-            spread: [0.0; 2],
-            fluidity: f,
-            hardening: h,
-            inverse_square,
-            kept: condition.kept(&metric),
+        let tangent = Tangent {
+            own: metric.own.map(|entry| steep * f * entry),
+            coupling: metric.coupling.map(|entry| steep * f * entry),
+            outer: [g, b.map(|b| steep * b)],
         };
-        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: 0.0 }
-    }
-
-    /// True if the stress is carried on from a last iterate.
-    #[inline]
-    fn goes_on(&self, law: &FlowLaw) -> bool {
-        law.matrix == Iteration::PrimalDual && self.fluidity > 0.0
+        *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };
+        let moment = [f * g[2], f * g[3]];
+        let update = StressUpdate {
+            stress: [f * g[0], f * g[1], f * g[4]],
+            moment,
+            increment: hardening,
+            yield_stress,
+            work_across: moment[0] * spread[0] + moment[1] * spread[1],
+        };
+        (update, tangent)
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.
-    #[inline(always)]
-    fn carried_at(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
-        let last = condition.recalled(&self.kept, self.flow);
-        let (a, w) = (last.gradient, self.carried);
-        let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
-        let along = dot(a, delta);
-        let half = self.inverse_square * 0.5;
-        let on_a = self.fluidity + self.hardening * along - half * dot(w, delta);
-        let on_w = -(half * along);
-        let own = condition.product(&last, delta);
-        [0, 1, 2].map(|i| on_a * a[i] + on_w * w[i] + self.fluidity * own[i])
+    #[inline]
+    fn carried_to(&self, flow: Layer) -> Layer {
+        let (g, w) = (self.metric.gradient, self.carried);
+        let delta: Layer = std::array::from_fn(|i| flow[i] - self.flow[i]);
+        let along = |v: Layer| -> f64 { (0..5).map(|i| v[i] * delta[i]).sum() };
+        let half = 0.5 * self.inverse_square;
+        let on_g = self.fluidity + self.hardening * along(g) - half * along(w);
+        let on_w = -half * along(g);
+        let own = self.metric.product(delta);
+        std::array::from_fn(|i| on_g * g[i] + on_w * w[i] + self.fluidity * own[i])
     }
-}
-
-/// Slope over an increment; 0 for no increment.
-#[inline]
-fn slope_share(slope: f64, increment: f64) -> f64 {
-    if increment > 0.0 { slope / increment } else { 0.0 }
-}
-
-/// Factor ≤ 1 that scales a carried stress beyond the yield surface back onto it.
-#[inline]
-fn return_factor(square: f64, yield_stress: f64) -> f64 {
-    if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 }
 }
 
 #[cfg(test)]

@@ -11,7 +11,9 @@
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
-use super::yield_condition::{MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+use super::yield_condition::{
+    Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot,
+};
 use crate::material::law::{LawError, require_or};
 use std::ops::RangeInclusive;
 
@@ -71,15 +73,15 @@ impl Hill48 {
     }
 
     /// A Δε.
-    #[inline(always)]
+    #[inline]
     pub fn apply(&self, e: Triple) -> Triple {
-        let [a, b] = self.apply_plane([e[0], e[1]]);
-        [a, b, e[2] * self.shear]
+        [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
     }
 
-    #[inline(always)]
-    fn apply_plane(&self, e: [f64; 2]) -> [f64; 2] {
-        [e[0] * self.direct + e[1] * self.coupled, e[0] * self.coupled + e[1] * self.direct]
+    /// A.
+    #[inline]
+    fn matrix(&self) -> Symmetric {
+        [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear]
     }
 
     /// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
@@ -91,63 +93,36 @@ impl Hill48 {
     /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
     #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
-        self.stress_square(s).sqrt()
+        self.square(s).sqrt()
     }
 
-    #[inline(always)]
-    pub(super) fn stress_square(&self, s: Triple) -> f64 {
-        self.plane_square([s[0], s[1]]) + s[2] * s[2] * SHEAR_INVERSE
-    }
-
-    #[inline(always)]
-    fn plane_square(&self, s: [f64; 2]) -> f64 {
-        s[0] * s[0] - s[0] * s[1] * (2.0 * self.q) + s[1] * s[1]
+    /// σ̄².
+    #[inline]
+    fn square(&self, s: Triple) -> f64 {
+        s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
     }
 }
 
 impl YieldCondition for Hill48 {
-    #[inline(always)]
+    #[inline]
     fn metric(&self, e: Triple) -> Metric {
         let gradient = self.apply(e);
-        let matrix = [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear];
-        Metric { gradient, matrix, square: dot(e, gradient) }
+        Metric { gradient, matrix: self.matrix(), square: dot(e, gradient) }
     }
 
-    #[inline(always)]
-    fn scaled(&self, _: &Metric, f: f64) -> Symmetric {
-        [f * self.direct, f * self.coupled, f * self.direct, 0.0, 0.0, f * self.shear]
-    }
-
-    #[inline(always)]
-    fn product(&self, _: &Metric, e: Triple) -> Triple {
-        self.apply(e)
-    }
-
-    #[inline(always)]
-    fn part(&self, e: Triple, k: [f64; 2], _: Option<[f64; 5]>) -> Part {
-        let (a, b) = (self.apply(e), self.apply_plane(k));
-        let b = [b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE];
-        Part {
-            gradient: [a[0], a[1], b[0], b[1], a[2]],
-            own: [self.direct, self.coupled, self.direct, self.shear],
-            coupling: None,
-            square: dot(e, a) + b[0] * k[0] + b[1] * k[1],
+    #[inline]
+    fn layer(&self, e: Triple, k: [f64; 2], _: Option<Layer>) -> LayerMetric {
+        let (a, [ks, kt, _]) = (self.apply(e), self.apply([k[0], k[1], 0.0]).map(|b| MEAN_SQUARE * b));
+        LayerMetric {
+            gradient: [a[0], a[1], ks, kt, a[2]],
+            own: self.matrix(),
+            coupling: [0.0; 3],
+            square: dot(e, a) + ks * k[0] + kt * k[1],
         }
     }
 
-    #[inline(always)]
-    fn part_product(&self, _: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
-        let (a, b) = (self.apply(e), self.apply_plane(k));
-        [a[0], a[1], b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE, a[2]]
-    }
-
-    #[inline(always)]
-    fn part_square(&self, _: &Part, w: [f64; 5]) -> f64 {
-        self.stress_square([w[0], w[1], w[4]]) + self.plane_square([w[2], w[3]]) * (1.0 / MEAN_SQUARE)
-    }
-
-    #[inline(always)]
-    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
-        self.stress_square(w)
+    #[inline]
+    fn stress_square(&self, _: &LayerMetric, [s, t, ms, mt, shear]: Layer) -> f64 {
+        self.square([s, t, shear]) + self.square([ms, mt, 0.0]) / MEAN_SQUARE
     }
 }

@@ -29,7 +29,7 @@
 mod root;
 
 use super::hill48::{Hill48, SHEAR_INVERSE};
-use super::yield_condition::{Kept, MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Triple, YieldCondition};
+use super::yield_condition::{Metric, SHEAR_FACTOR, Triple, YieldCondition};
 use crate::material::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
@@ -242,63 +242,6 @@ impl YieldCondition for Hosford {
     #[inline]
     fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
         self.with_shear(e, Some(w))
-    }
-
-    #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], w: Option<[f64; 5]>) -> Part {
-        let root = MEAN_SQUARE.sqrt();
-        let at = |root: f64, inverse: f64| {
-            let w = w.map(|[s, t, ks, kt, _]| [s + ks * inverse, t + kt * inverse]);
-            self.plane([e[0] + root * k[0], e[1] + root * k[1]], w)
-        };
-        let (above, below) = (at(root, 1.0 / root), at(-root, -1.0 / root));
-        let odd = 0.5 * root;
-        let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
-        let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);
-        let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
-        let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
-        let shear = SHEAR * e[2];
-        Part {
-            gradient: [mean(0), mean(1), turning(0), turning(1), shear],
-            own: [own(0), own(1), own(2), SHEAR],
-            coupling: Some([coupling(0), coupling(1), coupling(2)]),
-            square: 0.5 * (above.square + below.square) + shear * e[2],
-        }
-    }
-
-    #[inline]
-    fn kept(&self, metric: &Metric) -> Kept {
-        let [ss, st, tt, .., shear] = metric.matrix;
-        Kept { own: [ss, st, tt, shear], coupling: None }
-    }
-
-    #[inline]
-    fn recalled(&self, kept: &Kept, e: Triple) -> Metric {
-        let [ss, st, tt, shear] = kept.own;
-        let mut metric = Metric { gradient: [0.0; 3], matrix: [ss, st, tt, 0.0, 0.0, shear], square: 0.0 };
-        metric.gradient = self.product(&metric, e);
-        metric
-    }
-
-    #[inline]
-    fn part_kept(&self, part: &Part) -> Kept {
-        Kept { own: part.own, coupling: part.coupling }
-    }
-
-    #[inline]
-    fn part_recalled(&self, kept: &Kept, e: Triple, k: [f64; 2]) -> Part {
-        let Kept { own, coupling } = *kept;
-        let mut part = Part { gradient: [0.0; 5], own, coupling, square: 0.0 };
-        part.gradient = self.part_product(&part, e, k);
-        part
-    }
-
-    /// By the inverse of A, which is positive definite.
-    #[inline]
-    fn stress_square(&self, metric: &Metric, w: Triple) -> f64 {
-        let [ss, st, tt, .., shear] = metric.matrix;
-        let plane = tt * w[0] * w[0] - 2.0 * st * w[0] * w[1] + ss * w[1] * w[1];
-        plane / (ss * tt - st * st) + w[2] * w[2] / shear
     }
 }
 

@@ -71,7 +71,7 @@ impl YieldCriterion {
     /// The same of a part of the thickness over which the increment goes evenly from `e` − `k` to `e` + `k`: its root mean
     /// square \[–\].
     pub fn equivalent_across(&self, e: Triple, k: [f64; 2]) -> f64 {
-        by_condition!(self, condition => condition.part(e, k, None).square.sqrt())
+        by_condition!(self, condition => condition.layer(e, k, None).square.sqrt())
     }
 
     /// ½Δε̄² of a strain increment: its gradient, which is Δε̄ times the stress over the yield stress, and second derivative.

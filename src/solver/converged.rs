@@ -42,7 +42,7 @@ impl<'a> Converged<'a> {
         let points = state.points.iter().zip(evaluation.updates.iter()).zip(trial.iterates.iter()).enumerate();
         let points = points.map(|(i, ((point, update), iterate))| {
             let (carried, back) = match trial.elastoplastic.get(i) {
-                None => (iterate.carried, point.back),
+                None => (iterate.carried(), point.back),
                 Some(memory) => (update.stress, memory.back),
             };
             MaterialPoint {

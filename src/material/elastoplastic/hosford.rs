@@ -16,9 +16,9 @@
 //!
 //! which are Hill's formulas where N = P n.
 
-use super::{Carried, ElastoplasticLaw, MOST, Operators, Shifted, Trial, each, moved, turned};
+use super::{Carried, ElastoplasticLaw, MOST, Operators, Shifted, Trial, answer, each, moved, turned};
 use crate::material::hosford::{Hosford, Place, ordered};
-use crate::material::point_law::StressUpdate;
+use crate::material::point_law::{StressUpdate, Tangent};
 use crate::material::yield_condition::{SHEAR_FACTOR, Triple, dot};
 
 /// The shear's entry of P.
@@ -112,7 +112,7 @@ impl ElastoplasticLaw<'_> {
         point: &Carried,
         trial: &mut Trial,
         e: Triple,
-    ) -> StressUpdate {
+    ) -> (StressUpdate, Tangent) {
         let d = plane(&self.operators);
         let shear = self.operators.elastic[2];
         let [s, t] = stiff(d, [e[0], e[1]]);
@@ -155,7 +155,7 @@ impl ElastoplasticLaw<'_> {
         let back =
             self.kinematic.map_or(point.back, |kinematic| std::array::from_fn(|i| moved(&kinematic[i], back[i], x, n)));
         *trial = Trial { strain: e, increment: x, follows: turned(dp), back };
-        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius, work_across: 0.0 }
+        answer(stress, tangent, x, at.radius)
     }
 
     /// Δp by Newton's method on 1 − 1/σ̄(n), between bounds that close in; `None` where the point does not yield.

@@ -1,10 +1,10 @@
-//! A thickness point as a step finds it.
+//! State of a thickness point at the start of a step.
 
 use super::Triple;
 use crate::material::{Gtn, Surroundings, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
-/// A thickness point as the step finds it.
+/// State of a thickness point at the start of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointState {
     /// ε̄ at the start of the step \[–\].
@@ -13,15 +13,15 @@ pub struct PointState {
     pub porosity: f64,
     /// T \[K\].
     pub temperature: f64,
-    /// What the step before has to do with this one.
-    pub past: Past,
-    /// What flows around it.
+    /// Rate at the end of the step before.
+    pub previous: PreviousRate,
+    /// Resistance of its surroundings.
     pub surroundings: Surroundings,
 }
 
-/// What the step before has to do with this one: nothing, until it is said.
+/// Rate at the end of the step before, times its weight a in the rate of this one; zero in a first step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Past {
+pub struct PreviousRate {
     /// a \[–\].
     pub(super) weight: f64,
     /// a p \[–\].
@@ -39,13 +39,12 @@ impl PointState {
             strain,
             porosity: 0.0,
             temperature: ROOM_TEMPERATURE,
-            past: Past::default(),
+            previous: PreviousRate::default(),
             surroundings: Surroundings::default(),
         }
     }
 
-    /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, its spread over the
-    /// point's part of the thickness, and with its weight a in the rate at the end.
+    /// Point of a sheet that goes on flowing: the last rate would strain it by `p`, with this spread, in the step.
     #[must_use]
     pub fn following(
         self,
@@ -55,13 +54,12 @@ impl PointState {
         criterion: YieldCriterion,
         voids: Option<&Gtn>,
     ) -> Self {
-        let equivalent = match voids {
-            None => criterion.equivalent_across(p, spread),
-            Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
+        let (equivalent, spread) = match voids {
+            None => (criterion.equivalent_across(p, spread), spread),
+            Some(voids) => (voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p), [0.0; 2]),
         };
-        let past =
-            Past { weight: a, strain: p.map(|p| a * p), spread: spread.map(|k| a * k), equivalent: a * equivalent };
-        Self { past, ..self }
+        let (strain, spread) = (p.map(|p| a * p), spread.map(|k| a * k));
+        Self { previous: PreviousRate { weight: a, strain, spread, equivalent: a * equivalent }, ..self }
     }
 }
 

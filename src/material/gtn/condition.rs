@@ -148,21 +148,6 @@ impl YieldCondition for GtnCondition {
         Metric { gradient: s.map(|s| d * s), matrix, square: d * d }
     }
 
-    /// By the inverse of A, which is positive definite.
-    fn stress_square(&self, metric: &Metric, w: Triple) -> f64 {
-        let [ss, st, tt, sg, tg, gg] = metric.matrix;
-        // Cholesky: A = L Lᵀ, then |L⁻¹ w|.
-        let l11 = ss.sqrt();
-        let (l21, l31) = (st / l11, sg / l11);
-        let l22 = (tt - l21 * l21).sqrt();
-        let l32 = (tg - l31 * l21) / l22;
-        let l33 = (gg - l31 * l31 - l32 * l32).sqrt();
-        let x = w[0] / l11;
-        let y = (w[1] - l21 * x) / l22;
-        let z = (w[2] - l31 * x - l32 * y) / l33;
-        x * x + y * y + z * z
-    }
-
     fn strain_share(&self) -> f64 {
         self.share
     }
