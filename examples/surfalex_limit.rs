@@ -6,7 +6,8 @@
 use stampflow::case::library;
 use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
 use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
-use stampflow::plot::chart::{Chart, Look, Panel, Scale, Series, color};
+use stampflow::plot::chart::{Chart, Panel, Scale, Series, Style};
+use stampflow::plot::palette::color;
 use stampflow::results::{png, write};
 use stampflow::table::{Column, Unit};
 use std::path::Path;
@@ -152,7 +153,7 @@ pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
     let window = ((-0.17, 0.17), (0.0, 0.5));
     let mut series = Vec::new();
     let looks =
-        [Look::Dots { color: color(0) }, Look::Triangles { color: color(2) }, Look::Circles { color: color(4) }];
+        [Style::Dots { color: color(0) }, Style::Triangles { color: color(2) }, Style::Circles { color: color(4) }];
     for (criterion, (look, (_, words))) in looks.into_iter().zip(CRITERIA).enumerate() {
         let points = widths.iter().flat_map(|width| &width.points[criterion]).map(|p| (p[0], p[1])).collect();
         series.push(Series::new(format!("Measured: {words}"), points, look));
@@ -166,7 +167,7 @@ pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
         };
         let color = color(2 * i + 1);
         let (line, dashed) =
-            (Look::Line { color, width: 2.2, dash: &[] }, Look::Line { color, width: 2.2, dash: &[6.0, 4.0] });
+            (Style::Line { color, width: 2.2, dash: &[] }, Style::Line { color, width: 2.2, dash: &[6.0, 4.0] });
         let name = format!("{}, f₀ = {:.4}", one.name, one.imperfection);
         let ends = matches!(one.material.yield_criterion, YieldCriterion::Hill48(_));
         series.push(Series::new(name, along(tension, 0.0), line));
@@ -180,12 +181,14 @@ pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
     Chart {
         title: "AA6016A Surfalex HF, 1.5 mm: forming limit measured and computed (Marciniak and Kuczyński)".to_owned(),
         legend: String::new(),
-        panels: vec![Panel {
-            x: axis("strain_minor", "Minor true strain"),
-            y: axis("strain_major", "Major true strain"),
-            series,
-            scale: Scale::Window { height: 450.0, x: window.0, y: window.1 },
-        }],
+        panels: vec![
+            Panel::new(
+                axis("strain_minor", "Minor true strain"),
+                axis("strain_major", "Major true strain"),
+                Scale::Window { height: 450.0, x: window.0, y: window.1 },
+            )
+            .with(series),
+        ],
         notes: vec![
             "Measured: LightForm-group/surfalex_data_explorer, commit 21deff58, MIT, copyright 2020 LightForm."
                 .to_owned(),

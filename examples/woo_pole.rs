@@ -4,7 +4,7 @@
 //! `cargo run --release --example woo_pole -- docs/woo_pole.png`
 
 use stampflow::case;
-use stampflow::plot::chart::{Chart, Look, Panel, Scale, Series};
+use stampflow::plot::chart::{Chart, Panel, Series, Style};
 use stampflow::results::{png, write};
 use stampflow::solver::solution::StepRecord;
 use stampflow::table::fields::step::{PUNCH_FORCE, THINNEST, TRAVEL};
@@ -37,11 +37,11 @@ pub fn chart() -> Result<Chart, String> {
     let extent = case.model().extent();
     let panel = |field: &Field<StepRecord>, column: &str, height: f64| {
         let series = vec![
-            Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Look::curve(0)),
-            Series::new("Without it (version 0.1.0)", record(column)?, Look::curve(1)),
+            Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Style::curve(0)),
+            Series::new("Without it (version 0.1.0)", record(column)?, Style::curve(1)),
         ];
         let (x, y) = (TRAVEL.axis(extent), field.axis(extent));
-        Ok::<_, String>(Panel { x, y, series, scale: Scale::Fit { height, least: 0.0 } })
+        Ok::<_, String>(Panel::fit(x, y, height, 0.0).with(series))
     };
     let thickness = panel(&THINNEST, "thinnest_mm", 250.0)?;
     let mut force = panel(&PUNCH_FORCE, "punch_force_N", 200.0)?;

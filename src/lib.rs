@@ -84,7 +84,6 @@ pub mod model;
 pub mod numerics;
 #[cfg(feature = "app")]
 pub mod output;
-#[cfg(feature = "app")]
 pub mod plot;
 #[cfg(feature = "app")]
 pub mod report;

@@ -8,13 +8,12 @@ mod field;
 pub mod fields;
 mod spacing;
 
-pub use crate::units::{Unit, UnitError};
-
 use crate::units::DisplayUnit;
+pub use crate::units::{Unit, UnitError};
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
+use serde::Serialize;
 pub use spacing::Spacing;
-use std::borrow::Cow;
 
 /// One N·mm, the solver's unit of work \[J\].
 pub const JOULES: f64 = 1e-3;
@@ -39,14 +38,20 @@ pub struct Table {
     pub columns: Vec<Column>,
 }
 
-/// What an axis is of, and the unit of its values.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// Axis of a plot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
-    labels: Vec<Cow<'static, str>>,
-    unit: Unit,
-    symbol: &'static str,
-    names: Vec<String>,
-    spacing: Spacing,
+    /// Name of the quantity.
+    pub label: String,
+    /// Symbol of the unit: `mm`, or `–` for plain numbers.
+    pub unit: String,
+    /// Names of categories at 0, 1, 2, …; empty for numbers.
+    pub names: Vec<String>,
+    /// Linear or logarithmic; along a logarithmic axis points are given by their logarithms.
+    pub spacing: Spacing,
+    /// Unit of the values until they are converted for display.
+    #[serde(skip)]
+    solver_unit: Option<Unit>,
 }
 
 impl Column {
@@ -62,70 +67,56 @@ impl Column {
 
     /// Label and unit: `Punch force [N]`.
     pub fn axis(&self) -> Axis {
-        Axis::new(vec![self.label.into()], self.unit)
+        Axis::named(self.label, self.unit)
     }
 }
 
 impl Axis {
-    fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
-        Self { labels, unit, symbol: unit.symbol(), names: Vec::new(), spacing: Spacing::Even }
+    /// Axis of numbers in a unit.
+    pub fn named(label: impl Into<String>, unit: Unit) -> Self {
+        let (label, names, spacing) = (label.into(), Vec::new(), Spacing::Even);
+        Self { label, unit: unit.symbol().to_owned(), names, spacing, solver_unit: Some(unit) }
     }
 
-    /// Of what is no column: a label, and the unit of the values.
-    pub fn named(label: impl Into<Cow<'static, str>>, unit: Unit) -> Self {
-        Self::new(vec![label.into()], unit)
-    }
-
-    /// Of things that have names and no numbers: the first stands at 0, the next at 1.
-    pub fn of_names(label: impl Into<Cow<'static, str>>, names: Vec<String>) -> Self {
+    /// Axis of categories: the first stands at 0, the next at 1.
+    pub fn of_names(label: impl Into<String>, names: Vec<String>) -> Self {
         Self { names, ..Self::named(label, Unit::None) }
     }
 
-    /// The same for values that stand so: what is drawn along it are their places, and what is written are the values.
+    /// Same axis, linear or logarithmic.
     pub fn spaced(self, spacing: Spacing) -> Self {
         Self { spacing, ..self }
     }
 
-    /// How values stand along it: at which places they are drawn.
-    pub fn spacing(&self) -> Spacing {
-        self.spacing
-    }
-
-    /// The names along it; empty where there are numbers.
-    pub fn names(&self) -> &[String] {
-        &self.names
-    }
-
-    /// One axis for several columns: the words that their labels end with in common, or all labels.
+    /// Common axis of several columns: the words that their labels end with, or all labels.
     ///
     /// # Panics
-    /// When the columns differ in unit: they cannot share an axis.
+    /// If the columns differ in unit.
     pub fn shared(columns: &[&Column]) -> Self {
         let unit = columns.first().map_or(Unit::None, |c| c.unit);
         assert!(columns.iter().all(|c| c.unit == unit), "columns of different units on one axis");
         let words: Vec<Vec<&str>> = columns.iter().map(|c| c.label.rsplit(' ').collect()).collect();
         let fewest = words.iter().map(Vec::len).min().unwrap_or(0);
         let common = (0..fewest).take_while(|&i| words.iter().all(|w| w[i] == words[0][i])).count();
-        let labels = match words.as_slice() {
+        let label = match words.as_slice() {
             [first, _, ..] if common > 0 => {
-                vec![capitalised(&first[..common].iter().rev().copied().collect::<Vec<_>>().join(" ")).into()]
+                capitalised(&first[..common].iter().rev().copied().collect::<Vec<_>>().join(" "))
             }
-            _ => columns.iter().map(|c| c.label.into()).collect(),
+            _ => columns.iter().map(|c| c.label).collect::<Vec<_>>().join(", "),
         };
-        Self::new(labels, unit)
+        Self::named(label, unit)
     }
 
-    /// Axis in display units for values up to `largest`, and the conversion to them.
-    pub fn displayed(self, largest: f64) -> (Self, DisplayUnit) {
-        let unit = self.unit.display(largest);
-        let symbol = if unit.symbol.is_empty() { self.symbol } else { unit.symbol };
-        (Self { symbol, ..self }, unit)
+    /// Axis in the display unit of values up to `largest`, and the conversion to it; `None` if it was converted before.
+    pub fn displayed(self, largest: f64) -> (Self, Option<DisplayUnit>) {
+        let Some(to) = self.solver_unit.map(|unit| unit.display(largest)) else { return (self, None) };
+        let unit = if to.symbol.is_empty() { self.unit } else { to.symbol.to_owned() };
+        (Self { unit, solver_unit: None, ..self }, Some(to))
     }
 
-    /// The text to draw: `Punch force [N]`.
+    /// Label with its unit: `Punch force [N]`.
     pub fn text(&self) -> String {
-        let labels = self.labels.join(", ");
-        if self.names.is_empty() { format!("{labels} [{}]", self.symbol) } else { labels }
+        if self.names.is_empty() { format!("{} [{}]", self.label, self.unit) } else { self.label.clone() }
     }
 }
 

@@ -10,7 +10,8 @@ use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::results::{png, sketch, write};
+use stampflow::plot::{Chart, SketchedTool, png, sketch};
+use stampflow::results::write;
 use stampflow::units::{Dimensioned, Length, Positive};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -113,7 +114,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let Imported { sections, text, size, notes, .. } = imported;
     let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     write(&out, text.as_bytes())?;
-    write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
+    write(&picture, &png(&drawn(&name, args.geometry, &sections)))?;
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();
@@ -171,4 +172,25 @@ fn report(sections: &Sections, size: &str, notes: &[String]) -> String {
         let _ = writeln!(text, "  - {note}");
     }
     text
+}
+
+fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
+    let tool = |tool: &'_ Section| SketchedTool {
+        label: format!("{}: {}", capitalised(tool.role.name()), tool.made_of),
+        role: tool.role,
+        profile: tool.profile.clone(),
+        ends: tool.ends.clone(),
+    };
+    let operations = std::iter::once(&sections.tools).chain(sections.later.iter().map(|later| &later.tools));
+    let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
+    let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
+                   case moves each along z to where it touches the sheet.";
+    let notes = sections.notes.iter().map(|note| format!("{}.", capitalised(note)));
+    let notes = std::iter::once(caption.to_owned()).chain(notes).collect();
+    sketch(format!("{name}: the tools that were read"), geometry, &operations, notes)
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -97,7 +97,6 @@ pub struct PictureOptions {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum PictureFormat {
     Svg,
-    Pdf,
     Png,
 }
 
@@ -130,7 +129,6 @@ impl PictureOptions {
         for format in &self.format {
             let format = match format {
                 PictureFormat::Svg => Format::Svg,
-                PictureFormat::Pdf => Format::Pdf,
                 PictureFormat::Png => Format::Png,
             };
             if !formats.contains(&format) {

@@ -1,41 +1,36 @@
-//! The draw as a moving picture: the section, coloured by thinning, with its tools, and how far the load has come.
+//! Animation: the section coloured by thinning, its tools, and the load.
 
 use super::chart::{Chart, Panel, Series};
-use super::draw::{Drawing, WIDTH};
-use super::gif::gif;
-use super::thinning::{Thinning, said, times};
-use super::{StageView, load_travel, sections};
-use crate::results::Files;
+use super::thinning::{Thinning, exaggeration, thickness_note};
+use super::{StageView, load_travel, raster, sections, svg};
 use crate::solver::solution::Frame;
 use crate::units::{Amount, Digits};
 
-/// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
+/// Number of pictures of a run.
 pub const PICTURES: usize = 50;
 
-/// How long the whole run is shown, and its last picture after it \[hundredths of a second\].
+/// Duration of the whole run and of its last picture \[hundredths of a second\].
 const LENGTH: f64 = 400.0;
 const LAST: u16 = 150;
-/// What viewers show at all; several take less for a tenth of a second \[hundredths of a second\].
+/// Shortest duration that viewers show \[hundredths of a second\].
 const SHORTEST: f64 = 2.0;
-
-/// Width of the section \[px of a picture 800 wide\].
-const WIDE: f64 = 680.0;
-/// Height of the load's panel \[px of a picture 800 wide\].
+/// Width of the section and height of the load panel \[px\].
+const WIDTH: f64 = 680.0;
 const LOAD_HEIGHT: f64 = 130.0;
 
-/// `shapes.gif`: each picture is shown for as long as its frame lasts, so that the tools move evenly.
-pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Files {
-    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i), WIDTH));
-    vec![("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))]
+/// `shapes.gif`; each picture lasts as long as its frame, so that the tools move evenly.
+pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>)> {
+    let pictures = pictures(view, frames, frames.len()).into_iter().map(|chart| svg::svg(&chart));
+    vec![("shapes.gif".to_owned(), raster::gif(pictures, &delays(view, frames)))]
 }
 
-/// Some pictures of the moving section, `most` or fewer, spread over the frames, the last among them.
+/// At most `most` pictures spread over the frames, the last among them.
 pub fn pictures(view: &StageView, frames: &[&Frame], most: usize) -> Vec<Chart> {
     let some = most.min(frames.len());
     (1..=some).map(|i| picture(view, frames, i * frames.len() / some - 1)).collect()
 }
 
-/// How long each picture is shown \[hundredths of a second\].
+/// Duration of each picture \[hundredths of a second\].
 fn delays(view: &StageView, frames: &[&Frame]) -> Vec<u16> {
     let done = |frame: &Frame| view.model().progress(frame.time);
     let whole = done(frames[frames.len() - 1]) - done(frames[0]);
@@ -43,43 +38,34 @@ fn delays(view: &StageView, frames: &[&Frame]) -> Vec<u16> {
     until_next.map(|hundredths| hundredths.max(SHORTEST).round() as u16).chain([LAST]).collect()
 }
 
-/// The `i`-th frame; the window and the axes are those of the whole animation.
+/// Picture of frame `i`, with the window, scale and axes of the whole animation.
 fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let (model, frame) = (view.model(), frames[i]);
     let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
-    let (value, unit) = view.reaches(frame);
-    let decimals = decimals(frames.iter().map(|frame| view.reaches(frame).0).fold(0.0, f64::max));
+    let (value, unit) = view.progress_value(frame);
+    let largest = frames.iter().map(|frame| view.progress_value(frame).0).fold(0.0, f64::max);
+    let decimals = if largest > 0.0 { (2.0 - largest.log10().floor()).clamp(0.0, 6.0) as usize } else { 0 };
     let at = Amount::new(value, unit, Digits::Decimals(decimals));
-    let reached = format!("{progress} {at}", progress = view.progress());
-    let thinning = Thinning::of(model.blank.thickness, frames.iter().copied());
-    let times = times(model.blank.thickness, WIDE / window[0].1);
-    let sheet = thinning.section(frame, times);
-    let tools = sections::tools(model, Some(frame), window[0].1);
-    let section = sections::panel(model.geometry, tools.chain(sheet), window);
-    let chart = Chart {
-        title: format!("{}: {reached}", view.title),
-        legend: String::new(),
-        panels: [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect(),
-        notes: std::iter::once(String::from(said(times))).chain(view.notes()).collect(),
-    };
-    chart.displayed()
+    let thinning = Thinning::new(model.blank.thickness, frames.iter().copied());
+    let times = exaggeration(model.blank.thickness, WIDTH / window[0].1);
+    let section = sections::panel(model.geometry, window)
+        .with(sections::tools(model, Some(frame), window[0].1))
+        .with(thinning.section(frame, times));
+    let panels = [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect();
+    let notes = std::iter::once(thickness_note(times)).chain(view.notes()).collect();
+    Chart::new(format!("{}: {} {at}", view.title, view.progress()), panels, notes)
 }
 
-/// The load up to a time, on what it comes to; nothing where nothing loads the sheet.
+/// Load up to a time, in front of the whole curve; `None` without a load.
 fn load(view: &StageView, time: f64) -> Option<Panel> {
     let mut panel = load_travel::panel(view, LOAD_HEIGHT)?;
     let acts = panel.series.iter().flat_map(|series| &series.points).any(|point| point.1 != 0.0);
     let steps = view.stage.steps.iter().take_while(|step| step.time <= time).count();
     let whole: Vec<Series> =
-        panel.series.iter().map(|series| Series::silent(series.points.clone(), series.look.faint())).collect();
+        panel.series.iter().map(|series| Series::silent(series.points.clone(), series.style.faint())).collect();
     for series in &mut panel.series {
         series.points.truncate(steps);
     }
     panel.series.splice(..0, whole);
     acts.then_some(panel)
-}
-
-/// As many decimals as show three digits of `largest`, at most 6.
-fn decimals(largest: f64) -> usize {
-    if largest > 0.0 { (2.0 - largest.log10().floor()).clamp(0.0, 6.0) as usize } else { 0 }
 }

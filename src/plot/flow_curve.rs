@@ -1,20 +1,20 @@
-//! A material by itself: its flow curve beside what it is fitted to, and the forming limits that follow from it.
+//! Material chart: flow curve with measured points, rate factor, forming limits.
 
-use super::chart::{BLACK, Chart, Look, PALE, Panel, Scale, Series, color};
+use super::chart::{Chart, Panel, Series, Style};
+use super::forming_diagram::StrainMeasure;
+use super::palette::{BLACK, PALE, color};
 use crate::case::library::{Measured, Rates};
 use crate::forming_limit::Curve;
 use crate::material::Material;
-use crate::results::forming_limit::axes;
-use crate::table::{Column, Unit};
+use crate::table::{Axis, Unit};
 
-/// Equivalent strain that the flow curve is drawn to where its law says nothing \[–\].
+/// Largest strain of a law without a range of validity \[–\].
 const LARGEST: f64 = 0.8;
 const POINTS: usize = 200;
-/// Looks that are left to the curves of several rates.
+/// Styles that are left to the curves of several rates.
 const RATES: usize = 3;
 
-/// The yield stress over the equivalent plastic strain, its factor over the rate where tests at several rates are known, and
-/// limit curves below.
+/// Yield stress over the equivalent plastic strain; with tests also misfit and rate factor; limit curves below.
 pub fn chart(
     title: &str,
     material: &Material,
@@ -23,27 +23,29 @@ pub fn chart(
     notes: Vec<String>,
 ) -> Chart {
     let mut panels = vec![over_strain(material, measured)];
-    panels.extend(measured.map(|measured| misses(material, measured)));
+    panels.extend(measured.map(|measured| misfit(material, measured)));
     panels.extend(measured.and_then(|m| m.rates.as_ref()).map(|rates| over_rate(material, rates)));
     if !limits.is_empty() {
-        let [x, y] = axes();
+        let [x, y] = StrainMeasure { is_engineering: false }.axes();
         let series = limits.iter().enumerate().map(|(i, limit)| {
             let points = limit.points().iter().map(|p| (p[0], p[1])).collect();
             let label = if limit.is_measured() { "Measured".into() } else { format!("{}, computed", limit.name) };
-            Series::new(label, points, Look::curve(i + RATES))
+            Series::new(label, points, Style::curve(i + RATES))
         });
-        panels.push(Panel { x, y, series: series.collect(), scale: Scale::Fit { height: 260.0, least: 0.1 } });
+        panels.push(Panel::fit(x, y, 260.0, 0.1).with(series));
     }
-    Chart { title: title.to_owned(), legend: String::new(), panels, notes }
+    Chart::new(title, panels, notes)
 }
 
-/// `count` values and one more, from `low` to `high`.
 fn evenly(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=POINTS).map(move |i| low + (high - low) * i as f64 / POINTS as f64)
 }
 
-/// The flow curve, thin beyond the range of the fit, at rates that were tested and are a decade apart or more, and the measured
-/// points.
+fn strain_axis() -> Axis {
+    Axis::named("Equivalent plastic strain", Unit::None)
+}
+
+/// Flow curve at rates that were tested and are a decade apart or more, thin beyond the range of the fit.
 fn over_strain(material: &Material, measured: Option<&Measured>) -> Panel {
     let drawn = material.hardening.valid_up_to().unwrap_or(LARGEST);
     let end = material.measured_up_to().unwrap_or(drawn).min(drawn);
@@ -51,60 +53,51 @@ fn over_strain(material: &Material, measured: Option<&Measured>) -> Panel {
     let curve = |factor: f64, from: f64, to: f64| -> Vec<(f64, f64)> {
         evenly(from, to).map(|strain| (strain, factor * material.hardening.at(strain).stress)).collect()
     };
-    let own = measured.map(Measured::rate);
-    let own_factor = own.map_or(1.0, factor);
-    let at = own.map_or(String::new(), |rate| format!(", {rate} /s"));
+    let tested = measured.map(Measured::rate);
+    let tested_factor = tested.map_or(1.0, factor);
+    let at = tested.map_or(String::new(), |rate| format!(", {rate} /s"));
     let law = format!("{}{at}", material.hardening.describe());
-    let mut series = vec![Series::new(law, curve(own_factor, 0.0, end), Look::curve(0))];
+    let mut series = vec![Series::new(law, curve(tested_factor, 0.0, end), Style::curve(0))];
     if end < drawn {
-        let beyond = curve(own_factor, end, drawn);
-        series.push(Series::new("Beyond the measured range", beyond, Look::curve(0).faint()));
+        let beyond = curve(tested_factor, end, drawn);
+        series.push(Series::new("Beyond the measured range", beyond, Style::curve(0).faint()));
     }
-    let mut faster: Vec<f64> = own.into_iter().collect();
+    let mut rates: Vec<f64> = tested.into_iter().collect();
     for rate in measured.and_then(|m| m.rates.as_ref()).into_iter().flat_map(Rates::rates) {
-        if faster.last().is_some_and(|last| rate >= 10.0 * last) {
+        if rates.last().is_some_and(|last| rate >= 10.0 * last) {
             let points = curve(factor(rate), 0.0, end);
-            series.push(Series::new(format!("The same, {rate} /s"), points, Look::curve(faster.len())));
-            faster.push(rate);
+            series.push(Series::new(format!("At {rate} /s"), points, Style::curve(rates.len())));
+            rates.push(rate);
         }
     }
     if let Some(measured) = measured {
         let points = measured.points().map(|p| (p.strain, p.stress)).collect();
-        series.push(Series::new("Measured", points, Look::Dots { color: BLACK }));
+        series.push(Series::new("Measured", points, Style::Dots { color: BLACK }));
     }
-    let strain = Column::new("strain_equivalent", "Equivalent plastic strain", Unit::None, Vec::new());
-    let stress = Column::new("yield_stress", "Yield stress", Unit::MPa, Vec::new());
-    Panel { x: strain.axis(), y: stress.axis(), series, scale: Scale::Fit { height: 260.0, least: 10.0 } }
+    Panel::fit(strain_axis(), Axis::named("Yield stress", Unit::MPa), 260.0, 10.0).with(series)
 }
 
-/// By how much the law lies above the measured points, and their scatter.
-fn misses(material: &Material, measured: &Measured) -> Panel {
+/// Law less measured points, in front of their scatter.
+fn misfit(material: &Material, measured: &Measured) -> Panel {
     let side = |sign: f64| measured.points().map(move |p| (p.strain, sign * p.scatter)).collect::<Vec<_>>();
     let outline = side(1.0).into_iter().chain(side(-1.0).into_iter().rev()).collect();
-    let misses = measured.misses(material);
-    let strain = Column::new("strain_equivalent", "Equivalent plastic strain", Unit::None, Vec::new());
-    let miss = Column::new("miss", "Law less point", Unit::MPa, Vec::new());
-    let series = vec![
-        Series::new("Scatter of the points", outline, Look::Area { fill: PALE, edge: None }),
-        Series::silent(misses.clone(), Look::curve(0)),
-        Series::silent(misses, Look::Dots { color: BLACK }),
-    ];
-    Panel { x: strain.axis(), y: miss.axis(), series, scale: Scale::Fit { height: 150.0, least: 10.0 } }
+    let misfit = measured.misses(material);
+    Panel::fit(strain_axis(), Axis::named("Law less point", Unit::MPa), 150.0, 10.0).with([
+        Series::new("Scatter of the points", outline, Style::area(PALE)),
+        Series::silent(misfit.clone(), Style::curve(0)),
+        Series::silent(misfit, Style::Dots { color: BLACK }),
+    ])
 }
 
-/// The yield stress over that of the slowest test, by the rate law and as measured, over the logarithm of the rate.
+/// Yield stress over that of the slowest test, by the rate law and as measured.
 fn over_rate(material: &Material, rates: &Rates) -> Panel {
     let ratios = rates.ratios().into_iter().map(|(rate, ratio)| (rate.log10(), ratio)).collect();
-    let [slow, fast] = rates
-        .rates()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], rate| [low.min(rate.log10()), high.max(rate.log10())]);
+    let (slow, fast) = super::chart::bounds(rates.rates().map(f64::log10));
     let law = evenly(slow, fast).map(|decade| (decade, rates.law(material, 10_f64.powf(decade)))).collect();
     let label = material.rate.map_or_else(|| "No rate law".to_owned(), |law| law.to_string());
-    let decades = Column::new("rate_decades", "Decades of the strain rate, log₁₀ of 1/s", Unit::None, Vec::new());
-    let factor = Column::new("rate_factor", "Rate factor", Unit::None, Vec::new());
-    let series = vec![
-        Series::new(label, law, Look::curve(0)),
-        Series::new("Measured ratios", ratios, Look::Triangles { color: color(1) }),
-    ];
-    Panel { x: decades.axis(), y: factor.axis(), series, scale: Scale::Fit { height: 200.0, least: 0.1 } }
+    let x = Axis::named("Decades of the strain rate, log₁₀ of 1/s", Unit::None);
+    Panel::fit(x, Axis::named("Rate factor", Unit::None), 200.0, 0.1).with([
+        Series::new(label, law, Style::curve(0)),
+        Series::new("Measured ratios", ratios, Style::Triangles { color: color(1) }),
+    ])
 }

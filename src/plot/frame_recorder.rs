@@ -1,18 +1,24 @@
-//! Frames for an animation and for ParaView, kept on the way: no step is made to land on them, so that the run is the same
-//! with and without.
+//! Frames of a run for animation and ParaView; no step is made to land on them, so that the run stays the same.
 
 use super::animation;
 use crate::model::Model;
-use crate::results::Extra;
 use crate::solver::Observer;
 use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
 use crate::solver::state::State;
 
-/// Keeps frames of every stage, from its start, spread over it as evenly as its steps allow; none where nothing is asked
-/// for that needs them.
+/// Files that are written on request only, from the frames of a [`FrameRecorder`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extra {
+    /// Files for ParaView.
+    Vtu,
+    /// Animated GIF.
+    Animation,
+}
+
+/// Keeps frames of every stage, spread as evenly as its steps allow; none without extras.
 #[derive(Clone, Debug, Default)]
 pub struct FrameRecorder {
-    /// What the frames are for.
+    /// Purpose of the frames.
     pub extras: Vec<Extra>,
     stages: Vec<Vec<Frame>>,
     /// Share of the stage \[–\] from which the next frame is kept.
@@ -20,12 +26,12 @@ pub struct FrameRecorder {
 }
 
 impl FrameRecorder {
-    /// For what is asked for.
+    /// Recorder for some extras.
     pub fn new(extras: Vec<Extra>) -> Self {
         Self { extras, ..Self::default() }
     }
 
-    /// The frames of a stage, counted from 0, up to where it ended.
+    /// Frames of a stage, counted from 0, up to its end.
     pub fn of_stage<'a>(&'a self, i: usize, stage: &'a StageSolution) -> Vec<&'a Frame> {
         let mut frames: Vec<&Frame> = self.stages.get(i).into_iter().flatten().collect();
         let end = stage.frames.last().filter(|end| frames.last().is_none_or(|last| last.time < end.time));

@@ -1,78 +1,69 @@
-//! Forces over the punch travel.
+//! Forces over the punch travel, or the gas pressure over the height of the dome.
 
 use super::StageView;
-use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
+use super::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
+use super::palette::{BLACK, color};
 use crate::measure;
 use crate::solver::solution::StepRecord;
 use crate::table::Field;
 use crate::table::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 use crate::units::Amount;
 
-/// A press's rating is drawn where it is no larger than so many times the largest force: else the curve would be flat.
+/// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.
 const NEAR: f64 = 2.0;
+const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] };
 
-/// The curves, the peak, what happens on the way, and what the press can give.
+/// Curves, peak, events and press rating.
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
     if let Some(band) = view.load_band {
-        panel = panel.with_band(String::from("Error band"), &band.x, [&band.low, &band.high], color(0));
+        panel = panel.with_band("Error band", &band.x, [&band.low, &band.high], color(0));
     }
-    let forces = view.model().travel > 0.0;
     let mut notes = Vec::new();
-    if forces {
+    if view.model().travel > 0.0 {
         let unit = view.extent().force_unit();
-        for event in measure::events(view.stage) {
-            let label = format!("{event}, {travel}", event = event.kind.label(), travel = Amount::place(event.travel));
-            panel.series.push(Series::new(String::from(label), vec![(event.travel, event.force)], Look::Flag));
-        }
-        let peak = view.stage.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
+        let flag = |text, travel, force| Annotation::new(AnnotationKind::Flag, text, (travel, force));
+        let events = measure::events(view.stage);
+        let events = events.into_iter().map(|event| {
+            flag(format!("{}, {}", event.kind.label(), Amount::place(event.travel)), event.travel, event.force)
+        });
+        panel = panel.annotated(events);
+        let steps = &view.stage.steps;
+        let peak = steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
             let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
-            let label = format!("peak {force} at {travel}");
-            panel.series.push(Series::new(label, vec![(peak.travel, peak.punch_force)], Look::Flag));
+            panel = panel.annotated([flag(format!("peak {force} at {travel}"), peak.travel, peak.punch_force)]);
             if let Some(rating) = view.press.force {
-                let label = format!("Press rating, {force}", force = Amount::force(rating, unit));
-                match rating <= NEAR * peak.punch_force {
-                    true => {
-                        let ends = [view.stage.steps.first(), view.stage.steps.last()].into_iter().flatten();
-                        let line = ends.map(|step| (step.travel, rating)).collect();
-                        panel.series.push(Series::new(
-                            String::from(label),
-                            line,
-                            Look::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] },
-                        ));
-                    }
-                    false => notes.push(format!("{label}: above the picture.")),
+                let label = format!("Press rating, {}", Amount::force(rating, unit));
+                if rating <= NEAR * peak.punch_force {
+                    let ends = [steps.first(), steps.last()].into_iter().flatten();
+                    panel = panel.with([Series::new(label, ends.map(|step| (step.travel, rating)).collect(), RATING)]);
+                } else {
+                    notes.push(format!("{label}: above the picture."));
                 }
             }
         }
     }
-    let what = if forces { "forces" } else { "pressure" };
     notes.extend(view.notes());
-    Some(Chart { title: view.titled(what), legend: String::new(), panels: vec![panel], notes })
+    let what = if view.model().travel > 0.0 { "forces" } else { "pressure" };
+    Some(Chart::new(view.titled(what), vec![panel], notes))
 }
 
-/// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
-/// over the height of the dome; nothing while the tools are taken away. One point per step in every series.
-pub(crate) fn panel(view: &StageView, height: f64) -> Option<Panel> {
+/// Punch, holder and edge force over the travel, or the gas pressure over the height; `None` during release. One point
+/// per step.
+pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
-    let pressure = view.model().travel == 0.0;
-    let (over, fields) = match pressure {
-        true => (POLE_HEIGHT, vec![PRESSURE]),
-        false => {
-            let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
-            let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
-            (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect())
-        }
+    let (over, fields) = if view.model().travel == 0.0 {
+        (POLE_HEIGHT, vec![PRESSURE])
+    } else {
+        let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
+        let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
+        (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect())
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
-        Series::new(String::from(field.label(extent)), over.against(field, steps), Look::curve(i))
+        Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
     };
-    Some(Panel {
-        x: over.axis(extent),
-        y: Field::shared_axis(&fields, extent),
-        series: fields.iter().enumerate().map(curve).collect(),
-        scale: Scale::Fit { height, least: 0.0 },
-    })
+    let panel = Panel::fit(over.axis(extent), Field::shared_axis(&fields, extent), height, 0.0);
+    Some(panel.with(fields.iter().enumerate().map(curve)))
 }

@@ -1,42 +1,59 @@
-//! Pictures: chart values, and their rendering as SVG, PNG, PDF and GIF.
+//! Pictures: chart values, free of drawing libraries, and with the feature `app` their rendering as SVG, PNG and GIF.
 
+#[cfg(feature = "app")]
 pub mod animation;
+#[cfg(feature = "app")]
+mod bands;
 pub mod chart;
-pub(crate) mod dimensions;
-pub(crate) mod draw;
+pub mod comparison;
+mod dimensions;
+mod display;
 pub mod flow_curve;
-pub(crate) mod font;
+#[cfg(feature = "app")]
 pub mod forming_diagram;
+#[cfg(feature = "app")]
 mod frame_recorder;
-mod gif;
+#[cfg(feature = "app")]
 pub(crate) mod load_travel;
-mod lzw;
-pub(crate) mod outline;
-pub(crate) mod overlay;
+pub mod palette;
+#[cfg(feature = "app")]
 pub(crate) mod part;
-mod part_bands;
-pub mod pdf;
-mod picture;
-mod png;
+#[cfg(feature = "app")]
 pub(crate) mod pressure_cycle;
+#[cfg(feature = "app")]
+mod raster;
+#[cfg(feature = "app")]
 pub mod residual_stress;
 pub(crate) mod sections;
+#[cfg(feature = "app")]
+mod settings;
+#[cfg(feature = "app")]
+pub(crate) mod shapes;
 mod sketch;
+#[cfg(feature = "app")]
 pub mod springback;
-pub(crate) mod stage_view;
-pub(crate) mod states;
+#[cfg(feature = "app")]
+mod stage_view;
+#[cfg(feature = "app")]
 pub(crate) mod strains;
-pub(crate) mod thickness_profile;
+#[cfg(feature = "app")]
+mod svg;
+#[cfg(feature = "app")]
+pub(crate) mod thickness;
 pub(crate) mod thinning;
-mod told;
-pub(crate) mod viridis;
 
+#[cfg(feature = "app")]
+pub use app::*;
 pub use chart::Chart;
 pub use dimensions::{Dimension, Mark, Size, dimensioned};
-pub use draw::svg;
-pub use frame_recorder::FrameRecorder;
-pub use overlay::comparisons;
-pub use picture::{Captions, Format, PAPER, Pictures};
-pub use png::png;
-pub use sketch::sketch;
-pub use stage_view::StageView;
+pub use sketch::{SketchedTool, sketch};
+
+#[cfg(feature = "app")]
+mod app {
+    pub use super::frame_recorder::{Extra, FrameRecorder};
+    pub use super::settings::png;
+    pub use super::settings::{Captions, Format, PAPER, Pictures};
+    pub use super::stage_view::StageView;
+    pub(crate) use super::stage_view::stop_text;
+    pub use super::svg::svg;
+}

@@ -1,52 +1,55 @@
-//! Residual stress through the thickness.
+//! Residual stress through the thickness at a few places.
 
 use super::StageView;
-use super::chart::{Chart, Look, Panel, Scale, Series};
-use crate::measure::Place;
-use crate::results::residual_stress::{across, released, shown};
-use crate::solver::solution::{ElementRecord, PointRecord};
-use crate::table::Field;
+use super::chart::{Chart, Panel, Series, Style};
+use crate::measure::{Place, places};
+use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
+use crate::table::{Axis, Unit};
 use crate::units::Amount;
 
-/// Least height of a stress axis \[MPa\]: smaller stresses are noise or nothing to look at.
+/// Least span of a stress axis \[MPa\].
 const LEAST: f64 = 1.0;
+const HEIGHT: f64 = 300.0;
+/// Label of the coordinate through the thickness.
+pub(crate) const PLACE: &str = "ζ/t, from the die's face (−0.5) to the punch's (0.5)";
 
-/// Both stresses over the place through the thickness, at the places of [`places`]; `None` without layers.
+/// Frame after release and its elements with thickness points; `None` without a release.
+pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [ElementRecord])> {
+    let [_, frame] = view.stage.released()?;
+    Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))
+}
+
+/// Characteristic places that have thickness points.
+pub(crate) fn places_with_layers(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
+    let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
+    places(frame).into_iter().filter(has_layers).collect()
+}
+
+/// Meridional and hoop stress over the place through the thickness; `None` without layers.
 pub fn plot(view: &StageView) -> Option<Chart> {
     let (frame, elements) = released(view)?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
-    let shown = shown(frame, elements);
-    shown.first()?;
-    let at = |place: &Place| Amount::place(elements[place.element].s0);
-    let panel = |field: Field<ElementRecord>, stress: fn(&PointRecord) -> f64, labelled: bool| {
-        let series = shown.iter().enumerate().map(|(i, place)| {
+    let places = places_with_layers(frame, elements);
+    places.first()?;
+    let stresses: [(_, fn(&PointRecord) -> f64); 2] =
+        [(STRESS_MERIDIONAL, |point| point.stress_meridional), (STRESS_HOOP, |point| point.stress_hoop)];
+    let panels = stresses.into_iter().enumerate().map(|(n, (field, stress))| {
+        let curves = places.iter().enumerate().map(|(i, place)| {
             let points = frame.through.elements().nth(place.element).unwrap_or_default();
+            let label = format!("{}, s0 = {}", place.name, Amount::place(elements[place.element].s0));
             Series {
-                label: labelled.then(|| format!("{place}, s0 = {s0}", place = place.name, s0 = at(place))),
+                label: Some(label).filter(|_| n == 0),
                 points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
-                look: Look::curve(i),
+                style: Style::curve(i),
             }
         });
-        Panel {
-            x: across(Vec::new()).axis(),
-            y: field.axis(extent),
-            series: series.collect(),
-            scale: Scale::Fit { height: 300.0, least: LEAST },
-        }
-    };
-    let is_held = shown.iter().any(|place| place.name == Place::FLANGE);
-    let held = is_held.then(|| String::from("In the flange the punch's face is the holder's."));
-    Some(Chart {
-        title: view.titled("stress through the thickness"),
-        legend: String::new(),
-        panels: vec![
-            panel(STRESS_MERIDIONAL, |point| point.stress_meridional, true),
-            panel(STRESS_HOOP, |point| point.stress_hoop, false),
-        ],
-        notes: std::iter::once(format!("{n} thickness points.", n = layers.len()))
-            .chain(held)
-            .chain(view.assumptions())
-            .collect(),
-    })
+        Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
+    });
+    let mut notes = vec![format!("{} thickness points.", layers.len())];
+    if places.iter().any(|place| place.name == Place::FLANGE) {
+        notes.push("In the flange the punch's face is the holder's.".to_owned());
+    }
+    notes.extend(view.assumptions());
+    Some(Chart::new(view.titled("stress through the thickness"), panels.collect(), notes))
 }

@@ -1,27 +1,29 @@
-//! The sections of sheet and tools, as outlines that pictures are made of.
+//! Outlines of sheet and tools in a section.
 
-use super::chart::{GREY, Look, PALE, Panel, Scale, Series};
+use super::chart::{Annotation, AnnotationKind, Panel, Scale, Series, Style, bounds};
+use super::palette::{BLACK, GREY, PALE, WHITE};
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Extent, Geometry, Model, Role};
 use crate::solver::solution::{Frame, NodeRecord};
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
-/// Arcs are drawn with chords of at most this many radians, and that leave the arc by at most this share of the width.
+/// Largest angle of a chord of an arc \[rad\], and its largest distance from the arc over the picture's width.
 const CHORD: f64 = 0.03;
-const SAGITTA: f64 = 1e-4;
-/// What is shown around the sheet, over the section's width.
+pub(super) const SAGITTA: f64 = 1e-4;
+/// Surroundings of the sheet in a picture, over the section's width.
 const AROUND: f64 = 0.06;
+/// Outline of a tool far from the sheet \[mm\].
+const FAR: f64 = 1e3;
+const TOOL: Style = Style::Area { fill: PALE, edge: Some(GREY) };
 
-/// A section's plane, at least this window of it \[mm\].
-pub(crate) fn panel(geometry: Geometry, series: impl IntoIterator<Item = Series>, [x, y]: [(f64, f64); 2]) -> Panel {
-    let series = series.into_iter().collect();
-    // Lengths are the same over any depth.
+/// Panel of the r-z plane that shows at least this window \[mm\].
+pub(crate) fn panel(geometry: Geometry, [x, y]: [(f64, f64); 2]) -> Panel {
     let extent = Extent::of(geometry, None);
-    Panel { x: R.axis(extent), y: Z.axis(extent), series, scale: Scale::Section { x, y } }
+    Panel::new(R.axis(extent), Z.axis(extent), Scale::Section { x, y })
 }
 
-/// What is shown of a section: its nodes, or as much as a blank of this length, and something around them.
+/// Window around some nodes, at least as wide as `length` \[mm\].
 pub(crate) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f64) -> [(f64, f64); 2] {
     let (width, top, bottom) = nodes
         .fold((length, 0.0_f64, 0.0_f64), |(width, top, bottom), n| (width.max(n.r), top.min(n.z), bottom.max(n.z)));
@@ -29,102 +31,152 @@ pub(crate) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f6
     [(0.0, width + around), (top - 2.0 * around, bottom + around)]
 }
 
-/// The tools' bodies where they stand in a frame, or are drawn in the model without one, in a picture of this width \[mm\].
-pub(crate) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> impl Iterator<Item = Series> + 'a {
+/// Window around the whole section on both sides of the middle \[mm\].
+pub(crate) fn whole_window(frame: &Frame) -> [(f64, f64); 2] {
+    let width = bounds(frame.nodes.iter().map(|node| node.r)).1 * (1.0 + AROUND);
+    let (top, bottom) = bounds(frame.nodes.iter().map(|node| node.z));
+    [(-width, width), (top - AROUND * width, bottom + AROUND * width)]
+}
+
+/// Tool bodies as they stand in a frame, or in the model without one; `width` is that of the picture \[mm\].
+pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> Vec<Series> {
+    tool_outlines(model, at, width).map(|body| Series::silent(body, TOOL)).collect()
+}
+
+/// Tool bodies on both sides of the middle.
+pub(super) fn whole_tools(model: &Model, at: &Frame, width: f64) -> Vec<Series> {
+    tool_outlines(model, Some(at), width).flat_map(mirrored).map(|body| Series::silent(body, TOOL)).collect()
+}
+
+fn tool_outlines<'a>(
+    model: &'a Model,
+    at: Option<&'a Frame>,
+    width: f64,
+) -> impl Iterator<Item = Vec<(f64, f64)>> + 'a {
     model.tools.iter().enumerate().map(move |(i, tool)| {
-        let moved = at.map_or_else(Point::default, |frame| place(frame, i));
-        let body = body(tool.role, &tool.profile, moved, SAGITTA * width);
-        Series::silent(body, Look::Area { fill: PALE, edge: Some(GREY) })
+        let moved = at.map_or_else(Point::default, |frame| tool_displacement(frame, i));
+        body(tool.role, &tool.profile, moved, SAGITTA * width)
     })
 }
 
-/// The same with their mirror images beyond the middle.
-pub(crate) fn whole_tools<'a>(model: &'a Model, at: &'a Frame, width: f64) -> impl Iterator<Item = Series> + 'a {
-    model.tools.iter().enumerate().flat_map(move |(i, tool)| {
-        let body = body(tool.role, &tool.profile, place(at, i), SAGITTA * width);
-        let look = Look::Area { fill: PALE, edge: Some(GREY) };
-        mirrored(body).into_iter().map(move |body| Series::silent(body, look))
-    })
-}
-
-/// An outline and its mirror image beyond the middle: one outline where it has an edge there.
-pub(crate) fn mirrored(mut outline: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {
+/// Outline and its mirror image about the axis; one outline if it has an edge there.
+pub(super) fn mirrored(mut outline: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {
     let n = outline.len();
     let in_the_middle = |i: usize| on_axis(&Point::new(outline[i % n].0, 0.0));
     let seam = (0..n).find(|&i| in_the_middle(i) && in_the_middle(i + 1));
     outline.rotate_left(seam.map_or(0, |i| (i + 1) % n));
     let image = outline.iter().rev().map(|p| (-p.0, p.1)).collect();
-    match seam {
-        Some(_) => vec![[outline, image].concat()],
-        None => vec![outline, image],
-    }
+    if seam.is_some() { vec![[outline, image].concat()] } else { vec![outline, image] }
 }
 
-/// How far tool `i` has moved from where it is drawn in the model \[mm\].
-pub(crate) fn place(frame: &Frame, i: usize) -> Point {
+/// Displacement of tool `i` since the model's start \[mm\].
+pub(crate) fn tool_displacement(frame: &Frame, i: usize) -> Point {
     frame.tool_displacement.get(i).copied().unwrap_or_default()
 }
 
-/// The tool's profile, moved, as chords that leave its arcs by at most `sagitta` \[mm\].
+/// Moved profile as chords at most `sagitta` from its arcs \[mm\].
 pub(crate) fn outline(profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
-    let points = profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
+    let chords = |piece: &Piece| match piece {
+        Piece::Arc(arc) => (arc.sweep.abs() / CHORD.min((8.0 * sagitta / arc.radius).sqrt())).ceil().max(1.0) as usize,
+        Piece::Segment(_) => 1,
+    };
+    let points = profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece)));
     points.map(|p| (p.x + moved.x, p.y + moved.y)).collect()
 }
 
-/// The tool's profile closed through its body, which goes on away from the sheet.
+/// Moved profile closed through the tool's body, which extends away from the sheet.
 pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
     let mut outline = outline(profile, moved, sagitta);
     let (first, last) = (outline[0], outline[outline.len() - 1]);
-    let ends = outline.iter().map(|p| p.1);
+    let (low, high) = bounds(outline.iter().map(|p| p.1));
     let far = match role {
-        Role::Punch | Role::Holder => ends.fold(f64::INFINITY, f64::min) - 1e3,
-        Role::Die => ends.fold(f64::NEG_INFINITY, f64::max) + 1e3,
+        Role::Punch | Role::Holder => low - FAR,
+        Role::Die => high + FAR,
     };
     outline.extend([(last.0, far), (first.0, far)]);
     outline
 }
 
-/// Into how many chords a piece is cut: a chord over the angle φ leaves its arc by R φ²/8.
-fn chords(piece: &Piece, sagitta: f64) -> usize {
-    let Piece::Arc(arc) = piece else { return 1 };
-    let chord = CHORD.min((8.0 * sagitta / arc.radius).sqrt());
-    (arc.sweep.abs() / chord).ceil().max(1.0) as usize
-}
-
-/// The sheet before forming.
-pub(crate) fn flat(model: &Model) -> Vec<(f64, f64)> {
+/// Sheet before forming.
+pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
     let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
     vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
 }
 
-/// Both surfaces of some elements of the sheet, so many `times` as far apart as they are.
+/// Outline of some elements of the sheet, drawn `times` as thick as they are.
 pub(crate) fn sheet(frame: &Frame, elements: Range<usize>, times: f64) -> Vec<(f64, f64)> {
     let part = elements.start..(elements.end + 1).min(frame.nodes.len());
     part.clone().map(|i| surface(frame, i, times)).chain(part.rev().map(|i| surface(frame, i, -times))).collect()
 }
 
-/// A surface of the sheet at node `i`: half a thickness from the mid-surface along its normal, on the die's side (+1) or
-/// the punch's (−1). On the axis or the symmetry plane the sheet goes on as its own mirror image.
+/// Whole sheet.
+pub(super) fn whole_sheet(frame: &Frame, times: f64) -> Vec<(f64, f64)> {
+    sheet(frame, 0..frame.elements.len(), times)
+}
+
+/// Point at node `i` half a thickness along the normal, on the die's side (+1) or the punch's (−1).
 pub(crate) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
     let nodes = &frame.nodes;
     let at = |n: &NodeRecord| Point::new(n.r, n.z);
     let after = at(&nodes[(i + 1).min(nodes.len() - 1)]);
+    // On the axis the sheet continues as its own mirror image.
     let before = if nodes[i].r == 0.0 { Point::new(-after.x, after.y) } else { at(&nodes[i.saturating_sub(1)]) };
     let along = (after - before).try_normalize(0.0).unwrap_or(Point::new(1.0, 0.0));
-    let half = 0.5 * side * nodes[i].thickness;
-    let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
+    let p = at(&nodes[i]) + 0.5 * side * nodes[i].thickness * Point::new(-along.y, along.x);
     (p.x, p.y)
+}
+
+/// Black cross with a white rim, visible on every colour; `half` is half its width \[mm\].
+pub(super) fn cross(at: (f64, f64), half: f64) -> impl Iterator<Item = Series> {
+    let line = move |up: f64, style: Style| {
+        let ends = vec![(at.0 - half, at.1 + up * half), (at.0 + half, at.1 - up * half)];
+        Series::silent(ends, style)
+    };
+    let styles = [Style::solid(WHITE, 7.0), Style::solid(BLACK, 3.5)];
+    styles.into_iter().flat_map(move |style| [1.0, -1.0].map(|up| line(up, style)))
+}
+
+/// Font size and mean width of a letter of callouts \[px\], and places tried along each direction.
+const LETTER_HEIGHT: f64 = 20.0;
+const LETTER_WIDTH: f64 = 12.4;
+const STEPS: u32 = 24;
+/// Distance of a callout from the sheet \[px\].
+const CLEARANCE: f64 = 9.0;
+
+/// Callout of a point at the nearest place where its text covers no sheet. `side` is 1, or −1 for the mirror image;
+/// `left` bounds the text \[mm\]; `mm` is the length of a px.
+pub(super) fn callout(
+    text: String,
+    at: (f64, f64),
+    (side, left): (f64, f64),
+    frame: &Frame,
+    [(_, right), (top, bottom)]: [(f64, f64); 2],
+    mm: f64,
+) -> Annotation {
+    let half = (0.5 * LETTER_WIDTH * text.chars().count() as f64 + 6.0) * mm;
+    let (high, gap) = (0.9 * LETTER_HEIGHT * mm, CLEARANCE * mm);
+    let surfaces: Vec<(f64, f64)> =
+        (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|face| surface(frame, i, face))).collect();
+    let steps = |from: f64, to: f64| (0..=STEPS).map(move |i| from + (to - from) * f64::from(i) / f64::from(STEPS));
+    let corner = ((right - half).max(left + half), top + high);
+    let places = steps(left + half, corner.0).flat_map(|x| steps(corner.1, bottom - high).map(move |y| (x, y)));
+    let covers = |p: &(f64, f64), q: &(f64, f64)| {
+        (p.0 - q.0).abs().min((p.0 + q.0).abs()) < half + gap && (p.1 - q.1).abs() < high + 1.5 * gap
+    };
+    let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
+    let distance = |p: &(f64, f64)| (p.0 - at.0).hypot(p.1 - at.1);
+    let nearest = free.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(corner);
+    Annotation::new(AnnotationKind::Callout((side * nearest.0, nearest.1)), text, (side * at.0, at.1))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::solution::ThroughThickness;
 
-    /// Trust: a crown of R 2800 mm over 330 mm, its points compared with the circle half-way between them.
+    /// Reference: the circle, at the middle of each chord of a crown of R 2800 mm.
     #[test]
     fn large_radii_are_drawn_smoothly() {
-        let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
+        let crown = Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
         let outline = body(Role::Punch, &crown, Point::zeros(), 0.042);
         for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
             let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
@@ -132,22 +184,9 @@ mod tests {
         }
     }
 
+    /// Reference: by hand: a rectangle at the middle becomes one of twice the width, one beside it stays two.
     #[test]
-    fn a_flat_sheet_is_a_rectangle_of_its_thickness() {
-        let node = |r| NodeRecord { r, z: 3.0, theta: 0.0, thickness: 0.8 };
-        let frame = Frame {
-            time: 0.0,
-            travel: 0.0,
-            elements: vec![],
-            nodes: vec![node(0.0), node(5.0)],
-            through: ThroughThickness::default(),
-            tool_displacement: vec![],
-        };
-        assert_eq!(sheet(&frame, 0..1, 1.0), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
-    }
-    /// Trust: by hand: a rectangle at the middle becomes one of twice the width, one beside it stays two.
-    #[test]
-    fn what_lies_on_the_middle_is_one_with_its_image() {
+    fn an_outline_on_the_axis_joins_its_image() {
         for start in 0..4 {
             let mut rectangle = vec![(0.0, 0.0), (0.0, 1.0), (3.0, 1.0), (3.0, 0.0)];
             rectangle.rotate_left(start);

@@ -1,14 +1,13 @@
-//! Mid-surface strains over the blank at the last frame, the earlier frames thin behind them.
+//! Mid-surface strains over the blank at the last frame, with earlier frames thin behind them.
 
 use super::StageView;
-use super::chart::{Chart, Look, Panel, Scale, Series};
+use super::chart::{Chart, Panel, Series, Style};
 use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::Field;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS};
 
 const STRAINS: [Field<ElementRecord>; 3] = [STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS];
-
-/// Least height of the axis: smaller strains are noise or nothing to look at [–].
+/// Least span of the axis \[–\].
 const LEAST: f64 = 0.02;
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
@@ -18,22 +17,13 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         return None;
     }
     let curves = |frame: &Frame| STRAINS.map(|field| S0.against(&field, &frame.elements)).into_iter().enumerate();
-    let earlier = view.shown().rev().skip(1).flat_map(|frame| {
-        curves(frame).map(|(i, points)| Series::silent(points, Look::curve(i).faint())).collect::<Vec<_>>()
-    });
-    let at_last =
-        curves(last).map(|(i, points)| Series::new(String::from(STRAINS[i].label(extent)), points, Look::curve(i)));
-    Some(Chart {
-        title: view.titled(format!("strains, {progress} {at}", progress = view.progress(), at = view.reached(last))),
-        legend: String::new(),
-        panels: vec![Panel {
-            x: S0.axis(extent),
-            y: Field::shared_axis(&STRAINS, extent),
-            series: earlier.chain(at_last).collect(),
-            scale: Scale::Fit { height: 350.0, least: LEAST },
-        }],
-        notes: std::iter::once(String::from("Thin: the earlier frames. Logarithmic strains of the mid-surface."))
-            .chain(view.notes_of_frames())
-            .collect(),
-    })
+    let mut panel = Panel::fit(S0.axis(extent), Field::shared_axis(&STRAINS, extent), 350.0, LEAST);
+    for frame in view.shown_frames().rev().skip(1) {
+        panel = panel.with(curves(frame).map(|(i, points)| Series::silent(points, Style::curve(i).faint())));
+    }
+    let panel =
+        panel.with(curves(last).map(|(i, points)| Series::new(STRAINS[i].label(extent), points, Style::curve(i))));
+    let note = "Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned();
+    let title = view.titled(&format!("strains, {} {}", view.progress(), view.progress_at(last)));
+    Some(Chart::new(title, vec![panel], std::iter::once(note).chain(view.notes_on_frames()).collect()))
 }

@@ -59,7 +59,7 @@ impl<'a> Report<'a> {
     ) -> Self {
         let before = assess::before(&solution.case);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
-        let mut views = solution.views_telling(&assumed);
+        let mut views = solution.views_with(&assumed);
         StageView::verify(&mut views, &solution.stages, verification);
         let views = views.into_iter().map(StageView::without_captions);
         Self {

@@ -7,6 +7,7 @@ mod folder;
 pub mod forming_limit;
 pub mod load_travel;
 mod output;
+mod overlay;
 pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
@@ -20,14 +21,15 @@ pub mod vtk;
 mod write;
 
 pub use crate::plot::{
-    Captions, Chart, Dimension, Format, FrameRecorder, Mark, PAPER, Pictures, Size, StageView, animation, comparisons,
+    Captions, Chart, Dimension, Extra, Format, FrameRecorder, Mark, PAPER, Pictures, Size, StageView, animation,
     dimensioned, flow_curve, png, sketch, svg,
 };
-use crate::plot::{forming_diagram, overlay, part, states, strains, thickness_profile};
+use crate::plot::{forming_diagram, part, shapes, strains, thickness};
 pub use csv::csv;
 pub use file::{WriteError, can_write, write};
 pub use folder::{IsOurs, ResultFolder};
-pub use output::{Extra, Files, Make, Output};
+pub use output::{Files, Make, Output};
+pub use overlay::comparisons;
 pub use run::{Results, verdict};
 pub use summary::{CaseSummary, Figure, Summary};
 pub use write::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
@@ -72,18 +74,10 @@ pub const OUTPUTS: &[Output] = &[
     Output::new(
         "thickness.png",
         "thickness over the blank at every kept frame, and over the part",
-        Make::Plot(thickness_profile::thickness),
+        Make::Plot(thickness::thickness),
     ),
-    Output::new(
-        "porosity.png",
-        "porosity over the blank, of a sheet with voids",
-        Make::Plot(thickness_profile::porosity),
-    ),
-    Output::new(
-        "temperature.png",
-        "temperature over the blank, where it is given",
-        Make::Plot(thickness_profile::temperature),
-    ),
+    Output::new("porosity.png", "porosity over the blank, of a sheet with voids", Make::Plot(thickness::porosity)),
+    Output::new("temperature.png", "temperature over the blank, where it is given", Make::Plot(thickness::temperature)),
     Output::new("strains.png", "strains over the blank at the last frame", Make::Plot(strains::plot)),
     Output::new(
         "forming_limit.csv",
@@ -103,7 +97,7 @@ pub const OUTPUTS: &[Output] = &[
     Output::new(
         "shapes.png",
         "the section over the travel, coloured by thinning, and the tools where they were then",
-        Make::Plot(states::plot),
+        Make::Plot(shapes::plot),
     ),
     Output::new(
         "section.pvd",

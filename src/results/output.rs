@@ -1,20 +1,11 @@
 //! Entry of the list of outputs: a file, its content, and how it is made.
 
-use super::{Chart, Format, Results, StageView, csv};
+use super::{Chart, Extra, Format, Results, StageView, csv};
 use crate::solver::solution::Frame;
 use crate::table::Table;
 
 /// Files with their names.
 pub type Files = Vec<(String, Vec<u8>)>;
-
-/// Output on request, made from the frames of a [`FrameRecorder`](super::FrameRecorder).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extra {
-    /// Files for ParaView.
-    Vtu,
-    /// The moving picture.
-    Animation,
-}
 
 /// Function that makes an output; `None` or no files where the solution has no such thing.
 #[derive(Clone, Copy, Debug)]

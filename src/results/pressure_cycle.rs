@@ -2,16 +2,11 @@
 
 use super::StageView;
 use crate::model::{PressureCap, RateControl};
+use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE, STRAIN_RATE};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{Field, Table, Unit};
 
 const TIME: Field<StepRecord> = Field::new("time", "Time", Unit::Second, |s| s.time);
-pub(crate) const PRESSURE: Field<StepRecord> = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure.abs());
-pub(crate) const STRAIN_RATE: Field<StepRecord> =
-    Field::new("strain_rate", "Strain rate", Unit::PerSecond, |s| s.held_rate);
-pub(crate) const HEIGHT: Field<StepRecord> = Field::new("height", "Dome height", Unit::Mm, |s| s.pole_height.abs());
-pub(crate) const CONTACT_SHARE: Field<StepRecord> =
-    Field::new("contact_share", "Contact share", Unit::None, |s| s.contact_share);
 const FIELDS: [Field<StepRecord>; 7] = [
     TIME,
     PRESSURE,
@@ -32,7 +27,7 @@ pub(super) fn time_on_a_cap(stage: &StageSolution) -> f64 {
     stage.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
 }
 
-pub(crate) fn held<'a>(view: &StageView<'a>) -> Option<&'a RateControl> {
+fn held<'a>(view: &StageView<'a>) -> Option<&'a RateControl> {
     view.stage.steps.first()?;
     view.model().rate_control()
 }

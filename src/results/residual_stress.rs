@@ -1,28 +1,16 @@
 //! Stress through the thickness of one frame: at every layer in numbers, at a few places as curves.
 
 use super::StageView;
-use crate::measure::{Place, places};
-use crate::solver::solution::{ElementRecord, Frame, PointRecord};
+use crate::plot::residual_stress::{PLACE, places_with_layers, released};
+use crate::solver::solution::{ElementRecord, PointRecord};
 use crate::table::fields::element::{R, S0, STRAIN_EQUIVALENT, STRESS_HOOP, STRESS_MERIDIONAL, Z};
 use crate::table::{Column, Field, Table, Unit};
-
-/// The frame after release, of a stage that takes its tools away, with its elements that have thickness points.
-pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [ElementRecord])> {
-    let [_, frame] = view.stage.released()?;
-    Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))
-}
-
-/// The places that are shown: those of [`places`] that have thickness points.
-pub(crate) fn shown(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
-    let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
-    places(frame).into_iter().filter(has_layers).collect()
-}
 
 /// One row per element and layer, from the axis outward and from the die's face to the punch's; nothing where no place
 /// has thickness points.
 pub(super) fn of(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
-    shown(frame, elements).first()?;
+    places_with_layers(frame, elements).first()?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
     let points = &frame.through.points[..elements.len() * layers.len()];
     let of_elements = |field: Field<ElementRecord>| {
@@ -38,15 +26,10 @@ pub(super) fn of(view: &StageView) -> Option<Table> {
         of_elements(S0),
         of_elements(R),
         of_elements(Z),
-        across(place.collect()),
+        Column::new("place", PLACE, Unit::None, place.collect()),
         Column::new("zeta", "ζ, from the mid-surface towards the punch", Unit::Mm, zeta.collect()),
         of_points(STRESS_MERIDIONAL, |p| p.stress_meridional),
         of_points(STRESS_HOOP, |p| p.stress_hoop),
         of_points(STRAIN_EQUIVALENT, |p| p.strain_equivalent),
     ]))
-}
-
-/// Where points lie in the thickness.
-pub(crate) fn across(places: Vec<f64>) -> Column {
-    Column::new("place", "ζ/t, from the die's face (−0.5) to the punch's (0.5)", Unit::None, places)
 }

@@ -3,7 +3,7 @@
 use super::csv::csv_with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
-use crate::plot::stage_view::ended;
+use crate::plot::stop_text as ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};

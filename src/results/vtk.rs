@@ -84,7 +84,7 @@ fn tools(model: &Model, frame: &Frame) -> Grid {
     let (mut points, mut cells, mut roles) = (Vec::new(), Vec::new(), Vec::new());
     for (i, tool) in model.tools.iter().enumerate() {
         let sagitta = SAGITTA * model.blank.length;
-        let mut line = sections::outline(&tool.profile, sections::place(frame, i), sagitta);
+        let mut line = sections::outline(&tool.profile, sections::tool_displacement(frame, i), sagitta);
         line.dedup();
         cells.extend((points.len() + 1..points.len() + line.len()).map(|n| vec![n - 1, n]));
         points.extend(line);

@@ -1,10 +1,9 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
-use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, stages};
+use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
-use crate::plot::overlay;
 use crate::solver::solution::Frame;
 use crate::study::verify::answered;
 use std::fs;

@@ -1,7 +1,8 @@
 //! How values stand along a line: evenly, or their ratios.
 
 /// Whether equal differences or equal ratios are equally far apart.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Spacing {
     /// Equal differences.
     #[default]

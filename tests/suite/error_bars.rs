@@ -7,7 +7,7 @@ use crate::common::shipped::shipped_case;
 use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
-use stampflow::plot::chart::Look;
+use stampflow::plot::chart::Style;
 use stampflow::report::Report;
 use stampflow::results::{OUTPUTS, Results, svg};
 use stampflow::study::verify::{Of, Verification, Watch, answered, quick, verify};
@@ -221,7 +221,7 @@ fn reports_and_pictures_carry_the_bars() {
         let chart =
             OUTPUTS.iter().find(|output| output.file == file).and_then(|output| output.chart(view)).expect(file);
         let [band, .., curve] = &chart.panels[0].series[..] else { panic!("curves") };
-        assert!(matches!(band.look, Look::Area { .. }) && band.points.len() > 20, "{file}");
+        assert!(matches!(band.style, Style::Area { .. }) && band.points.len() > 20, "{file}");
         assert!(svg(&chart).contains("Error band"), "{file} {curve:?}");
     }
 }

@@ -41,7 +41,6 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
-mod part;
 mod pictures;
 mod profiles;
 mod report;

@@ -336,8 +336,8 @@ fn the_table_grows_with_every_run() {
     let chart = stampflow::output::study::search::plot(&quest, &answer).expect("a picture");
     let x = &chart.panels[0].x;
     let places =
-        || chart.panels[0].series.iter().flat_map(|series| &series.points).map(|point| x.spacing().value(point.0));
-    assert!(x.spacing().is_logarithmic() && x.text() == "Blank diameter [mm]", "{}", x.text());
+        || chart.panels[0].series.iter().flat_map(|series| &series.points).map(|point| x.spacing.value(point.0));
+    assert!(x.spacing.is_logarithmic() && x.text() == "Blank diameter [mm]", "{}", x.text());
     assert!(places().all(|value| (99.9..120.1).contains(&value)), "values of the span, at their logarithms");
 }
 

@@ -170,7 +170,7 @@ fn a_tornado_is_sorted_by_how_far_a_key_moves_a_number() {
         let made = pictures(results, "Cup");
         assert_eq!(made[0].0, "tornado");
         let panel = made[0].1.panels.iter().find(|panel| panel.x.text().starts_with("Punch force")).expect("a panel");
-        assert_eq!(panel.y.names().last().map(String::as_str), Some("Friction"), "the uppermost");
+        assert_eq!(panel.y.names.last().map(String::as_str), Some("Friction"), "the uppermost");
         assert!(svg(&made[0].1).contains("Key above where the case stands"));
     });
 }

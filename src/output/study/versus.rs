@@ -2,8 +2,9 @@
 
 use crate::forming_limit::{self, Assessment, Curve};
 use crate::model::Geometry;
-use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
-use crate::plot::forming_diagram::{Strains, along};
+use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
+use crate::plot::forming_diagram::{StrainMeasure, limit_points};
+use crate::plot::palette::{BLACK, color};
 use crate::plot::sections;
 use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use crate::study::versus::{Member, Of, Versus};
@@ -39,7 +40,7 @@ pub struct Drawn {
 
 /// Load, thickness, strains and sections of all runs, those that they have, with what was measured.
 pub fn pictures(versus: &Versus, engineering_strain: bool) -> Vec<Drawn> {
-    let strains = Strains { engineering: engineering_strain };
+    let strains = StrainMeasure { is_engineering: engineering_strain };
     let all = [
         ("compare_load", "punch force over the travel", load(versus)),
         ("compare_thickness", "thickness over the blank", thickness(versus)),
@@ -65,7 +66,7 @@ fn curves<'a>(
         .members
         .iter()
         .enumerate()
-        .map(move |(i, member)| Series::new(String::from(member.label()), points(member), Look::curve(i)));
+        .map(move |(i, member)| Series::new(String::from(member.label()), points(member), Style::curve(i)));
     series.filter(|series| !series.points.is_empty())
 }
 
@@ -74,7 +75,7 @@ fn measured(versus: &Versus, of: Of) -> impl Iterator<Item = Series> {
     versus.curves().filter(move |(_, curve)| curve.of == of).map(|(i, curve)| {
         let place = versus.members.len() + i;
         let look =
-            if curve.points.len() > CIRCLES { Look::curve(place) } else { Look::Circles { color: color(place) } };
+            if curve.points.len() > CIRCLES { Style::curve(place) } else { Style::Circles { color: color(place) } };
         Series::new(curve.label(i).to_string(), curve.points.clone(), look)
     })
 }
@@ -87,7 +88,7 @@ fn load(versus: &Versus) -> Found {
     let scale = Scale::Fit { height: HEIGHT, least: 0.0 };
     let (x, y) = (TRAVEL.axis(extent), PUNCH_FORCE.axis(extent));
     (!series.is_empty())
-        .then(|| (Panel { x, y, series: series.into_iter().chain(measured(versus, Of::Load)).collect(), scale }, None))
+        .then(|| (Panel::new(x, y, scale).with(series.into_iter().chain(measured(versus, Of::Load))), None))
 }
 
 fn thickness(versus: &Versus) -> Found {
@@ -96,9 +97,8 @@ fn thickness(versus: &Versus) -> Found {
     let series: Vec<Series> = curves(versus, |member| member.outcome().thickness.clone()).collect();
     let scale = Scale::Fit { height: HEIGHT, least };
     let (x, y) = (S0.axis(extent), THICKNESS.axis(extent));
-    (!series.is_empty()).then(|| {
-        (Panel { x, y, series: series.into_iter().chain(measured(versus, Of::Thickness)).collect(), scale }, None)
-    })
+    (!series.is_empty())
+        .then(|| (Panel::new(x, y, scale).with(series.into_iter().chain(measured(versus, Of::Thickness))), None))
 }
 
 /// The last stage that was run, and how it ended.
@@ -116,7 +116,7 @@ struct Limited<'a> {
 }
 
 /// Strains from the axis to the edge, and the limits: minor and major of a cup, of a strip the major over the blank.
-fn limits(versus: &Versus, strains: Strains) -> Found {
+fn limits(versus: &Versus, strains: StrainMeasure) -> Found {
     let limited = versus.members.iter().enumerate().filter_map(|(place, member)| {
         let (stage, _) = end(member)?;
         let limit = stage.model.forming_limit.as_ref()?;
@@ -134,42 +134,42 @@ fn limits(versus: &Versus, strains: Strains) -> Found {
     let minors = (low - beside, high + beside);
     let line = |run: &Limited| -> Vec<(f64, f64)> {
         if is_strip {
-            return run.assessment.elements.iter().map(|e| (e.s0, strains.of(e.limit))).collect();
+            return run.assessment.elements.iter().map(|e| (e.s0, strains.convert(e.limit))).collect();
         }
-        let curve = along(run.limit, minors).into_iter().filter(|p| p[0] <= p[1] && run.limit.knows(p[0]));
+        let curve = limit_points(run.limit, minors).into_iter().filter(|p| p[0] <= p[1] && run.limit.knows(p[0]));
         curve.map(|p| strains.point(p)).collect()
     };
     let places = |run: &Limited| -> Vec<(f64, f64)> {
         let elements = run.assessment.elements.iter();
         match is_strip {
-            true => elements.map(|e| (e.s0, strains.of(e.major))).collect(),
+            true => elements.map(|e| (e.s0, strains.convert(e.major))).collect(),
             false => elements.map(|e| strains.point([e.minor, e.major])).collect(),
         }
     };
     let places = limited.iter().map(|run| (run, places(run)));
     let mut series: Vec<Series> = places
-        .map(|(run, points)| Series::new(String::from(run.member.label()), points, Look::curve(run.place)))
+        .map(|(run, points)| Series::new(String::from(run.member.label()), points, Style::curve(run.place)))
         .collect();
     if one_limit {
         let label = format!("Limit: {curve}", curve = first.limit.name);
-        series.push(Series::new(label, line(first), Look::Line { color: BLACK, width: 1.6, dash: &[] }));
+        series.push(Series::new(label, line(first), Style::Line { color: BLACK, width: 1.6, dash: &[] }));
     } else {
         series.extend(limited.iter().map(|run| {
             let label = format!("Limit of {run}", run = run.member.mark);
-            Series::new(label, line(run), Look::curve(run.place).faint())
+            Series::new(label, line(run), Style::curve(run.place).faint())
         }));
     }
     let tallest = series.iter().flat_map(|series| &series.points).map(|point| point.1).fold(0.0, f64::max);
-    let lowest = ends().map(|element| strains.of(element.major)).fold(0.0, f64::min);
+    let lowest = ends().map(|element| strains.convert(element.major)).fold(0.0, f64::min);
     let y_range = (lowest, (1.0 + BESIDE) * tallest);
     let [minor, major] = strains.axes();
     let (x, x_range) = match is_strip {
         true => (S0.axis(model.extent()), (0.0, model.blank.length)),
-        false => (minor, (strains.of(minors.0), strains.of(minors.1))),
+        false => (minor, (strains.convert(minors.0), strains.convert(minors.1))),
     };
     let note = "Each line goes through the places of a sheet from its middle to its edge.".to_owned();
     let scale = Scale::Window { height: TALL, x: x_range, y: y_range };
-    Some((Panel { x, y: major, series, scale }, Some(note).filter(|_| !is_strip)))
+    Some((Panel::new(x, major, scale).with(series), Some(note).filter(|_| !is_strip)))
 }
 
 /// The middle of the sheet at the end of every run, with the tools of the first.
@@ -187,7 +187,7 @@ fn shapes(versus: &Versus) -> Found {
         "Lines are the middle of the sheet at the end of each run; the tools are those of {run}.",
         run = first.mark
     );
-    Some((sections::panel(stage.model.geometry, tools.chain(sheets), window), Some(note)))
+    Some((sections::panel(stage.model.geometry, window).with(tools).with(sheets), Some(note)))
 }
 
 /// One row for every number of every run, then what the verdict says and how it ended.

@@ -12,7 +12,7 @@ use crate::assess::{Kind, sentences};
 use crate::case::files::sha256;
 use crate::measure::{events, moment_error};
 use crate::model::{Extent, Geometry, Mode};
-use crate::plot::stage_view::ended;
+use crate::plot::stop_text as ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::units::{Amount, joined};
 use serde::Serialize;

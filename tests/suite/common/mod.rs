@@ -8,7 +8,6 @@ pub mod drawn;
 pub mod few;
 pub mod files;
 pub mod page;
-pub mod pdf;
 pub mod pixels;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;

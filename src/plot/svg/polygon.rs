@@ -1,8 +1,8 @@
-//! Outlines in the plane: polygons cut at a window, lines cut into dashes.
+//! Polygons clipped at a window or hatched, lines cut into dashes.
 
 type Points = Vec<(f64, f64)>;
 
-/// The part of a polygon inside the window; parts that are apart stay joined along the window's border.
+/// Polygon clipped at a window; separate parts stay joined along the border.
 ///
 /// # References
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974) 32–42.
@@ -29,7 +29,7 @@ pub fn clipped(polygon: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Points {
     points
 }
 
-/// A line cut by a pattern of drawn and left-out lengths; an empty pattern keeps it whole.
+/// Pieces of a line cut by a pattern of drawn and left-out lengths; an empty pattern keeps it whole.
 pub fn dashed(line: &[(f64, f64)], pattern: &[f64]) -> Vec<Points> {
     if pattern.is_empty() || line.len() < 2 {
         return vec![line.to_vec()];
@@ -65,8 +65,8 @@ pub fn dashed(line: &[(f64, f64)], pattern: &[f64]) -> Vec<Points> {
     dashes
 }
 
-/// Parallel lines inside a polygon, which rise so many degrees from left to right in a plane whose y points down, so far
-/// apart. They stand at even distances from the origin: those of neighbours are in line.
+/// Parallel lines inside a polygon, `rise` degrees counter-clockwise with y pointing down, `apart` from each other and at
+/// even distances from the origin, so that they continue in neighbours.
 pub fn hatched(polygon: &[(f64, f64)], rise: f64, apart: f64) -> Vec<[(f64, f64); 2]> {
     let (sin, cos) = (-rise.to_radians()).sin_cos();
     // Along the lines, and across them.
@@ -114,7 +114,7 @@ mod tests {
         assert_eq!(dashed(&[(0.0, 0.0), (3.0, 0.0)], &[]).len(), 1);
     }
 
-    /// Trust: the lines of a square lie inside of it and are, times their distance, its area; a hole that is joined by a
+    /// Reference: the lines of a square lie inside of it and are, times their distance, its area; a hole that is joined by a
     /// bridge has none.
     #[test]
     fn a_hatch_fills_its_area_and_no_hole() {

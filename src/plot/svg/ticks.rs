@@ -1,5 +1,6 @@
-//! Ticks: how many, where, and their labels.
+//! Ticks: their number, their values and their labels.
 
+use crate::table::Axis;
 use plotters::coord::ranged1d::{BoldPoints, DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
 use std::ops::Range;
@@ -8,14 +9,14 @@ pub(super) fn tick_count(height: f64) -> usize {
     ((height / 45.0) as usize).clamp(4, 8)
 }
 
-/// The round values of the range that plotters labels, `most` of them or fewer.
-pub(super) fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
+/// At most `most` round values of the range.
+fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
 }
 
-/// Logarithms of round values in a range of logarithms: 1, 2, 5 and their tens where these are `most` or fewer, else the tens
-/// alone; where there are fewer than two of them round values as on any axis.
-pub(super) fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
+/// Logarithms of round values in a range of logarithms: 1, 2, 5 times powers of ten if there are at most `most`, else powers
+/// of ten; values as on any axis if there are fewer than two.
+fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let powers = || low.floor() as i32..=high.ceil() as i32;
     let of = |digits: &[f64]| -> Vec<f64> {
         let all = powers().flat_map(|power| digits.iter().map(move |digit| digit.log10() + f64::from(power)));
@@ -33,7 +34,7 @@ pub(super) fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
     }
 }
 
-/// A range whose ticks are given.
+/// Range with given ticks.
 pub(super) struct Ticked {
     range: RangedCoordf64,
     ticks: Vec<f64>,
@@ -62,11 +63,11 @@ impl Ranged for Ticked {
     }
 }
 
-/// Round-off, over a step \[–\].
+/// Round-off over a step \[–\].
 const SLACK: f64 = 1e-6;
 
-/// Of values in order some `most` or fewer: both ends, zero, and those between at even steps from zero, which may be other
-/// ones below it than above.
+/// At most `most` of sorted values: both ends, zero, and those between at even steps from zero, which may differ on
+/// either side.
 pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
     let Some(last) = values.len().checked_sub(1) else { return Vec::new() };
     let zero = values.iter().position(|value| *value == 0.0).unwrap_or(0);
@@ -84,8 +85,8 @@ pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
     (0..=last).filter(is_kept).map(|i| values[i]).collect()
 }
 
-/// A tick's label: as many decimals as the ticks beside it need, digits in groups of three from 10 000 on.
-pub(super) fn tick(value: f64, all: &[f64]) -> String {
+/// Number with as many decimals as its neighbours need, digits in groups of three from 10 000 on.
+fn tick(value: f64, all: &[f64]) -> String {
     let decimals = |v: &f64| {
         let text = format!("{v:.6}");
         let tail = text.rsplit_once('.').map_or("", |(_, tail)| tail.trim_end_matches('0'));
@@ -107,6 +108,27 @@ pub(super) fn tick(value: f64, all: &[f64]) -> String {
     format!("{minus}{grouped}{point}{tail}")
 }
 
+/// Tick values of an axis: round ones, or one per name.
+pub(super) fn values(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
+    match axis.names.as_slice() {
+        [] if axis.spacing.is_logarithmic() => decades(range, most),
+        [] => ticks(range, most),
+        names => (0..names.len()).map(|i| i as f64).collect(),
+    }
+}
+
+/// Label of a tick among all ticks of its axis.
+pub(super) fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
+    match axis.names.as_slice() {
+        [] if axis.spacing.is_logarithmic() => {
+            let value = axis.spacing.value(value);
+            tick(value, &[value])
+        }
+        [] => tick(value, all),
+        names => names.get(value.round() as usize).cloned().unwrap_or_default(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,44 +140,24 @@ mod tests {
             ticks.iter().map(|value| tick(*value, &ticks)).collect::<Vec<_>>()
         };
         assert_eq!(labels((0.0, 1.0), 8), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(labels((0.0, 0.3), 8), ["0.00", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30"]);
         assert_eq!(labels((-0.52, 0.46), 6), ["−0.4", "−0.2", "0.0", "0.2", "0.4"]);
         assert_eq!(ticks((0.0, 46_900.0), 7), [0.0, 10_000.0, 20_000.0, 30_000.0, 40_000.0]);
-        assert_eq!(ticks((99.5, 100.5), 4), [99.5, 100.0, 100.5]);
         assert_eq!(ticks((3.0, 3.0), 8), [3.0]);
-    }
-
-    #[test]
-    fn a_logarithmic_axis_has_round_values() {
-        let values = |range: (f64, f64), most| -> Vec<String> {
+        let log = |range: (f64, f64), most| -> Vec<String> {
             let places = decades((range.0.log10(), range.1.log10()), most);
             places.iter().map(|place| 10_f64.powf(*place)).map(|value| tick(value, &[value])).collect()
         };
-        assert_eq!(values((50.0, 2000.0), 8), ["50", "100", "200", "500", "1000", "2000"]);
-        assert_eq!(values((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
-        assert_eq!(values((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
-        assert_eq!(values((6.0, 9.0), 4), ["6", "7", "8", "9"]);
+        assert_eq!(log((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
+        assert_eq!(log((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
+        assert_eq!(log((6.0, 9.0), 4), ["6", "7", "8", "9"]);
+        assert_eq!(tick(12_345.0, &[12_345.0]), "12\u{2009}345");
     }
 
     #[test]
-    fn a_scale_of_colours_has_numbers_at_both_ends() {
+    fn a_colour_bar_has_numbers_at_both_ends() {
         let steps = |levels: std::ops::RangeInclusive<i32>| levels.map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>();
         assert_eq!(spread(&steps(-2..=3), 8), steps(-2..=3));
         assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
         assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
-        assert!(spread(&[], 8).is_empty());
-        // Wide colours below zero and narrow ones above.
-        let uneven = [-40.0, -30.0, -20.0, -10.0, 0.0, 2.0, 4.0, 6.0, 8.0, 10.0];
-        assert_eq!(spread(&uneven, 8), [-40.0, -30.0, -20.0, -10.0, 0.0, 10.0]);
-    }
-
-    #[test]
-    fn ticks_share_their_decimals_and_group_thousands() {
-        let all = [0.0, 0.05, 0.1];
-        assert_eq!(all.map(|v| tick(v, &all)), ["0.00", "0.05", "0.10"]);
-        assert_eq!(tick(-20_000.0, &[0.0, 10_000.0]), "−20\u{2009}000");
-        assert_eq!(tick(5000.0, &[5000.0]), "5000");
-        assert_eq!(tick(0.1 + 0.2, &[0.1 + 0.2]), "0.3");
-        assert_eq!(tick(-0.0, &[0.0]), "0");
     }
 }

@@ -1,0 +1,119 @@
+//! Picture settings: formats, width on paper, captions.
+
+use super::chart::Chart;
+use super::raster;
+use super::svg::{WIDTH, sized};
+
+/// Picture file format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Scalable, for web pages and print.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+/// Text in a picture beside axes and legend.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Captions {
+    /// No title, no notes.
+    None,
+    /// Notes on the picture itself; the title of the case stands elsewhere.
+    Own,
+    /// Title and notes on the picture itself.
+    #[default]
+    Short,
+    /// All of it, settings, warnings and assumptions too.
+    Full,
+}
+
+/// Picture settings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pictures {
+    /// File formats, one file each.
+    pub formats: Vec<Format>,
+    /// Width on paper \[mm\]; [`PAPER`] by default.
+    pub width: Option<f64>,
+    /// Pixels per inch on paper; 1600 pixels in all by default.
+    pub dpi: Option<f64>,
+    /// Text beside axes and legend.
+    pub captions: Captions,
+    /// True draws forming limit diagrams in engineering strains instead of logarithmic ones.
+    pub engineering_strain: bool,
+}
+
+/// Default width on paper: between the margins of A4 \[mm\].
+pub const PAPER: f64 = 170.0;
+/// Default width of PNG files \[px\], and their default density if a paper width is given \[px/inch\].
+const PIXELS: f64 = 1600.0;
+const PRINTED: f64 = 300.0;
+/// Smallest font on paper \[pt\] and in drawings \[px\].
+const LEAST_LETTER: f64 = 6.0;
+const SMALLEST: f64 = 13.5;
+/// Points per inch and per mm.
+const INCH: f64 = 72.0;
+const MM: f64 = INCH / 25.4;
+
+/// PNG file of a chart, 1600 px wide.
+pub fn png(chart: &Chart) -> Vec<u8> {
+    raster::png(&sized(chart, WIDTH, None), PIXELS, None)
+}
+
+impl Default for Pictures {
+    fn default() -> Self {
+        let captions = Captions::default();
+        Self { formats: vec![Format::Png], width: None, dpi: None, captions, engineering_strain: false }
+    }
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 2] = [Self::Svg, Self::Png];
+
+    /// File name extension.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Png => "png",
+        }
+    }
+
+    /// File name without the extension of a picture; `None` if it has none.
+    pub(crate) fn stem(name: &str) -> Option<&str> {
+        Self::ALL.iter().find_map(|format| name.strip_suffix(format.ending())?.strip_suffix('.'))
+    }
+}
+
+impl Pictures {
+    /// Files of a chart, `stem` with the extension of each format.
+    pub fn files(&self, stem: &str, chart: &Chart) -> Vec<(String, Vec<u8>)> {
+        let mut chart = chart.clone();
+        if self.captions == Captions::None {
+            chart.title.clear();
+            chart.notes.clear();
+        }
+        let svg = sized(&chart, self.layout_width(), self.width);
+        let file = |format: &Format| (format!("{stem}.{}", format.ending()), self.bytes(&svg, *format));
+        self.formats.iter().map(file).collect()
+    }
+
+    /// Layout width \[px\]: narrow paper holds fewer px, so that fonts keep their size.
+    fn layout_width(&self) -> f64 {
+        WIDTH.min(self.points() * SMALLEST / LEAST_LETTER)
+    }
+
+    fn points(&self) -> f64 {
+        MM * self.width.unwrap_or(PAPER)
+    }
+
+    fn bytes(&self, svg: &str, format: Format) -> Vec<u8> {
+        match format {
+            Format::Svg => svg.as_bytes().to_vec(),
+            Format::Png => {
+                let dpi = self.dpi.or(self.width.map(|_| PRINTED));
+                let pixels = dpi.map_or(PIXELS, |dpi| (dpi * self.points() / INCH).round());
+                raster::png(svg, pixels, dpi)
+            }
+        }
+    }
+}

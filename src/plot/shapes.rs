@@ -1,0 +1,50 @@
+//! Section over the travel, coloured by thinning, with the tools where they were then.
+
+use super::StageView;
+use super::chart::{Chart, Panel, Series, Style};
+use super::palette::color;
+use super::sections::{flat, panel, tools, window};
+use super::thinning::{Thinning, exaggeration, thickness_note};
+use crate::solver::solution::Frame;
+use crate::table::capitalised;
+use crate::units::Amount;
+
+/// Largest number of states.
+const STATES: usize = 6;
+/// Width of a small panel \[px\].
+const SMALL: f64 = 230.0;
+
+/// States of a stage in small panels; a run that never started shows the flat blank.
+pub(crate) fn plot(view: &StageView) -> Option<Chart> {
+    let (model, frames) = (view.model(), &view.stage.frames);
+    let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let width = window[0].1;
+    let thinning = Thinning::new(model.blank.thickness, frames);
+    let times = exaggeration(model.blank.thickness, SMALL / width);
+    let small = |at: Amount, frame: Option<&Frame>, sheet: Vec<Series>| {
+        let caption = capitalised(&format!("{} {at}", view.progress()));
+        let section = panel(model.geometry, window).with(tools(model, frame, width)).with(sheet);
+        Panel { caption, is_small: true, ..section }
+    };
+    let states = states(view);
+    let mut panels: Vec<Panel> = states
+        .iter()
+        .map(|frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, times)))
+        .collect();
+    if panels.is_empty() {
+        let sheet = Series::silent(flat(model), Style::area(color(0)));
+        panels.push(small(Amount::size(0.0), None, vec![sheet]));
+    } else {
+        panels.push(thinning.scale());
+    }
+    let notes = std::iter::once(thickness_note(times)).chain(view.notes_on_frames()).collect();
+    Some(Chart::new(view.titled("sections"), panels, notes))
+}
+
+/// Start, if there is room for it, and frames spread evenly up to the last.
+fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
+    let frames = &view.stage.frames;
+    let most = frames.len().min(STATES);
+    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&most));
+    start.into_iter().chain((1..=most).map(|i| &frames[i * frames.len() / most - 1])).collect()
+}

@@ -1,0 +1,74 @@
+//! SVG by plotters: the only source of every picture.
+//!
+//! Lengths are in px of a picture 800 px wide, from the upper left corner, y down, unless they are in backend [`units`].
+
+mod annotations;
+mod page;
+mod panel;
+mod polygon;
+mod shapes;
+pub(crate) mod text;
+mod ticks;
+
+use super::chart::{Chart, Color};
+use page::Page;
+use plotters::backend::SVGBackend;
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::style::{RGBColor, WHITE};
+use text::FONT;
+
+/// Width of a picture \[px\], unless another one is asked for.
+pub const WIDTH: f64 = 800.0;
+
+/// Backend units per px: plotters rounds to whole units, which shows as steps in curves at 1.
+const FINE: f64 = 8.0;
+
+/// Reason for each `expect` on drawing.
+const IN_MEMORY: &str = "drawing into memory does not fail";
+
+/// Area of the page.
+type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Standalone SVG of a picture, 800 px wide.
+pub fn svg(chart: &Chart) -> String {
+    sized(chart, WIDTH, None)
+}
+
+/// Standalone SVG, laid out `width` px wide and `paper` mm wide on paper.
+pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
+    text::register();
+    let chart = &chart.clone().displayed();
+    let page = Page::new(chart, width);
+    let height = page.height;
+    let size = (units(width) as u32, units(height) as u32);
+    let mut svg = String::new();
+    {
+        let canvas = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        canvas.fill(&WHITE).expect(IN_MEMORY);
+        page.draw(chart, &canvas);
+        canvas.present().expect(IN_MEMORY);
+    }
+    let outer = match paper {
+        Some(mm) => format!("<svg width=\"{mm}mm\" height=\"{:.2}mm\"", height * mm / width),
+        None => format!("<svg width=\"{width}\" height=\"{height}\""),
+    };
+    let inner = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
+    let family = format!(" font-family=\"{FONT}\"");
+    let svg = svg.replace(" opacity=\"1\"", "").replace(&family, "").replacen(&inner, &outer, 1);
+    svg.replacen("<svg", &format!("<svg{family} stroke-linejoin=\"round\""), 1)
+}
+
+/// Backend units in so many px.
+fn units(px: f64) -> i32 {
+    (px * FINE).round() as i32
+}
+
+/// Point in px of a point in backend units.
+fn px(at: (i32, i32)) -> (f64, f64) {
+    (f64::from(at.0) / FINE, f64::from(at.1) / FINE)
+}
+
+fn rgb(color: Color) -> RGBColor {
+    RGBColor(color.0, color.1, color.2)
+}

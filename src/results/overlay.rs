@@ -1,0 +1,164 @@
+//! Comparisons with references as pictures and tables.
+
+use super::{Chart, Files, Format, Results, StageView, csv};
+use crate::case::{Case, Solution};
+use crate::compare::{
+    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Point, Points,
+    Quantity, compare,
+};
+use crate::plot::comparison::{BandComparison, CurveComparison};
+use crate::units::rounded;
+
+impl Solution {
+    /// Comparisons with the results of the first stage and with the ring of the last.
+    ///
+    /// # Errors
+    /// If a reference cannot be read or does not fit.
+    pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
+        let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
+        let ring = self.case.springback.ring.and_then(|ring| ring.test(&self.stages));
+        comparisons(&self.case, &Computed { ring: ring.as_ref(), ..Computed::of(first) })
+    }
+}
+
+/// Comparisons of a case with computed results.
+///
+/// # Errors
+/// If a reference cannot be read or does not fit.
+pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, CompareError> {
+    case.compare.iter().map(|spec| compare(spec, computed)).collect()
+}
+
+/// `compare_<n>_<quantity>.csv` and the picture of every comparison with data, counted from 1.
+pub(super) fn files(results: &Results) -> Files {
+    let mut files = Vec::new();
+    let Some(view) = results.views.first() else { return files };
+    for (i, comparison) in results.comparisons.iter().enumerate() {
+        let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
+        if let Some(chart) = plot(view, comparison) {
+            files.push((format!("{stem}.csv"), csv(&comparison.table())));
+            files.extend(view.pictures.files(&stem, &chart));
+        }
+    }
+    files
+}
+
+/// True if a file's name is one that [`files`] gives.
+pub(super) fn is_comparison(_: &str, name: &str) -> bool {
+    let stem = name.strip_suffix(".csv").or(Format::stem(name));
+    let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
+    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
+}
+
+fn is_quantity(name: &str) -> bool {
+    Quantity::ALL.iter().any(|q| q.name() == name) || BandQuantity::ALL.iter().any(|q| q.name() == name)
+}
+
+/// Picture of a comparison; `None` without data.
+pub(crate) fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
+    let (panels, mut notes) = match (&comparison.spec.against, &comparison.found) {
+        (Against::Curve(spec), Found::Points(points)) => {
+            (curve(comparison, spec, points).panels(), notes_on_points(comparison, spec, points))
+        }
+        (Against::Band(spec), Found::Band(found)) => {
+            (vec![band(comparison, spec, found).panel()], notes_on_band(comparison, spec, found))
+        }
+        _ => return None,
+    };
+    notes.extend(view.notes());
+    Some(Chart::new(view.titled("computed and reference"), panels, notes))
+}
+
+/// Largest drawn difference in tolerances, if half of the points lie within.
+const DRAWN: f64 = 6.0;
+
+fn largest_drawn(points: &[Point], spec: &CurveSpec) -> f64 {
+    let end = DRAWN * spec.tolerance;
+    let beyond = points.iter().filter_map(Point::difference).filter(|d| d.abs() > end).count();
+    if 2 * beyond > points.len() { f64::INFINITY } else { end }
+}
+
+fn curve(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> CurveComparison {
+    let largest = largest_drawn(points, spec);
+    let differences = points.iter().filter_map(|p| Some((p.x, p.difference()?)));
+    CurveComparison {
+        axes: comparison.axes().into(),
+        computed: comparison.curve.clone(),
+        reference: points.iter().map(|p| (p.x, p.reference)).collect(),
+        differences: differences.filter(|d| d.1.abs() <= largest).map(|(x, d)| (x, 100.0 * d)).collect(),
+        tolerance: rounded(100.0 * spec.tolerance),
+    }
+}
+
+fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> BandComparison {
+    let curve = &comparison.curve;
+    let which = spec.quantity.which();
+    let compared = band.computed.map_or_else(Default::default, |computed| {
+        let is_compared = |p: &(f64, f64)| p.1 == computed.low || p.1 == computed.high;
+        let points = match computed.low == computed.high {
+            true => curve.iter().copied().rfind(is_compared).into_iter().collect(),
+            false => curve.iter().copied().filter(is_compared).collect(),
+        };
+        (format!("Computed {which}, {}", comparison.text(computed)), points)
+    });
+    let measured = (format!("Reference {which}, {}", comparison.text(band.measured)), band.measured);
+    let widened = (band.accepted != band.measured)
+        .then(|| (format!("Reference with its error, {}", comparison.text(band.accepted)), band.accepted));
+    BandComparison {
+        axes: comparison.axes().into(),
+        computed: curve.clone(),
+        compared,
+        measured: (measured.0, [measured.1.low, measured.1.high]),
+        widened: widened.map(|(label, interval)| (label, [interval.low, interval.high])),
+    }
+}
+
+fn origin(comparison: &Comparison, columns: &str) -> Vec<String> {
+    let Comparison { spec, source, .. } = comparison;
+    let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
+    let from = source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
+    let demonstration = spec.demonstration.then(|| "A demonstration, not a validation.".to_owned());
+    demonstration.into_iter().chain([format!("Reference: {file}, {columns}: {from}.")]).collect()
+}
+
+fn notes_on_points(comparison: &Comparison, spec: &CurveSpec, points: &Points) -> Vec<String> {
+    let reason = comparison.spec.reason.trim_end_matches('.');
+    let mut notes = origin(comparison, &format!("column {}", spec.y));
+    notes.push(format!("Tolerance {}: {reason}.", comparison.accepted()));
+    if let (Some(point), Some(worst)) = (points.worst(), comparison.worst()) {
+        notes.push(format!("Largest difference {worst} at {}.", comparison.place(point)));
+    }
+    let judged = points.judged().count();
+    let missed = points.judged().filter(|p| p.computed.is_none()).count();
+    if missed > 0 {
+        notes.push(format!("{missed} of {judged} reference points were not reached."));
+    }
+    if let Some((low, high)) = spec.range {
+        notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
+    }
+    let differences = points.0.iter().filter_map(|p| p.difference());
+    let beyond: Vec<f64> = differences.filter(|d| d.abs() > largest_drawn(&points.0, spec)).collect();
+    if let Some(most) = beyond.iter().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
+        let (count, most) = (beyond.len(), 100.0 * most);
+        notes.push(format!("{count} points lie beyond the scale of the difference, up to {most:+.0} %."));
+    }
+    if spec.quantity == Quantity::Travel {
+        notes.push("The travel is the first at which the force is reached, before its peak.".to_owned());
+    }
+    notes
+}
+
+fn notes_on_band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Vec<String> {
+    let columns = if spec.columns.len() == 1 { "column" } else { "columns" };
+    let mut notes = origin(comparison, &format!("{columns} {}", spec.columns.join(", ")));
+    notes.push(match (band.computed, comparison.worst()) {
+        (Some(computed), Some(worst)) => {
+            let widened = if band.accepted == band.measured { "" } else { ", errors of measurement included" };
+            let (computed, accepted) = (comparison.text(computed), comparison.accepted());
+            format!("Computed {computed}: {worst}; the reference is {accepted}{widened}.")
+        }
+        _ => "The run ended before the value that is compared.".to_owned(),
+    });
+    notes.push(format!("Remark: {}.", comparison.spec.reason.trim_end_matches('.')));
+    notes
+}
