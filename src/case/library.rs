@@ -104,8 +104,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let EntryFile { material: known, thickness, forming_limit, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
     let from = format!("material {name}: {origin}");
-    let mut notes: Vec<String> = note.into_iter().map(String::from).chain([from]).collect();
-    notes.extend(measured_limit(name, forming_limit, file));
+    note.into_iter().chain([from]).chain(measured_limit(name, forming_limit, file)).for_each(|note| source.note(note));
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
     let mut replaced = Vec::new();
@@ -128,7 +127,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
         if let Some(shifting) = elastoplastic.filter(|_| shifts) {
             (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
-            notes.push(format!(
+            source.note(format!(
                 "material {name}: with its back-stresses, and the hardening that they leave of its yield stress"
             ));
         } else {
@@ -138,14 +137,14 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
-        notes.push(format!(
+        source.note(format!(
             "material {name}: {keys} as this case has it, not as its source",
             keys = replaced.join(", ")
         ));
     }
     // Of another law the sheet's thickness says nothing.
     let thickness = thickness.filter(|_| !own_hardening).and_then(|words| Thickness::read(name, &words));
-    Ok(Taken { notes, sheets, thickness })
+    Ok(Taken { sheets, thickness })
 }
 
 /// Puts the measured points of a sheet of the library where a case asks for them, and says so.

@@ -39,7 +39,7 @@ pub mod thickness_tolerance;
 mod written;
 
 pub use error::CaseError;
-pub use file::{CaseFile, TitleBlock};
+pub use file::{CaseFile, Springback, TitleBlock};
 pub use read::{load, parse, parse_with};
 pub(crate) use schema::{definition, whole};
 pub use schema::{keys, schema};
@@ -48,7 +48,6 @@ pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
 use crate::material::RValues;
-use crate::measure::Ring;
 use crate::model::{Model, Stage};
 use std::path::PathBuf;
 
@@ -90,30 +89,6 @@ pub struct Press {
     pub force: Option<f64>,
     /// Work of one stroke \[mJ\].
     pub energy: Option<f64>,
-}
-
-/// How far the part may be from what is wanted once its tools are taken away; `None` where the case does not say.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Springback {
-    /// Wanted angle between both walls \[°\]; `None` for that of the punch's wall, or the one under the tools.
-    pub angle: Option<f64>,
-    /// Of that angle \[°\].
-    pub tolerance: Option<f64>,
-    /// Of each wall, half of that angle \[°\].
-    pub wall_tolerance: Option<f64>,
-    /// Of each flange, from where it is under the tools \[°\].
-    pub flange_tolerance: Option<f64>,
-    /// Of each edge, likewise \[mm\].
-    pub edge_tolerance: Option<f64>,
-    /// The ring that is cut from the wall and slit.
-    pub ring: Option<Ring>,
-}
-
-impl Springback {
-    /// Whether there is anything to judge by.
-    pub fn is_given(&self) -> bool {
-        [self.tolerance, self.wall_tolerance, self.flange_tolerance, self.edge_tolerance].iter().any(Option::is_some)
-    }
 }
 
 impl Case {

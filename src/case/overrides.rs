@@ -1,6 +1,7 @@
 //! `KEY=VALUE` from the command line, written into the text before it is read.
 
 use super::CaseError;
+use super::source::is_radius_and_diameter;
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
@@ -41,6 +42,10 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         if let (&[MATERIAL], Some(name)) = (&segments[..], value.as_str()) {
             replace_material(&mut document, name);
             continue;
+        }
+        if let Some(table) = here.as_table_like_mut() {
+            let twin = table.iter().map(|(old, _)| old.to_owned()).find(|old| is_radius_and_diameter(old, key));
+            twin.and_then(|twin| table.remove(&twin));
         }
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }

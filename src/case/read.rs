@@ -54,13 +54,12 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let source = Source::parse(&shown, &text, folder)?;
     let mut file = source.read()?;
     sources::forget_replaced(&mut file, overrides);
-    let mut taken = library::complete(&mut file, &source)?;
-    let (stages, mut derived) = build::stages(&file, &source, folder)?;
-    taken.notes.extend(sources::limit_of_another_sheet(&file, overrides));
-    derived.splice(0..0, std::mem::take(&mut taken.notes));
+    let taken = library::complete(&mut file, &source)?;
+    sources::limit_of_another_sheet(&file, overrides).into_iter().for_each(|note| source.note(note));
+    let stages = build::stages(&file, &source)?;
     let r_values = file.material.anisotropy.and_then(file::Anisotropy::directions);
-    derived.extend(r_values.map(build::mean_of));
-    let compare = build::compare(&file, &source, folder)?;
+    r_values.into_iter().for_each(|r| source.note(build::mean_of(r)));
+    let compare = build::compare(&file, &source)?;
     let press = build::press(&file, &source)?;
     let springback = build::springback(&file, &source)?;
     let sources = sources::of(&file, taken, &source)?;
@@ -77,7 +76,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         springback,
         sources,
         r_values,
-        derived,
+        derived: source.take_notes(),
         path,
         inputs: reads.paths(),
     })

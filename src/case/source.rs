@@ -3,6 +3,7 @@
 use super::files::Folder;
 use super::schema::example;
 use super::{CaseError, CaseFile, complaint};
+use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::Deserialize;
 use std::cell::RefCell;
@@ -28,7 +29,10 @@ impl<'t> Source<'t> {
     pub fn parse(name: &str, text: &'t str, folder: Folder<'t>) -> Result<Self, CaseError> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
         match DeTable::parse(text) {
-            Ok(tree) => Ok(Self { shown, text, tree, folder, notes: RefCell::default(), stage: RefCell::default() }),
+            Ok(mut tree) => {
+                resolve_thicknesses(tree.get_mut());
+                Ok(Self { shown, text, tree, folder, notes: RefCell::default(), stage: RefCell::default() })
+            }
             Err(error) => Err(complaint::not_toml(&error, text, shown)),
         }
     }
@@ -45,11 +49,9 @@ impl<'t> Source<'t> {
     }
 
     /// Adds a note on what was assumed or changed.
-    pub fn note(&self, note: impl Into<String> + std::fmt::Display) {
+    pub fn note(&self, note: impl Into<String>) {
         let note = match &*self.stage.borrow() {
-            Some((_, name)) => {
-                format!("stage {name}: {note}")
-            }
+            Some((_, name)) => format!("stage {name}: {}", note.into()),
             None => note.into(),
         };
         self.notes.borrow_mut().push(note);
@@ -87,9 +89,21 @@ impl<'t> Source<'t> {
     /// Error at a dotted key path, array entries by index; a missing key is shown at its table.
     pub fn error(&self, path: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
         let path = self.whole(path);
+        let path = diameter_key(&path).filter(|twin| !self.locate(&path).1 && self.locate(twin).1).unwrap_or(path);
         let (span, _) = self.locate(&path);
         let label = if path.is_empty() { "here".into() } else { path };
         self.error_at(span, what.into(), label, help.into())
+    }
+
+    /// Returns [`error`](Self::error) unless `ok`.
+    pub fn require(
+        &self,
+        ok: bool,
+        path: &str,
+        what: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Result<(), CaseError> {
+        if ok { Ok(()) } else { Err(self.error(path, what, help)) }
     }
 
     /// Error for a missing key, with a line that could be added.
@@ -160,4 +174,52 @@ fn path_in_value(name: &str, value: &Spanned<DeValue>, span: &Range<usize>) -> O
         _ => None,
     };
     Some(format!("{name}.{}", rest?))
+}
+
+/// Keys of lengths from the axis, each with the key of its diameter.
+const DIAMETERS: [(&str, &str); 5] = [
+    ("radius", "diameter"),
+    ("throat", "throat_diameter"),
+    ("inner_radius", "inner_diameter"),
+    ("at", "diameter"),
+    ("trim", "trim_diameter"),
+];
+
+/// Path of the diameter that may be given instead of a radius.
+fn diameter_key(path: &str) -> Option<String> {
+    let (table, key) = path.rsplit_once('.')?;
+    let (_, diameter) = DIAMETERS.iter().find(|(radius, _)| *radius == key)?;
+    Some(format!("{table}.{diameter}"))
+}
+
+/// True if two keys of a table give the same length, one from the axis and one across.
+pub(super) fn is_radius_and_diameter(one: &str, other: &str) -> bool {
+    DIAMETERS.iter().any(|pair| *pair == (one, other) || *pair == (other, one))
+}
+
+/// Keys of texts, in which "6 t" is no length, and of forces, in which "250 t" is no length either.
+const NO_LENGTHS: [&str; 8] = ["title", "notes", "name", "source", "file", "quantity", "force", "preload"];
+
+/// Replaces lengths in thicknesses of the blank, "6 t", by millimetres.
+fn resolve_thicknesses(tree: &mut DeTable) {
+    let blank = tree.get("blank").and_then(|blank| blank.get_ref().as_table());
+    let thickness = blank.and_then(|blank| blank.get("thickness")?.get_ref().as_str()?.parse::<Length>().ok());
+    let Some(thickness) = thickness else { return };
+    let entries = tree.iter_mut();
+    entries.for_each(|(key, value)| resolve(key.get_ref(), value.get_mut(), thickness.value()));
+}
+
+fn resolve(key: &str, value: &mut DeValue, thickness: f64) {
+    match value {
+        DeValue::Table(table) => {
+            table.iter_mut().for_each(|(key, value)| resolve(key.get_ref(), value.get_mut(), thickness));
+        }
+        DeValue::Array(list) => list.iter_mut().for_each(|value| resolve(key, value.get_mut(), thickness)),
+        DeValue::String(text) if !NO_LENGTHS.contains(&key) => {
+            if let Some(count) = thicknesses(text) {
+                *text = format!("{} mm", count * thickness).into();
+            }
+        }
+        _ => {}
+    }
 }

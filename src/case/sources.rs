@@ -47,8 +47,6 @@ impl Sheets {
 /// What a case takes from the library.
 #[derive(Debug, Default)]
 pub(super) struct Taken {
-    /// What was taken from where.
-    pub notes: Vec<String>,
     /// Where hardening and r̄ come from, where that is two sheets.
     pub sheets: Option<Sheets>,
     /// The sheet's thickness, where its source says it.

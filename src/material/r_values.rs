@@ -1,15 +1,25 @@
 //! Width strain over thickness strain in tension, by direction in the sheet, and what follows of it for a drawn cup.
 
-use crate::units::rounded;
+use crate::units::{As, Number, Positive, rounded};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-/// r at 0°, 45° and 90° to the rolling direction \[–\].
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// r at 0°, 45° and 90° to the rolling direction; r̄ = (r0 + 2 r45 + r90)/4.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Directions")]
 pub struct RValues {
     /// Along the rolling direction.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(with = "Positive<Number>", example = 0.525)]
     pub r0: f64,
     /// At 45°.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(with = "Positive<Number>", example = 0.248)]
     pub r45: f64,
-    /// Across.
+    /// Across the rolling direction.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(with = "Positive<Number>", example = 0.429)]
     pub r90: f64,
 }
 

@@ -28,6 +28,7 @@ use crate::material::Elastic;
 use crate::model::Geometry;
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord, StageSolution};
+use crate::units::{As, Length, NonNegative, Positive};
 use std::f64::consts::TAU;
 
 /// Cosine of the largest angle between wall and axis \[–\]: 30°.
@@ -38,12 +39,17 @@ const ROUND_OFF: f64 = 1e-9;
 /// Number of rings over the height of a cup.
 const PLACES: u32 = 100;
 
-/// Position of a ring in the wall of a cup that stands on its bottom.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Ring of the wall of a cup that stands on its bottom.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Ring {
     /// Height of its lower edge over the outside of the bottom \[mm\].
+    #[serde(with = "As::<NonNegative<Length>>")]
+    #[schemars(example = "20 mm")]
     pub from: f64,
-    /// Height of the ring \[mm\].
+    /// Its height, from edge to edge \[mm\].
+    #[serde(with = "As::<Positive<Length>>")]
+    #[schemars(example = "5 mm")]
     pub height: f64,
 }
 

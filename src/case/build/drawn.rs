@@ -1,12 +1,17 @@
-//! A section as it was drawn, with where each part was written.
+//! Section as it was drawn: checks, with errors where the part was written, and placing against the flat sheet.
 
 use super::points::Points;
+use super::tools::ToolContext;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Fold, Point, Profile};
 use crate::model::Role;
+use crate::units::Amount;
 
-/// A section before it is placed, and where its parts were written.
+/// Checked places along the flat sheet.
+const PLACES: usize = 400;
+
+/// Section before it is placed.
 pub(super) struct Drawn {
     pub profile: Profile,
     /// Key path in the case.
@@ -14,7 +19,7 @@ pub(super) struct Drawn {
     pub origin: Origin,
 }
 
-/// Where a section comes from.
+/// Origin of a section.
 pub(super) enum Origin {
     /// Piece i is step i + 1.
     Steps,
@@ -23,8 +28,15 @@ pub(super) enum Origin {
     Tool,
 }
 
+/// Section of a tool in its place.
+pub(super) struct Placed {
+    pub profile: Profile,
+    /// Move along z \[mm\].
+    pub shift: f64,
+}
+
 impl Drawn {
-    /// The chain as it was written: of a file the chords between its points.
+    /// Chain as it was written: for a file the chords between its points.
     fn written(&self) -> &Profile {
         match &self.origin {
             Origin::Points(points) => &points.chords,
@@ -32,12 +44,8 @@ impl Drawn {
         }
     }
 
-    /// An error about a place of the section \[mm\], shown where that part was written.
-    pub fn error(&self, at: Point, source: &Source, what: String, help: impl Into<String>) -> CaseError {
-        self.error_of(self.written().closest(at).piece, source, what, help)
-    }
-
-    fn error_of(&self, piece: usize, source: &Source, what: String, help: impl Into<String>) -> CaseError {
+    /// Error about a piece of the section, shown where it was written.
+    fn error(&self, piece: usize, source: &Source, what: String, help: impl Into<String>) -> CaseError {
         match &self.origin {
             Origin::Steps => source.error(&format!("{}.{}", self.path, piece + 1), what, help),
             Origin::Points(points) => points.error(piece + 1, what, help),
@@ -45,8 +53,8 @@ impl Drawn {
         }
     }
 
-    /// The word for the end of a piece in the text it was written in.
-    fn word(&self, piece: usize) -> String {
+    /// Name of the end of a piece in the text it was written in.
+    fn end_name(&self, piece: usize) -> String {
         match &self.origin {
             Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
             _ => format!("step {}", piece + 1),
@@ -58,24 +66,65 @@ impl Drawn {
         let name = role.name();
         match self.written().fold() {
             Some(Fold::Back { at, after, turn }) => {
-                let what = format!(
-                    "the {name}'s profile turns back on itself at {}: by {:.0}°",
-                    place_of(at),
-                    turn.abs().to_degrees()
-                );
-                Err(self.error_of(after, source, what, "drop the point, or round the tip off"))
+                let (at, turn) = (place_of(at), turn.abs().to_degrees());
+                let what = format!("the {name}'s profile turns back on itself at {at}: by {turn:.0}°");
+                Err(self.error(after, source, what, "drop the point, or round the tip off"))
             }
             Some(Fold::Crossing { at, pieces: [i, j] }) => {
+                let (at, first, second) = (place_of(at), self.end_name(i), self.end_name(j));
                 let what = format!(
-                    "the {name}'s profile crosses or touches itself at {}: the pieces to {} and to {}",
-                    place_of(at),
-                    self.word(i),
-                    self.word(j)
+                    "the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}"
                 );
                 let help = "the section is one open line along the side that meets the sheet, not a closed outline";
-                Err(self.error_of(j, source, what, help))
+                Err(self.error(j, source, what, help))
             }
             None => Ok(()),
         }
     }
+
+    /// Moves the section along z to where it touches the flat sheet, the sheet on its left.
+    pub fn placed(self, role: Role, context: &ToolContext) -> Result<Placed, CaseError> {
+        let (length, name, source) = (context.sheet.length, role.name(), context.source);
+        // The die lies above the sheet, the others below.
+        let side = if role == Role::Die { 1.0 } else { -1.0 };
+        let Some(first) = self.profile.extreme(side < 0.0, length) else {
+            let what = format!("the {name} lies beyond the blank's edge at {length} mm");
+            return Err(source.error(&self.path, what, "check the r coordinates and the size of the blank"));
+        };
+        let shift = side * 0.5 * context.sheet.thickness - first.y;
+        if shift.abs() > 1e-6 {
+            let by = Amount::size(shift);
+            source.note(format!("the {name}'s profile is moved by {by} along z to touch the flat sheet"));
+        }
+        let profile = self.profile.shifted(shift);
+        let piece_at = |at: Point| self.written().closest(at).piece;
+        if let Some(r) = sheet_inside(&profile, length) {
+            let what = format!("the {name}'s profile has the sheet on its right, inside the tool, at r = {r:.3} mm");
+            let help = match sheet_inside(&profile.reversed(), length) {
+                None => "list the points the other way round: the sheet lies on the left",
+                Some(_) => "the sheet lies on the left all along: check the order of the points there",
+            };
+            return Err(self.error(piece_at(Point::new(r, -shift)), source, what, help));
+        }
+        if let Some(at) = wall_into_sheet(&self.profile, side, length) {
+            let (towards, away) = if side > 0.0 { ("down", "up") } else { ("up", "down") };
+            let what = format!("the {name}'s profile ends on its way {towards} to the sheet, at {}", place_of(at));
+            let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
+            return Err(self.error(piece_at(at), source, what, help));
+        }
+        Ok(Placed { profile, shift })
+    }
+}
+
+/// First r at which the middle of the flat sheet lies on the tool's side of a profile \[mm\].
+fn sheet_inside(profile: &Profile, length: f64) -> Option<f64> {
+    let mut places = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64);
+    places.find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
+}
+
+/// End of the line below the blank (for a die: above) that runs steeply towards it.
+fn wall_into_sheet(profile: &Profile, side: f64, length: f64) -> Option<Point> {
+    // Steeper than 45°: an undrawn outline could hardly turn away again.
+    let into = |(at, away): &(Point, Point)| at.x < length && -side * away.y > 0.7;
+    profile.ends().into_iter().flatten().find(into).map(|(at, _)| at)
 }

@@ -1,105 +1,122 @@
-//! Whether blank and tools fit together.
+//! Checks that blank and tools fit together and do not collide.
 
 use super::motion::travel_key;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
-use crate::model::{Edge, Model, Role};
+use crate::model::{Edge, Geometry, Model, Role, Tool};
 use crate::units::rounded;
 
-/// Rounded sums of decimals may miss by this share [–].
+/// Rounding error of sums of decimals \[–\].
 const ROUNDED: f64 = 1e-6;
-/// No part is deeper than this many blank radii [–].
+/// Overlap of tools from rounded drawings over the thickness \[–\].
+const OVERLAP: f64 = 1e-3;
+/// Largest travel over the blank's radius \[–\].
 const DEEPEST: f64 = 3.0;
-/// Clearance over the thickness below which no sheet is ironed in one draw [–].
+/// Clearance over the thickness below which no sheet is ironed in one draw \[–\].
 const LEAST_CLEARANCE: f64 = 0.7;
-/// A travel below this many thicknesses forms nothing [–].
+/// Travel over the thickness below which nothing is formed \[–\].
 const SHALLOWEST: f64 = 1e-3;
 
 pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
-    let (t, length) = (rounded(model.blank.thickness), rounded(model.blank.length));
+    let (t, length, travel) = (rounded(model.blank.thickness), rounded(model.blank.length), rounded(model.travel));
+    let (travel_key, punch) = (travel_key(source), model.tool(Role::Punch));
+    let what = format!("a travel of {travel} mm is more than {DEEPEST} times the blank's {length} mm");
+    source.require(model.travel <= DEEPEST * length, travel_key, what, "check the unit")?;
+    let what = format!("a travel of {travel} mm is next to nothing for a sheet of {t} mm");
+    source.require(punch.is_none() || model.travel >= SHALLOWEST * t, travel_key, what, "check the unit")?;
+    let Some(die) = model.tool(Role::Die) else {
+        return if model.blank.edge == Edge::Free { Err(source.missing("tools", "die")) } else { Ok(()) };
+    };
     let key = |tool: &str, key: &str| {
         let drawn = source.has(&format!("tools.{tool}.profile"));
         format!("tools.{tool}.{}", if drawn { "profile" } else { key })
     };
-    if model.travel > DEEPEST * length {
-        let what =
-            format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", rounded(model.travel));
-        return Err(source.error(travel_key(source), what, "check the unit"));
-    }
-    if model.tool(Role::Punch).is_some() && model.travel < SHALLOWEST * t {
-        let what = format!("a travel of {} mm is next to nothing for a sheet of {t} mm", rounded(model.travel));
-        return Err(source.error(travel_key(source), what, "check the unit"));
-    }
-    let Some(die) = model.tool(Role::Die) else {
-        return match model.blank.edge {
-            Edge::Free => Err(source.missing("tools", "die")),
-            _ => Ok(()),
-        };
-    };
     let throat = throat(die);
-    if let (Some(_), Some(punch)) = (throat, model.tool(Role::Punch).filter(|punch| widens(punch, model.travel))) {
-        let Gap { distance, at } = gap(punch, die, model.travel);
-        // Tools that overlap are another matter.
-        if (0.0..LEAST_CLEARANCE * t).contains(&distance) {
-            let what = format!(
-                "the sheet does not fit between punch and die at the travel of {} mm: they are {distance:.3} mm apart at {} \
-                 for a thickness of {t} mm",
-                rounded(model.travel),
-                place_of(at)
-            );
-            let [whole, ironed] = [t, LEAST_CLEARANCE * t].map(|least| room(punch, die, least, model.travel));
-            let help =
-                format!("a travel of {whole:.2} mm leaves room for the sheet; up to {ironed:.2} mm it is ironed");
-            return Err(source.error(travel_key(source), what, help));
-        }
-    } else if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
-        let wall = extent(punch).1;
-        let clearance = throat - wall;
-        if clearance < LEAST_CLEARANCE * t * (1.0 - ROUNDED) {
-            let what = format!(
-                "the sheet does not fit between punch and die: punch {wall:.3} mm, throat {throat:.3} mm, clearance \
-                 {clearance:.3} mm for a thickness of {t} mm"
-            );
-            return Err(source.error(
-                &key("die", "throat"),
-                what,
-                format!(
-                    "{:.3} mm leaves room for the sheet; down to {:.3} mm it is ironed",
-                    wall + t,
-                    wall + LEAST_CLEARANCE * t
-                ),
-            ));
-        }
+    if let Some((throat, punch)) = throat.zip(punch) {
+        clearance(model, punch, die, throat, &key("die", "throat"), source)?;
     }
     let end = shoulder_end(die);
     if let Some(throat) = throat.filter(|_| end > length * (1.0 + ROUNDED)) {
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {length} mm");
-        let (shoulder, half) = (end - throat, if throat < length { "shoulder" } else { "throat" });
-        let smaller = match half {
-            "shoulder" => format!("a shoulder of at most {:.3} mm", length - throat),
-            _ => format!("a throat of less than {length} mm"),
+        let (half, smaller) = match throat < length {
+            true => ("shoulder", format!("a shoulder of at most {:.3} mm", length - throat)),
+            false => ("throat", format!("a throat of less than {length} mm")),
         };
-        let edge = format!("a blank with its edge at {end:.3} mm or more, {:.3} mm across", 2.0 * end);
         let help = format!(
-            "the blank must reach past throat {throat:.3} mm + shoulder {shoulder:.3} mm to rest on the die: {smaller}, or \
-             {edge}"
+            "the blank must reach past throat {throat:.3} mm + shoulder {:.3} mm to rest on the die: {smaller}, or a blank \
+             with its edge at {end:.3} mm or more, {:.3} mm across",
+            end - throat,
+            2.0 * end
         );
         return Err(source.error(&key("die", half), what, help));
     }
-    if let Some(holder) = model.tool(Role::Holder) {
-        let inner = extent(holder).0;
-        let inner_key =
-            if model.geometry == crate::model::Geometry::Axisymmetric { "inner_radius" } else { "inner_half_width" };
-        if let Some(throat) = throat.filter(|throat| inner < throat * (1.0 - ROUNDED)) {
-            let what =
-                format!("the holder reaches into the die's throat: inner edge {inner:.3} mm, throat {throat:.3} mm");
-            let help = format!("at least {throat:.3} mm");
-            return Err(source.error(&key("holder", inner_key), what, help));
+    let Some(holder) = model.tool(Role::Holder) else { return Ok(()) };
+    let inner = extent(holder).0;
+    let inner_key =
+        key("holder", if model.geometry == Geometry::Axisymmetric { "inner_radius" } else { "inner_half_width" });
+    if let Some(throat) = throat.filter(|throat| inner < throat * (1.0 - ROUNDED)) {
+        let what = format!("the holder reaches into the die's throat: inner edge {inner:.3} mm, throat {throat:.3} mm");
+        return Err(source.error(&inner_key, what, format!("at least {throat:.3} mm")));
+    }
+    let what = format!("the holder begins at {inner:.3} mm, beyond the blank's edge at {length} mm");
+    source.require(inner < length, &inner_key, what, "make it smaller, or drop it")
+}
+
+/// Checks that the sheet fits between punch and die.
+fn clearance(
+    model: &Model,
+    punch: &Tool,
+    die: &Tool,
+    throat: f64,
+    throat_key: &str,
+    source: &Source,
+) -> Result<(), CaseError> {
+    let t = rounded(model.blank.thickness);
+    let least = LEAST_CLEARANCE * t;
+    if widens(punch, model.travel) {
+        let Gap { distance, at } = gap(punch, die, model.travel);
+        let what = format!(
+            "the sheet does not fit between punch and die at the travel of {} mm: they are {distance:.3} mm apart at {} for \
+             a thickness of {t} mm",
+            rounded(model.travel),
+            place_of(at)
+        );
+        let [whole, ironed] = [t, least].map(|least| room(punch, die, least, model.travel));
+        let help = format!("a travel of {whole:.2} mm leaves room for the sheet; up to {ironed:.2} mm it is ironed");
+        // Tools that overlap are reported as a collision.
+        return source.require(!(0.0..least).contains(&distance), travel_key(source), what, help);
+    }
+    let wall = extent(punch).1;
+    let clearance = throat - wall;
+    let what = format!(
+        "the sheet does not fit between punch and die: punch {wall:.3} mm, throat {throat:.3} mm, clearance {clearance:.3} mm \
+         for a thickness of {t} mm"
+    );
+    let help = format!("{:.3} mm leaves room for the sheet; down to {:.3} mm it is ironed", wall + t, wall + least);
+    source.require(clearance >= least * (1.0 - ROUNDED), throat_key, what, help)
+}
+
+/// Checks that tools do not collide, where they start and at the full travel.
+pub(super) fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
+    let allowed = -OVERLAP * model.blank.thickness;
+    let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.distance < allowed);
+    let by = |Gap { distance, at }: Gap| {
+        format!("by {:.3} mm at {} (z = 0 is the flat sheet's middle)", -distance, place_of(at))
+    };
+    for (a, b) in [(Role::Punch, Role::Holder), (Role::Punch, Role::Die), (Role::Holder, Role::Die)] {
+        let (Some(first), Some(second)) = (model.tool(a), model.tool(b)) else { continue };
+        let (name, other) = (a.name(), b.name());
+        if let Some(gap) = overlap(first, second, 0.0) {
+            let what = format!("{name} and {other} overlap where they touch the flat sheet, {}", by(gap));
+            let help = format!("move the {name} and the {other} apart, or check their radii");
+            return Err(source.error(&format!("tools.{other}"), what, help));
         }
-        if inner >= length {
-            let what = format!("the holder begins at {inner:.3} mm, beyond the blank's edge at {length} mm");
-            return Err(source.error(&key("holder", inner_key), what, "make it smaller, or drop it"));
+        if let Some(gap) = overlap(first, second, model.travel).filter(|_| a == Role::Punch) {
+            let free = room(first, second, allowed, model.travel);
+            let what = format!("at the travel of {} mm the punch is in the {other}, {}", model.travel, by(gap));
+            let help = format!("they meet at a travel of {free:.2} mm: shorten the travel, or check the {other}");
+            return Err(source.error(travel_key(source), what, help));
         }
     }
     Ok(())

@@ -1,14 +1,13 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
-use super::laws::{blame, not_one};
+use super::material::{blame, not_one};
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, Points, Sheet, Strain, Swift};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
-use crate::units::Amount;
-use crate::units::{Dimensioned, Number, ZERO_CELSIUS};
+use crate::units::{Amount, Dimensioned, Number, ZERO_CELSIUS};
 
 const PATH: &str = "forming_limit";
 
@@ -18,19 +17,17 @@ pub(super) fn convert(
     thickness: f64,
     heat: Option<&Heat>,
     source: &Source,
-    derived: &mut Vec<String>,
 ) -> Result<Curve, CaseError> {
     let n = file.n.map(Dimensioned::value);
     let points = file.points.as_ref().map(|points| self::points(points, file.strain, source)).transpose()?;
     if let Some(groove) = &file.marciniak_kuczynski {
         groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
     }
-    // What the library has measured stands among the points by now.
-    if file.measured == Some(true) {
-        let what = "`measured` takes the points of a sheet of the library, and this case names none that has some";
-        let help = "write points of the coil, or hill = true; `stampflow materials NAME` says which sheets have measured limits";
-        return Err(source.error("forming_limit.measured", what, help));
-    }
+    // Points of the library stand among `points` by now.
+    let what = "`measured` takes the points of a sheet of the library, and this case names none that has some";
+    let help =
+        "write points of the coil, or hill = true; `stampflow materials NAME` says which sheets have measured limits";
+    source.require(file.measured != Some(true), "forming_limit.measured", what, help)?;
     let kinds = [
         points.map(|kind| ("points", Kind::Points(kind))),
         file.keeler_brazier.map(|kind| ("keeler_brazier", Kind::KeelerBrazier(KeelerBrazier { n, ..kind }))),
@@ -44,29 +41,24 @@ pub(super) fn convert(
         (Some(only), None) => only,
         (first, _) => return Err(not_one(first.iter().count(), PATH, names, source)),
     };
-    if n.is_some() && matches!(kind, Kind::Points(_) | Kind::MarciniakKuczynski(_)) {
-        let what = format!("`n` has no part in `{name}`");
-        return Err(source.error("forming_limit.n", what, "drop it"));
-    }
-    if n == Some(0.0) {
-        return Err(source.error("forming_limit.n", "`n` must be above 0", "0.1 to 0.3 is usual"));
-    }
-    if file.strain.is_some() && !matches!(kind, Kind::Points(_)) {
-        let what = format!("`strain` has no part in `{name}`, whose strains are logarithmic");
-        return Err(source.error("forming_limit.strain", what, "drop it"));
-    }
+    let is_points = matches!(kind, Kind::Points(_));
+    let without_n = n.is_none() || !(is_points || matches!(kind, Kind::MarciniakKuczynski(_)));
+    source.require(without_n, "forming_limit.n", format!("`n` has no part in `{name}`"), "drop it")?;
+    source.require(n != Some(0.0), "forming_limit.n", "`n` must be above 0", "0.1 to 0.3 is usual")?;
+    let what = format!("`strain` has no part in `{name}`, whose strains are logarithmic");
+    source.require(file.strain.is_none() || is_points, "forming_limit.strain", what, "drop it")?;
     let temperature = heat.map_or(ROOM_TEMPERATURE, |heat| heat.initial.smallest());
     let sheet = Sheet { material, thickness, temperature };
     let curve = kind.curve(&sheet).map_err(|e| source.error(&format!("{PATH}.{name}"), e.message, e.help))?;
-    derived.extend(curve.notes.iter().cloned());
-    if heat.is_some() && !matches!(kind, Kind::Points(_)) {
+    curve.notes.iter().for_each(|note| source.note(note.clone()));
+    if heat.is_some() && !is_points {
         let celsius = Amount::temperature(temperature - ZERO_CELSIUS);
-        derived.push(format!("forming limit: computed at {celsius}, the lowest initial temperature"));
+        source.note(format!("forming limit: computed at {celsius}, the lowest initial temperature"));
     }
     Ok(curve)
 }
 
-/// The curve of a sheet's measured points.
+/// Curve of a sheet's measured points.
 pub(in crate::case) fn measured(file: &file::FormingLimit, sheet: &Sheet, source: &Source) -> Result<Curve, CaseError> {
     let points = points(file.points.as_deref().unwrap_or_default(), file.strain, source)?;
     Kind::Points(points).curve(sheet).map_err(|e| source.error("forming_limit.points", e.message, e.help))
@@ -74,9 +66,8 @@ pub(in crate::case) fn measured(file: &file::FormingLimit, sheet: &Sheet, source
 
 fn points(points: &[(Number, Number)], strain: Option<Strain>, source: &Source) -> Result<Points, CaseError> {
     let Some(strain) = strain else {
-        let what = "`points` do not say which strains they are";
         let help = "add strain = \"logarithmic\" (true strain) or strain = \"engineering\"";
-        return Err(source.error("forming_limit.points", what, help));
+        return Err(source.error("forming_limit.points", "`points` do not say which strains they are", help));
     };
     Ok(Points { points: points.iter().map(|(minor, major)| [minor.value(), major.value()]).collect(), strain })
 }

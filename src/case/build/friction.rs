@@ -1,19 +1,19 @@
 //! `friction` of a tool, or of its side of the sheet.
 
-use super::laws::prepared;
+use super::material::prepared;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::material::law::Family;
 use crate::model::{Friction, Role};
 
-/// The laws that are written, by tool and by side of the sheet.
+/// Given laws, by tool and by side of the sheet.
 pub(super) struct Frictions {
     tools: [Option<file::Friction>; 3],
     sides: file::Sides,
 }
 
 impl Frictions {
-    pub fn of(file: &file::CaseFile) -> Self {
+    pub fn new(file: &file::CaseFile) -> Self {
         let file::Tools { punch, die, holder, .. } = &file.tools;
         let punch = punch.as_ref().and_then(|tool| tool.friction);
         let die = die.as_ref().and_then(|tool| tool.friction);
@@ -21,20 +21,15 @@ impl Frictions {
         Self { tools: [punch, die, holder], sides: file.friction.clone() }
     }
 
-    /// The law that a tool has of its own.
+    /// Own law of a tool.
     pub fn own(&mut self, role: Role) -> &mut Option<file::Friction> {
         &mut self.tools[role as usize]
     }
 }
 
-/// The law of a tool: its own, that of its side, or, for a holder, the die's.
-pub(super) fn of(
-    role: Role,
-    written: &Frictions,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Friction, CaseError> {
-    let table = format!("tools.{}", role.name());
+/// Law of a tool: its own, that of its side, or, for a holder, the die's.
+pub(super) fn law(role: Role, written: &Frictions, source: &Source) -> Result<Friction, CaseError> {
+    let (table, tool) = (format!("tools.{}", role.name()), role.name());
     if let Some(law) = written.tools[role as usize] {
         return convert(law, source, &format!("{table}.friction"));
     }
@@ -44,15 +39,15 @@ pub(super) fn of(
     };
     if let Some(law) = side {
         let law = convert(law, source, &format!("friction.{key}"))?;
-        derived.push(format!("the {tool}'s friction is that of its side of the sheet, {law}", tool = role.name()));
+        source.note(format!("the {tool}'s friction is that of its side of the sheet, {law}"));
         return Ok(law);
     }
-    if role == Role::Holder {
-        let law = of(Role::Die, written, source, &mut Vec::new())?;
-        derived.push(format!("the holder's friction is the die's, {law}"));
-        return Ok(law);
+    if role != Role::Holder {
+        return Err(source.missing(&table, "friction"));
     }
-    Err(source.missing(&table, "friction"))
+    let law = source.silently(|| self::law(Role::Die, written, source))?;
+    source.note(format!("the holder's friction is the die's, {law}"));
+    Ok(law)
 }
 
 fn convert(given: file::Friction, source: &Source, path: &str) -> Result<Friction, CaseError> {

@@ -1,8 +1,8 @@
-//! `[heat]`: the temperature of the flat sheet, and what changes it.
+//! `[heat]`: initial temperature of the flat sheet, and heat flow.
 
 use super::lines::Named;
+use super::values::given;
 use crate::case::file::{self, InitialTemperature};
-use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::extent;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
@@ -12,56 +12,50 @@ use crate::units::{Dimensioned, Length, ZERO_CELSIUS};
 
 /// Share of the plastic work that becomes heat, in common use for metals \[–\].
 const PLASTIC_SHARE: f64 = 0.9;
-/// Temperatures that a sheet can have \[K\].
+/// Possible temperatures of a sheet \[K\].
 const SHEET: std::ops::RangeInclusive<f64> = 70.0..=2500.0;
-
 const KEY: &str = "heat.initial";
 const EXAMPLE: &str = "write for example s0_mm,temperature_C in the first line and 30,230 below it";
 
-pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source, folder: Folder) -> Result<Heat, CaseError> {
+pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Heat, CaseError> {
     let initial = match &file.initial {
         InitialTemperature::Uniform(temperature) => temperature.value().into(),
         InitialTemperature::Zones(zones) => by_zones(zones, tools, source)?,
-        InitialTemperature::File(name) => by_file(name, source, folder)?,
+        InitialTemperature::File(name) => by_file(name, source)?,
     };
     for temperature in [initial.smallest(), initial.largest()] {
-        if !SHEET.contains(&temperature) {
-            let what =
-                format!("the sheet cannot be at {temperature:.0} K: between {} and {} K", SHEET.start(), SHEET.end());
-            return Err(source.error(KEY, what, "write \"230 °C\" for degrees Celsius"));
-        }
+        let (least, most) = (SHEET.start(), SHEET.end());
+        let what = format!("the sheet cannot be at {temperature:.0} K: between {least} and {most} K");
+        source.require(SHEET.contains(&temperature), KEY, what, "write \"230 °C\" for degrees Celsius")?;
     }
     Ok(Heat { initial, flow: flow(file, tools, source)? })
 }
 
 fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>, CaseError> {
-    let given = [(Role::Punch, file.punch), (Role::Die, file.die), (Role::Holder, file.holder)];
     let (density, specific_heat) = match (file.density, file.specific_heat) {
         (Some(density), Some(specific_heat)) => (density, specific_heat),
         (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
         (None, Some(_)) => return Err(source.missing("heat", "density")),
         (None, None) => {
-            let others =
-                [("plastic_share", file.plastic_share.is_some()), ("conductivity", file.conductivity.is_some())];
-            let tools = given.iter().map(|(role, tool)| (role.name(), tool.is_some()));
-            return match others.into_iter().chain(tools).find(|(_, given)| *given) {
-                Some((key, _)) => {
-                    let what =
-                        format!("`{key}` changes the temperature only of a sheet with a density and a specific heat");
-                    let help = "add density = \"2700 kg/m^3\" and specific_heat = \"900 J/kg/K\", or drop it";
-                    Err(source.error(&format!("heat.{key}"), what, help))
-                }
-                None => Ok(None),
-            };
+            let others = given([
+                ("plastic_share", file.plastic_share.is_some()),
+                ("conductivity", file.conductivity.is_some()),
+                ("punch", file.punch.is_some()),
+                ("die", file.die.is_some()),
+                ("holder", file.holder.is_some()),
+            ]);
+            let Some(key) = others.first() else { return Ok(None) };
+            let what = format!("`{key}` changes the temperature only of a sheet with a density and a specific heat");
+            let help = "add density = \"2700 kg/m^3\" and specific_heat = \"900 J/kg/K\", or drop it";
+            return Err(source.error(&format!("heat.{key}"), what, help));
         }
     };
     let mut exchanging = Vec::new();
-    for (role, tool) in given {
+    for (role, tool) in [(Role::Punch, file.punch), (Role::Die, file.die), (Role::Holder, file.holder)] {
         let Some(tool) = tool else { continue };
-        if !tools.iter().any(|t| t.role == role) {
-            let what = format!("there is no {} to exchange heat with", role.name());
-            return Err(source.error(&format!("heat.{}", role.name()), what, "drop it, or add the tool"));
-        }
+        let (path, what) =
+            (format!("heat.{}", role.name()), format!("there is no {} to exchange heat with", role.name()));
+        source.require(tools.iter().any(|t| t.role == role), &path, what, "drop it, or add the tool")?;
         exchanging.push(ToolHeat { role, temperature: tool.temperature.value(), transfer: tool.transfer.value() });
     }
     Ok(Some(HeatFlow {
@@ -72,10 +66,10 @@ fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<Hea
     }))
 }
 
-/// Under the punch, and from the die's throat outward.
+/// Temperature under the punch, and from the die's throat outward.
 fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear, CaseError> {
     let tool = |role: Role| tools.iter().find(|t| t.role == role);
-    let (Some(punch), Some(die)) = (tool(Role::Punch), tool(Role::Die)) else {
+    let Some((punch, die)) = tool(Role::Punch).zip(tool(Role::Die)) else {
         let help = "give one temperature, or a CSV file";
         return Err(source.error(KEY, "temperatures by zones need a punch and a die", help));
     };
@@ -84,9 +78,9 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Piec
     Ok(PiecewiseLinear::new(points).expect("two rising places"))
 }
 
-/// Columns `s0_mm,temperature_C`.
-fn by_file(name: &str, source: &Source, folder: Folder) -> Result<PiecewiseLinear, CaseError> {
-    let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(folder, source)?;
+/// Temperature from the columns `s0_mm,temperature_C`.
+fn by_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
+    let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
     let missing = |name: &str| {
         let what = format!("there is no column {name}; found {}", csv.found());
         lines.error(csv.header.line, what, EXAMPLE)
@@ -112,6 +106,6 @@ fn by_file(name: &str, source: &Source, folder: Folder) -> Result<PiecewiseLinea
         }
         points.push((place, kelvin));
     }
-    PiecewiseLinear::new(points)
-        .ok_or_else(|| lines.error(csv.header.line, "the temperature file has no rows".into(), EXAMPLE))
+    let empty = || lines.error(csv.header.line, "the temperature file has no rows".into(), EXAMPLE);
+    PiecewiseLinear::new(points).ok_or_else(empty)
 }

@@ -1,72 +1,74 @@
-//! How much a case may hold: more is a slip, and would fill the memory or a plot before anyone sees it.
+//! Limits on the size of a case: more is a slip, and would fill the memory or a plot.
 
-use super::memory::{Memory, least_steps, with_path};
-use crate::case::file::{CaseFile, Compare, Section};
+use crate::case::file::{CaseFile, Section};
 use crate::case::{CaseError, source::Source};
+use crate::forming_limit::Paths;
 use crate::geometry::Piece;
 use crate::model::{Model, Stage};
+use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
+use crate::solver::state::MaterialPoint;
 use std::f64::consts::FRAC_PI_2;
 
-/// Characters of a title and of other texts, which every plot repeats.
+/// Longest title and longest other text, which every plot repeats \[characters\].
 const TITLE: usize = 200;
 const TEXT: usize = 1000;
-/// Characters of a file's or a column's name.
+/// Longest name of a file or a column \[characters\].
 const NAME: usize = 200;
-/// Rows of `profile.csv`: kept frames times elements.
+/// Most rows of `profile.csv`: kept frames times elements.
 const ROWS: usize = 500_000;
-/// What a run keeps, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
+/// Memory of a run, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
 const MEMORY: usize = 500_000_000;
-/// Chords that replace the arcs of one tool.
+/// Most chords that replace the arcs of one tool.
 const CHORDS: f64 = 20_000.0;
 
-/// Lists and texts of what was written.
+/// Checks the lengths of lists and texts.
 pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError> {
     let tools = &file.tools;
     let steps = |section: Option<&Section>| match section {
-        Some(Section::Steps(steps)) => Some(steps.len()),
-        _ => None,
+        Some(Section::Steps(steps)) => steps.len(),
+        _ => 0,
     };
-    let lengths = [
-        ("tools.beads", Some(tools.beads.len()), 20),
-        ("notes", Some(file.notes.len()), 50),
-        ("tools.punch.motion", tools.punch.as_ref().and_then(|t| t.motion.as_ref()).map(Vec::len), 1000),
-        ("compare", Some(file.compare.len()), 50),
-        ("forming_limit.points", file.forming_limit.as_ref().and_then(|f| f.points.as_ref()).map(Vec::len), 1000),
-        ("output.frames", file.output.frames.as_ref().map(Vec::len), 1000),
-        ("tools.punch.profile", steps(tools.punch.as_ref().and_then(|t| t.profile.as_ref())), 2000),
-        ("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000),
-        ("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000),
-    ];
-    let bands = |(i, c): (usize, &Compare)| (format!("compare.{i}.band"), c.band.as_ref().map(Vec::len), 20);
-    let bands = file.compare.iter().enumerate().map(bands);
-    for (path, length, most) in lengths.into_iter().map(|(path, n, most)| (path.to_owned(), n, most)).chain(bands) {
-        if let Some(length) = length.filter(|length| *length > most) {
-            let key = path.rsplit('.').next().unwrap_or(&path);
-            let what = format!("`{key}` has {length} entries, more than {most}");
-            return Err(source.error(&format!("{path}.{most}"), what, "leave out what is not needed"));
-        }
-    }
-    let notes = file.notes.iter().enumerate().map(|(i, note)| (format!("notes.{i}"), note, TEXT));
-    let reasons = file.compare.iter().enumerate().map(|(i, c)| (format!("compare.{i}.reason"), &c.reason, TEXT));
-    let compared = file.compare.iter().enumerate().flat_map(|(i, c)| {
-        let bands = c.band.iter().flatten().enumerate().map(|(k, name)| (format!("band.{k}"), name));
-        let named =
-            [("reference", Some(&c.reference)), ("x", c.x.as_ref()), ("y", c.y.as_ref()), ("error", c.error.as_ref())];
-        let named = named.into_iter().filter_map(|(key, name)| Some((key.to_owned(), name?)));
-        named.chain(bands).map(move |(key, name)| (format!("compare.{i}.{key}"), name, NAME))
-    });
-    let title = std::iter::once(("title".to_owned(), &file.title, TITLE));
-    for (path, text, most) in title.chain(notes).chain(reasons).chain(compared) {
+    let list = |path: &str, length: usize, most: usize| {
+        let key = path.rsplit('.').next().unwrap_or(path);
+        let what = format!("`{key}` has {length} entries, more than {most}");
+        source.require(length <= most, &format!("{path}.{most}"), what, "leave out what is not needed")
+    };
+    list("tools.beads", tools.beads.len(), 20)?;
+    list("notes", file.notes.len(), 50)?;
+    list("compare", file.compare.len(), 50)?;
+    list("output.frames", file.output.frames.as_ref().map_or(0, Vec::len), 1000)?;
+    let limit = file.forming_limit.as_ref().and_then(|limit| limit.points.as_ref());
+    list("forming_limit.points", limit.map_or(0, Vec::len), 1000)?;
+    let motion = tools.punch.as_ref().and_then(|punch| punch.motion.as_ref());
+    list("tools.punch.motion", motion.map_or(0, Vec::len), 1000)?;
+    list("tools.punch.profile", steps(tools.punch.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
+    list("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
+    list("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
+    let text = |path: &str, text: &str, most: usize| {
         let length = text.chars().count();
-        if length > most {
-            let what = format!("`{path}` has {length} characters, more than {most}");
-            return Err(source.error(&path, what, "plots and messages repeat it: keep it short"));
+        let what = format!("`{path}` has {length} characters, more than {most}");
+        source.require(length <= most, path, what, "plots and messages repeat it: keep it short")
+    };
+    text("title", &file.title, TITLE)?;
+    for (i, note) in file.notes.iter().enumerate() {
+        text(&format!("notes.{i}"), note, TEXT)?;
+    }
+    for (i, c) in file.compare.iter().enumerate() {
+        let path = |key: &str| format!("compare.{i}.{key}");
+        list(&path("band"), c.band.as_ref().map_or(0, Vec::len), 20)?;
+        text(&path("reason"), &c.reason, TEXT)?;
+        for (key, name) in [("reference", Some(&c.reference)), ("x", c.x.as_ref()), ("y", c.y.as_ref())] {
+            text(&path(key), name.map_or("", String::as_str), NAME)?;
+        }
+        text(&path("error"), c.error.as_deref().unwrap_or(""), NAME)?;
+        for (k, name) in c.band.iter().flatten().enumerate() {
+            text(&path(&format!("band.{k}")), name, NAME)?;
         }
     }
     Ok(())
 }
 
-/// The key that says how many frames of a stage are kept, the first one being stage 0.
+/// Key that gives the number of kept frames of a stage, the first one being stage 0.
 pub(super) fn frames_key(stage: usize, source: &Source) -> String {
     match stage {
         0 if source.has("output.frames") => "output.frames".into(),
@@ -75,22 +77,22 @@ pub(super) fn frames_key(stage: usize, source: &Source) -> String {
     }
 }
 
-/// What a run keeps in memory, all stages together, is no more than [`MEMORY`].
+/// Checks the memory of a run, all stages together.
 pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
-    let kept = || stages.iter().enumerate().flat_map(|(i, stage)| kept(stage, frames_key(i, source)));
-    let total: usize = kept().map(|kept| kept.bytes).sum();
-    // Of equal ones the first.
-    let Some(largest) = kept().rev().max_by_key(|kept| kept.bytes).filter(|_| total > MEMORY) else { return Ok(()) };
-    let gigabytes = |bytes: usize| bytes as f64 / 1e9;
-    let (of, total, most) = (stages.len(), gigabytes(total), gigabytes(MEMORY));
-    let what = format!("the run's stages ({of}) fill {total:.2} GB, more than {most:.2} GB: {}", largest.what);
-    Err(source.error(&largest.key, what, largest.help))
+    let kept: Vec<Kept> = stages.iter().enumerate().flat_map(|(i, stage)| kept(stage, frames_key(i, source))).collect();
+    let total: usize = kept.iter().map(|kept| kept.bytes).sum();
+    // The first of equal ones.
+    let Some(largest) = kept.iter().rev().max_by_key(|kept| kept.bytes) else { return Ok(()) };
+    let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
+    let n = stages.len();
+    let what = format!("the run's stages ({n}) fill {gigabytes:.2} GB, more than {most:.2} GB: {}", largest.what);
+    source.require(total <= MEMORY, &largest.key, what, largest.help)
 }
 
-/// A part of what a stage keeps until the run has ended.
+/// Part of the records that a stage keeps until the run has ended.
 struct Kept {
     bytes: usize,
-    /// The key that it grows with.
+    /// Key that it grows with.
     key: String,
     what: String,
     help: &'static str,
@@ -98,40 +100,37 @@ struct Kept {
 
 fn kept(Stage { name, model, .. }: &Stage, frames_key: String) -> [Kept; 3] {
     let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
-    let memory = Memory::of(model);
+    // Every frame is landed on, and no step is longer than the longest.
+    let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
+    let with_path = if model.forming_limit.is_some() { elements } else { 0 };
     [
         Kept {
-            bytes: memory.frames,
+            bytes: frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
             key: frames_key,
             what: format!("stage `{name}` keeps {frames} frames of {elements} elements"),
             help: "keep fewer frames in every stage, or take fewer elements",
         },
         Kept {
-            bytes: memory.points,
+            bytes: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
             key: "blank.layers".into(),
             what: format!("stage `{name}` keeps {points} points through the thickness of {elements} elements"),
             help: "take fewer points, or fewer elements",
         },
         Kept {
-            bytes: memory.steps,
+            bytes: steps * size_of::<StepRecord>() + steps.min(Paths::MOST) * with_path * size_of::<[f64; 2]>(),
             key: "solver.max_step".into(),
-            what: format!(
-                "stage `{name}` keeps {} steps or more, and the strains of {} elements for the forming limit",
-                least_steps(model),
-                with_path(model)
-            ),
+            what: format!("stage `{name}` keeps {steps} steps or more, and the strains of {with_path} elements"),
             help: "take longer steps, or fewer elements",
         },
     ]
 }
 
-/// What follows from the numbers together.
+/// Checks the rows and chords that follow from a model.
 pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
     let (frames, elements) = (model.frames.len(), model.blank.elements);
-    if frames * elements > ROWS {
-        let what = format!("{frames} frames of {elements} elements are {} rows, more than {ROWS}", frames * elements);
-        return Err(source.error(frames_key, what, format!("keep at most {} frames", ROWS / elements)));
-    }
+    let rows = frames * elements;
+    let what = format!("{frames} frames of {elements} elements are {rows} rows, more than {ROWS}");
+    source.require(rows <= ROWS, frames_key, what, format!("keep at most {} frames", ROWS / elements))?;
     let Some(facets) = model.settings.facets else { return Ok(()) };
     for tool in &model.tools {
         let sweeps = tool.profile.pieces().iter().map(|piece| match piece {
@@ -139,15 +138,10 @@ pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Resu
             Piece::Segment(_) => 0.0,
         });
         let quarters = sweeps.sum::<f64>() / FRAC_PI_2;
-        if quarters * facets as f64 > CHORDS {
-            let chords = quarters * facets as f64;
-            let what = format!("the {}'s arcs make {chords:.0} chords, more than {CHORDS}", tool.role.name());
-            return Err(source.error(
-                "solver.facets",
-                what,
-                format!("at most facets = {:.0}", CHORDS / quarters - 0.5),
-            ));
-        }
+        let chords = quarters * facets as f64;
+        let what = format!("the {}'s arcs make {chords:.0} chords, more than {CHORDS}", tool.role.name());
+        let help = format!("at most facets = {:.0}", CHORDS / quarters - 0.5);
+        source.require(chords <= CHORDS, "solver.facets", what, help)?;
     }
     Ok(())
 }

@@ -1,25 +1,25 @@
-//! A CSV file that a case names: its rows, and errors that show their lines.
+//! CSV file that a case names: its rows, and errors that show their lines.
 
-use crate::case::files::{self, FileError, Folder};
+use crate::case::files::{self, FileError};
 use crate::case::{CaseError, source::Source};
 use crate::table::{Csv, CsvError, Record};
 use miette::NamedSource;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A file of a case, and how messages call it.
+/// File of a case, and its name in messages.
 pub(super) struct Named<'a> {
-    /// As the case names it.
+    /// Name in the case.
     pub file: &'a str,
-    /// What it holds, as in "the profile file".
+    /// Content, as in "the profile file".
     pub what: &'static str,
-    /// What to write into it.
+    /// Example of its lines.
     pub example: &'static str,
-    /// The key that names it.
+    /// Key that names it.
     pub key: &'a str,
 }
 
-/// The text of a file, and the key that names it.
+/// Text of a file, and the key that names it.
 pub(super) struct Lines {
     shown: Arc<NamedSource<String>>,
     key: String,
@@ -27,9 +27,9 @@ pub(super) struct Lines {
 
 impl Named<'_> {
     /// Reads the file from the case's folder.
-    pub fn open(&self, folder: Folder, source: &Source) -> Result<(Lines, Csv), CaseError> {
-        let path = folder.path.join(self.file);
-        match folder.files.text(&path, files::CSV) {
+    pub fn open(&self, source: &Source) -> Result<(Lines, Csv), CaseError> {
+        let path = source.folder.path.join(self.file);
+        match source.folder.files.text(&path, files::CSV) {
             Ok(text) => self.table(&text, &path, source),
             Err(FileError::Missing | FileError::Folder) => {
                 let what = format!("the {} file \"{}\" is not there", self.what, self.file);
@@ -39,13 +39,12 @@ impl Named<'_> {
         }
     }
 
-    /// The table that the text of a file is.
+    /// Parses the text of a file.
     pub fn table(&self, text: &str, path: &Path, source: &Source) -> Result<(Lines, Csv), CaseError> {
         let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
         let shown = Arc::new(NamedSource::new(path.display().to_string(), text));
         let lines = Lines { shown: shown.clone(), key: self.key.to_owned() };
-        let name = format!("the {} file", self.what);
-        match Csv::read(shown.inner(), &name, self.example) {
+        match Csv::read(shown.inner(), &format!("the {} file", self.what), self.example) {
             Ok(csv) => Ok((lines, csv)),
             Err(CsvError { line: None, what, help }) => Err(source.error(self.key, what, help)),
             Err(error) => Err(lines.refuse(error)),
@@ -59,7 +58,7 @@ impl Named<'_> {
 }
 
 impl Lines {
-    /// An error at a line, from 1.
+    /// Error at a line, from 1.
     pub fn error(&self, line: usize, what: String, help: impl Into<String>) -> CaseError {
         let inner = self.shown.inner();
         let start = inner.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>();
@@ -72,7 +71,7 @@ impl Lines {
         self.error(line.unwrap_or(1), what, help)
     }
 
-    /// The number in a column of a row; `None` when it is empty.
+    /// Number in a column of a row; `None` if it is empty.
     pub fn number(&self, row: &Record, column: usize) -> Result<Option<f64>, CaseError> {
         row.number(column).map_err(|error| self.refuse(error))
     }

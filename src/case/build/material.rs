@@ -1,18 +1,16 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
-use super::laws::{blame, only, prepared};
 use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, source::Source};
-use crate::material::RValues;
-use crate::material::law::{Family, Named};
-use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
+use crate::material::law::{Family, LawError, Named};
+use crate::material::{
+    BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, RValues, YieldCriterion,
+};
 use crate::model::Mode;
-use crate::units::Dimensioned;
-use crate::units::{Amount, Digits};
+use crate::units::{Amount, Digits, Dimensioned};
 use std::ops::RangeInclusive;
 
 const HARDENING: &str = "material.hardening";
-
 /// Yield stress at 10 % strain, from hot superplastic alloys far below to piano wire far above \[MPa\].
 const YIELD: RangeInclusive<f64> = 0.1..=1e5;
 
@@ -23,17 +21,14 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         (Some(_), None) => return Err(source.missing("material", "poisson")),
         (None, Some(_)) => return Err(source.missing("material", "young")),
     };
-    if let Some(Elastic { poisson, .. }) = elastic.filter(|e| e.poisson >= 0.5) {
-        let what = format!("`poisson` must be below 0.5, found {poisson}");
-        return Err(source.error("material.poisson", what, "0.3 for steel, 0.33 for aluminium"));
-    }
+    let poisson = elastic.map_or(0.0, |elastic| elastic.poisson);
+    let what = format!("`poisson` must be below 0.5, found {poisson}");
+    source.require(poisson < 0.5, "material.poisson", what, "0.3 for steel, 0.33 for aluminium")?;
     let hardening = hardening(file.hardening.clone(), elastic, source)?;
     let stress = hardening.at(0.1).stress;
-    if !YIELD.contains(&stress) {
-        let what = format!("the law has a yield stress of {stress:.3e} MPa at a strain of 0.1: no metal has");
-        let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
-        return Err(source.error(HARDENING, what, help));
-    }
+    let what = format!("the law has a yield stress of {stress:.3e} MPa at a strain of 0.1: no metal has");
+    let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
+    source.require(YIELD.contains(&stress), HARDENING, what, help)?;
     let yield_criterion = yield_criterion(file, source)?;
     let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
     let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
@@ -53,64 +48,56 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     })
 }
 
-/// Of r̄ and the curve.
+/// Yield criterion from r̄ and the curve.
 fn yield_criterion(file: &file::Material, source: &Source) -> Result<YieldCriterion, CaseError> {
     let r = file.anisotropy.map_or(1.0, Anisotropy::mean);
     let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
-    let Some(YieldCondition::Hosford(of)) = file.yield_condition else { return Ok(hill.into()) };
+    let Some(YieldCondition::Hosford(hosford)) = file.yield_condition else { return Ok(hill.into()) };
     let path = "material.yield_condition.hosford";
-    let exponent = match (of.crystal, of.exponent) {
+    let exponent = match (hosford.crystal, hosford.exponent) {
         (Some(crystal), None) => crystal.exponent(),
         (None, Some(exponent)) => exponent.value(),
         (None, None) => {
+            let what = "Hosford's condition needs its exponent, or the crystal that decides it";
             let help = "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8";
-            return Err(source.error(
-                path,
-                "Hosford's condition needs its exponent, or the crystal that says it",
-                help,
-            ));
+            return Err(source.error(path, what, help));
         }
         (Some(_), Some(_)) => {
-            let what = "`crystal` and `exponent` both say the exponent";
+            let what = "`crystal` and `exponent` both give the exponent";
             return Err(source.error(&format!("{path}.exponent"), what, "keep one of them"));
         }
     };
-    if file.voids.is_some() {
-        let help = "drop [material.voids], or write yield_condition = \"hill48\"";
-        return Err(source.error(path, "the model of voids is made for Hill's condition, not for Hosford's", help));
-    }
+    let what = "the model of voids is made for Hill's condition, not for Hosford's";
+    let help = "drop [material.voids], or write yield_condition = \"hill48\"";
+    source.require(file.voids.is_none(), path, what, help)?;
     Ok(Hosford::checked(r, exponent).map_err(|error| blame(error, path, source))?.into())
 }
 
-/// At most two back-stresses, of a sheet that is not left to the flow law alone.
+/// At most two back-stresses, of a sheet in the elasto-viscoplastic mode.
 fn chaboche(file: &[BackStress], mode: Option<Mode>, source: &Source) -> Result<BackStresses, CaseError> {
     let mut chaboche = BackStresses::default();
-    if file.len() > chaboche.len() {
-        let what = format!("{} back-stresses are given, more than {}", file.len(), chaboche.len());
-        return Err(source.error("material.kinematic.2", what, "keep the two that matter"));
-    }
-    if !file.is_empty() && mode != Some(Mode::ElastoViscoplastic) {
-        let help = "write mode = \"elasto_viscoplastic\", or drop it";
-        return Err(source.error("material.kinematic.0", "the flow law has no back-stresses", help));
-    }
+    let most = chaboche.len();
+    let what = format!("{} back-stresses are given, more than {most}", file.len());
+    source.require(file.len() <= most, "material.kinematic.2", what, "keep the two that matter")?;
+    let known = file.is_empty() || mode == Some(Mode::ElastoViscoplastic);
+    let help = "write mode = \"elasto_viscoplastic\", or drop it";
+    source.require(known, "material.kinematic.0", "the flow law has no back-stresses", help)?;
     chaboche[..file.len()].copy_from_slice(file);
     Ok(chaboche)
 }
 
-/// How the metal answers to strain, where it has what that takes.
+/// Checks that the material has the constants of a mode.
 pub(super) fn mode(mode: Mode, material: &Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
-    if mode != Mode::Flow && material.elastic.is_none() {
-        let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
-        return Err(source.error(path, "an elastic sheet needs Young's modulus and Poisson's ratio", help));
-    }
-    if mode != Mode::Flow && material.gtn.is_some() {
-        let help = "drop [material.voids], or write mode = \"flow\"";
-        return Err(source.error(path, "a sheet with voids has no elastic strains", help));
-    }
+    let flow = mode == Mode::Flow;
+    let what = "an elastic sheet needs Young's modulus and Poisson's ratio";
+    let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
+    source.require(flow || material.elastic.is_some(), path, what, help)?;
+    let help = "drop [material.voids], or write mode = \"flow\"";
+    source.require(flow || material.gtn.is_none(), path, "a sheet with voids has no elastic strains", help)?;
     Ok(mode)
 }
 
-/// The hardening law, exactly one.
+/// Hardening law, exactly one.
 fn hardening(
     file: Option<Named<Hardening>>,
     elastic: Option<Elastic>,
@@ -129,12 +116,42 @@ fn hardening(
     Err(source.error(&format!("{HARDENING}.{second}"), what, "keep one of them"))
 }
 
-/// What is said of r-values by direction: which mean of them is taken.
+/// Note on r-values by direction: the mean that is taken.
 pub(in crate::case) fn mean_of(r: RValues) -> String {
     let [mean, r0, r45, r90, planar] =
         [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(|r| Amount::number(r).to(Digits::Given(6)));
     format!(
-        "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; what is computed is the mean over \
-         the directions, about which the rim has ears (Δr = {planar})"
+        "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; computed is the mean over the \
+         directions, about which the rim has ears (Δr = {planar})"
     )
+}
+
+/// Law of a table that must name exactly one, ready for use.
+fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
+    match named.only() {
+        Ok(law) => prepared(law, None, path, source),
+        Err(given) => Err(not_one(given.len(), path, &F::NAMES.join(", "), source)),
+    }
+}
+
+/// Law made ready for use.
+pub(super) fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+    let name = law.name();
+    law.prepared(young).map_err(|error| {
+        let message = format!("{name}: {}", error.message);
+        blame(LawError { message, ..error }, &format!("{path}.{name}"), source)
+    })
+}
+
+/// Error of a law, shown at its key.
+pub(super) fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
+    source.error(format!("{path}.{}", error.key).trim_end_matches('.'), error.message, error.help)
+}
+
+/// Error of a table that must name exactly one law.
+pub(super) fn not_one(count: usize, path: &str, names: &str, source: &Source) -> CaseError {
+    if count > 0 {
+        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
+    }
+    source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]"))
 }

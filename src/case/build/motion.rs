@@ -1,11 +1,11 @@
-//! What drives the run and for how long: the punch at its speed or along its history, or gas alone.
+//! Drive and duration of the run: the punch at its speed or along its history, or gas alone.
 
 use crate::case::file::{CaseFile, Punch};
 use crate::case::{CaseError, source::Source};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, NonNegative, Time, rounded};
 
-/// Points of a history closer than this share of the whole are no motion, or a blow \[–\].
+/// Least rise between points of a history over the whole \[–\].
 const CLOSEST: f64 = 1e-6;
 
 /// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\], as in [`crate::model::Model`].
@@ -14,7 +14,7 @@ pub(super) struct Drive {
     pub schedule: Option<PiecewiseLinear>,
     pub speed: f64,
     pub duration: f64,
-    /// Whether the case gives a speed, a motion or a duration.
+    /// True if the case gives a speed, a motion or a duration.
     pub timed: bool,
 }
 
@@ -25,12 +25,12 @@ impl Drive {
     }
 }
 
-/// The key that says how far the punch goes.
+/// Key that gives the punch travel.
 pub(super) fn travel_key(source: &Source) -> &'static str {
     if source.has("tools.punch.motion") { "tools.punch.motion" } else { "tools.punch.travel" }
 }
 
-/// The punch's travel at its speed or along its history, or the gas for its duration.
+/// Punch travel at its speed or along its history, or the gas for its duration.
 pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
     let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Dimensioned::value);
     match (&file.tools.punch, &file.gas, duration) {
@@ -49,23 +49,21 @@ pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Dri
 
 fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
     let Some(points) = &punch.motion else {
-        let Some(travel) = punch.travel else { return Err(source.missing("tools.punch", "travel")) };
-        let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Dimensioned::value));
-        let timed = punch.speed.is_some();
+        let travel = punch.travel.ok_or_else(|| source.missing("tools.punch", "travel"))?.value();
+        let (speed, timed) = (punch.speed.map_or(1.0, Dimensioned::value), punch.speed.is_some());
         return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
     };
     for (key, given) in [("speed", punch.speed.is_some()), ("travel", punch.travel.is_some())] {
-        if given {
-            let what = format!("both `motion` and `{key}` are given");
-            return Err(source.error(&format!("tools.punch.{key}"), what, "drop it: the motion says travel and speed"));
-        }
+        let what = format!("both `motion` and `{key}` are given");
+        let help = "drop it: the motion says travel and speed";
+        source.require(!given, &format!("tools.punch.{key}"), what, help)?;
     }
     let schedule = history(points, source)?;
     let &(duration, travel) = schedule.points().last().expect("a history has points");
     Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true })
 }
 
-/// The travel over time, checked point by point.
+/// Travel over time, checked point by point.
 fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear, CaseError> {
     const PATH: &str = "tools.punch.motion";
     let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
@@ -73,27 +71,22 @@ fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source)
         let what = format!("`motion` needs at least two points, found {}", points.len());
         return Err(source.error(PATH, what, "write [[\"0 s\", \"0 mm\"], [\"5 s\", \"20 mm\"]], or travel and speed"));
     };
-    if *first != (0.0, 0.0) {
-        let what =
-            format!("`motion` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
-        return Err(source.error(&format!("{PATH}.0"), what, "the punch begins where it touches the flat sheet"));
-    }
+    let what = format!("`motion` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
+    let help = "the punch begins where it touches the flat sheet";
+    source.require(*first == (0.0, 0.0), &format!("{PATH}.0"), what, help)?;
     for (i, w) in points.windows(2).enumerate() {
-        let (time, travel) = (w[1].0 - w[0].0, w[1].1 - w[0].1);
-        let (what, unit, from, to) = if time < CLOSEST * last.0 || time <= 0.0 {
-            ("times", "s", w[0].0, w[1].0)
-        } else if travel < CLOSEST * last.1 || travel <= 0.0 {
-            ("travels", "mm", w[0].1, w[1].1)
-        } else {
-            continue;
-        };
-        let what = format!(
-            "the {what} of `motion` must rise by a millionth of the whole or more, found {} {unit} after {} {unit}",
-            rounded(to),
-            rounded(from)
-        );
-        let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
-        return Err(source.error(&format!("{PATH}.{}", i + 1), what, help));
+        let times = ("times", "s", w[0].0, w[1].0, last.0);
+        let travels = ("travels", "mm", w[0].1, w[1].1, last.1);
+        for (name, unit, from, to, whole) in [times, travels] {
+            let (before, after) = (rounded(from), rounded(to));
+            let what = format!(
+                "the {name} of `motion` must rise by a millionth of the whole or more, found {after} {unit} after {before} \
+                 {unit}"
+            );
+            let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
+            let rises = to > from && to - from >= CLOSEST * whole;
+            source.require(rises, &format!("{PATH}.{}", i + 1), what, help)?;
+        }
     }
     Ok(PiecewiseLinear::new(points).expect("checked above"))
 }

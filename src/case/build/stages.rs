@@ -1,21 +1,19 @@
-//! `[[stages]]`: each a patch on the model of the stage before.
+//! `[[stages]]`: each changes the model of the stage before.
 
-use super::context::{Sheet, ToolContext};
 use super::friction::{self, Frictions};
-use super::patch::{Pace, StagePatch, ToolPatch, at_rest};
-use super::values::count;
-use super::{limits, loads, material, tools};
+use super::tools::{Sheet, ToolContext};
+use super::values::{count, given, radius_of};
+use super::{holder, limits, material};
 use crate::case::file::{self, CaseFile, Given};
-use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
-use crate::geometry::{Point, Profile};
-use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
+use crate::geometry::Point;
+use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, rounded};
 
-/// Name of the first stage where it has none.
+/// Default name of the first stage.
 const FIRST: &str = "forming";
-/// Most stages of a case, and letters of a name.
+/// Most later stages of a case, and letters of a name.
 const MOST: usize = 50;
 const LONGEST: usize = 40;
 /// Share of the travel over which a holder's force goes over to that of the next stage \[–\].
@@ -23,35 +21,24 @@ const RAMP: f64 = 0.2;
 /// Longest path of a tool over the blank's length \[–\].
 const FURTHEST: f64 = 3.0;
 
-/// All stages: the first one, and those that are patches on it.
-pub(super) fn convert(
-    file: &CaseFile,
-    first: Model,
-    source: &Source,
-    folder: Folder,
-    derived: &mut Vec<String>,
-) -> Result<Vec<Stage>, CaseError> {
+/// All stages: the first one, and those that change it.
+pub(super) fn convert(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<Stage>, CaseError> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
-    if file.stages.len() > MOST {
-        let what = format!("a case has {} later stages, more than {MOST}", file.stages.len());
-        return Err(source.error(&format!("stages.{MOST}"), what, "leave out what is not needed"));
-    }
+    let what = format!("a case has {} later stages, more than {MOST}", file.stages.len());
+    source.require(file.stages.len() <= MOST, &format!("stages.{MOST}"), what, "leave out what is not needed")?;
     let mut stages = vec![Stage { name, model: first, begin: Beginning::default() }];
-    let mut frictions = Frictions::of(file);
+    let mut frictions = Frictions::new(file);
     for (i, written) in file.stages.iter().enumerate() {
         let path = format!("stages.{i}");
         check_name(&written.name, &format!("{path}.name"), source)?;
-        if stages.iter().any(|other| other.name == written.name) {
-            let what = format!("two stages are called `{}`", written.name);
-            return Err(source.error(&format!("{path}.name"), what, "name them apart: each has its own folder"));
-        }
-        let (first, before) = (&stages[0].model, &stages[i].model);
-        let context = StageContext { written, before, first, source, folder, path };
-        let mut said = Vec::new();
+        let what = format!("two stages are called `{}`", written.name);
+        let help = "name them apart: each has its own folder";
+        let is_new = stages.iter().all(|other| other.name != written.name);
+        source.require(is_new, &format!("{path}.name"), what, help)?;
         source.enter_stage(Some((i, &written.name)));
-        let stage = context.stage(&mut frictions, &mut said)?;
-        derived.extend(said.into_iter().map(|what| format!("stage {name}: {what}", name = written.name)));
+        let (first, before) = (&stages[0].model, &stages[i].model);
+        let stage = StageContext { written, before, first, source, path }.stage(&mut frictions)?;
         stages.push(stage);
     }
     source.enter_stage(None);
@@ -60,278 +47,289 @@ pub(super) fn convert(
 
 fn check_name(name: &str, path: &str, source: &Source) -> Result<(), CaseError> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if (1..=LONGEST).contains(&name.len()) && name.chars().all(plain) {
-        return Ok(());
-    }
-    let what = format!("a stage cannot be called \"{name}\": it names a folder");
-    Err(source.error(path, what, format!("at most {LONGEST} letters, digits, - and _, such as \"redraw\"")))
+    let ok = (1..=LONGEST).contains(&name.len()) && name.chars().all(plain);
+    let help = format!("at most {LONGEST} letters, digits, - and _, such as \"redraw\"");
+    source.require(ok, path, format!("a stage cannot be called \"{name}\": it names a folder"), help)
 }
 
-/// The table of a stage, and what it is read against.
+/// Instants of a run \[s\], the last one its end.
+pub(super) fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
+    (1..count).map(|i| duration * i as f64 / count as f64).chain([duration]).collect()
+}
+
+/// Table of a stage, and the models before it.
 struct StageContext<'a> {
     written: &'a file::Stage,
     before: &'a Model,
     first: &'a Model,
     source: &'a Source<'a>,
-    folder: Folder<'a>,
     /// Key path of the stage.
     path: String,
 }
 
-/// What is written of a tool, whichever it is.
+/// Keys that all tools of a stage have.
 struct WrittenTool {
     role: Role,
-    /// How far it goes away from the axis and along z \[mm\].
+    /// Move away from the axis and along z \[mm\].
     path: Option<Point>,
-    /// Whether it has a shape, which makes it a new tool.
+    /// True if it has a shape, which makes it a new tool.
     shaped: bool,
     friction: Option<file::Friction>,
+    /// Keys that tools of the first stage alone have.
+    stray: Vec<&'static str>,
 }
 
 impl StageContext<'_> {
-    fn error(&self, key: &str, what: impl Into<String>, help: &str) -> CaseError {
-        self.source.error(&format!("{}.{key}", self.path), what, help)
+    fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<(), CaseError> {
+        self.source.require(ok, &format!("{}.{key}", self.path), what, help)
     }
 
-    /// The stage; `frictions` are those that were written so far.
-    fn stage(&self, frictions: &mut Frictions, derived: &mut Vec<String>) -> Result<Stage, CaseError> {
+    /// Builds the stage; `frictions` are those of the stages before.
+    fn stage(&self, frictions: &mut Frictions) -> Result<Stage, CaseError> {
         if !self.before.gas.is_empty() {
-            derived.push("gas acts in the first stage only".into());
+            self.source.note("gas acts in the first stage only");
         }
-        let standing = self.standing(frictions)?;
-        let patch = self.patch(&standing, frictions, derived)?;
-        let model = patch.applied_to(at_rest(self.before, self.first, standing));
-        let pressed = model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
-        if pressed && model.tool(Role::Die).is_none() {
-            let help = "remove the holder too, or let it stand still or go back with `move`";
-            return Err(self.error("remove", "the holder has no die to press against", help));
-        }
-        if model.tools.is_empty() && model.release.is_none() {
-            let key = if self.written.remove.is_empty() { "name" } else { "remove" };
-            let help = "write `release = true` in its place: what the tools exerted fades, and the sheet springs back";
-            return Err(self.error(key, "no tool is left, and nothing holds the sheet", help));
-        }
-        limits::of_model(&model, &format!("{}.frames", self.path), self.source)?;
-        Ok(Stage { name: self.written.name.clone(), model, begin: patch.begin })
-    }
-
-    /// The tools of the stage before that are still there.
-    fn standing(&self, frictions: &mut Frictions) -> Result<Vec<Tool>, CaseError> {
-        let mut tools = self.before.tools.clone();
-        for (k, role) in self.written.remove.iter().enumerate() {
-            if tools.iter().all(|tool| tool.role != *role) {
-                let what = format!("there is no {} to remove", role.name());
-                return Err(self.error(&format!("remove.{k}"), what, "drop it"));
-            }
-            tools.retain(|tool| tool.role != *role);
-            *frictions.own(*role) = None;
-        }
-        Ok(tools)
-    }
-
-    fn patch(
-        &self,
-        standing: &[Tool],
-        frictions: &mut Frictions,
-        derived: &mut Vec<String>,
-    ) -> Result<StagePatch, CaseError> {
         let written = self.tools();
+        let mut model = self.at_rest();
+        self.remove(&mut model, frictions)?;
         for tool in &written {
+            for key in &tool.stray {
+                let what = format!("`{key}` is for tools of the first stage");
+                let help = "drop it: in a later stage `move` and `force` drive the tools";
+                self.require(false, &format!("{}.{key}", tool.role.name()), what, help)?;
+            }
             let own = frictions.own(tool.role);
             *own = tool.friction.or(*own);
         }
-        let pace = self.pace(&written)?;
-        let mut tools = Vec::new();
+        self.pace(&written, &mut model)?;
+        let standing = model.tools.clone();
         for tool in &written {
-            tools.push(self.tool(tool, standing, pace.travel, frictions, derived)?);
+            self.tool(tool, &standing, frictions, &mut model)?;
         }
         let mut meets: Vec<Role> = written.iter().filter(|tool| tool.shaped).map(|tool| tool.role).collect();
-        if let Some(holder) = tools.iter_mut().find(|tool| tool.role == Role::Holder) {
-            self.press(holder, pace.travel, &mut meets)?;
-        }
-        let release = self.release(&written)?;
-        let frames = count(self.source, &format!("{}.frames", self.path), self.written.frames.unwrap_or(4), 1..=1000)?;
-        Ok(StagePatch {
-            tools,
-            pace,
-            edge: self.written.edge,
-            mode: self.mode(release)?,
-            release,
-            frames,
-            begin: Beginning { anneal: self.written.anneal, trim: self.trim()?, meets },
-        })
+        self.press(&written, &mut model, &mut meets)?;
+        self.release(&written, &mut model)?;
+        model.blank.edge = self.written.edge.unwrap_or(model.blank.edge);
+        let frames = self.written.frames.unwrap_or(4);
+        let frames = count(self.source, &format!("{}.frames", self.path), frames, 1..=1000)?;
+        model.frames = equally_spaced(model.duration, frames);
+        let begin = Beginning { anneal: self.written.anneal, trim: self.trim()?, meets };
+        let pressed = model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
+        let help = "remove the holder too, or let it stand still or go back with `move`";
+        let what = "the holder has no die to press against";
+        self.require(!pressed || model.tool(Role::Die).is_some(), "remove", what, help)?;
+        let key = if self.written.remove.is_empty() { "name" } else { "remove" };
+        let help = "write `release = true` instead: the contact forces fade, and the sheet springs back";
+        let held = !model.tools.is_empty() || model.release.is_some();
+        self.require(held, key, "no tool is left, and nothing holds the sheet", help)?;
+        limits::of_model(&model, &format!("{}.frames", self.path), self.source)?;
+        Ok(Stage { name: self.written.name.clone(), model, begin })
     }
 
-    /// What is written of the tools, in the order of their roles.
+    /// Model before with tools that stand still; a holder keeps the force that it had at the end.
+    fn at_rest(&self) -> Model {
+        let StopRules { localised, drawn_through, .. } = self.first.stop;
+        let stop = StopRules { localised, drawn_through, ..StopRules::default() };
+        let mut model = Model { gas: Vec::new(), schedule: None, release: None, stop, ..self.before.clone() };
+        for tool in &mut model.tools {
+            match &mut tool.motion {
+                Motion::Pressed(press) => press.force = press.force.at(self.before.travel).into(),
+                Motion::Gap(_) => {}
+                motion => *motion = Motion::Fixed,
+            }
+        }
+        model
+    }
+
+    fn remove(&self, model: &mut Model, frictions: &mut Frictions) -> Result<(), CaseError> {
+        for (k, role) in self.written.remove.iter().enumerate() {
+            let what = format!("there is no {} to remove", role.name());
+            self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
+            model.tools.retain(|tool| tool.role != *role);
+            *frictions.own(*role) = None;
+        }
+        Ok(())
+    }
+
+    /// Tools of the table, in the order of their roles.
     fn tools(&self) -> Vec<WrittenTool> {
         let file::Stage { punch, die, holder, .. } = self.written;
-        let way = |axial: Option<Length>, radial: Option<Length>| {
+        let path = |axial: Option<Length>, radial: Option<Length>| {
             let mm = |length: Option<Length>| length.map_or(0.0, Dimensioned::value);
             (axial.is_some() || radial.is_some()).then(|| Point::new(mm(radial), mm(axial)))
         };
         let punch = punch.as_ref().map(|t| WrittenTool {
             role: Role::Punch,
-            path: way(t.axial, t.aside),
+            path: path(t.axial, t.aside),
             shaped: t.hemispherical.is_some() || t.flat.is_some() || t.crowned.is_some() || t.profile.is_some(),
             friction: t.friction,
+            stray: given([
+                ("travel", t.travel.is_some()),
+                ("speed", t.speed.is_some()),
+                ("motion", t.motion.is_some()),
+            ]),
         });
         let die = die.as_ref().map(|t| WrittenTool {
             role: Role::Die,
-            path: way(t.axial, t.aside),
-            shaped: t.throat.is_some() || t.shoulder.is_some() || t.profile.is_some(),
+            path: path(t.axial, t.aside),
+            shaped: t.throat.or(t.throat_diameter).or(t.shoulder).is_some() || t.profile.is_some(),
             friction: t.friction,
+            stray: Vec::new(),
         });
         let holder = holder.as_ref().map(|t| WrittenTool {
             role: Role::Holder,
-            path: way(t.axial, t.aside),
-            shaped: t.inner_radius.is_some() || t.inner_half_width.is_some() || t.profile.is_some(),
+            path: path(t.axial, t.aside),
+            shaped: t.inner_radius.or(t.inner_diameter).or(t.inner_half_width).is_some() || t.profile.is_some(),
             friction: t.friction,
+            stray: given([
+                ("pressure", t.pressure.is_some()),
+                ("gap", t.gap.is_some()),
+                ("spring", t.spring.is_some()),
+            ]),
         });
         [punch, die, holder].into_iter().flatten().collect()
     }
 
-    /// The new tools of the stage, as the first stage would have them.
-    fn new_tools(&self) -> file::Tools {
-        let shaped: Vec<Role> = self.tools().iter().filter(|tool| tool.shaped).map(|tool| tool.role).collect();
-        let file::Stage { punch, die, holder, .. } = self.written.clone();
-        file::Tools {
-            punch: punch.filter(|_| shaped.contains(&Role::Punch)).map(file::Punch::from),
-            die: die.filter(|_| shaped.contains(&Role::Die)).map(file::Die::from),
-            holder: holder.filter(|_| shaped.contains(&Role::Holder)).map(file::Holder::from),
-            beads: Vec::new(),
-        }
-    }
-
-    /// The longest path of a tool, and how fast it goes.
-    fn pace(&self, tools: &[WrittenTool]) -> Result<Pace, CaseError> {
+    /// Sets the longest path of a tool as the travel, and its speed.
+    fn pace(&self, tools: &[WrittenTool], model: &mut Model) -> Result<(), CaseError> {
         let (mut travel, mut furthest) = (0.0, Role::Punch);
         for tool in tools {
-            let path = tool.path.map_or(0.0, |way| way.y.hypot(way.x));
+            let path = tool.path.map_or(0.0, |path| path.y.hypot(path.x));
             if path > travel {
                 (travel, furthest) = (path, tool.role);
             }
         }
         let length = self.first.blank.length;
-        if travel > FURTHEST * length {
-            let (way, length) = (rounded(travel), rounded(length));
-            let what = format!("a way of {way} mm is more than {FURTHEST} times the blank's {length} mm");
-            return Err(self.error(furthest.name(), what, "check the unit"));
-        }
-        let usual = self.first.speed;
+        let (path, blank) = (rounded(travel), rounded(length));
+        let what = format!("a move of {path} mm is more than {FURTHEST} times the blank's {blank} mm");
+        self.require(travel <= FURTHEST * length, furthest.name(), what, "check the unit")?;
         let (speed, duration) =
             (self.written.speed.map(Dimensioned::value), self.written.duration.map(Dimensioned::value));
-        let (duration, speed) = match (speed, duration) {
-            (Some(_), Some(_)) => {
-                return Err(self.error("duration", "both a speed and a duration are given", "keep one"));
-            }
-            (Some(_), None) if travel == 0.0 => {
-                let help = "write duration = \"1 s\", or let a tool `move`";
-                return Err(self.error("speed", "a speed is given, and no tool goes anywhere", help));
-            }
-            (_, duration) if travel == 0.0 => (duration.unwrap_or(1.0), usual),
-            (_, Some(duration)) => (duration, travel / duration),
-            (speed, None) => (travel / speed.unwrap_or(usual), speed.unwrap_or(usual)),
+        let both = speed.is_some() && duration.is_some();
+        self.require(!both, "duration", "both a speed and a duration are given", "keep one")?;
+        let help = "write duration = \"1 s\", or let a tool `move`";
+        self.require(speed.is_none() || travel > 0.0, "speed", "a speed is given, and no tool moves", help)?;
+        let usual = self.first.speed;
+        (model.duration, model.speed) = match duration {
+            _ if travel == 0.0 => (duration.unwrap_or(1.0), usual),
+            Some(duration) => (duration, travel / duration),
+            None => (travel / speed.unwrap_or(usual), speed.unwrap_or(usual)),
         };
-        let timed = self.first.timed || self.written.speed.is_some() || self.written.duration.is_some();
-        Ok(Pace { travel, duration, speed, timed })
+        model.travel = travel;
+        model.timed = self.first.timed || speed.is_some() || duration.is_some();
+        Ok(())
     }
 
-    /// The shape, friction and motion that are written of a tool.
+    /// Sets the shape, friction and motion of a tool.
     fn tool(
         &self,
-        tool: &WrittenTool,
+        written: &WrittenTool,
         standing: &[Tool],
-        travel: f64,
         frictions: &Frictions,
-        derived: &mut Vec<String>,
-    ) -> Result<ToolPatch, CaseError> {
-        let WrittenTool { role, path, shaped, .. } = *tool;
-        if !shaped && standing.iter().all(|other| other.role != role) {
-            let what = format!("there is no {} in this stage", role.name());
-            return Err(self.error(role.name(), what, "give it a shape as in [tools], or drop it"));
+        model: &mut Model,
+    ) -> Result<(), CaseError> {
+        let WrittenTool { role, path, shaped, .. } = *written;
+        let what = format!("there is no {} in this stage", role.name());
+        let help = "give it a shape as in [tools], or drop it";
+        self.require(shaped || model.tool(role).is_some(), role.name(), what, help)?;
+        let new = if shaped { self.new_profile(role, standing, model.travel)? } else { None };
+        let is_new = shaped || written.friction.is_some();
+        let friction = is_new.then(|| friction::law(role, frictions, self.source)).transpose()?;
+        if let Some((profile, friction)) = new.zip(friction) {
+            model.tools.retain(|tool| tool.role != role);
+            model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
+            model.tools.sort_by_key(|tool| Role::ALL.iter().position(|role| *role == tool.role));
         }
-        let profile = if shaped { self.profile(role, standing, travel, derived)? } else { None };
-        let friction = (shaped || tool.friction.is_some())
-            .then(|| friction::of(role, frictions, self.source, derived))
-            .transpose()?;
-        let motion = path.map(Motion::Path);
-        Ok(ToolPatch { role, profile, friction, motion })
+        for tool in model.tools.iter_mut().filter(|tool| tool.role == role) {
+            tool.friction = friction.unwrap_or(tool.friction);
+            tool.motion = path.map_or(tool.motion.clone(), Motion::Path);
+        }
+        Ok(())
     }
 
-    /// The section of a new tool, which may be made from one that stands.
-    fn profile(
+    /// Section of a new tool, which may be made from one that stands.
+    fn new_profile(
         &self,
         role: Role,
         standing: &[Tool],
         travel: f64,
-        derived: &mut Vec<String>,
-    ) -> Result<Option<Profile>, CaseError> {
-        let sheet = Sheet::of(&self.before.blank, self.before.extent());
-        let written = &self.new_tools();
-        let (source, folder, profile) = (self.source, self.folder, tools::profile);
-        tools::new_profile(&ToolContext { written, standing, sheet, travel, source, folder, profile }, role, derived)
+    ) -> Result<Option<crate::geometry::Profile>, CaseError> {
+        let file::Stage { punch, die, holder, .. } = self.written.clone();
+        let shaped = |role: Role| self.tools().iter().any(|tool| tool.role == role && tool.shaped);
+        let written = &file::Tools {
+            punch: punch.filter(|_| shaped(Role::Punch)),
+            die: die.filter(|_| shaped(Role::Die)),
+            holder: holder.filter(|_| shaped(Role::Holder)),
+            beads: Vec::new(),
+        };
+        let sheet = Sheet::new(&self.before.blank, self.before.extent());
+        ToolContext { written, standing, sheet, travel, source: self.source }.new_profile(role)
     }
 
-    /// The holder's force: one force is reached from the last one over the first part of the travel. A holder that stays and
-    /// had none is brought up to the sheet.
-    fn press(&self, holder: &mut ToolPatch, travel: f64, meets: &mut Vec<Role>) -> Result<(), CaseError> {
+    /// Sets the holder's force: one force is reached from the last one over the first part of the travel. A holder that stays
+    /// and had none is brought up to the sheet.
+    fn press(&self, tools: &[WrittenTool], model: &mut Model, meets: &mut Vec<Role>) -> Result<(), CaseError> {
         let Some(given) = self.written.holder.as_ref().and_then(|holder| holder.force.as_ref()) else { return Ok(()) };
-        let force = loads::holder_force(given, self.before.extent(), self.source)?;
-        if holder.motion.is_some() {
-            let help = "keep one: a holder that goes a given way has the force that this takes";
-            return Err(self.error("holder.force", "the holder has both a way to go and a force", help));
-        }
+        let force = holder::force_history(given, self.before.extent(), self.source)?;
+        let written = tools.iter().find(|tool| tool.role == Role::Holder);
+        let moves = written.is_some_and(|tool| tool.path.is_some());
+        let help = "keep one: a holder that goes a given way has the force that this takes";
+        self.require(!moves, "holder.force", "the holder has both a way to go and a force", help)?;
         let last = match self.before.tool(Role::Holder).map(|holder| &holder.motion) {
             Some(Motion::Pressed(press)) => Some(press.force.at(self.before.travel)),
             _ => None,
         };
-        let stays = holder.profile.is_none();
+        let stays = written.is_some_and(|tool| !tool.shaped);
         let force = match (given, last) {
-            (Given::Constant(_), Some(last)) if stays && travel > 0.0 => {
-                PiecewiseLinear::new(vec![(0.0, last), (RAMP * travel, force.at(0.0))]).unwrap_or(force)
+            (Given::Constant(_), Some(last)) if stays && model.travel > 0.0 => {
+                PiecewiseLinear::new(vec![(0.0, last), (RAMP * model.travel, force.at(0.0))]).unwrap_or(force)
             }
             _ => force,
         };
-        holder.motion = Some(Motion::Pressed(Press { force, stiffness: 0.0 }));
+        if let Some(holder) = model.tools.iter_mut().find(|tool| tool.role == Role::Holder) {
+            holder.motion = Motion::Pressed(Press { force, stiffness: 0.0 });
+        }
         if stays && last.is_none() {
             meets.push(Role::Holder);
         }
         Ok(())
     }
 
-    fn release(&self, tools: &[WrittenTool]) -> Result<Option<Release>, CaseError> {
-        let Some(stiffness) = self.written.release.and_then(|release| release.0) else { return Ok(None) };
-        if let Some(tool) = tools.iter().find(|tool| tool.path.is_some()) {
-            let what = "tools that are taken away cannot move as well";
-            return Err(self.error(tool.role.name(), what, "drop `move` and `aside`, or the release"));
+    /// Sets release and mode; the flow law's sheet springs back elastically.
+    fn release(&self, tools: &[WrittenTool], model: &mut Model) -> Result<(), CaseError> {
+        model.release = self.written.release.and_then(|release| release.0).map(|stiffness| Release { stiffness });
+        let released = model.release.is_some();
+        if let Some(tool) = tools.iter().find(|tool| released && tool.path.is_some()) {
+            let help = "drop `move` and `aside`, or the release";
+            self.require(false, tool.role.name(), "tools that are taken away cannot move as well", help)?;
         }
-        Ok(Some(Release { stiffness }))
-    }
-
-    /// How the metal answers; what the flow law has formed springs back by D(E, ν).
-    fn mode(&self, release: Option<Release>) -> Result<Option<Mode>, CaseError> {
+        if released {
+            model.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
+        }
         let (mode, key) = match self.written.mode {
-            None if release.is_some() && self.before.mode == Mode::Flow => (Some(Mode::Elastic), "release"),
+            None if released && self.before.mode == Mode::Flow => (Some(Mode::Elastic), "release"),
             mode => (mode, "mode"),
         };
-        let path = format!("{}.{key}", self.path);
-        let mode = mode.map(|mode| material::mode(mode, &self.before.material, &path, self.source)).transpose()?;
-        if release.is_some() && mode == Some(Mode::Flow) {
-            let help = "drop it, or write \"elastic\" or \"elasto_viscoplastic\"";
-            return Err(self.error("mode", "the flow law has no elasticity, nothing springs back", help));
+        if let Some(mode) = mode {
+            let path = format!("{}.{key}", self.path);
+            model.mode = material::mode(mode, &self.before.material, &path, self.source)?;
         }
-        Ok(mode)
+        let what = "the flow law has no elasticity, nothing springs back";
+        let help = "drop it, or write \"elastic\" or \"elasto_viscoplastic\"";
+        self.require(!released || mode != Some(Mode::Flow), "mode", what, help)
     }
 
-    /// Where the sheet is cut \[mm\].
+    /// Distance of the cut from the axis or symmetry plane \[mm\].
     fn trim(&self) -> Result<Option<f64>, CaseError> {
-        let radius = self.written.trim.map(Dimensioned::value);
-        let length = self.before.blank.length;
-        if let Some(radius) = radius.filter(|radius| *radius >= length) {
-            let what =
-                format!("trimming at {} mm cuts nothing from a blank of {} mm", rounded(radius), rounded(length));
-            return Err(self.error("trim", what, "it is the distance from the axis where the sheet is cut"));
+        let file::Stage { trim, trim_diameter, .. } = *self.written;
+        if trim.or(trim_diameter).is_none() {
+            return Ok(None);
         }
-        Ok(radius)
+        let (radius, diameter) = (("trim", trim), ("trim_diameter", trim_diameter));
+        let (key, radius) = radius_of(self.source, &self.path, self.before.geometry, radius, diameter, radius)?;
+        let length = self.before.blank.length;
+        let what = format!("trimming at {} mm cuts nothing from a blank of {} mm", rounded(radius), rounded(length));
+        self.require(radius < length, key, what, "the cut is within the blank's edge")?;
+        Ok(Some(radius))
     }
 }

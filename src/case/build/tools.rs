@@ -1,188 +1,209 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
-use super::context::{Sheet, ToolContext};
 use super::friction::{self, Frictions};
-use super::values::by_geometry;
-use super::{loads, section};
-use crate::case::file;
+use super::values::{Key, given, radius_of};
+use super::{holder, section};
+use crate::case::file::{self, Section};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
-use crate::model::{Motion, Role, Tool};
-use crate::units::{Dimensioned, Length, Positive, rounded};
+use crate::model::{Blank, Extent, Motion, Role, Tool};
+use crate::units::{Dimensioned, rounded};
 
-/// No tool is sharper and no opening smaller than a micrometre [mm].
+/// Least radius of a tool, and least opening \[mm\].
 const SMALLEST: f64 = 1e-3;
 
-/// The tools of the first stage.
-pub(super) fn convert(
-    context: &ToolContext,
-    frictions: &Frictions,
-    derived: &mut Vec<String>,
-) -> Result<Vec<Tool>, CaseError> {
-    let ToolContext { sheet, source, .. } = context;
+/// Flat sheet that tools are placed against.
+pub(super) struct Sheet {
+    pub extent: Extent,
+    /// Radius or half-length \[mm\].
+    pub length: f64,
+    /// Thickness \[mm\].
+    pub thickness: f64,
+}
+
+impl Sheet {
+    pub fn new(blank: &Blank, extent: Extent) -> Self {
+        Self { extent, length: blank.length, thickness: blank.thickness }
+    }
+}
+
+/// Inputs of the tools of a stage.
+pub(super) struct ToolContext<'a> {
+    /// New tools.
+    pub written: &'a file::Tools,
+    /// Tools that remain from the stage before.
+    pub standing: &'a [Tool],
+    pub sheet: Sheet,
+    /// Punch travel of the whole run \[mm\].
+    pub travel: f64,
+    pub source: &'a Source<'a>,
+}
+
+impl ToolContext<'_> {
+    /// Custom section of a tool.
+    pub fn section(&self, role: Role) -> Option<&Section> {
+        match role {
+            Role::Punch => self.written.punch.as_ref()?.profile.as_ref(),
+            Role::Die => self.written.die.as_ref()?.profile.as_ref(),
+            Role::Holder => self.written.holder.as_ref()?.profile.as_ref(),
+        }
+    }
+
+    /// Placed section of a tool, new or standing.
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        // Notes are taken where the tool itself is made.
+        let new = self.source.silently(|| self.new_profile(role))?;
+        let standing = || self.standing.iter().find(|tool| tool.role == role);
+        Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
+    }
+
+    /// Placed section of a new tool.
+    pub fn new_profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        let file::Tools { punch, die, holder, .. } = self.written;
+        match role {
+            Role::Punch => punch.as_ref().map(|punch| self.punch(punch)),
+            Role::Die => die.as_ref().map(|die| self.die(die)),
+            Role::Holder => holder.as_ref().map(|holder| self.holder(holder)),
+        }
+        .transpose()
+    }
+
+    fn punch(&self, punch: &file::Punch) -> Result<Profile, CaseError> {
+        let shapes = given([
+            ("hemispherical", punch.hemispherical.is_some()),
+            ("flat", punch.flat.is_some()),
+            ("crowned", punch.crowned.is_some()),
+            ("profile", punch.profile.is_some()),
+        ]);
+        let t = self.sheet.thickness;
+        match punch {
+            _ if shapes.len() != 1 => {}
+            file::Punch { hemispherical: Some(shape), .. } => {
+                let radius = ("radius", shape.radius);
+                let radius = self.radius("tools.punch.hemispherical", radius, ("diameter", shape.diameter), radius)?;
+                return Ok(Profile::hemispherical_punch(radius, t));
+            }
+            file::Punch { flat: Some(shape), .. } => {
+                let (radius, diameter) = (("radius", shape.radius), ("diameter", shape.diameter));
+                let radius = self.radius("tools.punch.flat", radius, diameter, ("half_width", shape.half_width))?;
+                return Ok(Profile::flat_punch(radius, self.nose("flat", shape.nose.value(), radius)?, t));
+            }
+            file::Punch { crowned: Some(shape), .. } => return self.crowned(shape),
+            file::Punch { profile: Some(section), .. } => return section::convert(section, Role::Punch, self),
+            _ => {}
+        }
+        let what = match shapes.len() {
+            0 => "the punch has no shape".to_owned(),
+            n => format!("the punch has {n} shapes: {}", shapes.join(" and ")),
+        };
+        let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
+                    profile = [..] or \"punch.csv\"";
+        let path = shapes.get(1).map_or("tools.punch".to_owned(), |shape| format!("tools.punch.{shape}"));
+        Err(self.source.error(&path, what, help))
+    }
+
+    fn crowned(&self, shape: &file::Crowned) -> Result<Profile, CaseError> {
+        let (radius, diameter) = (("radius", shape.radius), ("diameter", shape.diameter));
+        let radius = self.radius("tools.punch.crowned", radius, diameter, ("half_width", shape.half_width))?;
+        let nose = self.nose("crowned", shape.nose.value(), radius)?;
+        let face = shape.face.value();
+        let [f, r, n] = [face, radius, nose].map(rounded);
+        let what = format!("a crowned face of radius {f} mm does not fit a punch of {r} mm, nose {n} mm");
+        let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
+        let fits = face >= radius + SMALLEST && nose <= radius - SMALLEST;
+        self.source.require(fits, "tools.punch.crowned.face", what, help)?;
+        Ok(Profile::crowned_punch(radius, face, nose, self.sheet.thickness))
+    }
+
+    fn die(&self, die: &file::Die) -> Result<Profile, CaseError> {
+        let Some(section) = &die.profile else {
+            let throat = ("throat", die.throat);
+            let throat = self.radius("tools.die", throat, ("throat_diameter", die.throat_diameter), throat)?;
+            let shoulder = die.shoulder.ok_or_else(|| self.source.missing("tools.die", "shoulder"))?.value();
+            let shoulder = self.size("tools.die.shoulder", shoulder)?;
+            return Ok(Profile::die(throat, shoulder, self.sheet.thickness));
+        };
+        let alone = die.throat.or(die.throat_diameter).or(die.shoulder).is_none();
+        let help =
+            "the radius is in the profile: change it there or in its drawing, or write throat and shoulder instead";
+        let what = "the die has both a profile and a throat or shoulder";
+        self.source.require(alone, "tools.die.profile", what, help)?;
+        section::convert(section, Role::Die, self)
+    }
+
+    fn holder(&self, holder: &file::Holder) -> Result<Profile, CaseError> {
+        let file::Holder { inner_radius, inner_diameter, inner_half_width, .. } = *holder;
+        let Some(section) = &holder.profile else {
+            let (radius, diameter) = (("inner_radius", inner_radius), ("inner_diameter", inner_diameter));
+            let inner = self.radius("tools.holder", radius, diameter, ("inner_half_width", inner_half_width))?;
+            return Ok(Profile::holder(inner, self.sheet.thickness));
+        };
+        let alone = inner_radius.or(inner_diameter).or(inner_half_width).is_none();
+        let what = "the holder has both a profile and an inner edge";
+        self.source.require(alone, "tools.holder.profile", what, "keep one of them")?;
+        section::convert(section, Role::Holder, self)
+    }
+
+    /// Radius or half-width of a shape \[mm\].
+    fn radius(&self, table: &str, radius: Key, diameter: Key, strip: Key) -> Result<f64, CaseError> {
+        let (key, value) = radius_of(self.source, table, self.sheet.extent.geometry(), radius, diameter, strip)?;
+        self.size(&format!("{table}.{key}"), value)
+    }
+
+    fn size(&self, path: &str, value: f64) -> Result<f64, CaseError> {
+        let key = path.rsplit('.').next().unwrap_or(path);
+        let what = format!("`{key}` must be at least {SMALLEST} mm from the axis, found {value:e} mm");
+        let help = "check the unit; thin-shell theory wants radii above five thicknesses";
+        self.source.require(value >= SMALLEST, path, what, help)?;
+        Ok(value)
+    }
+
+    fn nose(&self, shape: &str, nose: f64, radius: f64) -> Result<f64, CaseError> {
+        let path = format!("tools.punch.{shape}.nose");
+        let nose = self.size(&path, nose)?;
+        let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
+        let help = format!("at most {} mm: then it is hemispherical", rounded(radius));
+        self.source.require(nose <= radius, &path, what, help)?;
+        // A flat shorter than round-off is none.
+        Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose })
+    }
+}
+
+/// Builds the tools of the first stage.
+pub(super) fn convert(context: &ToolContext, frictions: &Frictions) -> Result<Vec<Tool>, CaseError> {
+    let source = context.source;
     let mut tools: Vec<Tool> = Vec::new();
+    for (role, stray) in later_keys(context.written) {
+        if let Some(key) = stray.first() {
+            let what = format!("`{key}` is for tools of later stages");
+            return Err(source.error(
+                &format!("tools.{}.{key}", role.name()),
+                what,
+                "drop it, or move it to [[stages]]",
+            ));
+        }
+    }
     for role in Role::ALL {
         let die = tools.iter().find(|tool| tool.role == Role::Die);
-        if role == Role::Holder && context.written.holder.is_some() && die.is_none() {
-            let what = "a holder needs a die to press against";
-            return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
-        }
-        let Some(profile) = new_profile(context, role, derived)? else { continue };
+        let alone = role == Role::Holder && context.written.holder.is_some() && die.is_none();
+        let help = "add [tools.die], or drop the holder and clamp the edge";
+        source.require(!alone, "tools.holder", "a holder needs a die to press against", help)?;
+        let Some(profile) = context.new_profile(role)? else { continue };
         let motion = match (role, &context.written.holder, die) {
             (Role::Punch, ..) => Motion::Travel,
-            (Role::Holder, Some(holder), Some(die)) => loads::holder(holder, &profile, die, sheet, source, derived)?,
+            (Role::Holder, Some(holder), Some(die)) => holder::motion(holder, &profile, die, &context.sheet, source)?,
             _ => Motion::Fixed,
         };
-        tools.push(Tool { role, profile, friction: friction::of(role, frictions, source, derived)?, motion });
+        tools.push(Tool { role, profile, friction: friction::law(role, frictions, source)?, motion });
     }
     Ok(tools)
 }
 
-/// The placed section of a tool that is new; `None` when there is no such tool.
-pub(super) fn new_profile(
-    context: &ToolContext,
-    role: Role,
-    derived: &mut Vec<String>,
-) -> Result<Option<Profile>, CaseError> {
-    let file::Tools { punch, die, holder, .. } = context.written;
-    match role {
-        Role::Punch => punch.as_ref().map(|punch| punch_profile(punch, context, derived)),
-        Role::Die => die.as_ref().map(|die| die_profile(die, context, derived)),
-        Role::Holder => holder.as_ref().map(|holder| holder_profile(holder, context, derived)),
-    }
-    .transpose()
-}
-
-/// The placed section of a tool, new or standing; `None` when there is no such tool.
-pub(super) fn profile(context: &ToolContext, role: Role) -> Result<Option<Profile>, CaseError> {
-    let new = new_profile(context, role, &mut Vec::new())?; // said where the tool itself is made
-    let standing = || context.standing.iter().find(|tool| tool.role == role);
-    Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
-}
-
-fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
-    let ToolContext { sheet, source, .. } = context;
-    let t = sheet.thickness;
-    let given = [
-        ("hemispherical", punch.hemispherical.is_some()),
-        ("flat", punch.flat.is_some()),
-        ("crowned", punch.crowned.is_some()),
-        ("profile", punch.profile.is_some()),
-    ];
-    let given: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
-    let [_] = given[..] else {
-        let what = match given.len() {
-            0 => "the punch has no shape".to_owned(),
-            _ => format!("the punch has {} shapes: {}", given.len(), given.join(" and ")),
-        };
-        let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
-                    profile = [..] or \"punch.csv\"";
-        let path = given.get(1).map_or("tools.punch".to_owned(), |shape| format!("tools.punch.{shape}"));
-        return Err(source.error(&path, what, help));
-    };
-    if let Some(shape) = &punch.hemispherical {
-        let radius = size(source, "tools.punch.hemispherical.radius", shape.radius.value())?;
-        return Ok(Profile::hemispherical_punch(radius, t));
-    }
-    if let Some(shape) = &punch.flat {
-        let radius = punch_radius(source, "flat", sheet, shape.radius, shape.half_width)?;
-        let nose = nose_within(source, "flat", shape.nose.value(), radius)?;
-        return Ok(Profile::flat_punch(radius, nose, t));
-    }
-    if let Some(shape) = &punch.crowned {
-        let radius = punch_radius(source, "crowned", sheet, shape.radius, shape.half_width)?;
-        let nose = nose_within(source, "crowned", shape.nose.value(), radius)?;
-        let face = shape.face.value();
-        if face < radius + SMALLEST || nose > radius - SMALLEST {
-            let what = format!(
-                "a crowned face of radius {} mm does not fit a punch of {} mm, nose {} mm",
-                rounded(face),
-                rounded(radius),
-                rounded(nose)
-            );
-            let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
-            return Err(source.error("tools.punch.crowned.face", what, help));
-        }
-        return Ok(Profile::crowned_punch(radius, face, nose, t));
-    }
-    let section = punch.profile.as_ref().expect("exactly one shape is given, and it is none of the above");
-    section::convert(section, Role::Punch, context, derived)
-}
-
-fn punch_radius(
-    source: &Source,
-    shape: &str,
-    sheet: &Sheet,
-    radius: Option<Positive<Length>>,
-    half_width: Option<Positive<Length>>,
-) -> Result<f64, CaseError> {
-    let table = format!("tools.punch.{shape}");
-    let (key, found) =
-        by_geometry(source, &table, sheet.extent.geometry(), ("radius", radius), ("half_width", half_width))?;
-    size(source, &format!("{table}.{key}"), found)
-}
-
-/// A radius or width that can be drawn.
-fn size(source: &Source, path: &str, value: f64) -> Result<f64, CaseError> {
-    if value >= SMALLEST {
-        return Ok(value);
-    }
-    let key = path.rsplit('.').next().unwrap_or(path);
-    let what = format!("`{key}` must be at least {SMALLEST} mm, found {value:e} mm");
-    Err(source.error(path, what, "check the unit; thin-shell theory wants radii above five thicknesses"))
-}
-
-fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f64, CaseError> {
-    let nose = size(source, &format!("tools.punch.{shape}.nose"), nose)?;
-    if nose <= radius {
-        // What is left of the flat beside a nose that is all but the whole radius is round-off.
-        return Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose });
-    }
-    let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
-    Err(source.error(
-        &format!("tools.punch.{shape}.nose"),
-        what,
-        format!("at most {} mm: then it is hemispherical", rounded(radius)),
-    ))
-}
-
-/// What to write for a die that is drawn and has a radius of its own.
-const DRAWN: &str =
-    "the radius is in the profile: change it there or in its drawing, or write throat and shoulder in its place";
-
-fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
-    let ToolContext { sheet, source, .. } = context;
-    match (&die.profile, die.throat, die.shoulder) {
-        (Some(section), None, None) => section::convert(section, Role::Die, context, derived),
-        (None, Some(throat), Some(shoulder)) => Ok(Profile::die(
-            size(source, "tools.die.throat", throat.value())?,
-            size(source, "tools.die.shoulder", shoulder.value())?,
-            sheet.thickness,
-        )),
-        (Some(_), ..) => {
-            let what = "the die has both a profile and a throat or shoulder";
-            Err(source.error("tools.die.profile", what, DRAWN))
-        }
-        (None, None, _) => Err(source.missing("tools.die", "throat")),
-        (None, _, None) => Err(source.missing("tools.die", "shoulder")),
-    }
-}
-
-fn holder_profile(
-    holder: &file::Holder,
-    context: &ToolContext,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let ToolContext { sheet, source, .. } = context;
-    let Some(section) = &holder.profile else {
-        let radius = ("inner_radius", holder.inner_radius);
-        let half_width = ("inner_half_width", holder.inner_half_width);
-        let (key, inner) = by_geometry(source, "tools.holder", sheet.extent.geometry(), radius, half_width)?;
-        return Ok(Profile::holder(size(source, &format!("tools.holder.{key}"), inner)?, sheet.thickness));
-    };
-    if holder.inner_radius.or(holder.inner_half_width).is_some() {
-        let what = "the holder has both a profile and an inner edge";
-        return Err(source.error("tools.holder.profile", what, "keep one of them"));
-    }
-    section::convert(section, Role::Holder, context, derived)
+/// Given keys that only tools of later stages have.
+fn later_keys(tools: &file::Tools) -> Vec<(Role, Vec<&'static str>)> {
+    let keys = |axial: bool, aside: bool| given([("move", axial), ("aside", aside)]);
+    let punch = tools.punch.iter().map(|t| (Role::Punch, keys(t.axial.is_some(), t.aside.is_some())));
+    let die = tools.die.iter().map(|t| (Role::Die, keys(t.axial.is_some(), t.aside.is_some())));
+    let holder = tools.holder.iter().map(|t| (Role::Holder, keys(t.axial.is_some(), t.aside.is_some())));
+    punch.chain(die).chain(holder).collect()
 }

@@ -1,50 +1,30 @@
-//! What a case file says, key by key; nothing here has a meaning yet beyond its own units and ranges.
+//! Keys of a case file, in their own units and ranges.
 //!
-//! The documentation of the fields is what an editor shows through the JSON schema, the examples are what error
-//! messages propose.
+//! The documentation of the fields is shown by editors through the JSON schema, the examples are proposed by error messages.
 
-mod anisotropy;
-mod compare;
-mod forming_limit;
-mod friction;
-mod gas;
-mod heat;
-mod history;
+mod judged;
+mod loads;
 mod material;
-mod output;
-mod press;
-mod report;
 mod section;
-mod springback;
 mod stages;
 mod tools;
-mod yield_condition;
+mod untagged;
 
-pub use anisotropy::{Anisotropy, Directions};
-pub use compare::{Compare, ComparedQuantity};
-pub use forming_limit::FormingLimit;
-pub use friction::{Friction, Sides};
-pub use gas::{Gas, GasFace};
-pub use heat::{Heat, InitialTemperature, ToolHeat, Zones};
-pub use history::Given;
-pub use material::Material;
-pub use output::Output;
-pub use press::Press;
-pub use report::TitleBlock;
+pub use judged::{Compare, ComparedQuantity, Press, Springback, TitleBlock};
+pub use loads::{Gas, GasFace, Given, Heat, HolderForce, InitialTemperature, Stiffness, ToolHeat, Zones};
+pub use material::{Anisotropy, Crystal, FormingLimit, Material, YieldCondition};
 pub use section::{ProfileStep, Section, SectionTable, Turn};
-pub use springback::Springback;
-pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
-pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
-pub use yield_condition::{Crystal, YieldCondition};
+pub use stages::{FirstStage, Release, Stage};
+pub use tools::{Bead, Crowned, Die, Flat, Friction, Hemispherical, Holder, Punch, Sides, Spring, Tools};
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// A forming case: blank, material, tools.
-#[derive(Clone, Debug, Deserialize)]
+/// Forming case: blank, material, tools.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct CaseFile {
     /// Shown above plots and reports.
     #[schemars(example = "Steel cup, 60 mm punch")]
@@ -55,40 +35,40 @@ pub struct CaseFile {
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]
     pub notes: Vec<String>,
-    /// The flat sheet.
+    /// Flat sheet.
     pub blank: Blank,
-    /// What the sheet is made of.
+    /// Material of the sheet.
     pub material: Material,
-    /// The rigid tools.
+    /// Rigid tools.
     #[serde(default)]
     pub tools: Tools,
-    /// Friction by the face of the sheet, for tools that do not name their own, and where all of it comes from.
+    /// Friction by the face of the sheet, for tools without their own, and its source.
     #[serde(default)]
     pub friction: Sides,
     /// Gas or oil that presses on the sheet.
     pub gas: Option<Gas>,
     /// Temperature of the sheet; 20 °C throughout when not given.
     pub heat: Option<Heat>,
-    /// The forming limit that the strains are held against; none when not given.
+    /// Forming limit to check the strains against; default none.
     pub forming_limit: Option<FormingLimit>,
-    /// What the press can give, for the verdict; the run does not depend on it.
+    /// Rating of the press, for the verdict; the run does not depend on it.
     #[serde(default)]
     pub press: Press,
-    /// The title block of reports.
+    /// Title block of reports.
     #[serde(default)]
     pub report: TitleBlock,
-    /// The part's tolerances on spring-back, for the verdict; not judged when not given.
+    /// Tolerances of the part on spring-back, for the verdict.
     pub springback: Option<Springback>,
-    /// How the problem is solved.
+    /// Numerical parameters.
     #[serde(default)]
     pub solver: Settings,
-    /// What ends the run before its full travel.
+    /// Conditions that end the run before its full travel.
     #[serde(default)]
     pub stop: StopRules,
-    /// What is kept of the run.
+    /// Kept instants of the run.
     #[serde(default)]
     pub output: Output,
-    /// The first stage, where there are several.
+    /// Name of the first of several stages.
     #[serde(default)]
     pub stage: FirstStage,
     /// Operations after the first one, on the same sheet.
@@ -99,14 +79,16 @@ pub struct CaseFile {
     pub compare: Vec<Compare>,
 }
 
-/// The flat sheet before forming.
-#[derive(Clone, Debug, Deserialize)]
+/// Flat sheet before forming.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Blank {
     /// Radius of the blank (axisymmetric).
     #[schemars(example = "55 mm")]
     pub radius: Option<Positive<Length>>,
+    /// Diameter of the blank, instead of `radius`.
+    #[schemars(example = "110 mm")]
+    pub diameter: Option<Positive<Length>>,
     /// Length from the symmetry plane to the edge (plane strain).
     #[schemars(example = "420 mm")]
     pub half_length: Option<Positive<Length>>,
@@ -118,10 +100,10 @@ pub struct Blank {
     #[schemars(example = "0.9 mm")]
     pub thickness: Positive<Length>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
-    #[serde(default = "default::elements")]
+    #[serde(default = "default_elements")]
     #[schemars(range(min = 2, max = 2000), example = 100)]
     pub elements: i64,
-    /// How element sizes are spread.
+    /// Distribution of element sizes.
     #[serde(default)]
     #[schemars(extend("default" = "radii"))]
     pub grading: Grading,
@@ -134,14 +116,23 @@ pub struct Blank {
     /// jumps), 25 where a stage releases the sheet.
     #[schemars(range(min = 3, max = 101), example = 5)]
     pub layers: Option<i64>,
-    /// How the outer edge is held.
+    /// Support of the outer edge.
     #[serde(default)]
     #[schemars(extend("default" = "free"))]
     pub edge: Edge,
 }
 
-mod default {
-    pub fn elements() -> i64 {
-        100
-    }
+fn default_elements() -> i64 {
+    100
+}
+
+/// Kept instants: `frames` or `count`; the end of the travel always is.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Punch travels at which the state is kept.
+    pub frames: Option<Vec<Positive<Length>>>,
+    /// Number of equally spaced instants, 1 to 1000; default 4.
+    #[schemars(range(min = 1, max = 1000), example = 4)]
+    pub count: Option<i64>,
 }

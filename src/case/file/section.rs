@@ -1,15 +1,15 @@
-//! `profile`: a tool's section of one's own.
+//! `profile`: custom section of a tool.
 
+use super::untagged::untagged;
 use crate::model::Role;
 use crate::units::{Length, NonNegative, Positive};
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-/// A tool's section, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.
+/// Section of a tool, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.
 ///
 /// Wherever it is drawn along z, it is moved to where it touches the flat sheet.
-#[derive(Clone, Debug, schemars::JsonSchema)]
+#[derive(Clone, Debug, JsonSchema)]
 #[schemars(untagged)]
 pub enum Section {
     /// Lines and arcs.
@@ -23,9 +23,8 @@ pub enum Section {
 }
 
 /// `{ file, fillet }`, `{ offset_of, by, shoulder, closed_at }` or `{ mirror_of }`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 #[schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] }))]
 pub struct SectionTable {
     /// CSV file with points.
@@ -34,31 +33,30 @@ pub struct SectionTable {
     /// Fillet radius of all inner points of the file that have none of their own; "0 mm" keeps them sharp.
     #[schemars(example = "5 mm")]
     pub fillet: Option<NonNegative<Length>>,
-    /// The punch or the die whose outline this tool follows, so that the two close on each other: every point of this
+    /// Punch or die whose outline this tool follows, so that the two close on each other: every point of this
     /// tool then lies `by` away from the other. A sharp corner of the other becomes an arc of radius `by`.
     #[schemars(example = &"punch")]
     pub offset_of: Option<Role>,
-    /// The gap between the two tools when they have closed: the sheet's thickness and the clearance.
+    /// Gap between the two tools when they have closed: the sheet's thickness and the clearance.
     #[schemars(example = "1.2 mm")]
     pub by: Option<Positive<Length>>,
-    /// For a die around a punch with a wall: the cavity ends at the die's face, on which the flat sheet lies, with this
+    /// Die around a punch with a wall: the cavity ends at the die's face, on which the flat sheet lies, with this
     /// radius. Without it the offset is the whole die: for a punch that is drawn as far as the blank reaches.
     #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
-    /// With `shoulder`: the punch's travel at which the gap is `by` everywhere, which is how deep the cavity is; the
+    /// Only with `shoulder`: punch travel at which the gap is `by` everywhere, which is how deep the cavity is; the
     /// whole travel when not given. Without `shoulder` it follows from the die touching the flat sheet.
     #[schemars(example = "25 mm")]
     pub closed_at: Option<Positive<Length>>,
-    /// The tool on the other side of the flat sheet of which this one is the mirror image: a holder of the die's form,
+    /// Tool on the other side of the flat sheet whose mirror image this one is: a holder of the die's form,
     /// or a die of the holder's.
     #[schemars(example = &"die")]
     pub mirror_of: Option<Role>,
 }
 
 /// One step of a drawn section: `from` first, then `to` for straight lines, `arc_to` with `center` and `turn` for arcs.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 #[schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] }))]
 pub struct ProfileStep {
     /// First point: [r, z].
@@ -69,15 +67,14 @@ pub struct ProfileStep {
     pub arc_to: Option<[Length; 2]>,
     /// Centre of the arc: [r, z].
     pub center: Option<[Length; 2]>,
-    /// Which way the arc turns as one goes along it.
+    /// Sense of the arc as one goes along it.
     #[schemars(example = &"right")]
     pub turn: Option<Turn>,
 }
 
 /// Sense of an arc as one goes along it, r to the right and z upward.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Turn {
     /// Counter-clockwise: a hollow of the tool.
     Left,
@@ -85,29 +82,9 @@ pub enum Turn {
     Right,
 }
 
-impl<'de> Deserialize<'de> for Section {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        /// Text is a file, a list are steps, a table is read by its keys: each complains in its own words.
-        struct Written;
-        impl<'de> Visitor<'de> for Written {
-            type Value = Section;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                write!(f, "a list of steps, the name of a CSV file such as \"die.csv\", or a table")
-            }
-
-            fn visit_str<E: Error>(self, text: &str) -> Result<Section, E> {
-                Ok(Section::File(text.to_owned()))
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Section, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(list)).map(Section::Steps)
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Section, A::Error> {
-                SectionTable::deserialize(MapAccessDeserializer::new(table)).map(Section::Table)
-            }
-        }
-        from.deserialize_any(Written)
-    }
-}
+untagged!(
+    Section, "a list of steps, the name of a CSV file such as \"die.csv\", or a table",
+    text(file) => Ok(Section::File(file.to_owned())),
+    list => Section::Steps,
+    table => Section::Table
+);
