@@ -1,4 +1,4 @@
-//! The screen that answers: the verdict's sentence, what is red and amber with what to change, the key numbers.
+//! The answer on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::say::Shown;
 use super::table::{Cell, Tone, table, toned, wrapped};
@@ -7,46 +7,28 @@ use stampflow::case::Case;
 use stampflow::study::verify::Verification;
 use stampflow::units::joined;
 
-/// Of a case: the sentence and doubts of its sizes first, then what it rests on; where it was verified, how sure that is.
+/// Answer on a case, with the error bars of a verification.
 pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> Shown {
-    let numbers = answer.numbers.iter().map(|number| {
-        [
-            Cell::plain(String::from(number.label)),
-            Cell::plain(number.amount.to_string()),
-            Cell::plain(number.place.clone()),
-        ]
-    });
-    let mut shown = sentence(&case.name, answer, "");
-    for doubt in size_doubts(case) {
-        shown = shown + wrapped(&format!("- {}", doubt.to_string()));
-    }
-    shown = shown + "\n".into() + judged(findings) + table(None, numbers.collect());
-    let ended = Some(answer.end.clone()).filter(|end| !end.is_empty());
-    let of_bars = verification.map_or_else(Vec::new, Verification::sentences);
-    let warnings = ended.into_iter().chain(sentences(findings, Kind::Warning)).chain(of_bars);
-    let warnings: Vec<String> = warnings.collect();
-    if !warnings.is_empty() {
-        shown = shown + "\n".into();
-    }
-    for warning in warnings {
-        shown = shown + wrapped(&format!("- {}", warning.to_string()));
-    }
-    let grey = judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into());
-    let grey = joined(grey, ", ");
-    if grey.is_empty() {
-        return shown;
-    }
-    shown + wrapped(&format!("\nNot judged, for want of what it would be held against: {grey}."))
+    let list = |lines: Vec<String>| wrapped(&lines.iter().map(|line| format!("- {line}\n")).collect::<String>());
+    let numbers = answer.numbers.iter();
+    let numbers = numbers.map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()].map(Cell::plain));
+    let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
+    let bars = verification.map_or_else(Vec::new, Verification::sentences);
+    let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
+    let gap = if warnings.is_empty() { "" } else { "\n" };
+    let shown = sentence(&case.name, answer, "") + list(size_doubts(case)) + "\n".into() + judged(findings);
+    let shown = shown + table(None, numbers.collect()) + gap.into() + list(warnings);
+    let unchecked = joined(judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into()), ", ");
+    if unchecked.is_empty() { shown } else { shown + wrapped(&format!("\nNot checked: {unchecked}.")) }
 }
 
-/// `cup: RED – it tears in the wall`: one line where several cases are told, with `more` at its end.
+/// One line: `cup: RED: it tears in the wall.`, with `more` at its end.
 pub fn sentence(case: &str, answer: &Answer, more: &str) -> Shown {
-    let light = String::from(answer.light.name()).to_uppercase();
-    let line = format!("{case}: {light}: {}. {more}", answer.sentence.to_string());
-    toned(&line, &light, Tone::of(answer.light))
+    let light = answer.light.name().to_uppercase();
+    toned(&format!("{case}: {light}: {}. {more}", answer.sentence), &light, Tone::of(answer.light))
 }
 
-/// Red rows, then amber ones; what to change stands once under those that it is good for.
+/// Red rows, then amber ones; advice stands once under the rows that it is good for.
 fn judged(findings: &[Finding]) -> Shown {
     let mut rows: Vec<[Cell; 3]> = Vec::new();
     for light in [Light::Red, Light::Amber] {
@@ -54,7 +36,7 @@ fn judged(findings: &[Finding]) -> Shown {
             rows.extend(alike.iter().map(|finding| row(finding)));
             let advice = &alike[0].advice;
             if !advice.is_empty() {
-                rows.push(["", &String::from("→ change"), &advice.to_string()].map(Cell::plain));
+                rows.push(["", "→ change", advice].map(Cell::plain));
             }
             rows.push([""; 3].map(Cell::plain));
         }
@@ -63,14 +45,11 @@ fn judged(findings: &[Finding]) -> Shown {
 }
 
 fn row(finding: &Finding) -> [Cell; 3] {
-    // Words are no limit of a number.
+    // Words have no limit.
     let found = match finding.value() {
-        Some(_) => format!("{found}; limit: {limit}", found = finding.found(), limit = finding.limit),
-        None => finding.found().clone(),
+        Some(_) => format!("{}; limit: {}", finding.found(), finding.limit),
+        None => finding.found(),
     };
-    [
-        Cell { text: String::from(finding.light.name()), tone: Tone::of(finding.light) },
-        Cell::plain(String::from(finding.label)),
-        Cell::plain(found.to_string()),
-    ]
+    let light = Cell { text: finding.light.name().to_owned(), tone: Tone::of(finding.light) };
+    [light, Cell::plain(finding.label), Cell::plain(found)]
 }

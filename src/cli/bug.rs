@@ -1,31 +1,31 @@
-//! Panics: mistakes of this program. What panics is given up, named with what to send, and stops nothing else.
+//! Panics, which are mistakes of this program: named with what to send, and stopping nothing else.
 
 use std::any::Any;
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 
-/// Longest part of a panic's own words that is told, in characters.
+/// Longest quotation of a panic \[characters\].
 const LONGEST: usize = 300;
 
 thread_local! {
-    /// Where in the source this thread has panicked last.
+    /// Place in the source of this thread's last panic.
     static PLACE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// A panic, caught.
+/// A caught panic.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "{of} met a mistake of this program, not of yours: \"{what}\" at {place}. Please report it with this message, the case \
+    "{job} met a mistake of this program, not of yours: \"{text}\" at {place}. Please report it with this message, the case \
      file and the files that it names, and the version, stampflow {}",
     env!("CARGO_PKG_VERSION")
 )]
 pub struct Bug {
-    of: String,
-    what: String,
+    job: String,
+    text: String,
     place: String,
 }
 
-/// From here on a panic prints nothing; [`caught`] tells of it.
+/// Silences panics; [`caught`] reports them.
 pub fn listen() {
     panic::set_hook(Box::new(|panic| {
         let place = panic.location().map_or_else(|| "an unknown place".to_owned(), ToString::to_string);
@@ -33,16 +33,15 @@ pub fn listen() {
     }));
 }
 
-/// What a job returns; its panic is an error, about what is worked at, as in "case cup".
-pub fn caught<T>(of: &str, job: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
-    panic::catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|panic| {
-        let (of, what) = (of.to_owned(), words(panic.as_ref()).chars().take(LONGEST).collect());
-        Err(Bug { of, what, place: PLACE.with(RefCell::take) }.into())
+/// Runs a job, such as "case cup"; its panic becomes an error.
+pub fn caught<T>(job: &str, run: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
+    panic::catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
+        let (job, text) = (job.to_owned(), message(panic.as_ref()).chars().take(LONGEST).collect());
+        Err(Bug { job, text, place: PLACE.with(RefCell::take) }.into())
     })
 }
 
-/// What a panic says.
-fn words(panic: &(dyn Any + Send)) -> &str {
+fn message(panic: &(dyn Any + Send)) -> &str {
     let formatted = panic.downcast_ref::<String>().map(String::as_str);
     formatted.or(panic.downcast_ref::<&str>().copied()).unwrap_or("no words")
 }

@@ -1,5 +1,9 @@
-//! Exit codes, and the errors of the command line itself.
+//! Exit codes, and the errors that end the program.
 
+use super::options::Json;
+use super::say::{Shown, warn};
+use super::table::colours;
+use serde_json::json;
 use stampflow::assess::{Answer, Light};
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
@@ -9,23 +13,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Shown below the help of the whole program.
-pub const HELP: &str = "\
-Examples:
-  stampflow check cases/quickstart.toml
-  stampflow run cases/quickstart.toml
-  stampflow run cases/*.toml --out results
-  stampflow validate
-
-Exit codes:
-  0    done
-  1    any other failure; validate: a comparison is out of its tolerance
-  2    bad input, nothing was written
-  3    a run stopped before its full travel, its results are kept
-  4    with --strict: the verdict is red, the results are kept
-  130  interrupted (Ctrl-C): the results up to there are kept; a second Ctrl-C ends at once";
-
-/// What the program's end means to a script.
+/// Exit code of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Code {
     Done = 0,
@@ -36,12 +24,12 @@ pub enum Code {
     Interrupted = 130,
 }
 
-/// What was asked for makes no sense, whatever the files say.
+/// A request that makes no sense, whatever the files say.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct BadRequest(pub String);
 
-/// A file or folder that was named and cannot be used.
+/// A named file or folder that cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[error("{what}; {help}")]
 pub struct BadPath {
@@ -50,7 +38,7 @@ pub struct BadPath {
     pub path: PathBuf,
 }
 
-/// A place for results that cannot be written to, found before anything is solved.
+/// Error of a place that cannot be written to, found before anything is solved.
 pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadPath {
     move |error| {
         let cause = error.source().map_or(String::new(), |cause| format!(": {cause}"));
@@ -60,7 +48,7 @@ pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadPath {
 }
 
 impl Code {
-    /// What a run that came to an end is to a script: red where that is asked for, complete or not.
+    /// Exit code of a run: red only with `--strict`, whether complete or not.
     pub fn of_run(strict: bool, complete: bool, answer: &Answer) -> Self {
         match answer.light {
             Light::Red if strict => Self::Red,
@@ -69,7 +57,7 @@ impl Code {
         }
     }
 
-    /// The code that an error ends the program with.
+    /// Exit code of an error.
     pub fn of(error: &anyhow::Error) -> Self {
         let bad_input = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();
         if bad_input || error.is::<BadRequest>() || error.is::<BadPath>() { Self::BadInput } else { Self::Failed }
@@ -80,4 +68,33 @@ impl From<Code> for ExitCode {
     fn from(code: Code) -> Self {
         Self::from(code as u8)
     }
+}
+
+/// Prints an error with its cause, that of a case with its line and a caret; as JSON with `--json`.
+pub fn complain(error: &anyhow::Error) {
+    warn(if Json::is_requested() {
+        as_json(error).into()
+    } else if let Some(case) = error.downcast_ref::<CaseError>() {
+        Shown::coloured(case.render(colours(&std::io::stderr())))
+    } else {
+        Shown::from(format!("error: {error:#}"))
+    });
+}
+
+/// An error in one line: text, remedy, file, line and column as far as they are known.
+fn as_json(error: &anyhow::Error) -> String {
+    // An error of a drawing, or of the case made from it, has the drawing's path as context.
+    let drawing = || (error.chain().len() > 1).then(|| error.to_string());
+    let (what, help, file, line, column) = if let Some(case) = error.downcast_ref::<CaseError>() {
+        let (line, column) = case.position().unzip();
+        let file = case.file().map(str::to_owned).or_else(drawing);
+        (case.to_string(), case.remedy().map(str::to_owned), file, line, column)
+    } else if let Some(ImportError { what, help, line }) = error.downcast_ref() {
+        (what.clone(), Some(help.clone()), drawing(), *line, None)
+    } else if let Some(BadPath { what, help, path }) = error.downcast_ref() {
+        (what.clone(), Some(help.clone()), Some(path.display().to_string()), None, None)
+    } else {
+        (format!("{error:#}"), None, None, None, None)
+    };
+    json!({ "error": what, "help": help, "file": file, "line": line, "column": column }).to_string()
 }

@@ -5,10 +5,10 @@ use super::options::Json;
 use super::place;
 use super::say::{say, say_json};
 use super::suggested::Suggested;
-use serde_json::json;
+use serde_json::{Value, json};
 use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
-use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
+use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::plot::{Chart, SketchedTool, png, sketch};
 use stampflow::results::write;
@@ -18,14 +18,12 @@ use std::path::PathBuf;
 
 pub const HELP: &str = "\
 Layers whose names hold punch, die, holder or another word for one (binder, Stempel, Matrize, Niederhalter, poinçon,
-matrice, serre-flan) are those tools; --layer says what others are. A number as in OP20_PUNCH, OP30_PUNCH makes stages.
-In the drawing x is the distance from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order
-and direction, in blocks too, make one line: the side of the tool that meets the sheet, or an outline all round it, of which
-that side is read. Where both halves are drawn the right one is used. Tools may be drawn open or closed: a case moves each
-to where it touches the flat sheet.
+matrice, serre-flan) are those tools. A number as in OP20_PUNCH, OP30_PUNCH makes stages. In the drawing x is the distance
+from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order and in blocks too, make one line:
+the side of the tool that faces the sheet, or an outline round it. If both halves are drawn, the right one is used.
 
-Written: the case file, whose placeholders (sheet, material, friction, travel) are marked, and a picture of what was read
-beside it (die.png for die.toml).
+You get the case file, in which placeholders (sheet, material, friction, travel) are marked, and a picture of what was
+read beside it (die.png for die.toml).
 
 Examples:
   stampflow import die.dxf
@@ -39,34 +37,34 @@ pub struct Args {
     /// Drawing, DXF in text form
     #[arg(value_name = "DRAWING.dxf")]
     drawing: PathBuf,
-    /// Case file to write [default: the drawing's name with .toml, beside it]
+    /// Case file to write [default: beside the drawing]
     #[arg(long, short, alias = "output", value_name = "CASE.toml")]
     out: Option<PathBuf>,
-    /// Write over a case file and a picture that are there
+    /// Replace an existing case file and picture
     #[arg(long)]
     force: bool,
-    /// What a layer draws: punch, die, holder or none; as often as needed
+    /// Tool of a layer: punch, die, holder or none; as often as needed
     #[arg(long = "layer", value_name = "NAME=TOOL", value_parser = import::layer)]
     layers: Vec<(String, Option<Role>)>,
     /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
     #[arg(long, value_name = "UNIT")]
     units: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing [default: 0, where the punch is drawn there]
+    /// x of the axis or symmetry plane in the drawing [default: 0]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     axis: Option<Length>,
-    /// Which way the punch moves in the drawing: down or up [default: as the tools' walls tell]
-    #[arg(long, value_name = "WAY")]
+    /// Direction of the punch in the drawing: down or up [default: from the tools' walls]
+    #[arg(long, value_name = "DIRECTION")]
     punch_moves: Option<Heading>,
-    /// Ends that are no farther apart meet
+    /// Largest gap between ends that meet
     #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
     join: Positive<Length>,
-    /// How far the arcs that replace a spline may leave it
+    /// Largest distance of a spline from the arcs that replace it
     #[arg(long, value_name = "LENGTH", default_value = "0.001 mm", allow_hyphen_values = true)]
     tolerance: Positive<Length>,
-    /// What the section stands for: axisymmetric or plane_strain
+    /// axisymmetric or plane_strain
     #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric")]
     geometry: Geometry,
-    /// Sheet of the library, a grade such as DC04 or the beginning of one, see `stampflow materials` [default: a placeholder]
+    /// Sheet of the library or a grade such as DC04 [default: a placeholder]
     #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
     material: Option<String>,
     /// Thickness of the sheet [default: a placeholder]
@@ -106,7 +104,23 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
         }
         place::file(path, std::slice::from_ref(&args.drawing), "-o")?;
     }
-    let imported = args.asked().read(&bytes, &args.drawing).map_err(|failure| match failure {
+    let mm = |length: Option<Positive<Length>>| length.map(Dimensioned::value);
+    let import = Import {
+        options: Options {
+            layers: args.layers.clone(),
+            unit: args.units,
+            axis: args.axis.map(Dimensioned::value),
+            join: args.join.value(),
+            tolerance: args.tolerance.value(),
+            punch_moves: args.punch_moves,
+        },
+        geometry: args.geometry,
+        material: args.material.clone(),
+        thickness: mm(args.thickness),
+        blank: mm(args.blank_radius),
+        travel: mm(args.travel),
+    };
+    let imported = import.read(&bytes, &args.drawing).map_err(|failure| match failure {
         ImportFailure::Drawing(error) => anyhow::Error::new(error).context(drawing.to_string()),
         ImportFailure::Sheet(error) => error.into(),
         ImportFailure::Case(error) => anyhow::Error::new(error).context(drawing.to_string()),
@@ -117,61 +131,27 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     write(&picture, &png(&drawn(&name, args.geometry, &sections)))?;
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
-        let tools: Vec<_> = sections.tools.iter().map(tool).collect();
-        let stage = |later: &Operation| json!({ "name": later.name(), "tools": later.tools.iter().map(tool).collect::<Vec<_>>() });
-        let later: Vec<_> = sections.later.iter().map(stage).collect();
+        let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Vec<Value>>();
+        let later = sections.later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
+        let (tools, later) = (tools(&sections.tools), later.collect::<Vec<_>>());
         return say_json(
             &json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes }),
         );
     }
-    let mut said = report(&sections, &size, &notes);
-    let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
-    if sections.tool(Role::Punch).is_some() {
-        let _ = writeln!(said, "change the placeholders in the case, then: stampflow check {}", out.display());
-    } else {
-        let _ = writeln!(said, "no punch is drawn: the case has to be given one before it can be run");
-    }
-    say(said)
-}
-
-impl Args {
-    fn asked(&self) -> Import {
-        let mm = |length: Option<Positive<Length>>| length.map(Dimensioned::value);
-        Import {
-            options: Options {
-                layers: self.layers.clone(),
-                unit: self.units,
-                axis: self.axis.map(Dimensioned::value),
-                join: self.join.value(),
-                tolerance: self.tolerance.value(),
-                punch_moves: self.punch_moves,
-            },
-            geometry: self.geometry,
-            material: self.material.clone(),
-            thickness: mm(self.thickness),
-            blank: mm(self.blank_radius),
-            travel: mm(self.travel),
-        }
-    }
-}
-
-/// The tools, and how they were understood.
-fn report(sections: &Sections, size: &str, notes: &[String]) -> String {
     let mut text = String::new();
-    let mut list = |tools: &[Section]| {
-        for tool in tools {
-            let pieces = tool.profile.pieces().len();
-            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
-            let _ = writeln!(text, "{:<8}{pieces} {drawn} from {}", tool.role.name(), tool.made_of);
-        }
-    };
-    list(&sections.tools);
-    sections.later.iter().for_each(|later| list(&later.tools));
-    let _ = writeln!(text, "size    {size}");
-    for note in notes {
-        let _ = writeln!(text, "  - {note}");
+    for tool in sections.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)) {
+        let pieces = tool.profile.pieces().len();
+        let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
+        let _ = writeln!(text, "{:<8}{pieces} {drawn} from {}", tool.role.name(), tool.made_of);
     }
-    text
+    let _ = writeln!(text, "size    {size}");
+    notes.iter().for_each(|note| text += &format!("  - {note}\n"));
+    let (out, picture) = (out.display(), picture.display());
+    let next = match sections.tool(Role::Punch) {
+        Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
+        None => "no punch is drawn: add one to the case before you run it".to_owned(),
+    };
+    say(format!("{text}\n{out} and {picture} are written\n{next}"))
 }
 
 fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {

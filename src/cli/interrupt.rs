@@ -1,4 +1,4 @@
-//! Ctrl-C (SIGINT) and SIGTERM: the first ends the runs with all that they have computed, the second the program.
+//! Ctrl-C (SIGINT) and SIGTERM: the first ends the runs and keeps their results, the second ends the program.
 
 use super::code::Code;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -9,7 +9,7 @@ use std::sync::{Arc, LazyLock};
 
 static WANTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Listens from here on; once, before anything is solved.
+/// Installs the handlers; once, before anything is solved.
 pub fn listen() -> io::Result<()> {
     for signal in [SIGINT, SIGTERM] {
         // In this order: the first signal finds the flag down and raises it, the second finds it up.
@@ -19,7 +19,7 @@ pub fn listen() -> io::Result<()> {
     Ok(())
 }
 
-/// Whether the runs are to end.
+/// Whether a signal has come.
 pub fn is_wanted() -> bool {
     WANTED.load(Ordering::Relaxed)
 }

@@ -1,4 +1,4 @@
-//! The verbs of the command line, each a short table of contents in its own file.
+//! Command line: one file for each verb, and what they share.
 
 mod answer;
 mod bug;
@@ -13,7 +13,6 @@ mod job;
 mod json;
 mod many;
 mod materials;
-mod message;
 mod new;
 mod options;
 mod parts;
@@ -25,18 +24,15 @@ mod run;
 mod say;
 mod scatter;
 mod search;
-mod shell;
 mod studied;
 mod suggested;
 mod sweep;
 mod table;
-mod titles;
 mod trace;
 mod validate;
 mod verify;
 
-pub use code::Code;
-pub use message::complain;
+pub use code::{Code, complain};
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -48,11 +44,27 @@ use stampflow::units::DisplaySettings;
 use stampflow::{author, case};
 use std::borrow::Cow;
 
+const HELP: &str = "\
+Examples:
+  stampflow new cup -o cup.toml
+  stampflow check cup.toml
+  stampflow run cup.toml
+
+`-h` prints the short help of a verb, `--help` all of it.
+
+Exit codes:
+  0    done
+  1    any other failure; compare: a comparison is out of its tolerance
+  2    bad input, nothing was written
+  3    a run stopped before its full travel, its results are kept
+  4    with --strict: the verdict is red, the results are kept
+  130  interrupted (Ctrl-C): the results up to there are kept; a second Ctrl-C ends at once";
+
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, max_term_width = 80, after_help = code::HELP)]
+#[command(version, arg_required_else_help = true, max_term_width = 80, after_help = HELP)]
 pub struct Args {
-    /// Units of texts: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
+    /// Units of texts: si or us (in, US tonf, ksi); files for programs stay in si
     #[arg(long, global = true, value_name = "SYSTEM", default_value = "si", value_parser = options::units)]
     units: DisplaySettings,
     #[command(subcommand)]
@@ -61,66 +73,62 @@ pub struct Args {
 
 #[derive(Debug, Subcommand)]
 enum Verb {
-    /// Solve cases and write their tables and plots
-    #[command(after_help = run::help())]
-    Run(run::Args),
-    /// Read a case and say what it means; with --run solve it and give a verdict
-    #[command(after_help = check::HELP)]
-    Check(check::Args),
-    /// Solve a case and write a report for people: HTML, Markdown or PDF
-    #[command(after_help = report::HELP)]
-    Report(report::Args),
-    /// Write a case file to begin with, from a few sizes
+    /// Write a case file from a few sizes
     New(new::Args),
     /// Read the tools from a drawing (DXF) and write a case file with them
-    #[command(after_help = import::HELP)]
+    #[command(after_long_help = import::HELP)]
     Import(import::Args),
-    /// Solve every case that has published curves and compare
-    #[command(after_help = validate::HELP)]
-    Validate(validate::Args),
-    /// Take one step of the solver apart: predictor, iterations, how fast they converge
-    #[command(after_help = trace::HELP)]
-    Trace(trace::Args),
-    /// Refine mesh, steps, points and contact, and say how far every number can be trusted
-    #[command(after_help = verify::HELP)]
-    Verify(verify::Args),
-    /// Solve cases and variants side by side: one picture, one table of differences, measured curves beside them
-    #[command(after_help = compare::HELP)]
-    Compare(compare::Args),
+    /// Explain a case; with --run solve it and give a verdict
+    #[command(after_long_help = check::HELP)]
+    Check(check::Args),
+    /// Solve cases and write their tables and plots
+    #[command(after_long_help = run::help())]
+    Run(run::Args),
+    /// Solve a case and write a report, one HTML page
+    #[command(after_long_help = report::HELP)]
+    Report(report::Args),
     /// Run a case with many settings: ranges and lists of any keys, one row a run
-    #[command(after_help = sweep::HELP)]
+    #[command(after_long_help = sweep::HELP)]
     Sweep(sweep::Args),
-    /// Find where a condition ends, or where a number has a wanted value; the best of several keys
-    #[command(after_help = search::HELP)]
+    /// Find the limit of a condition, or the value at which a quantity is as wanted
+    #[command(after_long_help = search::HELP)]
     Search(search::Args),
-    /// Run a case with what scatters: how sure the verdict is, and what decides
-    #[command(after_help = scatter::HELP)]
+    /// Run a case with scattering inputs: how sure the verdict is, and what decides
+    #[command(after_long_help = scatter::HELP)]
     Scatter(scatter::Args),
-    /// Put the tables of a study's shards together
-    #[command(hide = true, after_help = sweep::MERGE_HELP)]
-    Merge(sweep::MergeArgs),
     /// Fit a hardening law to tension tests, or keys of a case to measured curves
-    #[command(after_help = fit::HELP)]
+    #[command(after_long_help = fit::HELP)]
     Fit(fit::Args),
-    /// List the built-in materials, or say all of one
-    #[command(after_help = materials::HELP)]
+    /// Compare cases, variants and measured curves, or cases with their references
+    #[command(after_long_help = compare::HELP)]
+    Compare(compare::Args),
+    /// Solve every case that has published curves and compare
+    #[command(after_long_help = validate::HELP)]
+    Validate(validate::Args),
+    /// Refine mesh, steps, points and contact for an error bar of every number
+    #[command(after_long_help = verify::HELP)]
+    Verify(verify::Args),
+    /// Show one step of the solver, iteration by iteration
+    #[command(after_long_help = trace::HELP)]
+    Trace(trace::Args),
+    /// List the built-in materials, or show one
+    #[command(after_long_help = materials::HELP)]
     Materials(materials::Args),
-    /// Print the JSON schema of case files, for completion in editors, or their reference for people
-    #[command(
-        hide = true,
-        after_help = "Examples:\n  stampflow schema > case.schema.json\n  stampflow schema --markdown > case.md\n\nThen \
-                            begin a case file with the line\n  #:schema ./case.schema.json"
-    )]
+    /// Put the tables of a study's shards together
+    #[command(hide = true, after_long_help = sweep::MERGE_HELP)]
+    Merge(sweep::MergeArgs),
+    /// Print the JSON schema of case files, for completion in editors
+    #[command(hide = true, after_help = "Begin a case file with the line `#:schema ./case.schema.json`.")]
     Schema {
-        /// Every table and key with meaning, unit, limits and an example, as Markdown
+        /// Print a reference for people instead, as Markdown
         #[arg(long)]
         markdown: bool,
     },
     /// Print the completions of a shell
-    #[command(hide = true, after_help = shell::COMPLETIONS_HELP)]
+    #[command(hide = true)]
     Completions { shell: Shell },
     /// Print the manual page of the program or of a verb
-    #[command(hide = true, after_help = shell::MAN_HELP)]
+    #[command(hide = true)]
     Man { verb: Option<String> },
 }
 
@@ -132,7 +140,7 @@ pub fn main() -> anyhow::Result<Code> {
 
 fn command() -> anyhow::Result<Code> {
     let args = match Args::try_parse() {
-        Err(error) if error.use_stderr() && (Json::is_asked_for() || would_be_obeyed()) => {
+        Err(error) if error.use_stderr() && (Json::is_requested() || has_control_characters()) => {
             return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
@@ -157,8 +165,8 @@ fn command() -> anyhow::Result<Code> {
         Verb::Materials(args) => materials::materials(&args),
         Verb::Schema { markdown: true } => say(author::case_reference()),
         Verb::Schema { .. } => say(case::schema()),
-        Verb::Completions { shell } => shell::completions(Args::command(), shell),
-        Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
+        Verb::Completions { shell } => completions(shell),
+        Verb::Man { verb } => man(verb.as_deref()),
     }?;
     Ok(match code {
         Code::Done | Code::StoppedEarly if interrupt::is_wanted() => Code::Interrupted,
@@ -166,7 +174,27 @@ fn command() -> anyhow::Result<Code> {
     })
 }
 
-/// Whether the command line, which its errors quote, holds what a terminal would obey.
-fn would_be_obeyed() -> bool {
+/// Whether the command line, which its errors quote, holds control characters.
+fn has_control_characters() -> bool {
     std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)))
+}
+
+fn completions(shell: Shell) -> anyhow::Result<Code> {
+    let mut bytes = Vec::new();
+    clap_complete::generate(shell, &mut Args::command(), "stampflow", &mut bytes);
+    say(String::from_utf8(bytes)?)
+}
+
+fn man(verb: Option<&str>) -> anyhow::Result<Code> {
+    let mut command = Args::command();
+    // Gives the verbs their names and global options.
+    command.build();
+    if let Some(verb) = verb {
+        let verbs: Vec<&str> = command.get_subcommands().map(|verb| verb.get_name()).collect();
+        let unknown = || BadRequest(format!("there is no verb `{verb}`; there are {}", verbs.join(", ")));
+        command = command.find_subcommand(verb).cloned().ok_or_else(unknown)?;
+    }
+    let mut bytes = Vec::new();
+    clap_mangen::Man::new(command).render(&mut bytes)?;
+    say(String::from_utf8(bytes)?)
 }

@@ -1,4 +1,4 @@
-//! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
+//! `stampflow new`: a case file to begin with; subcommands and options come from the list of templates.
 
 use super::code::{BadPath, Code, unusable};
 use super::say::{say, say_json, warn};
@@ -6,101 +6,111 @@ use super::suggested::Suggested;
 use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
-use stampflow::assess::SIZE_CHECKS;
-use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
+use stampflow::assess::size_doubts;
+use stampflow::author::templates::{self, Choice, SHEET, TEMPLATES, Template};
 use stampflow::case;
 use stampflow::results::{can_write, write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// What was asked for.
+const EXAMPLES: &str = "\
+Examples:
+  stampflow new cup -o cup.toml
+  stampflow new cup --punch-radius \"40 mm\" --height \"35 mm\" -o cup.toml
+  stampflow new v-bend --angle \"120 deg\"
+  stampflow new cup --material drawing-steel --thickness \"0.8 mm\"
+
+Without -o the case is printed; an existing file is left alone.";
+
+/// The template and its options; `None` lists all templates.
 #[derive(Debug)]
-pub enum Args {
-    List {
-        json: bool,
-    },
-    Case {
-        template: &'static Template,
-        /// Names of options and their values.
-        given: Vec<(&'static str, String)>,
-        output: Option<PathBuf>,
-        force: bool,
-        json: bool,
-    },
+pub struct Args {
+    case: Option<(&'static Template, Vec<(&'static str, String)>)>,
+    output: Option<PathBuf>,
+    force: bool,
+    json: bool,
 }
 
 pub fn new(args: &Args) -> anyhow::Result<Code> {
-    let (template, given, output, force, json) = match args {
-        Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
-        Args::List { json: false } => return say(wrapped(&template::list())),
-        Args::Case { template, given, output, force, json } => (template, given, output, force, json),
+    let Some((template, given)) = &args.case else {
+        return match args.json {
+            true => say_json(&TEMPLATES.iter().map(as_json).collect::<Vec<_>>()),
+            false => say(wrapped(&templates::list())),
+        };
     };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
-    let case = case::parse(&text, template.name, &[])?;
-    for finding in SIZE_CHECKS.iter().filter_map(|check| check(case.model())) {
-        warn(format!("warning: {}", finding.sentence()));
-    }
-    let Some(path) = output else {
-        return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
+    size_doubts(&case::parse(&text, template.name, &[])?).iter().for_each(|doubt| warn(format!("warning: {doubt}")));
+    let Some(path) = &args.output else {
+        return if args.json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
     };
-    if !force && path.symlink_metadata().is_ok() {
+    if !args.force && path.symlink_metadata().is_ok() {
         let what = format!("{} is there already and was left as it is", path.display());
         let help = "choose another name, or replace it with --force".into();
         return Err(BadPath { what, help, path: path.clone() }.into());
     }
     can_write(path).map_err(unusable("--output"))?;
     write(path, text.as_bytes())?;
-    if *json {
-        return say_json(&json!({ "template": template.name, "file": path }));
+    match args.json {
+        true => say_json(&json!({ "template": template.name, "file": path })),
+        false => say(format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display())),
     }
-    say(written(path))
 }
 
-/// A template for programs.
-fn of(template: &Template) -> Value {
+fn as_json(template: &Template) -> Value {
     let option = |choice: &Choice| {
-        json!({
-            "key": choice.key,
-            "diameter": choice.diameter,
-            "value": choice.kind.placeholder,
-            "about": choice.about,
-            "default": choice.default,
-        })
+        let Choice { key, kind, default, about, diameter } = choice;
+        json!({ "key": key, "diameter": diameter, "value": kind.placeholder, "about": about, "default": default })
     };
-    json!({
-        "name": template.name,
-        "about": template.about,
-        "options": template.options().map(option).collect::<Vec<_>>(),
-    })
+    let options: Vec<Value> = template.options().map(option).collect();
+    json!({ "name": template.name, "about": template.about, "options": options })
 }
 
-fn json() -> Arg {
-    Arg::new("json")
-        .long("json")
-        .action(ArgAction::SetTrue)
-        .help("Print JSON for programs instead, and errors as JSON too")
+fn flag(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
 
-fn written(path: &Path) -> String {
-    format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display())
+fn value(key: &'static str, choice: &Choice, help: String) -> Arg {
+    Arg::new(key).long(key).value_name(choice.kind.placeholder).allow_hyphen_values(true).help(help)
+}
+
+fn subcommand(template: &'static Template) -> Command {
+    let options = template.options().flat_map(|choice| {
+        let heading = if SHEET.iter().any(|of_sheet| of_sheet.key == choice.key) { "Sheet" } else { "Sizes" };
+        let arg = value(choice.key, choice, format!("{} [default: {}]", choice.about, choice.default));
+        let arg = match choice.key {
+            "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
+            _ => arg,
+        };
+        let diameter = choice.diameter.map(|key| {
+            let arg = value(key, choice, format!("its diameter, instead of --{}", choice.key));
+            let arg = arg.conflicts_with(choice.key);
+            if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg }
+        });
+        [Some(arg), diameter].into_iter().flatten().map(move |arg| arg.help_heading(heading))
+    });
+    let output = Arg::new("output").short('o').long("output").alias("out").value_name("FILE");
+    Command::new(template.name)
+        .about(template.about)
+        .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
+        .args(options)
+        .arg(output.value_parser(value_parser!(PathBuf)).help("Write the case there instead of printing it"))
+        .arg(flag("force", "Replace an existing file"))
+        .arg(flag("json", "Print JSON, errors too"))
 }
 
 impl clap::Args for Args {
     fn augment_args(command: Command) -> Command {
         command
             .override_usage("stampflow new TEMPLATE [OPTIONS]\n       stampflow new --list")
-            .arg(Arg::new("list").long("list").action(ArgAction::SetTrue).help("List all templates with their options"))
-            .arg(json())
+            .arg(flag("list", "List all templates with their options"))
+            .arg(flag("json", "Print JSON, errors too"))
             .subcommands(TEMPLATES.iter().map(subcommand))
             .subcommand_value_name("TEMPLATE")
             .subcommand_help_heading("Templates")
             .arg_required_else_help(true)
             .args_conflicts_with_subcommands(true)
             .disable_help_subcommand(true)
-            .after_help(
-                "Examples:\n  stampflow new cup -o cup.toml\n  stampflow new cup --punch-radius \"40 mm\" --height \"35 mm\" -o cup.toml\n  \
-                 stampflow new v-bend --angle \"120 deg\"\n  stampflow new cup --material drawing-steel --thickness \"0.8 mm\"\n\nWithout -o the case is printed; a file that is there is left alone.",
-            )
+            .after_help(EXAMPLES)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -108,61 +118,15 @@ impl clap::Args for Args {
     }
 }
 
-fn subcommand(template: &Template) -> Command {
-    Command::new(template.name)
-        .about(template.about)
-        .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
-        .args(template.own.iter().flat_map(|choice| [Some(option(choice, "Sizes")), diameter(choice)]).flatten())
-        .args(SHEET.iter().map(|choice| option(choice, "Sheet")))
-        .arg(
-            Arg::new("output")
-                .short('o')
-                .long("output")
-                .alias("out")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
-                .help("Write the case there instead of printing it"),
-        )
-        .arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help("Replace a file that is there"))
-        .arg(json())
-}
-
-fn option(choice: &'static Choice, heading: &'static str) -> Arg {
-    let arg = Arg::new(choice.key)
-        .long(choice.key)
-        .value_name(choice.kind.placeholder)
-        .allow_hyphen_values(true)
-        .help_heading(heading)
-        .help(format!("{} [default: {}]", choice.about, choice.default));
-    match choice.key {
-        "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
-        _ => arg,
-    }
-}
-
-/// The option that takes the diameter of a radius; that of the punch is the diameter that a part is called by.
-fn diameter(choice: &'static Choice) -> Option<Arg> {
-    let key = choice.diameter?;
-    let arg = Arg::new(key)
-        .long(key)
-        .value_name(choice.kind.placeholder)
-        .allow_hyphen_values(true)
-        .conflicts_with(choice.key)
-        .help_heading("Sizes")
-        .help(format!("its diameter, instead of --{}", choice.key));
-    Some(if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg })
-}
-
 impl clap::FromArgMatches for Args {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let Some((name, matches)) = matches.subcommand() else {
-            return Ok(Self::List { json: matches.get_flag("json") });
+            return Ok(Self { case: None, output: None, force: false, json: matches.get_flag("json") });
         };
-        let template = template::find(name).expect("subcommands are templates");
+        let template = templates::find(name).expect("subcommands are templates");
         let value = |key: &'static str| Some((key, matches.get_one::<String>(key)?.clone()));
-        Ok(Self::Case {
-            template,
-            given: template.options().flat_map(|choice| choice.keys()).filter_map(value).collect(),
+        Ok(Self {
+            case: Some((template, template.options().flat_map(Choice::keys).filter_map(value).collect())),
             output: matches.get_one::<PathBuf>("output").cloned(),
             force: matches.get_flag("force"),
             json: matches.get_flag("json"),

@@ -1,4 +1,4 @@
-//! Where a verb may write: where the user said, and never over what it reads.
+//! Places that a verb may write to: never over what it reads.
 
 use super::code::{BadPath, BadRequest, unusable};
 use stampflow::case::Case;
@@ -7,81 +7,75 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
-/// The folder of a case among others.
+/// Folder of a case among others.
 pub fn folder(others: &Path, case: &Case) -> Result<PathBuf, BadRequest> {
     let mut parts = Path::new(&case.name).components();
     if let (Some(Component::Normal(_)), None) = (parts.next(), parts.next()) {
         return Ok(others.join(&case.name));
     }
-    let path = case.path.display();
-    Err(BadRequest(format!(
-        "the results of {path} would go to \"{}\", which is no folder of their own: rename it",
-        case.name
-    )))
+    let (path, name) = (case.path.display(), &case.name);
+    Err(BadRequest(format!("the results of {path} would go to \"{name}\", which is no folder of their own: rename it")))
 }
 
-/// Takes a folder for the results of a case.
+fn refused(path: &Path, what: &str, option: &str) -> BadPath {
+    let what = format!("{} {what}", path.display());
+    BadPath { what, help: format!("choose another place with {option}"), path: path.to_owned() }
+}
+
+/// Opens the folder for the results of a case, which may not hold a file that the case reads.
 pub fn results(
     case: &Case,
     dir: &Path,
-    take: impl Fn(&Path) -> Result<ResultFolder, WriteError>,
+    open: impl Fn(&Path) -> Result<ResultFolder, WriteError>,
 ) -> Result<ResultFolder, BadPath> {
-    let among = real(dir);
-    let is_among = |input: &&PathBuf| {
+    let folder = real(dir);
+    let is_inside = |input: &&PathBuf| {
         let input = real(input);
-        is_named_as_result(&input) && input.ancestors().skip(1).take(2).any(|folder| folder == among)
+        is_named_as_result(&input) && input.ancestors().skip(1).take(2).any(|parent| parent == folder)
     };
-    if let Some(input) = case.inputs.iter().find(is_among) {
-        return Err(BadPath {
-            what: format!("{} is read by the case and would be replaced by its results", input.display()),
-            help: "choose another place with --out".to_owned(),
-            path: input.clone(),
-        });
+    match case.inputs.iter().find(is_inside) {
+        Some(input) => Err(refused(input, "is read by the case and would be replaced by its results", "--out")),
+        None => open(dir).map_err(unusable("--out")),
     }
-    take(dir).map_err(unusable("--out"))
 }
 
 /// Refuses a file that is an input, or that cannot be written.
 pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<(), BadPath> {
     let place = real(path);
-    if inputs.iter().any(|input| real(input) == place) {
-        let what = format!("{} is what is read", path.display());
-        let help = format!("choose another place with {option}");
-        return Err(BadPath { what, help, path: path.to_owned() });
+    match inputs.iter().any(|input| real(input) == place) {
+        true => Err(refused(path, "is what is read", option)),
+        false => can_write(path).map_err(unusable(option)),
     }
-    can_write(path).map_err(unusable(option))
 }
 
-/// Refuses a file that is there and does not begin as what is to be written.
+/// Refuses an existing file that does not begin like the one to be written.
 pub fn replaced(path: &Path, beginning: &[u8], option: &str) -> Result<(), BadPath> {
     let begins = || {
-        let mut found = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(beginning.len() as u64).read_to_end(&mut found));
-        read.is_ok() && found == beginning
+        let mut bytes = Vec::new();
+        let read = File::open(path).and_then(|file| file.take(beginning.len() as u64).read_to_end(&mut bytes));
+        read.is_ok() && bytes == beginning
     };
-    // Opening a pipe waits for someone to write into it.
+    // Opening a pipe would wait for a writer.
     if path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins() {
         return Ok(());
     }
-    let what = format!("{} is there already, and it is not what may be replaced here", path.display());
-    Err(BadPath { what, help: format!("choose another place with {option}"), path: path.to_owned() })
+    Err(refused(path, "is there already, and it is not what may be replaced here", option))
 }
 
-/// Refuses a file among the results of a folder.
+/// Refuses a file with the name of a result in the folder of results.
 pub fn outside(path: &Path, dir: &Path, option: &str) -> Result<(), BadPath> {
     let file = real(path);
-    if !is_named_as_result(&file) || file.parent() != Some(&real(dir)) {
-        return Ok(());
+    match is_named_as_result(&file) && file.parent() == Some(&real(dir)) {
+        true => Err(refused(path, "is the name of a result", option)),
+        false => Ok(()),
     }
-    let what = format!("{} is the name of a result", path.display());
-    Err(BadPath { what, help: format!("choose another with {option}"), path: path.to_owned() })
 }
 
 fn is_named_as_result(path: &Path) -> bool {
     path.file_name().and_then(|name| name.to_str()).is_some_and(is_result)
 }
 
-/// A path without links, as far as it exists.
+/// Path without links, as far as it exists.
 fn real(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let known = path.ancestors().find_map(|there| Some((there, fs::canonicalize(there).ok()?)));

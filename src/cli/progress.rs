@@ -1,4 +1,4 @@
-//! How far runs have come: bars on a terminal, a line every few seconds elsewhere, or nothing.
+//! Progress of runs: bars on a terminal, a line every few seconds elsewhere, or nothing.
 
 use super::interrupt;
 use super::say::warn;
@@ -7,6 +7,7 @@ use stampflow::case::files::visible;
 use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
 use stampflow::results::FrameRecorder;
+use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::study::verify as verification;
 use stampflow::{Observer, Stage, State};
@@ -14,57 +15,55 @@ use std::io::{self, IsTerminal};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Ticks of a bar for the whole travel.
-const FULL: u64 = 1000;
-/// Time between two lines of progress; the end of a run has one of its own.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// Ticks of a full bar.
+const FULL: f64 = 1000.0;
+/// Time between two lines of progress.
+const INTERVAL: Duration = Duration::from_secs(3);
 
-/// Where progress is shown; always on the error stream, so that results can be piped.
+/// Form of progress, always on the error stream.
 pub enum Progress {
     Bars(MultiProgress),
     Lines,
     Silent,
 }
 
-/// Watches one run.
+/// Progress of one run or of one count of runs.
+enum Meter {
+    Bar(ProgressBar),
+    /// Time of the last line.
+    Lines(Instant),
+    Silent,
+}
+
+/// Observer of one run: shows its progress and records what is asked for.
 pub struct Watch {
     name: String,
-    /// What results of the stages to come are called; nothing in a case of one stage.
+    /// Names of the stages to come.
     to_come: std::vec::IntoIter<String>,
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
-    /// The last accepted step.
     last: StepRecord,
-    shown: Shown,
-    kept: Kept,
+    meter: Meter,
+    records: Records,
 }
 
-/// Counts many runs.
+/// Progress of many runs.
 pub struct Count {
     name: String,
-    shown: Mutex<Shown>,
+    meter: Mutex<Meter>,
     begin: Instant,
 }
 
-/// What a watch keeps, each where it is asked for.
+/// Records of a run, each where it is asked for.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
-    /// Every iteration.
+pub struct Records {
     pub trace: Option<Vec<IterationRecord>>,
-    /// Frames for what is asked for of the moving section.
     pub recorder: FrameRecorder,
 }
 
-enum Shown {
-    Bar(ProgressBar),
-    /// When the last line was written.
-    Lines(Instant),
-    Nothing,
-}
-
 impl Progress {
-    /// Bars where a human looks on, lines where a file does, nothing when `quiet`.
+    /// Bars on a terminal, lines in a file, nothing when `quiet`.
     pub fn new(quiet: bool) -> Self {
         match quiet {
             true => Self::Silent,
@@ -73,44 +72,60 @@ impl Progress {
         }
     }
 
-    /// A watch over the run of a case, and what it keeps.
-    pub fn watch(&self, case: &Case, kept: Kept) -> Watch {
+    /// An observer of the run of a case.
+    pub fn watch(&self, case: &Case, records: Records) -> Watch {
         let (name, model) = (&case.name, case.model());
-        let shown = match self {
-            Self::Bars(all) => {
-                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(name).into_owned());
-                Shown::Bar(all.add(bar))
-            }
-            Self::Lines => Shown::Lines(Instant::now()),
-            Self::Silent => Shown::Nothing,
-        };
-        let labels = (0..).map_while(|i| case.stage_label(i));
-        let force_unit = model.extent().force_unit().symbol();
+        let stages: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
         Watch {
             name: name.clone(),
-            to_come: labels.map(|label| format!("{name}/{label}")).collect::<Vec<_>>().into_iter(),
+            to_come: stages.into_iter(),
             duration: model.duration,
             thickness: model.blank.thickness,
-            force_unit,
+            force_unit: model.extent().force_unit().symbol(),
             last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
-            shown,
-            kept,
+            meter: self.meter(name),
+            records,
+        }
+    }
+
+    /// A count of many runs.
+    pub fn count(&self, name: String) -> Count {
+        Count { meter: Mutex::new(self.meter(&name)), name, begin: Instant::now() }
+    }
+
+    fn meter(&self, name: &str) -> Meter {
+        match self {
+            Self::Bars(all) => {
+                let style = ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
+                let bar = ProgressBar::new(FULL as u64).with_style(style.expect("the template is valid"));
+                Meter::Bar(all.add(bar.with_prefix(visible(name).into_owned())))
+            }
+            Self::Lines => Meter::Lines(Instant::now()),
+            Self::Silent => Meter::Silent,
         }
     }
 }
 
-impl Progress {
-    /// Counts many runs, of that name.
-    pub fn count(&self, name: String) -> Count {
-        let shown = match self {
-            Self::Bars(all) => {
-                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(&name).into_owned());
-                Shown::Bar(all.add(bar))
+impl Meter {
+    /// Shows the share that is done; a line comes if it is time for one or `now`.
+    fn show(&mut self, name: &str, share: f64, now: bool, message: impl FnOnce() -> String) {
+        match self {
+            Self::Bar(bar) => {
+                bar.set_prefix(visible(name).into_owned());
+                bar.set_message(message());
+                bar.set_position((share * FULL) as u64);
             }
-            Self::Lines => Shown::Lines(Instant::now()),
-            Self::Silent => Shown::Nothing,
-        };
-        Count { name, shown: Mutex::new(shown), begin: Instant::now() }
+            Self::Lines(last) if now || last.elapsed() >= INTERVAL => {
+                *last = Instant::now();
+                warn(format!("{name}: {:.0} %, {}", (100.0 * share).floor(), message()));
+            }
+            Self::Lines(_) | Self::Silent => {}
+        }
+    }
+
+    fn end(&self, is_complete: bool) {
+        let Self::Bar(bar) = self else { return };
+        if is_complete { bar.finish() } else { bar.abandon() }
     }
 }
 
@@ -120,74 +135,48 @@ impl verification::Watch for Count {
     }
 
     fn ran(&self, done: usize, all: usize) {
-        // A panic of another thread is told by that one.
-        let Ok(mut shown) = self.shown.lock() else { return };
+        // A poisoned lock is a panic of another thread, which reports it.
+        let Ok(mut meter) = self.meter.lock() else { return };
         let left = self.begin.elapsed().mul_f64((all - done) as f64 / done.max(1) as f64).as_secs();
-        match &mut *shown {
-            Shown::Bar(bar) if done == all => bar.finish(),
-            Shown::Bar(bar) => {
-                bar.set_message(format!("{done} of {all} runs, {left} s left"));
-                bar.set_position(FULL * done as u64 / all as u64);
-            }
-            Shown::Lines(last) if last.elapsed() >= PATIENCE => {
-                *last = Instant::now();
-                warn(format!("{}: {done} of {all} runs, {left} s left", self.name));
-            }
-            Shown::Lines(_) | Shown::Nothing => {}
+        meter.show(&self.name, done as f64 / all as f64, false, || format!("{done} of {all} runs, {left} s left"));
+        if done == all {
+            meter.end(true);
         }
     }
 }
 
 impl Watch {
-    /// Runs all stages of a case against the clock; also what was kept.
-    pub fn solve(mut self, case: Case) -> (Solution, Kept) {
+    /// Runs all stages of a case and takes the time.
+    pub fn solve(mut self, case: Case) -> (Solution, Records) {
         let start = Instant::now();
         let mut solution = case.solve(&mut self);
         solution.wall = Some(start.elapsed());
-        if let Shown::Bar(bar) = self.shown {
-            if solution.is_complete() { bar.finish() } else { bar.abandon() }
-        }
-        (solution, self.kept)
+        self.meter.end(solution.is_complete());
+        (solution, self.records)
     }
 
-    /// Share of the stage's time that is done, but for round-off \[–\].
-    fn done(&self) -> f64 {
-        self.last.time / self.duration + 1e-9
-    }
-
-    /// What the last accepted step came to.
-    fn reached(&self) -> String {
-        let record = &self.last;
-        let load = if record.travel > 0.0 {
-            format!("travel {:.2} mm, force {:.0} {}, ", record.travel, record.punch_force, self.force_unit)
-        } else if record.pressure != 0.0 {
-            format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
-        } else {
-            String::new()
-        };
-        let left = 100.0 * record.thinnest / self.thickness;
-        format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step)
-    }
-
-    /// Writes a line where it is time for one, or the stage `is_over`.
-    fn tell(&mut self, is_over: bool) {
-        let Shown::Lines(last) = &mut self.shown else { return };
-        if is_over || last.elapsed() >= PATIENCE {
-            *last = Instant::now();
-            warn(format!("{}: {:.0} %, {}", self.name, (100.0 * self.done()).floor(), self.reached()));
-        }
+    fn show(&mut self, is_step: bool) {
+        let (record, unit, thickness) = (&self.last, self.force_unit, self.thickness);
+        // Round-off would leave the last step at 99 %.
+        let share = record.time / self.duration + 1e-9;
+        self.meter.show(&self.name, share, is_step && share >= 1.0, || {
+            let load = if record.travel > 0.0 {
+                format!("travel {:.2} mm, force {:.0} {unit}, ", record.travel, record.punch_force)
+            } else if record.pressure != 0.0 {
+                format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
+            } else {
+                String::new()
+            };
+            let left = 100.0 * record.thinnest / thickness;
+            format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step)
+        });
     }
 }
 
 impl Observer for Watch {
     fn step(&mut self, record: &StepRecord) {
         self.last = *record;
-        let done = self.done();
-        if let Shown::Bar(bar) = &self.shown {
-            bar.set_message(self.reached());
-            bar.set_position((done * FULL as f64) as u64);
-        }
-        self.tell(done >= 1.0);
+        self.show(true);
     }
 
     fn stage(&mut self, stage: &Stage) {
@@ -195,18 +184,16 @@ impl Observer for Watch {
         self.duration = stage.model.duration;
         self.name = name;
         self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
-        if let Shown::Bar(bar) = &self.shown {
-            bar.set_prefix(visible(&self.name).into_owned());
-            bar.set_position(0);
-        }
     }
 
-    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
-        if let Some(trace) = &mut self.kept.trace {
+    fn iteration(&mut self, record: &IterationRecord, _: &Iterate) {
+        if let Some(trace) = &mut self.records.trace {
             trace.push(*record);
         }
         // Also while no step is accepted.
-        self.tell(false);
+        if matches!(self.meter, Meter::Lines(_)) {
+            self.show(false);
+        }
     }
 
     fn wants_to_stop(&mut self) -> bool {
@@ -214,10 +201,6 @@ impl Observer for Watch {
     }
 
     fn state(&mut self, model: &Model, state: &State) {
-        self.kept.recorder.state(model, state);
+        self.records.recorder.state(model, state);
     }
-}
-
-fn style() -> ProgressStyle {
-    ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}").expect("the template is valid")
 }

@@ -1,4 +1,4 @@
-//! `stampflow report`: a case solved and written as pages for people.
+//! `stampflow report`: a case solved and written as one HTML page.
 
 use super::code::{BadRequest, Code};
 use super::compare::{Variants, to_compare};
@@ -7,13 +7,12 @@ use super::job;
 use super::many::asked;
 use super::options::{Json, Overrides};
 use super::place;
-use super::progress::{Kept, Progress};
+use super::progress::{Progress, Records};
 use super::say::{say, say_json};
-use super::titles::Titles;
 use serde_json::json;
 use stampflow::case::Case;
 use stampflow::report::Report;
-use stampflow::results::{FrameRecorder, is_report, write};
+use stampflow::results::{is_report, write};
 use stampflow::study::verify::quick;
 use stampflow::study::versus::Asked;
 use std::path::{Path, PathBuf};
@@ -21,18 +20,14 @@ use std::thread::available_parallelism;
 
 pub const HELP: &str = "\
 One HTML file with its pictures inside. A browser prints it on A4 pages, or as PDF. Each number has its error bar, estimated
-from one coarser run, or from finer runs with --error-bars. A report of an earlier run is replaced; any other file is left alone.
+from one coarser run. A report of an earlier run is replaced; any other file is left alone.
 
 Examples:
   stampflow report cases/quickstart.toml
-  stampflow new cup -o cup.toml
-  stampflow report cup.toml -o cup_report.html
-  stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
-  stampflow report cases/quickstart.toml -o cup.html --part Cup --number 4711 --revision B --author Ito
+  stampflow report cup.toml -o cup_report.html --set report.part=Cup --set report.number=4711
   stampflow report cases/quickstart.toml --also friction=0.12
-  stampflow report cases/quickstart.toml --json
 
-Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (the report says where and why), 130 interrupted, 1 anything else";
+Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early, 130 interrupted, 1 anything else";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -43,7 +38,7 @@ pub struct Args {
     /// The file to write [default: out/<case>/report.html]
     #[arg(long, short, alias = "out", value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Beside the case: another case, or a CSV file of measured curves; as often as needed (see stampflow compare)
+    /// Compare with another case or with measured curves; as often as needed
     #[arg(long, value_name = "CASE.toml|CURVE.csv")]
     against: Vec<PathBuf>,
     #[command(flatten)]
@@ -58,8 +53,6 @@ pub struct Args {
     json: Json,
     #[command(flatten)]
     bars: ErrorBars,
-    #[command(flatten)]
-    titles: Titles,
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
@@ -71,9 +64,8 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     place::file(&path, &case.inputs, "--output")?;
     let beside = args.beside()?;
 
-    let kept = Kept { trace: None, recorder: FrameRecorder::default() };
     let progress = Progress::new(args.quiet || args.json.json);
-    let (solution, _) = progress.watch(&case, kept).solve(case);
+    let (solution, _) = progress.watch(&case, Records::default()).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
     let versus = beside.map(|all| {
         let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()));
@@ -81,7 +73,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         all.solve(Some((solution.clone(), bars)), threads, &progress.count(format!("{}, compared", solution.case.name)))
     });
     let versus = versus.transpose().map_err(asked)?;
-    let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
+    let report = Report::verified(&solution, verification.as_ref());
     let report = versus.iter().fold(report, Report::against);
     let saved = write(&path, report.html().as_bytes());
     let said = match (&saved, args.json.json) {

@@ -3,11 +3,11 @@
 use super::answer;
 use super::code::{BadRequest, Code};
 use super::error_bars::ErrorBars;
-use super::job::{load_all, prepared, solve_all, told};
+use super::job::{complained, load_all, prepared, solve_all};
 use super::json;
 use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::place;
-use super::progress::{Kept, Progress};
+use super::progress::{Progress, Records};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
@@ -15,10 +15,9 @@ use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
 use stampflow::report::Report;
 use stampflow::results::{
-    CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
-    trace, verdict, write,
+    Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict,
+    write,
 };
-use std::fmt::Write;
 use std::ops::Add;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +26,9 @@ pub struct Args {
     /// Case files; several run side by side
     #[arg(required = true, value_name = "CASE.toml")]
     cases: Vec<PathBuf>,
-    /// Folder for the results [default: out/<case>]; with several cases DIR/<case>
+    /// Folder for the results [default: out/<case>]
+    ///
+    /// With several cases each has a folder of its own in it.
     #[arg(long, alias = "output", value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -35,22 +36,22 @@ pub struct Args {
     /// Show no progress
     #[arg(long, short)]
     quiet: bool,
-    /// Also write every iteration of the solver to this file (one case only)
-    #[arg(long, value_name = "FILE.csv")]
+    /// Also write every iteration of the solver there
+    #[arg(long, value_name = "FILE.csv", hide_short_help = true)]
     trace: Option<PathBuf>,
-    /// Also write the section as it moves for ParaView, some 25 states: section.pvd and tools.pvd
+    /// Also write the moving section for ParaView
     #[arg(long)]
     vtu: bool,
-    /// Also write shapes.gif, the section and the load as they move
+    /// Also write shapes.gif, the moving section
     #[arg(long)]
     animate: bool,
-    /// Also write report.html there, from the same run; with the quick error bars of `stampflow report`
+    /// Also write report.html
     #[arg(long)]
     report: bool,
-    /// Say also what the solver has to tell: mesh, steps, norms, works
+    /// Also print mesh, steps, norms and works
     #[arg(long, short)]
     verbose: bool,
-    /// End with exit code 4 where the verdict is red
+    /// End with exit code 4 if the verdict is red
     #[arg(long)]
     strict: bool,
     #[command(flatten)]
@@ -63,24 +64,27 @@ pub struct Args {
     json: Json,
 }
 
-/// The page that --report writes.
+/// Page that --report writes.
 const PAGE: &str = "report.html";
 
-/// What is written, from the list that writes it.
+const HELP: &str = "\
+With several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up. Results of an
+earlier run are replaced in one step, so that you never have a mixture; other files stay.
+
+Examples:
+  stampflow run cases/quickstart.toml
+  stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1
+  stampflow run cases/quickstart.toml --error-bars
+  stampflow run cases/*.toml --out results --quiet
+
+If one of several cases fails, the others still run. Exit codes: 0 done, 2 bad input or a place that cannot be written
+to, 3 stopped early, 4 with --strict: the verdict is red, 130 interrupted by Ctrl-C (in these three cases results are kept),
+1 anything else";
+
+/// Long help, with the list of outputs.
 pub fn help() -> String {
-    let mut help = String::from(
-        "Written, all of it or nothing, in one step in the place of what an earlier run left in the folder; other files stay:\n",
-    );
-    for output in OUTPUTS {
-        let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
-    }
-    help + "Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
-            Examples:\n  \
-            stampflow run cases/quickstart.toml\n  \
-            stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
-            stampflow run cases/quickstart.toml --error-bars\n  \
-            stampflow run cases/*.toml --out results --quiet\n\n\
-            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written of that case; the others are run), 3 stopped early (results are kept), 4 with --strict: the verdict is red (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
+    let files = OUTPUTS.iter().map(|output| format!("  {:<18} {}\n", output.file, output.about));
+    format!("Written files:\n{}{HELP}", files.collect::<String>())
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {
@@ -93,15 +97,15 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     let jobs = prepared(cases, &mut failed, |case| prepare(args, several, case));
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
-    let asked = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)];
-    let extras: Vec<Extra> = asked.into_iter().filter_map(|(is_asked, extra)| is_asked.then_some(extra)).collect();
+    let extras = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)].into_iter();
+    let extras: Vec<Extra> = extras.filter_map(|(is_wanted, extra)| is_wanted.then_some(extra)).collect();
     let reports = solve_all(
         jobs,
         |case| {
             let trace = args.trace.as_ref().map(|_| Vec::new());
-            progress.watch(case, Kept { trace, recorder: FrameRecorder::new(extras.clone()) })
+            progress.watch(case, Records { trace, recorder: FrameRecorder::new(extras.clone()) })
         },
-        |solution, kept, folder| {
+        |solution, records, folder| {
             let dir = self::folder(args, several, &solution.case)?;
             let verification = args.bars.of(&solution, &progress, args.report);
             let verification = verification.as_ref();
@@ -113,45 +117,43 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
                 let report = Report::answered(&solution, verification, (answer.clone(), findings.clone()));
                 (PAGE, report.html())
             });
-            let written = results.write(&kept.recorder, pages, folder);
-            let traced = match (&args.trace, &kept.trace) {
+            let written = results.write(&records.recorder, pages, folder);
+            let traced = match (&args.trace, &records.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
                 _ => Ok(()),
             };
             let files = written.as_deref().ok();
-            let told = match args.json.json {
-                true => Told::Json(as_json(&results, (&answer, &findings), &dir, files)?),
-                false => Told::Text(args.told(&results, (&answer, &findings), &dir, files)),
+            let verdict = (&answer, &findings[..]);
+            let (shown, value) = match args.json.json {
+                true => (None, Some(as_json(&results, verdict, &dir, files)?)),
+                false => (Some(args.screen(&results, verdict, &dir, files)), None),
             };
             let failures: Vec<WriteError> = [written.err(), traced.err()].into_iter().flatten().collect();
-            Ok((told, Code::of_run(args.strict, solution.is_complete(), &answer), failures))
+            Ok((shown, value, Code::of_run(args.strict, solution.is_complete(), &answer), failures))
         },
     );
-    let mut code = Code::Done;
-    let (mut texts, mut values) = (Vec::new(), Vec::new());
+    let (mut code, mut screen, mut values) = (Code::Done, None, Vec::new());
     for report in reports {
         match report {
-            Ok((told, of_case, unwritten)) => {
-                match told {
-                    Told::Text(text) => texts.push(text),
-                    Told::Json(value) => values.push(value),
-                }
+            Ok((shown, value, of_case, unwritten)) => {
+                screen = [screen, shown].into_iter().flatten().reduce(Shown::add);
+                values.extend(value);
                 code = code.max(of_case);
                 failed.extend(unwritten.into_iter().map(anyhow::Error::from));
             }
             Err(error) => failed.push(error),
         }
     }
-    let said = match values.as_slice() {
-        [] => texts.into_iter().reduce(Shown::add).map_or(Ok(code), say),
+    let printed = match values.as_slice() {
+        [] => screen.map_or(Ok(code), say),
         [value] if !several => say_json(value),
         values => say_json(&values),
     };
-    failed.extend(said.err());
-    Ok(told(&failed, code))
+    failed.extend(printed.err());
+    Ok(complained(&failed, code))
 }
 
-/// The folder of a case's results, once all places that are written to are known to be free.
+/// Folder of a case's results, once all places to write to are known to be free.
 fn prepare(args: &Args, several: bool, case: &Case) -> anyhow::Result<ResultFolder> {
     let dir = folder(args, several, case)?;
     if let Some(path) = &args.trace {
@@ -167,13 +169,7 @@ fn prepare(args: &Args, several: bool, case: &Case) -> anyhow::Result<ResultFold
     Ok(place::results(case, &dir, |dir| result_folder(case, dir))?)
 }
 
-/// What is printed of a case.
-enum Told {
-    Text(Shown),
-    Json(Value),
-}
-
-/// Each case has a name, and so a folder, of its own.
+/// Refuses two cases of one name, which would share a folder.
 fn share_no_folder(cases: &[Case]) -> Result<(), BadRequest> {
     for (i, case) in cases.iter().enumerate() {
         if let Some(other) = cases[..i].iter().find(|other| other.name == case.name) {
@@ -194,8 +190,8 @@ fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest
 }
 
 impl Args {
-    /// The answer, of several cases in one line each; with --verbose also the solver's part.
-    fn told(
+    /// The answer, with several cases in one line each; with --verbose also the solver's part.
+    fn screen(
         &self,
         results: &Results,
         (answer, findings): (&Answer, &[Finding]),
@@ -203,43 +199,24 @@ impl Args {
         files: Option<&[PathBuf]>,
     ) -> Shown {
         let case = &results.solution.case;
+        let written = files.map_or(String::new(), |files| format!("{} files in {}", files.len(), dir.display()));
         if self.cases.len() > 1 && !self.verbose {
-            let written = files.map(|files| String::from(written(files, dir)));
-            return answer::sentence(&case.name, answer, &written.unwrap_or_default());
+            return answer::sentence(&case.name, answer, &written);
         }
         let mut shown = answer::answered(case, answer, findings, results.verification);
         let summary = results.summary();
         if !summary.lines.is_empty() {
-            shown = shown + wrapped(&format!("\n{}", String::from(summary.lines.clone())));
+            shown = shown + wrapped(&format!("\n{}", summary.lines));
         }
-        if self.verbose {
-            shown = shown + summed_up(&summary);
+        for stage in summary.stages.iter().filter(|_| self.verbose) {
+            shown = shown + "\n".into() + table(None, stage.rows().map(|row| row.map(Cell::plain)).collect());
         }
-        let mut end = String::new();
-        for comparison in &results.comparisons {
-            let _ = writeln!(end, "{}", comparison.sentence());
-        }
-        if let Some(files) = files {
-            let _ = writeln!(end, "{}", String::from(written(files, dir)));
-        }
-        shown + wrapped(&format!("\n{end}"))
+        let comparisons = results.comparisons.iter().map(|comparison| comparison.sentence() + "\n");
+        shown + wrapped(&format!("\n{}{written}\n", comparisons.collect::<String>()))
     }
 }
 
-fn written(files: &[PathBuf], dir: &Path) -> String {
-    format!("{n} files in {folder}", n = files.len(), folder = dir.display())
-}
-
-/// The summary of every stage as a table.
-fn summed_up(summary: &CaseSummary) -> Shown {
-    let tables = summary.stages.iter().map(|stage| {
-        let rows = stage.rows().map(|row| row.map(Cell::plain));
-        Shown::from("\n") + table(None, rows.collect())
-    });
-    tables.reduce(Shown::add).unwrap_or_default()
-}
-
-/// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
+/// The contents of `summary.json`, the verdict, comparisons and files.
 fn as_json(
     results: &Results,
     (answer, findings): (&Answer, &[Finding]),
@@ -249,8 +226,7 @@ fn as_json(
     let mut value = serde_json::to_value(results.summary())?;
     value["verdict"] = verdict(answer, findings, results.verification)?;
     let case = &results.solution.case.name;
-    let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
-    value["comparisons"] = comparisons.collect();
+    value["comparisons"] = results.comparisons.iter().map(|comparison| json::comparison(case, comparison)).collect();
     value["folder"] = json!(dir);
     value["files"] = json!(files.unwrap_or_default());
     Ok(value)

@@ -1,24 +1,21 @@
-//! What is printed, on the output stream and on the error stream: the only way to a terminal.
+//! Printing on the output and the error stream, the only way to a terminal.
 
 use super::code::Code;
 use serde::Serialize;
 use stampflow::case::files::visible;
-use std::fmt;
 use std::io::{self, Write};
 use std::ops::Add;
 
-/// Text for a screen. Control characters of what comes from outside, titles, names and values, are written as codes when
-/// it is made.
+/// Text for a screen; control characters of titles, names and values are written as codes.
 #[derive(Clone, Debug, Default)]
 pub struct Shown(String);
 
 impl Shown {
-    /// Text that brings its own colours; all else in it is [`visible`] already.
+    /// Text with colours of its own, the rest of it [`visible`].
     pub fn coloured(text: String) -> Self {
         Self(text)
     }
 
-    /// As it is printed.
     pub fn text(&self) -> &str {
         &self.0
     }
@@ -30,13 +27,6 @@ impl<T: AsRef<str>> From<T> for Shown {
     }
 }
 
-impl fmt::Write for Shown {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0 += &visible(text);
-        Ok(())
-    }
-}
-
 impl Add for Shown {
     type Output = Self;
 
@@ -45,7 +35,7 @@ impl Add for Shown {
     }
 }
 
-/// Prints whole lines, the last one ended if need be; a reader that has gone away (`| head`) is no error.
+/// Prints whole lines; a reader that has gone away (`| head`) is no error.
 pub fn say(text: impl Into<Shown>) -> anyhow::Result<Code> {
     match line(&mut io::stdout().lock(), text.into().text()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
@@ -58,7 +48,7 @@ pub fn say_json(value: &impl Serialize) -> anyhow::Result<Code> {
     say(serde_json::to_string_pretty(value)?)
 }
 
-/// Prints whole lines on the error stream; where that cannot be, there is no one to tell.
+/// Prints whole lines on the error stream; failures are ignored.
 pub fn warn(text: impl Into<Shown>) {
     let _ = line(&mut io::stderr().lock(), text.into().text());
 }

@@ -1,4 +1,4 @@
-//! Values that a shell offers to complete, where any other text is taken too.
+//! Values that a shell offers to complete; any other text is accepted too.
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::error::Error;
@@ -7,24 +7,23 @@ use stampflow::case::{self, library};
 use std::ffi::OsStr;
 use std::sync::LazyLock;
 
-/// A text, with words to offer.
+/// Parser of a text, with words to offer.
 #[derive(Clone)]
 pub struct Suggested(&'static LazyLock<Vec<String>>);
 
 impl Suggested {
-    /// The sheets of the library, and the grades that they stand for.
     pub const SHEETS: Self = Self(&SHEETS);
-    /// The keys of a case file, ready for their value.
     pub const KEYS: Self = Self(&KEYS);
 }
 
+/// Sheets of the library and the grades that they stand for; a space would end a word of the shell.
 static SHEETS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let grades = library::materials().into_iter().flatten().filter_map(|entry| entry.stands_for);
-    // A space would end a word of the shell.
     let grades = grades.flat_map(|stands| stands.grades).filter(|grade| !grade.contains(' '));
     library::names().map(str::to_owned).chain(grades).collect()
 });
 
+/// Keys of a case file, ready for their value.
 static KEYS: LazyLock<Vec<String>> = LazyLock::new(|| case::keys().into_iter().map(|key| key + "=").collect());
 
 impl TypedValueParser for Suggested {

@@ -1,4 +1,4 @@
-//! Printed tables and texts: as wide as the terminal, 80 columns elsewhere; a word is coloured where a human looks on.
+//! Printed tables and texts: as wide as the terminal, 80 columns elsewhere; coloured on terminals only.
 
 use super::say::Shown;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
@@ -6,12 +6,12 @@ use stampflow::assess::Light;
 use stampflow::case::files::visible;
 use std::io::{self, IsTerminal};
 
-/// Columns where no terminal says how many it has.
+/// Columns without a terminal.
 const WIDTH: usize = 80;
-/// Longer lines are hard to read, however wide a terminal is.
+/// Columns of a wide terminal: longer lines are hard to read.
 const WIDEST: usize = 120;
 
-/// What a word says of what it stands at.
+/// Colour of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
     Plain,
@@ -21,7 +21,6 @@ pub enum Tone {
 }
 
 impl Tone {
-    /// Of a light.
     pub fn of(light: Light) -> Self {
         match light {
             Light::Grey => Self::Plain,
@@ -41,7 +40,6 @@ impl Tone {
     }
 }
 
-/// A cell of a table.
 #[derive(Clone, Debug)]
 pub struct Cell {
     pub text: String,
@@ -54,18 +52,17 @@ impl Cell {
     }
 }
 
-/// Whether to colour what goes to a stream: it is a terminal, and `NO_COLOR` is not set, or empty
-/// (<https://no-color.org>).
+/// Whether a stream takes colours: a terminal without `NO_COLOR` (<https://no-color.org>).
 pub fn colours(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// Columns of what is printed.
+/// Columns of the output stream.
 pub fn width() -> usize {
     if io::stdout().is_terminal() { textwrap::termwidth().min(WIDEST) } else { WIDTH }
 }
 
-/// Columns in line, two spaces apart, under their headers, if any, wrapped to the width with the first column whole.
+/// Table with columns two spaces apart, wrapped to the width with the first column whole.
 pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -> Shown {
     let coloured = colours(&io::stdout());
     let mut table = Table::new();
@@ -92,27 +89,27 @@ pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -
     Shown::coloured(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
 }
 
-/// Text within the width, each line's rest under its last column.
+/// Text wrapped to the width, each line's rest under its last column.
 pub fn wrapped(text: &str) -> Shown {
     visible(text).lines().map(|line| hanging(line, width()) + "\n").collect::<String>().into()
 }
 
-/// A text with the first of its words that is `word` in a tone.
+/// Text with the first occurrence of a word in a tone.
 pub fn toned(text: &str, word: &str, tone: Tone) -> Shown {
     let text = wrapped(text);
     match tone.color().filter(|_| colours(&io::stdout())) {
-        Some(color) => Shown::coloured(text.text().replacen(word, &painted(word, color), 1)),
+        Some(color) => {
+            let code = if color == Color::Red {
+                31
+            } else if color == Color::Green {
+                32
+            } else {
+                33
+            };
+            Shown::coloured(text.text().replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1))
+        }
         None => text,
     }
-}
-
-fn painted(word: &str, color: Color) -> String {
-    let code = match color {
-        Color::Red => 31,
-        Color::Green => 32,
-        _ => 33,
-    };
-    format!("\u{1b}[1;{code}m{word}\u{1b}[0m")
 }
 
 fn hanging(line: &str, width: usize) -> String {

@@ -5,7 +5,6 @@ use super::options::Overrides;
 use super::say::{Shown, say};
 use super::table::{Cell, table, wrapped};
 use super::{interrupt, job, place};
-use clap::ValueEnum;
 use stampflow::Observer;
 use stampflow::case::Case;
 use stampflow::model::Iteration;
@@ -24,13 +23,12 @@ has every iteration of every try. The book's page on convergence explains the wo
 
 Examples:
   stampflow trace cup.toml --step 40
-  stampflow trace cup.toml --step 40 --methods all
-  stampflow trace cup.toml --step 40 --methods newton --tolerance 1e-11
+  stampflow trace cup.toml --step 40 --methods all --tolerance 1e-11
   stampflow trace cup.toml --stage 2 --step 1 --out step.csv
 
 Exit codes: 0 done, 2 bad input or no such step, 130 interrupted";
 
-/// What a step may be told to come down to \[–\]: below is round-off.
+/// Tolerances of the norm \[–\]; smaller ones are round-off.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-12..=1e-1;
 
 #[derive(Debug, clap::Args)]
@@ -44,26 +42,17 @@ pub struct Args {
     /// Number of the stage, from 1
     #[arg(long, value_name = "N", default_value_t = 1)]
     stage: usize,
-    /// Matrices of the corrector, each from the same state: primal-dual, newton, secant or all [default: the case's own]
-    #[arg(long, visible_alias = "method", value_name = "METHOD", value_delimiter = ',', hide_possible_values = true)]
-    methods: Vec<Method>,
-    /// What the norm is to come down to in this step alone, 1e-12 to 0.1 [default: the case's own]
+    /// Matrices of the corrector: primal-dual, newton, secant or all [default: the case's own]
+    #[arg(long, visible_alias = "method", value_name = "METHOD", value_parser = methods)]
+    methods: Option<std::vec::Vec<Iteration>>,
+    /// Tolerance of the norm in this step, 1e-12 to 0.1 [default: the case's own]
     #[arg(long, value_name = "NORM", value_parser = tolerance)]
     tolerance: Option<f64>,
-    /// Also write every iteration of every try to this file
+    /// Also write every iteration there
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
     #[command(flatten)]
     overrides: Overrides,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Method {
-    #[value(alias = "primal_dual")]
-    PrimalDual,
-    Newton,
-    Secant,
-    All,
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -74,7 +63,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Ends a run when the program is to end.
+/// Observer that stops at an interrupt.
 struct Interrupted;
 
 impl Observer for Interrupted {
@@ -92,7 +81,7 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
     let request = TraceRequest {
         stage: args.stage,
         step: args.step,
-        matrices: matrices(&args.methods),
+        matrices: args.methods.clone().unwrap_or_default(),
         tolerance: args.tolerance,
     };
     let trace = match trace_step(&case.stages, &request, &mut Interrupted) {
@@ -106,22 +95,18 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
     say(screen(&case, &trace))
 }
 
-fn matrices(methods: &[Method]) -> Vec<Iteration> {
+fn methods(text: &str) -> Result<Vec<Iteration>, String> {
     let mut matrices = Vec::new();
-    for method in methods {
-        let named: &[Iteration] = match method {
-            Method::PrimalDual => &[Iteration::PrimalDual],
-            Method::Newton => &[Iteration::Newton],
-            Method::Secant => &[Iteration::Secant],
-            Method::All => &[Iteration::PrimalDual, Iteration::Newton, Iteration::Secant],
-        };
-        for matrix in named {
-            if !matrices.contains(matrix) {
-                matrices.push(*matrix);
-            }
-        }
+    for method in text.split(',') {
+        matrices.extend(match method {
+            "primal-dual" | "primal_dual" => vec![Iteration::PrimalDual],
+            "newton" => vec![Iteration::Newton],
+            "secant" => vec![Iteration::Secant],
+            "all" => vec![Iteration::PrimalDual, Iteration::Newton, Iteration::Secant],
+            _ => return Err("give primal-dual, newton, secant or all".to_owned()),
+        });
     }
-    matrices
+    Ok(matrices)
 }
 
 /// Rows shown at the beginning and at the end of a longer table.

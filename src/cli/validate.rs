@@ -4,11 +4,11 @@ mod markdown;
 mod screen;
 
 use super::code::{BadRequest, Code};
-use super::job::{load_all, prepared, solve_all, told};
+use super::job::{complained, load_all, prepared, solve_all};
 use super::json;
 use super::options::{Json, PictureOptions, Threads};
 use super::place;
-use super::progress::{Kept, Progress};
+use super::progress::{Progress, Records};
 use super::say::{say, say_json};
 use anyhow::Context;
 use screen::Compared;
@@ -64,7 +64,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(
         jobs,
-        |case| progress.watch(case, Kept::default()),
+        |case| progress.watch(case, Records::default()),
         |solution, _, folder| {
             let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             let failure = results.write_comparisons(folder).err();
@@ -90,7 +90,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     };
     failed.extend(said.err());
     let code = if compared.iter().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
-    Ok(told(&failed, code))
+    Ok(complained(&failed, code))
 }
 
 /// The case files of a folder in alphabetical order.

@@ -2,11 +2,11 @@
 
 use super::code::Code;
 use super::interrupt;
-use super::job::{load_all, told};
+use super::job::{complained, load_all};
 use super::json;
 use super::options::{Json, Overrides, Threads};
 use super::place;
-use super::progress::{Kept, Progress};
+use super::progress::{Progress, Records};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
@@ -81,7 +81,7 @@ pub fn verify(args: &Args) -> anyhow::Result<Code> {
         values => say_json(&values),
     };
     failed.extend(said.err());
-    Ok(told(&failed, code))
+    Ok(complained(&failed, code))
 }
 
 /// Verifies a case and says it; for programs the value to be said.
@@ -93,7 +93,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     }
     let start = Instant::now();
     let count = progress.count(format!("{}, finer", case.name));
-    let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
+    let (solution, _) = progress.watch(&case, Records::default()).solve(case);
     let verification = stampflow::study::verify::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
