@@ -1,20 +1,25 @@
-//! A case, and how it is solved.
+//! Cases, templates and sheets.
 
-use super::attend::{Progress, Stages, attended};
 use super::error;
+use super::interruptible::{Progress, Stages, interruptible};
 use super::solution::Solution;
+use super::table::json;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use stampflow::study::{StudyError, Subject};
+use stampflow::author::templates::{TEMPLATES, Template, find};
+use stampflow::case::library;
+use stampflow::study::{BaseCase, StudyError};
 use stampflow::{assess, case};
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// A case as it was read, and the text and settings that it was read from.
 #[pyclass(frozen, module = "stampflow._native")]
 pub struct Case {
     case: stampflow::Case,
-    /// Before any settings.
+    /// Text before any settings.
     written: String,
-    name: String,
+    path: String,
 }
 
 #[pymethods]
@@ -22,21 +27,21 @@ impl Case {
     /// Reads a case file.
     #[staticmethod]
     fn load(py: Python<'_>, path: String) -> PyResult<Self> {
-        let case = case::load(&path, &[]).map_err(|error| error::of_case(py, &error))?;
-        Ok(Self { written: case.text.clone(), case, name: path })
+        let case = case::load(&path, &[]).map_err(|error| error::case(py, &error))?;
+        Ok(Self { written: case.text.clone(), case, path })
     }
 
     /// Reads a case from text.
     #[staticmethod]
-    pub fn parse(py: Python<'_>, text: String, name: String, settings: Vec<String>) -> PyResult<Self> {
-        let case = case::parse(&text, &name, &settings).map_err(|error| error::of_case(py, &error))?;
-        Ok(Self { case, written: text, name })
+    fn parse(py: Python<'_>, text: String, path: String, settings: Vec<String>) -> PyResult<Self> {
+        let case = case::parse(&text, &path, &settings).map_err(|error| error::case(py, &error))?;
+        Ok(Self { case, written: text, path })
     }
 
-    /// The same with further settings, `key=value`.
+    /// Applies further settings, `key=value`.
     fn with_settings(&self, py: Python<'_>, settings: Vec<String>) -> PyResult<Self> {
         let all = [self.case.overrides.clone(), settings].concat();
-        Self::parse(py, self.written.clone(), self.name.clone(), all)
+        Self::parse(py, self.written.clone(), self.path.clone(), all)
     }
 
     #[getter]
@@ -46,7 +51,7 @@ impl Case {
 
     #[getter]
     fn path(&self) -> &str {
-        &self.name
+        &self.path
     }
 
     #[getter]
@@ -59,15 +64,9 @@ impl Case {
         &self.case.text
     }
 
-    /// Before any settings.
     #[getter]
     fn written(&self) -> &str {
         &self.written
-    }
-
-    /// What it has for a key, as it is written there.
-    fn value(&self, py: Python<'_>, key: &str) -> PyResult<Option<String>> {
-        self.subject().map(|subject| subject.own(key)).map_err(|error| error::of_study(py, &error))
     }
 
     #[getter]
@@ -80,14 +79,14 @@ impl Case {
         self.case.stage_names().map(str::to_owned).collect()
     }
 
-    /// What is found before a run, as JSON.
+    /// Findings before a run, as JSON.
     fn findings(&self) -> PyResult<String> {
-        super::solution::json(&assess::before(&self.case))
+        json(&assess::before(&self.case))
     }
 
-    /// Solves it; with the exception that cut it short, where there is one.
+    /// Solves the case; returns also the exception that cut it short.
     fn solve(&self, py: Python<'_>, progress: Progress) -> (Solution, Option<PyErr>) {
-        let (solution, raised) = attended(py, progress, |line| {
+        let (solution, raised) = interruptible(py, progress, |line| {
             let start = Instant::now();
             let solution = self.case.clone().solve(&mut Stages::new(line, self.case.stages.len()));
             stampflow::Solution { wall: Some(start.elapsed()), ..solution }
@@ -97,19 +96,41 @@ impl Case {
 }
 
 impl Case {
-    /// As it was read.
-    pub fn read(&self) -> &stampflow::Case {
+    /// The case itself.
+    pub fn inner(&self) -> &stampflow::Case {
         &self.case
     }
 
-    /// A case that a study made of what it varies.
-    pub fn made(of: &Subject, case: stampflow::Case) -> Self {
-        let (text, path) = of.written();
-        Self { case, written: text.to_owned(), name: path.to_string_lossy().into_owned() }
+    /// Base case of a study.
+    pub fn base(&self) -> Result<BaseCase, StudyError> {
+        BaseCase::from_text(self.written.clone(), &self.path, self.case.overrides.clone())
     }
+}
 
-    /// As what a study varies.
-    pub fn subject(&self) -> Result<Subject, StudyError> {
-        Subject::of_text(self.written.clone(), &self.name, self.case.overrides.clone())
-    }
+/// Text of a template's case with some sizes.
+#[pyfunction]
+pub fn fill(py: Python<'_>, name: &str, given: Vec<(String, String)>) -> PyResult<String> {
+    let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+    find(name).and_then(|template| template.fill(&given)).map_err(|error| error::case(py, &error))
+}
+
+/// Names of the templates with their options, each with what it is.
+#[pyfunction]
+pub fn templates() -> BTreeMap<&'static str, Vec<(&'static str, &'static str)>> {
+    let options = |template: &'static Template| template.options().map(|option| (option.key, option.about)).collect();
+    TEMPLATES.iter().map(|template| (template.name, options(template))).collect()
+}
+
+/// Names of the built-in sheets.
+#[pyfunction]
+pub fn materials() -> Vec<&'static str> {
+    library::names().collect()
+}
+
+/// TOML of a JSON object.
+#[pyfunction]
+pub fn toml(json: &str) -> PyResult<String> {
+    let wrong = |error: String| PyValueError::new_err(error);
+    let tables: ::toml::Table = serde_json::from_str(json).map_err(|error| wrong(error.to_string()))?;
+    ::toml::to_string(&tables).map_err(|error| wrong(error.to_string()))
 }

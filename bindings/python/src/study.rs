@@ -1,76 +1,138 @@
-//! What studies have in common: what they are of, what was measured, how many threads, and what is handed over of what they
-//! found.
+//! Studies: one function for all kinds, and comparisons.
 
 use super::case::Case;
 use super::error;
-use super::picture::{Picture, picture};
-use super::words::plain;
-use numpy::PyReadonlyArray1;
+use super::interruptible::{Progress, interruptible};
+use super::table::{Picture, json, picture};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use serde_json::Value;
-use stampflow::message::{Form, Message};
-use stampflow::output::Chart;
-use stampflow::study::{Readings, StudyError};
+use serde::Deserialize;
+use stampflow::study::compare::{Candidate, SideBySide, check, variant};
+use stampflow::study::fit::{CaseFitRequest, Reduction, Tests, fit_case, fit_laws};
+use stampflow::study::verify::Watch;
+use stampflow::study::{
+    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest, Shard,
+    Side, Study, StudyError, StudyReport, Sweep, begin, evaluate,
+};
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-/// What a study found as the JSON that the command line prints, its sentences, the answer first, and its pictures by the stems
-/// of their files.
-pub type Told<'py> = (String, Vec<String>, Vec<(String, Picture<'py>)>);
+/// Report as JSON, header and rows of the run table, and pictures by name.
+type Results = (String, (Vec<String>, Vec<Vec<String>>), BTreeMap<String, Picture>);
 
-/// A case that was read; or a case or study file, and settings besides.
-#[derive(FromPyObject)]
-pub enum Of<'py> {
-    /// As it was read.
-    Case(PyRef<'py, Case>),
-    /// As it stands on the disk.
-    File(PathBuf, Vec<String>),
+/// Request of any kind of study.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    #[serde(default)]
+    vary: Vec<String>,
+    #[serde(default)]
+    one_at_a_time: bool,
+    runs: Option<u64>,
+    seed: Option<u32>,
+    goal: Option<String>,
+    side: Option<String>,
+    condition: Option<String>,
+    target: Option<String>,
+    tolerance: Option<String>,
+    #[serde(default)]
+    to: Vec<PathBuf>,
+    threads: Option<usize>,
 }
 
-/// What was measured: a file; or what it is called, and its columns by their names.
-#[derive(FromPyObject)]
-pub enum Given<'py> {
-    /// A CSV file.
-    File(PathBuf),
-    /// Arrays.
-    Held(String, Vec<(String, PyReadonlyArray1<'py, f64>)>),
+fn threads(given: Option<usize>) -> usize {
+    given.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1)
 }
 
-/// Tables as they were given.
-pub fn readings(given: &[Given<'_>]) -> Result<Vec<Readings>, StudyError> {
-    let read = |given: &Given<'_>| match given {
-        Given::File(path) => Ok(Readings::File(path.clone())),
-        Given::Held(called, columns) => {
-            let columns = columns.iter().map(|(name, array)| (name.clone(), array.as_array().to_vec()));
-            Readings::held(called, &columns.collect::<Vec<_>>())
+/// Runs a study of a case: `sweep`, `search`, `scatter` or `fit`.
+#[pyfunction]
+pub fn study(
+    py: Python<'_>,
+    kind: &str,
+    case: PyRef<'_, Case>,
+    request: &str,
+    progress: Progress,
+) -> PyResult<(String, (Vec<String>, Vec<Vec<String>>), BTreeMap<String, Picture>, Option<PyErr>)> {
+    let request: Request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let base = case.base().map_err(|error| error::study(py, &error))?;
+    let (result, mut raised) = interruptible(py, progress, |line| run(kind, base, request, line));
+    let (report, runs) = result.map_err(|error| raised.take().unwrap_or_else(|| error::study(py, &error)))?;
+    let (report, runs, pictures) = results(&report, runs)?;
+    Ok((report, runs, pictures, raised))
+}
+
+fn run(
+    kind: &str,
+    base: BaseCase,
+    request: Request,
+    watch: &(dyn Watch + Sync),
+) -> Result<(StudyReport, Option<RunTable>), StudyError> {
+    let Request { vary, one_at_a_time, runs, seed, goal, side, condition, target, tolerance, to, threads: count } = request;
+    let threads = threads(count);
+    let mut study: Box<dyn Study> = match kind {
+        "sweep" => Box::new(Sweep::new(base, &vary, one_at_a_time)?),
+        "scatter" => Box::new(Scatter::new(base, &vary, runs.unwrap_or(256), seed.unwrap_or(1))?),
+        "search" => {
+            let side = side.map(|side| if side == "smallest" { Side::Smallest } else { Side::Largest });
+            let vary = vary.into_iter().next();
+            Box::new(LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?)
+        }
+        _ => {
+            let to: Vec<MeasuredData> = to.into_iter().map(MeasuredData::File).collect();
+            let fit = fit_case(&CaseFitRequest::new(base, &vary, &to)?, threads, watch)?;
+            return Ok((fit.report(), None));
         }
     };
-    given.iter().map(read).collect()
+    let settings = Evaluation { threads, errors: false, shard: Shard::WHOLE, watch };
+    let runs = begin(&mut *study, &settings)?;
+    let runs = evaluate(&mut *study, &settings, runs, &EarlierRuns::new(), &mut |_, _| ControlFlow::Continue(()));
+    Ok((study.report(&runs), Some(runs)))
 }
 
-/// The words and units that Python is told in.
-pub fn form() -> Form {
-    Form::default()
+/// Fits hardening laws to tension tests.
+#[pyfunction]
+pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
+    let tests = Tests {
+        tests: files.into_iter().map(MeasuredData::File).collect(),
+        reduction: Reduction { young: None, offset: 0.002, from: None, to: None },
+        section: None,
+        gauge: None,
+        rate: Vec::new(),
+        direction: Vec::new(),
+    };
+    let fits = tests.curves().and_then(|curves| fit_laws(curves, None, Default::default()));
+    results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
 }
 
-/// As many as are asked for, or one a core.
-pub fn threads(asked: Option<usize>) -> usize {
-    asked.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1)
+/// Compares cases, variants of the first and measured curves.
+#[pyfunction]
+pub fn compare(py: Python<'_>, cases: Vec<PyRef<'_, Case>>, also: Vec<String>, curves: Vec<PathBuf>) -> PyResult<Results> {
+    let wrong = |error: StudyError| error::study(py, &error);
+    let mut candidates = Vec::new();
+    for (i, case) in cases.iter().enumerate() {
+        candidates.push(Candidate { case: case.inner().clone(), overrides: Vec::new() });
+        for text in also.iter().filter(|_| i == 0) {
+            let overrides = variant(text).map_err(wrong)?;
+            let varied = case.base().and_then(|base| Ok(base.case(&overrides)?)).map_err(wrong)?;
+            candidates.push(Candidate { case: varied, overrides });
+        }
+    }
+    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&MeasuredData::File(path)));
+    let curves = curves.collect::<Result<Vec<_>, _>>().map_err(wrong)?;
+    check(&candidates, &curves).map_err(wrong)?;
+    let (all, raised) =
+        interruptible(py, None, |line| SideBySide::solve(&candidates, curves, None, threads(None), line));
+    match raised {
+        Some(raised) => Err(raised),
+        None => results(&all.map_err(wrong)?.report(), None),
+    }
 }
 
-/// What is handed over.
-pub fn told<'py, S: ToString>(
-    py: Python<'py>,
-    found: &Value,
-    sentences: impl IntoIterator<Item = Message>,
-    charts: impl IntoIterator<Item = (S, Chart)>,
-) -> Told<'py> {
-    let sentences = sentences.into_iter().map(|sentence| plain(sentence.told(form()))).collect();
-    let pictures = charts.into_iter().map(|(stem, chart)| (stem.to_string(), picture(py, &chart)));
-    (plain(found), sentences, pictures.collect())
-}
-
-/// What was found, or why nothing was: the exception that cut it short, or what is wrong with the study.
-pub fn found<R>(py: Python<'_>, result: Result<R, StudyError>, raised: &mut Option<PyErr>) -> PyResult<R> {
-    result.map_err(|wrong| raised.take().unwrap_or_else(|| error::of_study(py, &wrong)))
+fn results(report: &StudyReport, runs: Option<RunTable>) -> PyResult<Results> {
+    let stem = |file: &str| file.split('.').next().unwrap_or(file).to_owned();
+    let pictures = report.charts.iter().map(|(name, chart)| Ok((stem(name), picture(chart)?)));
+    let rows = runs.map(|runs| (runs.header(), runs.runs.iter().map(|run| runs.line(run)).collect()));
+    Ok((json(report)?, rows.unwrap_or_default(), pictures.collect::<PyResult<_>>()?))
 }

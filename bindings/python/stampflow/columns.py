@@ -4,27 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
 
-_Column = TypeVar("_Column")
+class Columns(Mapping[str, "NDArray[np.float64]"]):
+    """Read-only arrays by name; the name ends with the unit: ``table["punch_force_N"]``."""
 
+    def __init__(self, columns: Sequence[tuple[str, str, str, NDArray[np.float64]]]) -> None:
+        for _, _, _, values in columns:
+            values.flags.writeable = False
+        self._columns = {header: values for header, _, _, values in columns}
+        #: Axis label of each column: ``{"punch_force_N": "Punch force"}``.
+        self.labels = {header: label for header, label, _, _ in columns}
+        #: Printed unit of each column: ``{"punch_force_N": "N"}``.
+        self.units = {header: unit for header, _, unit, _ in columns}
 
-class ByName(Mapping[str, _Column]):
-    """Columns by their names."""
-
-    _columns: dict[str, _Column]
-    _what = "column"
-
-    def __getitem__(self, name: str) -> _Column:
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
         if name not in self._columns:
             near = [known for known in self._columns if name in known] or get_close_matches(name, self._columns)
             meant = f"; did you mean {', '.join(near)}?" if near else ""
-            raise KeyError(f"there is no {self._what} {name}{meant}; there are {', '.join(self._columns)}")
+            raise KeyError(f"there is no column {name}{meant}; there are {', '.join(self._columns)}")
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -33,23 +36,12 @@ class ByName(Mapping[str, _Column]):
     def __len__(self) -> int:
         return len(self._columns)
 
-    def to_pandas(self) -> Any:
-        """As a ``pandas.DataFrame``, a row for every value of a column, where pandas is installed."""
-        import pandas
-
-        return pandas.DataFrame(self._columns)
-
-
-class Columns(ByName["NDArray[np.float64]"]):
-    """Columns by their names, which end with the unit: ``table["punch_force_N"]``. All are equally long."""
-
-    def __init__(self, columns: Sequence[tuple[str, str, str, NDArray[np.float64]]]) -> None:
-        self._columns = {header: values for header, _, _, values in columns}
-        #: What each column is called on axes: ``{"punch_force_N": "Punch force"}``.
-        self.labels = {header: label for header, label, _, _ in columns}
-        #: Unit of each column as it is printed: ``{"punch_force_N": "N"}``.
-        self.units = {header: unit for header, _, unit, _ in columns}
-
     def __repr__(self) -> str:
         rows = max((len(values) for values in self._columns.values()), default=0)
         return f"<Columns: {rows} rows of {', '.join(self._columns)}>"
+
+    def to_pandas(self) -> Any:
+        """``pandas.DataFrame`` with one row per value."""
+        import pandas
+
+        return pandas.DataFrame(self._columns)

@@ -1,60 +1,56 @@
-"""Pictures as SVG, and on axes of matplotlib."""
+"""Pictures: the program's SVG, and the chart value that it is drawn from."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from ._native import _Panel, _Picture
+from typing import Any
 
 
 class Picture(str):
-    """The text of an SVG, which notebooks show as a picture."""
+    """SVG text, which notebooks show as a picture."""
 
-    #: Above the picture.
-    heading: str
-    #: Small print below it: assumptions and sources.
-    notes: list[str]
-    _legend: str
-    _panels: list[_Panel]
+    #: Title of the chart.
+    title: str
+    #: Chart value: panels with axes, and series with their points. For those who draw themselves.
+    chart: dict[str, Any]
 
     @classmethod
-    def _of(cls, parts: _Picture) -> Picture:
-        picture = cls(parts[0])
-        _, picture.heading, picture._legend, picture._panels, picture.notes = parts
+    def _of(cls, svg: str, chart: str) -> Picture:
+        picture = cls(svg)
+        picture.chart = json.loads(chart)
+        picture.title = picture.chart.get("title", "")
         return picture
 
     def _repr_svg_(self) -> str:
         return str(self)
 
     def __repr__(self) -> str:
-        return f"<Picture: {self.heading}>"
-
-    @property
-    def panels(self) -> int:
-        """How many pairs of axes it has, which :meth:`axes` counts from the uppermost."""
-        return len(self._panels)
+        return f"<Picture: {self.title}>"
 
     def save(self, path: str | Path) -> None:
         """Writes the SVG to a file."""
         Path(path).write_text(self, encoding="utf-8")
 
-    def axes(self, ax: Any = None, panel: int = 0) -> Any:
-        """Draws one of its pairs of axes, the uppermost unless said otherwise, with matplotlib: on ``ax``, or on new axes.
 
-        Returns the ``matplotlib.axes.Axes``. Axes on which something stands already keep their limits and their title, so that
-        pictures can be drawn over each other. Where matplotlib is not installed that is an ImportError.
-        """
-        from . import _matplotlib
+class Plots:
+    """Pictures by name, each a method: ``plot.load_travel()``. ``dir(plot)`` lists them."""
 
-        return _matplotlib.axes(self._panels[panel], self.heading, self._legend, ax)
+    def __init__(self, names: Callable[[], list[str]], draw: Callable[[str], tuple[str, str] | None]) -> None:
+        self._names = names
+        self._draw = draw
 
-    def figure(self) -> Any:
-        """Draws all of it with matplotlib, its pairs of axes as they stand in the SVG: a new ``matplotlib.figure.Figure``.
+    def __dir__(self) -> list[str]:
+        return self._names()
 
-        Where matplotlib is not installed that is an ImportError.
-        """
-        from . import _matplotlib
+    def __repr__(self) -> str:
+        return f"<Plots: {', '.join(self._names())}>"
 
-        return _matplotlib.figure(self._panels, self.heading, self._legend, self.notes)
+    def __getattr__(self, name: str) -> Callable[[], Picture]:
+        if name.startswith("_") or name not in self._names():
+            raise AttributeError(f"there is no picture {name}; there are {', '.join(self._names())}")
+        drawn = self._draw(name)
+        if drawn is None:
+            raise ValueError(f"there is nothing to draw for the picture {name}")
+        return lambda: Picture._of(*drawn)

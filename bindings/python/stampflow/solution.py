@@ -1,167 +1,271 @@
-"""A solved case."""
+"""Solved cases: stages, frames, numbers and findings."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
-from . import _html, finding
-from ._html import Page, Shown
-from .comparison import Comparison
-from .errors import finished
-from .finding import Finding
-from .number import Number, Numbers
-from .solved_stage import SolvedStage
 from .columns import Columns
+from .errors import finished
+from .picture import Plots
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from . import _native
-    from .case import Case
-    from .frame import Frame
-    from .stage_plots import StagePlots
+
+COLORS = {"red": "#D55E00", "amber": "#E69F00", "grey": "#787878", "green": "#009E73"}
 
 
-class Solution(Shown):
-    """What came out of a case, stage by stage. Notebooks show its verdict and its section.
+@dataclass(frozen=True)
+class Finding:
+    """A row of the verdict, a warning, or an assumption."""
 
-    ``load_travel``, ``frames``, ``profile`` and ``plot`` are those of the only stage; a case with several has them at each:
-    ``solution.stages[0].load_travel``.
+    #: Name for programs: ``thinning``.
+    key: str
+    #: Name for readers: ``Thinning``.
+    label: str
+    #: ``green``, ``amber``, ``red``, or ``grey`` if it was not checked.
+    light: str
+    #: Sentence with the number, its unit and its place.
+    found: str
+    #: Limit with its unit.
+    limit: str
+    #: Source of the limit.
+    source: str
+    #: What to change; empty if all is well.
+    advice: str
+    #: Number in ``unit``; None if there is none.
+    value: float | None
+    #: Half-width of the error bar in ``unit``; None if it is not known.
+    error_bar: float | None
+    #: Unit of the number: ``percent``, ``mm``; empty for plain numbers.
+    unit: str
+
+    @classmethod
+    def _of(cls, row: dict[str, Any]) -> Finding:
+        return cls(**{name: row.get(name) for name in cls.__dataclass_fields__})
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of the part. ``float(number)`` is its value."""
+
+    #: Name for readers: ``Punch force``.
+    label: str
+    #: Value in ``unit``.
+    value: float
+    #: Printed unit; empty for plain numbers.
+    unit: str
+    #: Half-width of the error bar in ``unit``; None if it is not known.
+    error_bar: float | None
+    #: Printed form without digits beyond the bar: ``47.2 ± 0.4 kN``.
+    text: str
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Frame:
+    """The sheet at one instant: arrays over its elements, from the axis or symmetry plane outward."""
+
+    def __init__(self, time: float, travel: float, elements: Sequence[Any], nodes: Sequence[Any]) -> None:
+        #: Time [s].
+        self.time = time
+        #: Punch travel [mm].
+        self.travel = travel
+        #: Columns of the elements: ``s0_mm``, ``r_mm``, ``z_mm``, ``thickness_mm``, strains, ``stress_meridional_MPa`` …
+        self.elements = Columns(elements)
+        #: Columns of the nodes on the mid-surface: ``r_mm``, ``z_mm``, ``theta`` [rad], ``thickness_mm``.
+        self.nodes = Columns(nodes)
+
+    @property
+    def s0(self) -> NDArray[np.float64]:
+        """Initial distance from the axis or symmetry plane [mm]."""
+        return self.elements["s0_mm"]
+
+    @property
+    def thickness(self) -> NDArray[np.float64]:
+        """Thickness [mm]."""
+        return self.elements["thickness_mm"]
+
+    def __repr__(self) -> str:
+        return f"<Frame at {self.travel:g} mm, {self.time:g} s: {len(self.s0)} elements>"
+
+
+class Frames(Sequence[Frame]):
+    """Kept frames of a stage, each made on access."""
+
+    def __init__(self, native: _native.Solution, stage: int, count: int) -> None:
+        self._native, self._stage, self._count = native, stage, count
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(self._count))]
+        at = index + self._count if index < 0 else index
+        if not 0 <= at < self._count:
+            raise IndexError(f"there is no frame {index}: {self._count} were kept")
+        return Frame(*self._native.frame(self._stage, at))
+
+    def __iter__(self) -> Iterator[Frame]:
+        return (self[i] for i in range(self._count))
+
+
+class Stage:
+    """One operation on the sheet."""
+
+    def __init__(self, native: _native.Solution, index: int, facts: dict[str, Any]) -> None:
+        self._native, self._index = native, index
+        #: Name in the case.
+        self.name: str = facts["name"]
+        #: Kind of its end: ``full travel``, ``localised``, ``interrupted`` …
+        self.stop: str = facts["stop"]
+        #: Reason of its end as a sentence.
+        self.why: str = facts["why"]
+        #: Whether it came to the wanted end.
+        self.complete: bool = facts["complete"]
+        #: Iterations of all accepted steps.
+        self.iterations: int = facts["iterations"]
+        #: Kept frames; the last one is the end.
+        self.frames: Sequence[Frame] = Frames(native, index, facts["frames"])
+
+    def table(self, name: str) -> Columns:
+        """Table by the name of its CSV file: ``load_travel``, ``profile``, ``strain_paths``, ``residual_stress`` …"""
+        columns = self._native.table(self._index, f"{name}.csv")
+        if columns is None:
+            raise ValueError(f"the stage {self.name} has no table {name}")
+        return Columns(columns)
+
+    @cached_property
+    def load_travel(self) -> Columns:
+        """Every accepted step: ``travel_mm``, ``punch_force_N`` (``punch_force_N_per_mm`` in plane strain), works, iterations."""
+        return self.table("load_travel")
+
+    @cached_property
+    def profile(self) -> Columns:
+        """Every element of every kept frame: ``travel_mm``, ``s0_mm``, ``thickness_mm``, strains, stresses."""
+        return self.table("profile")
+
+    @property
+    def plot(self) -> Plots:
+        """Pictures of the stage: ``plot.load_travel()``."""
+        return Plots(self._native.pictures, lambda name: self._native.picture(self._index, name))
+
+    def __repr__(self) -> str:
+        return f"<Stage {self.name}: {self.stop}, {len(self.frames)} frames>"
+
+
+class Solution:
+    """A solved case. Notebooks show its verdict and its section.
+
+    ``load_travel``, ``profile``, ``frames`` and ``plot`` are those of the last stage.
     """
 
-    def __init__(self, case: Case, native: _native.Solution) -> None:
-        #: What was solved.
-        self.case = case
+    def __init__(self, native: _native.Solution) -> None:
         self._native = native
-        #: The stages that were run, in order: up to the first that did not come to its end.
-        self.stages = [SolvedStage(native, i, parts) for i, parts in enumerate(native.stages())]
+        #: Stages that were run, in order.
+        self.stages = [Stage(native, i, facts) for i, facts in enumerate(json.loads(native.stages()))]
 
     @property
     def complete(self) -> bool:
-        """Whether every stage was run and came to its end."""
+        """Whether every stage came to its end."""
         return self._native.complete
-
-    @property
-    def interrupted(self) -> bool:
-        """Whether it was ended by Ctrl-C."""
-        return any(stage.stop == "interrupted" for stage in self.stages)
-
-    @property
-    def wall_time(self) -> float:
-        """Time that the solution took [s]."""
-        return self._native.wall_time
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """What ``summary.json`` says, names with units: ``summary["peak_punch_force_N"]``. Of several stages a list of them is
-        in ``summary["stages"]``."""
+        """Contents of ``summary.json``; with several stages a list in ``summary["stages"]``."""
         summary: dict[str, Any] = json.loads(self._native.summary())
         return summary
 
-    @property
-    def verdict(self) -> str:
-        """The verdict in one sentence."""
-        return self._native.verdict()[1]
+    @cached_property
+    def _verdict(self) -> dict[str, Any]:
+        verdict: dict[str, Any] = json.loads(self._native.verdict())
+        return verdict
 
     @property
-    def headline(self) -> str:
-        """How many rows of the verdict have which light."""
-        return self._native.verdict()[2]
+    def verdict(self) -> str:
+        """Verdict in one sentence."""
+        return str(self._verdict["sentence"])
 
     @property
     def light(self) -> str:
-        """The worst light of the verdict: ``green``, ``amber``, ``red``, or ``grey`` where nothing was judged."""
-        return self._native.verdict()[0]
+        """Worst light of the verdict."""
+        return str(self._verdict["light"])
 
     @cached_property
     def findings(self) -> list[Finding]:
-        """The rows of the verdict."""
-        return finding.read(self._native.findings())
+        """Rows of the verdict."""
+        return [Finding._of(row) for row in self._verdict["findings"]]
 
     @cached_property
-    def numbers(self) -> Numbers:
-        """The numbers that a part is known by, names with units: ``numbers["punch_force_N"].value``. With error bars after
-        :meth:`verify`; what a row of the verdict judges ends with ``_judged``."""
-        return Numbers({told[0]: Number(*told[1:]) for told in self._native.numbers()})
+    def numbers(self) -> dict[str, Number]:
+        """Numbers of the part by names with units: ``numbers["punch_force_N"]``."""
+        return {name: Number(*parts) for name, *parts in self._native.numbers()}
 
     def verify(self, *, quick: bool = False, progress: Callable[[float], object] | None = None) -> Solution:
-        """The same solution with an error bar at every number, in its findings and in its pictures.
+        """Returns the solution with error bars on numbers, findings and pictures.
 
-        Mesh, steps, points through the thickness and contact are refined in runs of their own, which takes some twenty times
-        as long as the solution; ``quick`` estimates the bars from one coarser run.
+        Mesh, steps, points and contact are refined one by one, which takes some twenty times as long as the solution;
+        ``quick`` estimates the bars from one coarser run.
         """
         native, raised = self._native.verify(quick, progress)
-        finished(self, raised)  # of some finer runs nothing can be said: what is kept is the solution
-        return Solution(self.case, native)
-
-    @property
-    def about_error_bars(self) -> list[str]:
-        """What the error bars are from, and whatever is no small error, a sentence each; empty without them."""
-        return self._native.told_of_bars()
-
-    @cached_property
-    def comparisons(self) -> list[Comparison]:
-        """The case's published references beside what was computed; a CompareError where one cannot be read."""
-        return [
-            Comparison(quantity, source, sentence, failure, Columns(columns))
-            for quantity, source, sentence, failure, columns in self._native.comparisons()
-        ]
+        finished(self, raised)
+        return Solution(native)
 
     @property
     def load_travel(self) -> Columns:
-        """Every accepted step of the only stage: see :attr:`SolvedStage.load_travel`."""
-        return self._only.load_travel
+        """See :attr:`Stage.load_travel`."""
+        return self.stages[-1].load_travel
 
     @property
     def profile(self) -> Columns:
-        """Every element of every kept frame of the only stage: see :attr:`SolvedStage.profile`."""
-        return self._only.profile
+        """See :attr:`Stage.profile`."""
+        return self.stages[-1].profile
 
     @property
     def frames(self) -> Sequence[Frame]:
-        """The kept frames of the only stage; ``frames[-1]`` is its end."""
-        return self._only.frames
+        """See :attr:`Stage.frames`."""
+        return self.stages[-1].frames
 
     @property
-    def plot(self) -> StagePlots:
-        """The pictures of the only stage: ``plot.load_travel()``."""
-        return self._only.plot
-
-    def to_pandas(self) -> Any:
-        """``load_travel`` as a ``pandas.DataFrame``; of several stages one below the other, with a column ``stage``."""
-        import pandas
-
-        tables = {stage.name: stage.load_travel.to_pandas() for stage in self.stages}
-        if len(tables) == 1:
-            return self.load_travel.to_pandas()
-        return pandas.concat(tables, names=["stage"]).reset_index(level="stage").reset_index(drop=True)
+    def plot(self) -> Plots:
+        """See :attr:`Stage.plot`."""
+        return self.stages[-1].plot
 
     def write(self, folder: str | PathLike[str]) -> list[str]:
-        """Writes every table and picture into a folder, as ``stampflow run --out``; the paths of the files."""
+        """Writes every table and picture into a folder, as ``stampflow run --out``; returns the paths."""
         return self._native.write(fspath(folder))
 
-    @property
-    def _only(self) -> SolvedStage:
-        if len(self.case.stages) == 1:
-            return self.stages[0]
-        each = ", ".join(f"stages[{i}] ({stage.name})" for i, stage in enumerate(self.stages))
-        raise ValueError(f"this case has several stages: say of which it is, {each}")
-
-    def __str__(self) -> str:
-        return self._native.told()
+    def report(self, path: str | PathLike[str]) -> None:
+        """Writes the HTML report."""
+        self._native.report(fspath(path))
 
     def __repr__(self) -> str:
-        return f"<Solution of {self.case.name}: {self.light}, {self.verdict}>"
+        return f"<Solution: {self.light}, {self.verdict}>"
 
-    def _page(self) -> Page:
-        return Page(
-            title=self.case.title,
-            answer=self.verdict,
-            light=self.light,
-            picture=self.stages[-1].plot._first("part") if self.stages else None,
-            summary=self.headline,
-            header=_html.FINDINGS,
-            rows=_html.findings(self.findings),
+    def _repr_html_(self) -> str:
+        rows = sorted(self.findings, key=lambda row: list(COLORS).index(row.light))
+        cells = "".join(
+            f'<tr><td style="color:{COLORS[row.light]}">&#9679; {row.light}</td>'
+            + "".join(f"<td>{escape(text)}</td>" for text in (row.label, row.found, row.limit, row.advice))
+            + "</tr>"
+            for row in rows
+        )
+        part = self._native.picture(len(self.stages) - 1, "part") if self.stages else None
+        return (
+            f'<p><span style="color:{COLORS[self.light]}">&#9679;</span> <b>{escape(self.verdict)}</b></p>'
+            + (part[0] if part else "")
+            + f"<details><summary>{len(rows)} rows of the verdict</summary><table>{cells}</table></details>"
         )

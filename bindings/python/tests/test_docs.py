@@ -13,21 +13,11 @@ import pytest
 from conftest import ROOT
 
 PAGE = ROOT / "docs" / "python.md"
-NOTEBOOKS = sorted((ROOT / "python" / "notebooks").glob("*.ipynb"))
-
-
-def test_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = (ROOT / "python" / "README.md").read_text(encoding="utf-8")
-    (snippet,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    monkeypatch.chdir(tmp_path)
-    names: dict[str, object] = {}
-    exec(snippet, names)
-    assert (tmp_path / "load.svg").exists() and getattr(names["window"], "shape") == (3, 2)
+NOTEBOOKS = sorted((ROOT / "bindings" / "python" / "notebooks").glob("*.ipynb"))
 
 
 def test_the_page_of_the_book_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its snippets one after the other, in a folder with what they read; below each stands what it prints. UPDATE=1 writes that
-    anew."""
+    """Snippets run one after the other; below each stands what it prints. UPDATE=1 writes that."""
     for folder in ("cases", "reference_data", "tests/drawings"):
         shutil.copytree(ROOT / folder, tmp_path / folder)
     monkeypatch.chdir(tmp_path)
@@ -41,11 +31,11 @@ def test_the_page_of_the_book_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         shown = f"\n\n```text\n{out.getvalue()}```" if out.getvalue() else ""
         return f"```python\n{snippet[1]}```{shown}"
 
-    anew, count = re.subn(r"```python\n(.*?)```(?:\n\n```text\n.*?```)?", run, text, flags=re.DOTALL)
+    computed, count = re.subn(r"```python\n(.*?)```(?:\n\n```text\n.*?```)?", run, text, flags=re.DOTALL)
     assert count > 5
     if os.environ.get("UPDATE"):
-        PAGE.write_text(anew, encoding="utf-8")
-    assert os.environ.get("UPDATE") or anew == text
+        PAGE.write_text(computed, encoding="utf-8")
+    assert os.environ.get("UPDATE") or computed == text
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -56,9 +46,3 @@ def test_a_notebook_runs_and_shows_its_pictures(path: Path) -> None:
     nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": path.parent}}).execute()
     shown = {kind for cell in notebook.cells for output in cell.get("outputs", []) for kind in output.get("data", {})}
     assert shown & {"image/svg+xml", "image/png"}
-
-
-def test_notebooks_are_kept_without_what_they_show() -> None:
-    nbformat = pytest.importorskip("nbformat")
-    cells = [cell for path in NOTEBOOKS for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
-    assert cells and not any(cell.outputs or cell.execution_count for cell in cells)
