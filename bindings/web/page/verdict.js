@@ -17,9 +17,9 @@ function light(name, text) {
 }
 
 export function drawAnswer(host, { verdict }, isA) {
-  const sentence = element("p", "sentence", light(verdict.answer.light, `${isA ? "A: " : ""}${verdict.answer.sentence}`));
-  const numbers = verdict.answer.numbers.map(({ label, told, about }) =>
-    element("div", "", element("dt", "", label), element("dd", "", element("b", "", told), " ", about)),
+  const sentence = element("p", "sentence", light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`));
+  const numbers = verdict.numbers.map(({ label, text, about }) =>
+    element("div", "", element("dt", "", label), element("dd", "", element("b", "", text), " ", about)),
   );
   host.replaceChildren(sentence, element("dl", "numbers", ...numbers));
 }
@@ -43,6 +43,6 @@ export function drawRows(host, { verdict }) {
 }
 
 export function drawNotes(host, { verdict }) {
-  const all = [verdict.answer.end, ...verdict.warnings, ...verdict.notes].filter(Boolean);
+  const all = [verdict.end, ...verdict.warnings, ...verdict.notes].filter(Boolean);
   host.replaceChildren(...all.map((text) => element("li", "", text)));
 }

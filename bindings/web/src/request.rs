@@ -84,8 +84,7 @@ fn templates() -> Value {
     let option = |choice: &'static Choice| {
         json!({
             "key": choice.key,
-            "kind": choice.kind.placeholder(),
-            "default": choice.default.words(),
+            "default": choice.default,
             "about": choice.about,
         })
     };

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use stampflow::assess::{self, Answer, Kind, judgements, sentences};
 use stampflow::case::Case;
 use stampflow::model::Geometry;
+use stampflow::units::Quantity;
 
 /// Share of the elements of a coarse run \[–\].
 const COARSE: f64 = 0.5;
@@ -28,6 +29,10 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
         let all = sentences(&before, kind).into_iter().chain(sentences(&findings, kind));
         all.map(|sentence| sentence.to_string()).collect()
     };
+    let answer = Answer::of(case, solved, &findings);
+    let number = |number: &Quantity| {
+        json!({ "key": number.key, "label": number.label, "text": number.to_string(), "about": number.place })
+    };
     json!({
         "title": case.model().title,
         "text": case.text,
@@ -36,7 +41,10 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
         "isComplete": solution.is_complete(),
         "stages": stages,
         "verdict": {
-            "answer": Answer::of(case, solved, &findings),
+            "light": answer.light,
+            "sentence": answer.sentence,
+            "end": answer.end,
+            "numbers": answer.numbers.iter().map(number).collect::<Vec<_>>(),
             "rows": judgements(&findings).collect::<Vec<_>>(),
             "warnings": notes(Kind::Warning),
             "notes": notes(Kind::Assumption),
