@@ -21,19 +21,15 @@ use std::process::Command;
 use std::sync::Mutex;
 use temp_dir::TempDir;
 
-#[allow(dead_code)] // Its main is for the command line.
-#[path = "../../examples/woo_pole.rs"]
-mod woo_pole;
-
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// A picture, and what draws it.
 type Drawn = (&'static str, fn() -> Chart);
 
-/// Pictures that examples draw.
+/// Pictures that tests draw.
 const EXAMPLES: [Drawn; 2] = [
     ("surfalex_limit.png", crate::surfalex_limit::picture),
-    ("woo_pole.png", || woo_pole::chart().expect("the record is shipped")),
+    ("woo_pole.png", || crate::common::woo_pole::chart().expect("the record is shipped")),
 ];
 
 /// The pages of the book, in alphabetical order.
@@ -230,7 +226,7 @@ fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
 /// Trust: the code itself: `src/state.rs` is a file of it and `src/state.rs::State` a thing that the file defines.
 #[test]
 fn what_a_page_names_of_the_code_is_there() {
-    let name = Regex::new(r"`((?:src|tests|benches|examples|cases)/[\w./-]+?)(?:::(\w+))?`").expect("a pattern");
+    let name = Regex::new(r"`((?:src|tests|benches|cases)/[\w./-]+?)(?:::(\w+))?`").expect("a pattern");
     let (mut missing, mut items) = (Vec::new(), 0);
     for page in pages() {
         let text = fs::read_to_string(&page).expect("readable");

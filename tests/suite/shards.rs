@@ -234,47 +234,6 @@ fn memory_of_a_shard_does_not_grow_with_the_number_of_designs() {
     assert!(few > 3000 && many < few + 2000, "{few} kB for 200 designs, {many} kB for 2200");
 }
 
-/// The blocks of code of a page.
-fn blocks(page: &str) -> Vec<&str> {
-    page.split("\n```").skip(1).step_by(2).filter_map(|block| Some(block.split_once('\n')?.1)).collect()
-}
-
-/// The number before some words in a page.
-fn figure(page: &str, words: &str) -> f64 {
-    let before = page.split_once(words).unwrap_or_else(|| panic!("no {words}")).0.trim_end();
-    let number: String = before.chars().rev().take_while(|c| c.is_ascii_digit() || ". ".contains(*c)).collect();
-    let number: String = number.chars().rev().filter(|c| *c != ' ').collect();
-    number.parse().unwrap_or_else(|_| panic!("{number:?} before {words}"))
-}
-
-/// Trust: the page's own study in a folder, its lines from the program, the length of its rows from a shard.
-#[test]
-fn the_page_on_scaling_out_has_the_lines_that_are_printed_and_the_size_of_a_row() {
-    let page = include_str!("../../docs/scaling_out.md");
-    let study = blocks(page).into_iter().find(|block| block.starts_with("case = ")).expect("a study");
-    let dir = TempDir::new().unwrap();
-    fs::write(dir.path().join("study.toml"), study).unwrap();
-    let made = stampflow(dir.path(), &["new", "cup", "-o", "cup.toml"]);
-    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
-    for scheduler in ["hq", "slurm", "xargs"] {
-        let args = ["sweep", "study.toml", "--out", "shards", "--shards", "64", "--print", scheduler];
-        let printed = stampflow(dir.path(), &args);
-        assert!(page.contains(&format!("\n{}```", text(&printed.stdout))), "{}", text(&printed.stdout));
-    }
-    let ran = stampflow(dir.path(), &["sweep", "study.toml", "--shard", "7/64", "--out", "shards", "--quiet"]);
-    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
-    let table = fs::read_to_string(dir.path().join("shards/study-07-of-64.csv")).unwrap();
-    let rows: Vec<usize> = table.lines().skip(1).map(|line| line.len() + 1).collect();
-    let mean = rows.iter().sum::<usize>() as f64 / rows.len() as f64;
-    // Trust: digits that round-off drops, and the words for lights.
-    let bytes = figure(page, "bytes a row");
-    assert!((bytes / mean - 1.0).abs() < 0.05, "{bytes} bytes a row, and {mean} counted");
-    let gigabytes = figure(page, "GB in all");
-    assert!((gigabytes - bytes * 1e6 / 1e9).abs() < 0.006, "{gigabytes} GB of {bytes} bytes a row");
-    let (rate, hours) = (figure(page, "runs a minute"), figure(page, "hours on two cores"));
-    assert!((hours - 1e6 / rate / 60.0).abs() < 0.06, "{hours} hours at {rate} runs a minute");
-}
-
 /// Trust: each of these differs in one thing from the study that left the rows, and has as many and the same columns.
 #[test]
 fn rows_of_another_study_are_never_taken() {

@@ -1,10 +1,7 @@
 //! The measured forming limit of a sheet of the library, and the table that is made of it.
 
-#[path = "../../examples/surfalex_limit.rs"]
-mod example;
-
 use crate::common::page::{plain, told};
-use example::{chart, fitted, measured, table};
+use crate::common::surfalex::{chart, fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
 use stampflow::case::{self, library};

@@ -37,7 +37,8 @@ struct Request {
 pub fn from_drawing(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<(String, String, Vec<String>, Picture)> {
     let file = path.display().to_string();
     let failed = |error: ImportError| error::drawing(py, &file, &error);
-    let request: Request = serde_json::from_str(options).map_err(|e| failed(wrong("options", options, e.to_string())))?;
+    let request: Request =
+        serde_json::from_str(options).map_err(|e| failed(wrong("options", options, e.to_string())))?;
     let import = request.import().map_err(failed)?;
     let bytes = Disk.read(&path, import::LARGEST).map_err(|error| {
         failed(ImportError { what: error.to_string(), help: "give the path of a DXF file".into(), line: None })

@@ -7,7 +7,8 @@ use stampflow::import::ImportError;
 use stampflow::study::StudyError;
 
 fn raised<'py, A: pyo3::call::PyCallArgs<'py>>(py: Python<'py>, class: &str, args: A) -> PyErr {
-    let made = py.import("stampflow.errors").and_then(|errors| errors.getattr(class)).and_then(|class| class.call1(args));
+    let made =
+        py.import("stampflow.errors").and_then(|errors| errors.getattr(class)).and_then(|class| class.call1(args));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 

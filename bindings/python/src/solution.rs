@@ -6,13 +6,13 @@ use super::table::{Column, Picture, columns, json, picture};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
+use stampflow::Table;
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
 use stampflow::results::{self, Make, OUTPUTS, Output, Results, profile};
 use stampflow::solver::solution::NodeRecord;
 use stampflow::study::verify::{self, Verification};
 use stampflow::table::{Column as NamedColumn, Unit};
-use stampflow::Table;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -123,7 +123,14 @@ impl Solution {
         let numbers = self.judged(py).0.numbers.iter();
         let parts = numbers.map(|number| {
             let amount = number.amount;
-            (amount.unit.keyed(number.key), number.label, amount.value, amount.unit.symbol(), amount.bar(), number.to_string())
+            (
+                amount.unit.keyed(number.key),
+                number.label,
+                amount.value,
+                amount.unit.symbol(),
+                amount.bar(),
+                number.to_string(),
+            )
         });
         parts.collect()
     }

@@ -11,8 +11,8 @@ use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::fit::{CaseFitRequest, Reduction, Tests, fit_case, fit_laws};
 use stampflow::study::verify::Watch;
 use stampflow::study::{
-    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest, Shard,
-    Side, Study, StudyError, StudyReport, Sweep, begin, evaluate,
+    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest,
+    Shard, Side, Study, StudyError, StudyReport, Sweep, begin, evaluate,
 };
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -69,7 +69,8 @@ fn run(
     request: Request,
     watch: &(dyn Watch + Sync),
 ) -> Result<(StudyReport, Option<RunTable>), StudyError> {
-    let Request { vary, one_at_a_time, runs, seed, goal, side, condition, target, tolerance, to, threads: count } = request;
+    let Request { vary, one_at_a_time, runs, seed, goal, side, condition, target, tolerance, to, threads: count } =
+        request;
     let threads = threads(count);
     let mut study: Box<dyn Study> = match kind {
         "sweep" => Box::new(Sweep::new(base, &vary, one_at_a_time)?),
@@ -108,7 +109,12 @@ pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
 
 /// Compares cases, variants of the first and measured curves.
 #[pyfunction]
-pub fn compare(py: Python<'_>, cases: Vec<PyRef<'_, Case>>, also: Vec<String>, curves: Vec<PathBuf>) -> PyResult<Results> {
+pub fn compare(
+    py: Python<'_>,
+    cases: Vec<PyRef<'_, Case>>,
+    also: Vec<String>,
+    curves: Vec<PathBuf>,
+) -> PyResult<Results> {
     let wrong = |error: StudyError| error::study(py, &error);
     let mut candidates = Vec::new();
     for (i, case) in cases.iter().enumerate() {

@@ -2,10 +2,10 @@
 
 use crate::request::Failure;
 use serde_json::{Value, json};
-use std::path::Path;
 use stampflow::author::{Import, ImportFailure};
 use stampflow::import::Options;
 use stampflow::model::Geometry;
+use std::path::Path;
 
 /// Text of a case, with placeholders for what no drawing says, and how the drawing was understood.
 pub fn read(name: &str, plane_strain: bool, file: &[u8]) -> Result<Value, Failure> {

@@ -15,3 +15,5 @@ pub mod random_die;
 pub mod random_work;
 pub mod shipped;
 pub mod simple;
+pub mod surfalex;
+pub mod woo_pole;

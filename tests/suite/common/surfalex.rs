@@ -1,19 +1,15 @@
 //! The measured forming limit of AA6016A Surfalex HF against the limit of Marciniak and Kuczyński by Hill's yield condition
 //! of 1948 and by Hosford's: the imperfection is fitted at the two middle widths, the other four are predicted.
 //!
-//! `cargo run --release --example surfalex_limit -- docs/surfalex_limit.png` prints the table of `docs/surfalex_limit.md`.
 
 use stampflow::case::library;
 use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
 use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
 use stampflow::plot::chart::{Chart, Panel, Scale, Series, Style};
 use stampflow::plot::palette::color;
-use stampflow::results::{png, write};
 use stampflow::table::{Column, Unit};
-use std::path::Path;
-use std::process::ExitCode;
 
-const DATA: &str = include_str!("../reference_data/surfalex_aa6016_flc_points.csv");
+const DATA: &str = include_str!("../../../reference_data/surfalex_aa6016_flc_points.csv");
 const SHEET: &str = "aa6016a-surfalex";
 /// Exponent of fcc metal \[–\].
 const FCC: f64 = 8.0;
@@ -194,25 +190,5 @@ pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
                 .to_owned(),
             "Computed: hardening of another AA6016 sheet (declared), r̄ = 0.47; f₀ fitted at 40 and 60 mm.".to_owned(),
         ],
-    }
-}
-
-#[allow(dead_code)] // The test of the table has no use for it.
-fn main() -> ExitCode {
-    let Some(picture) = std::env::args().nth(1) else {
-        eprintln!("error: give a picture to write");
-        return ExitCode::from(2);
-    };
-    let widths = measured();
-    let fitted = fitted(&widths);
-    for line in table(&widths, &fitted) {
-        println!("{line}");
-    }
-    match write(Path::new(&picture), &png(&chart(&widths, &fitted))) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::from(2)
-        }
     }
 }

@@ -1,34 +1,13 @@
-//! What the normal stress of contact does to Woo's hemispherical cup: the thinnest place and the load over the travel, with it
-//! and as the program computed them before it was in the flow law.
-//!
-//! `cargo run --release --example woo_pole -- docs/woo_pole.png`
+//! Picture of Woo's hemispherical cup: thinnest place and load over the travel, with the normal stress of contact and without.
 
 use stampflow::case;
 use stampflow::plot::chart::{Chart, Panel, Series, Style};
-use stampflow::results::{png, write};
 use stampflow::solver::solution::StepRecord;
 use stampflow::table::fields::step::{PUNCH_FORCE, THINNEST, TRAVEL};
 use stampflow::table::{Csv, Field};
-use std::path::Path;
-use std::process::ExitCode;
 
 const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/woo_hemispherical.toml");
-const RECORD: &str = include_str!("../reference_data/woo_pole_without_normal_stress.csv");
-
-fn main() -> ExitCode {
-    let Some(picture) = std::env::args().nth(1) else {
-        eprintln!("error: give a picture to write");
-        return ExitCode::from(2);
-    };
-    let drawn = chart().and_then(|chart| write(Path::new(&picture), &png(&chart)).map_err(|error| error.to_string()));
-    match drawn {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("error: {message}");
-            ExitCode::from(2)
-        }
-    }
-}
+const RECORD: &str = include_str!("../../../reference_data/woo_pole_without_normal_stress.csv");
 
 /// Both panels over the travel.
 pub fn chart() -> Result<Chart, String> {
