@@ -1,25 +1,25 @@
-//! What is wrong with a study before anything of it is run.
+//! Errors of a study, found before anything is run.
 
 use crate::case::CaseError;
 
-/// What is wrong with a study, and what to try.
+/// A study that cannot be run.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// Of how it was asked for.
+    /// The request or a file of the study is wrong.
     #[error("{what}\n  help: {help}")]
-    Asked {
+    Request {
         /// What is wrong.
         what: String,
         /// What to write.
         help: String,
     },
-    /// Of the case that it varies.
+    /// The case that it varies is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
 }
 
 impl StudyError {
     pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self::Asked { what: what.into(), help: help.into() }
+        Self::Request { what: what.into(), help: help.into() }
     }
 }

@@ -1,3 +1,0 @@
-//! Failure modes of designs.
-
-pub use crate::assess::FailureMode as Zone;
