@@ -17,7 +17,7 @@
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ verification               an error bar for every number, from runs that are refined
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
-//!    └ Solution::write            every table, plot and comparison of output::OUTPUTS
+//!    └ Solution::write            every table, plot and comparison of results::OUTPUTS
 //! ```
 //!
 //! ```
@@ -83,7 +83,6 @@ pub mod measure;
 pub mod model;
 pub mod numerics;
 #[cfg(feature = "app")]
-pub mod output;
 pub mod plot;
 #[cfg(feature = "app")]
 pub mod report;

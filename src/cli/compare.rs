@@ -1,44 +1,50 @@
-//! `stampflow compare`: several cases, variants and measurements in one picture and one table.
+//! `stampflow compare`: runs and measured curves side by side; cases against their references.
 
 use super::code::{BadRequest, Code};
-use super::many::{Many, asked, write_all};
-use super::place;
-use super::say::{Shown, say, say_json, warn};
-use super::table::{Cell, Tone, table, wrapped};
-use super::{interrupt, job};
-use stampflow::output::study::json;
-use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
-use stampflow::study::versus::{Asked, COLUMNS, Candidate, Measured, Versus};
+use super::study::{StudyOptions, request, screen_table};
+use super::say::{say, say_json, warn};
+use super::table::wrapped;
+use super::{interrupt, job, json, place};
+use stampflow::compare::{Comparison, KINDS, Verdict};
+use stampflow::results::{Results, comparison_folder};
+use stampflow::study::compare::{Candidate, SideBySide, check, variant};
+use stampflow::study::verify::Watch;
+use stampflow::study::{BaseCase, Cell, MeasuredCurve, MeasuredData, ReportTable, parallel_map};
+use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
-Cases are solved as they stand, with what --set says; each --also is one more run, the \
-first case with overrides of its own, several joined by semicolons. A FILE.csv is laid \
-over the runs: travel_mm,punch_force_kN or s0_mm,thickness_mm, or a run's load_travel.csv \
-or profile.csv. Differences are against the first; one that is smaller than both error \
-bars together is told so: (within the error). DIR has differences.csv and the pictures \
-compare_load, compare_thickness, compare_strains (with a forming limit), compare_sections.
+Several cases are solved as they stand, with what --set says; each --also is one more \
+run, the first case with overrides of its own, joined by semicolons. A FILE.csv is laid \
+over the runs: travel_mm,punch_force_kN or s0_mm,thickness_mm, or a run's \
+load_travel.csv or profile.csv. Differences are from the first run; one within both \
+error bars together says nothing. DIR has differences.csv and the pictures.
+
+A folder, or one case alone, is compared with the references of its [[compare]] tables: \
+one line per comparison, with the value that misses most. A reference that is optional \
+and missing counts as no data; the difference of a demonstration is shown and is no \
+failure. Without files: the folder `cases`.
 
 Examples:
   stampflow compare cup.toml --also friction=0.12
   stampflow compare cup.toml --also \"tools.die.shoulder=4 mm; friction=0.12\" measured.csv
-  stampflow compare cup.toml cup-2.toml --out out/two --format svg --width \"85 mm\"
-  stampflow report cup.toml --against cup-2.toml
+  stampflow compare cup.toml cup-2.toml --out out/two
+  stampflow compare cases
 
-Exit codes: 0 done, 2 bad input, 130 interrupted (the runs that have ended are compared)";
+Exit codes: 0 done, 1 a comparison is out of its tolerance, 2 bad input, 130 interrupted";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Case files, and CSV files of measured curves; differences are against the first case
-    #[arg(required = true, value_name = "CASE.toml|CURVE.csv")]
+    /// Case files and CSV files of measured curves; or one case or folder, to compare with its references
+    #[arg(value_name = "CASE.toml|CURVE.csv|DIR", default_value = "cases")]
     files: Vec<PathBuf>,
     #[command(flatten)]
     variants: Variants,
     #[command(flatten)]
-    many: Many,
+    options: StudyOptions,
 }
 
-/// The option of every verb that compares.
+/// Variants of the first case.
 #[derive(Debug, clap::Args)]
 pub struct Variants {
     /// One more run: the first case with these overrides, KEY=VALUE joined by semicolons; as often as needed
@@ -47,85 +53,132 @@ pub struct Variants {
 }
 
 pub fn compare(args: &Args) -> anyhow::Result<Code> {
-    let all = to_compare(&args.files, &args.variants, &args.many.overrides.all())?;
-    let first = args.files.iter().find(|file| !is_curve(file)).unwrap_or(&args.files[0]);
-    let dir = args.many.folder(first, "compare");
-    place::file(&dir.join(TABLE), &all.inputs(), "--out")?;
-    place::replaced(&dir.join(TABLE), BEGINNING.as_bytes(), "--out")?;
-    let asked_for = all.count();
-    let versus = all.solve(None, args.many.threads(), &args.many.count(first, "compared")).map_err(asked)?;
-    if versus.members.len() < asked_for {
-        warn(format!("{} of {asked_for} runs had ended", versus.members.len()));
+    let first = &args.files[0];
+    if args.files.len() == 1 && args.variants.also.is_empty() && !is_curve(first) {
+        return references(args, first);
     }
-    if versus.members.is_empty() && interrupt::is_wanted() {
+    let (candidates, curves) = to_compare(&args.files, &args.variants, &args.options.overrides.all())?;
+    let first = args.files.iter().find(|file| !is_curve(file)).unwrap_or(first);
+    let dir = args.options.folder(first, "compare");
+    place::file(&dir.join("differences.csv"), &args.files, "--out")?;
+    let count = args.options.count(first, "compared");
+    let all = SideBySide::solve(&candidates, curves, None, args.options.threads(), &count).map_err(request)?;
+    if all.members.len() < candidates.len() {
+        warn(format!("{} of {} runs had ended", all.members.len(), candidates.len()));
+    }
+    if all.members.is_empty() && interrupt::is_wanted() {
         return Ok(Code::Done);
     }
-    let files = written(args, &versus, &dir)?;
-    if args.many.json.json {
-        let mut value = json::versus(&versus);
-        value["files"] = serde_json::json!(files);
-        return say_json(&value);
-    }
-    say(screen(&versus) + told_files(&files))
+    args.options.present(&all.report(), &dir, Vec::new(), &())
 }
 
-/// Cases with overrides and measured curves, as they are named; variants are of the first case.
-pub fn to_compare(files: &[PathBuf], variants: &Variants, overrides: &[String]) -> anyhow::Result<Asked> {
+/// Cases with variants of the first, and measured curves.
+pub fn to_compare(
+    files: &[PathBuf],
+    variants: &Variants,
+    overrides: &[String],
+) -> anyhow::Result<(Vec<Candidate>, Vec<MeasuredCurve>)> {
     let (curves, cases): (Vec<&PathBuf>, Vec<&PathBuf>) = files.iter().partition(|file| is_curve(file));
+    let own = variants.also.iter().map(|text| variant(text)).collect::<Result<Vec<_>, _>>().map_err(request)?;
     let mut candidates = Vec::new();
-    let own: Vec<Vec<String>> =
-        variants.also.iter().map(|text| Candidate::overrides(text)).collect::<Result<_, _>>().map_err(asked)?;
     for (i, path) in cases.iter().enumerate() {
         let of_first = if i == 0 { &own[..] } else { &[] };
         for own in [Vec::new()].iter().chain(of_first) {
             let all: Vec<String> = overrides.iter().chain(own).cloned().collect();
-            candidates.push(Candidate { case: job::load(path, &all)?, own: own.clone() });
+            candidates.push(Candidate { case: job::load(path, &all)?, overrides: own.clone() });
         }
     }
-    if candidates.is_empty() {
-        return Err(BadRequest("there is no case to compare with: give a CASE.toml too".into()).into());
-    }
-    let measured = curves.into_iter().map(|path| Measured::read(&path.as_path().into())).collect::<Result<_, _>>();
-    let measured = measured.map_err(asked)?;
-    Asked::new(candidates, measured).map_err(asked)
+    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&MeasuredData::File(path.clone())));
+    let curves = curves.collect::<Result<Vec<_>, _>>().map_err(request)?;
+    check(&candidates, &curves).map_err(request)?;
+    Ok((candidates, curves))
 }
 
 fn is_curve(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
-/// The table and all pictures.
-fn written(args: &Args, versus: &Versus, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let made = args.many.pictures.pictures();
-    let mut files = vec![(TABLE.to_owned(), csv(versus))];
-    for drawn in pictures(versus, made.engineering_strain) {
-        files.extend(made.files(drawn.stem, &drawn.chart));
+/// Every case of a folder, or one case, against its references.
+fn references(args: &Args, path: &Path) -> anyhow::Result<Code> {
+    let files = if path.is_dir() { case_files(path)? } else { vec![path.to_owned()] };
+    let (mut cases, mut failed) = job::load_all(&files, &args.options.overrides.all());
+    cases.retain(|case| !case.compare.is_empty());
+    if cases.is_empty() && failed.is_empty() {
+        return Err(BadRequest(format!("no case in {} has a [[compare]] table", path.display())).into());
     }
-    Ok(write_all(dir, files)?)
+    let dir = args.options.folder(path, "compare");
+    let mut compared: Vec<(String, Comparison)> = Vec::new();
+    let watch = args.options.count(path, "compared");
+    let one = |case: &stampflow::Case| {
+        let folder = place::results(case, &place::folder(&dir, case)?, comparison_folder)?;
+        let solution = BaseCase::solve(case.clone(), &watch).map_err(|why| BadRequest(why))?;
+        let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures());
+        results.write_comparisons(folder)?;
+        let name = &solution.case.name;
+        Ok(results.comparisons.into_iter().map(|comparison| (name.clone(), comparison)).collect::<Vec<_>>())
+    };
+    let Ok(()) = parallel_map(&cases, args.options.threads(), &watch, one, |outcome: anyhow::Result<Vec<_>>| {
+        match outcome {
+            Ok(comparisons) => compared.extend(comparisons),
+            Err(error) => failed.push(error),
+        }
+        Ok::<_, Infallible>(())
+    });
+    if args.options.json.json {
+        say_json(&compared.iter().map(|(case, one)| json::comparison(case, one)).collect::<Vec<_>>())?;
+    } else {
+        say(screen_table(&table(&compared)) + wrapped(&format!("\n{}\n{}", reasons(&compared), counts(&compared))))?;
+    }
+    let is_out = compared.iter().any(|(_, comparison)| comparison.is_failure()) && !watch.wants_to_stop();
+    Ok(job::complained(&failed, if is_out { Code::Failed } else { Code::Done }))
 }
 
-fn told_files(files: &[PathBuf]) -> Shown {
-    let folder = files.first().and_then(|file| file.parent()).unwrap_or(Path::new("."));
-    let names = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned()));
-    let names: Vec<String> = names.collect();
-    let told = format!("\nin {folder}: {files}", folder = folder.display(), files = names.join(", "));
-    wrapped(&String::from(told))
+fn table(all: &[(String, Comparison)]) -> ReportTable {
+    let columns = ["Case", "Kind", "Quantity", "Computed", "Reference", "Verdict"];
+    let mut table = ReportTable::new("comparisons", &columns);
+    for (case, comparison) in all {
+        let kind = comparison.source.as_ref().map_or_else(|| "–".to_owned(), |source| source.kind().to_string());
+        let computed = comparison.farthest().map_or_else(|| "–".to_owned(), |amount| amount.to_string());
+        let target = comparison.target().unwrap_or_else(|| "–".to_owned());
+        let quantity = comparison.spec.against.label().to_owned();
+        let cells = [case.clone(), kind, quantity, computed, target, comparison.outcome()];
+        table.rows.push(cells.map(Cell::from).to_vec());
+    }
+    table
 }
 
-/// Each number with a line for every run, the differences behind.
-fn screen(versus: &Versus) -> Shown {
-    let mut rows = Vec::new();
-    for line in versus.lines() {
-        let mut label = String::from(line.label);
-        for (said, member) in line.of_runs.into_iter().zip(&versus.members) {
-            let tone = said.light.map_or(Tone::Plain, Tone::of);
-            let value = Cell { text: String::from(said.value), tone };
-            let cells = [std::mem::take(&mut label), member.mark.clone(), String::from(said.change)];
-            let [label, mark, change] = cells.map(Cell::plain);
-            rows.push([label, mark, value, change]);
+/// Reasons of comparisons that are not inside, each once.
+fn reasons(all: &[(String, Comparison)]) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {
+        let reason = comparison.spec.reason.trim_end_matches('.');
+        let miss = comparison.worst().unwrap_or_default();
+        let line = format!("{case}, {} {miss}: {reason}.", comparison.spec.against.label());
+        if !lines.contains(&line) {
+            lines.push(line);
         }
     }
-    let headers = COLUMNS.map(|header| String::from(header));
-    let legend: Vec<String> = versus.legend().into_iter().map(|entry| String::from(entry)).collect();
-    wrapped(&(legend.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
+    lines.join("\n")
+}
+
+/// Comparisons inside, by kind of reference: `experiment: 1 of 3 inside`.
+fn counts(all: &[(String, Comparison)]) -> String {
+    let kind = |comparison: &Comparison| comparison.source.as_ref().map_or_else(String::new, |s| s.kind().to_string());
+    let known: Vec<&Comparison> = all.iter().map(|(_, c)| c).filter(|c| c.verdict != Verdict::NoData).collect();
+    let lines = KINDS.iter().filter_map(|name| {
+        let of = || known.iter().filter(|c| kind(c) == *name);
+        let inside = of().filter(|c| c.verdict == Verdict::In).count();
+        (of().count() > 0).then(|| format!("{name}: {inside} of {} inside", of().count()))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Case files of a folder, sorted.
+fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let entries = std::fs::read_dir(dir)
+        .map_err(|error| BadRequest(format!("cannot read the folder {}: {error}", dir.display())))?;
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    files.retain(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    files.sort();
+    Ok(files)
 }

@@ -1,29 +1,25 @@
-//! `stampflow fit`: a hardening law from tension tests, or keys of a case from measured curves.
+//! `stampflow fit`.
 
-mod args;
-mod case;
-mod law;
-mod shown;
-
-pub use args::Args;
-
-use super::code::Code;
+use super::code::{BadRequest, Code};
 use super::place;
-use std::path::PathBuf;
-
-/// What every fit writes first, by which its place is found usable before anything is fitted.
-const WRITTEN: [&str; 2] = ["fit.csv", "fit.json"];
+use super::study::{StudyOptions, request};
+use serde::Serialize;
+use stampflow::study::MeasuredData;
+use stampflow::study::fit::{
+    CaseFitRequest, Estimate, HardeningKind, RateKind, Reduction, Tests, fit_case, fit_laws, material_text, specimens,
+};
+use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
-CSV files are tension tests; headers say what is in them and end in the unit: \
+CSV files are tension tests; headers name the columns and end in the unit: \
 engineering_strain_percent, engineering_stress_MPa, true_strain, true_stress_MPa, \
 plastic_strain, width_strain, standard_deviation_MPa, or elongation_mm and force_kN \
-with --gauge and --section. A column that does not say `true` is engineering. Points \
-count from the yield offset to the largest force. Without --law all laws are compared. \
-Tests with --rate give a rate law, tests with --direction r-values.
+with --gauge and --section. Columns without `true` in their name are engineering. \
+Points count from the yield offset to the largest force. Without --law all laws are \
+compared. Tests with --rate give a rate law, tests with --direction r-values.
 
-A case file, or a study file with [fit], is run until it meets measured curves: travel \
-and force, travel and draw-in, s0 or radius and thickness; without --to those of its \
+A case file, or a study file with [vary], is fitted to measured curves: travel and \
+force, travel and draw-in, s0 or radius and thickness; without --to those of its \
 [[compare]].
 
 Examples:
@@ -32,17 +28,98 @@ Examples:
   stampflow fit slow.csv fast.csv --rate 0.001,1
   stampflow fit rd.csv dd.csv td.csv --direction 0,45,90
   stampflow fit cup.toml --vary \"friction=0.1 in 0.01..0.3\" --to curve.csv
-  stampflow fit cup.toml --vary \"tools.punch.friction=0.1 in 0.01..0.3\" \\
-    --vary \"material.hardening.swift.k=500 in 300..800 MPa\" --to curve.csv
 
 Exit codes: 0 done, 2 bad input, 130 interrupted (the best so far is kept)";
 
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Tension tests, or one case or study file
+    #[arg(required = true, value_name = "TEST.csv|CASE.toml")]
+    files: Vec<PathBuf>,
+    /// Of tension tests: fit this law only
+    #[arg(long, value_name = "LAW")]
+    law: Option<HardeningKind>,
+    /// Young's modulus [default: the slope at the beginning]
+    #[arg(long, value_name = "STRESS", value_parser = specimens::stress)]
+    young: Option<f64>,
+    /// Plastic strain at yield
+    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = specimens::strain)]
+    offset: f64,
+    /// Plastic strain where the fit begins [default: the offset]
+    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
+    from: Option<f64>,
+    /// Plastic strain where the fit ends [default: at the largest force]
+    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
+    until: Option<f64>,
+    /// Section of the specimen, for forces: "20 mm^2"
+    #[arg(long, value_name = "AREA", value_parser = specimens::section)]
+    section: Option<f64>,
+    /// Gauge length, for elongations: "80 mm"
+    #[arg(long, value_name = "LENGTH", value_parser = specimens::gauge)]
+    gauge: Option<f64>,
+    /// Strain rate of each test in 1/s, in their order: 0.001,1
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    rate: Vec<f64>,
+    /// Rate law: power, johnson-cook or cowper-symonds
+    #[arg(long, value_name = "LAW", default_value = "power")]
+    rate_law: RateKind,
+    /// Direction of each test to the rolling direction in degrees: 0,45,90
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    direction: Vec<f64>,
+    /// A key of the case: KEY=START in LOW..HIGH UNIT; as often as needed
+    #[arg(long, value_name = "KEY=RANGE")]
+    vary: Vec<String>,
+    /// A measured curve, as often as needed [default: those of the case's [[compare]]]
+    #[arg(long, value_name = "CURVE.csv")]
+    to: Vec<PathBuf>,
+    #[command(flatten)]
+    options: StudyOptions,
+}
+
+#[derive(Serialize)]
+struct Parameters<'a> {
+    law: Option<&'static str>,
+    parameters: &'a [Estimate],
+}
+
 pub fn fit(args: &Args) -> anyhow::Result<Code> {
     let is_test = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-    let dir = args.many.folder(&args.files[0], "fit");
+    let dir = args.options.folder(&args.files[0], "fit");
     let inputs = [args.files.as_slice(), &args.to].concat();
-    for name in WRITTEN {
-        place::file(&dir.join(name), &inputs, "--out")?;
+    place::file(&dir.join("fit.csv"), &inputs, "--out")?;
+    if args.files.iter().all(is_test) { laws(args, &dir) } else { keys(args, &dir) }
+}
+
+fn laws(args: &Args, dir: &Path) -> anyhow::Result<Code> {
+    if !args.vary.is_empty() || !args.to.is_empty() {
+        return Err(BadRequest("--vary and --to are of a case: name its file in place of a test".into()).into());
     }
-    if args.files.iter().all(is_test) { law::law(args) } else { case::case(args) }
+    let tests = Tests {
+        tests: args.files.iter().cloned().map(MeasuredData::File).collect(),
+        reduction: Reduction { young: args.young, offset: args.offset, from: args.from, to: args.until },
+        section: args.section,
+        gauge: args.gauge,
+        rate: args.rate.clone(),
+        direction: args.direction.clone(),
+    };
+    let fits = fit_laws(tests.curves().map_err(request)?, args.law, args.rate_law).map_err(request)?;
+    let best = fits.best();
+    let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
+    let parameters = Parameters { law: Some(best.kind.name()), parameters: &best.estimates };
+    args.options.present(&fits.report(), dir, files, &parameters)
+}
+
+fn keys(args: &Args, dir: &Path) -> anyhow::Result<Code> {
+    let [file] = args.files.as_slice() else {
+        return Err(BadRequest("give tension tests, or one case or study file".into()).into());
+    };
+    let to: Vec<MeasuredData> = args.to.iter().cloned().map(MeasuredData::File).collect();
+    let asked = CaseFitRequest::load(file, args.options.overrides.all(), &args.vary, &to).map_err(request)?;
+    let count = args.options.count(file, "fit");
+    let fit = match fit_case(&asked, args.options.threads(), &count) {
+        Err(_) if super::interrupt::is_wanted() => return Ok(Code::Interrupted),
+        fit => fit.map_err(request)?,
+    };
+    let files = vec![("fitted.toml".to_owned(), fit.text.clone().into_bytes())];
+    args.options.present(&fit.report(), dir, files, &Parameters { law: None, parameters: &fit.estimates })
 }

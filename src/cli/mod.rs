@@ -11,25 +11,21 @@ mod import;
 mod interrupt;
 mod job;
 mod json;
-mod many;
 mod materials;
 mod new;
 mod options;
-mod parts;
 mod place;
 mod progress;
 mod report;
-mod rows;
 mod run;
 mod say;
 mod scatter;
 mod search;
-mod studied;
+mod study;
 mod suggested;
 mod sweep;
 mod table;
 mod trace;
-mod validate;
 mod verify;
 
 pub use code::{Code, complain};
@@ -102,9 +98,6 @@ enum Verb {
     /// Compare cases, variants and measured curves, or cases with their references
     #[command(after_long_help = compare::HELP)]
     Compare(compare::Args),
-    /// Solve every case that has published curves and compare
-    #[command(after_long_help = validate::HELP)]
-    Validate(validate::Args),
     /// Refine mesh, steps, points and contact for an error bar of every number
     #[command(after_long_help = verify::HELP)]
     Verify(verify::Args),
@@ -151,7 +144,6 @@ fn command() -> anyhow::Result<Code> {
         Verb::Run(args) => run::run(&args),
         Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
-        Verb::Validate(args) => validate::validate(&args),
         Verb::Trace(args) => trace::trace(&args),
         Verb::Verify(args) => verify::verify(&args),
         Verb::Compare(args) => compare::compare(&args),

@@ -4,17 +4,18 @@ use super::code::{BadRequest, Code};
 use super::compare::{Variants, to_compare};
 use super::error_bars::ErrorBars;
 use super::job;
-use super::many::asked;
 use super::options::{Json, Overrides};
 use super::place;
 use super::progress::{Progress, Records};
 use super::say::{say, say_json};
+use super::study::request;
 use serde_json::json;
 use stampflow::case::Case;
 use stampflow::report::Report;
 use stampflow::results::{is_report, write};
 use stampflow::study::verify::quick;
-use stampflow::study::versus::Asked;
+use stampflow::study::MeasuredCurve;
+use stampflow::study::compare::{Candidate, SideBySide};
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -67,12 +68,13 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet || args.json.json);
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
-    let versus = beside.map(|all| {
+    let versus = beside.map(|(candidates, curves)| {
         let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()));
         let threads = available_parallelism().map_or(1, usize::from);
-        all.solve(Some((solution.clone(), bars)), threads, &progress.count(format!("{}, compared", solution.case.name)))
+        let count = progress.count(format!("{}, compared", solution.case.name));
+        SideBySide::solve(&candidates, curves, Some((solution.clone(), bars)), threads, &count)
     });
-    let versus = versus.transpose().map_err(asked)?;
+    let versus = versus.transpose().map_err(request)?;
     let report = Report::verified(&solution, verification.as_ref());
     let report = versus.iter().fold(report, Report::against);
     let saved = write(&path, report.html().as_bytes());
@@ -104,7 +106,7 @@ fn refuse_others(path: &Path) -> Result<(), BadRequest> {
 
 impl Args {
     /// The case with all that it is compared with, where it is.
-    fn beside(&self) -> anyhow::Result<Option<Asked>> {
+    fn beside(&self) -> anyhow::Result<Option<(Vec<Candidate>, Vec<MeasuredCurve>)>> {
         if self.against.is_empty() && self.variants.also.is_empty() {
             return Ok(None);
         }

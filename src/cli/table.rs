@@ -64,6 +64,12 @@ pub fn width() -> usize {
 
 /// Table with columns two spaces apart, wrapped to the width with the first column whole.
 pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -> Shown {
+    table_of(headers.map(|headers| headers.to_vec()), rows.into_iter().map(Vec::from).collect())
+}
+
+/// Like [`table`], for any number of columns.
+pub fn table_of(headers: Option<Vec<&str>>, rows: Vec<Vec<Cell>>) -> Shown {
+    let count = headers.as_ref().map(Vec::len).or(rows.first().map(Vec::len)).unwrap_or(0);
     let coloured = colours(&io::stdout());
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
@@ -71,17 +77,17 @@ pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -
     if let Some(headers) = headers {
         let bold = Some(Attribute::Bold).filter(|_| coloured);
         table.set_header(
-            headers.map(|header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect())),
+            headers.into_iter().map(|header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect())),
         );
     }
     for row in rows {
-        table.add_row(row.map(|Cell { text, tone }| {
+        table.add_row(row.into_iter().map(|Cell { text, tone }| {
             let cell = comfy_table::Cell::new(visible(&text));
             tone.color().filter(|_| coloured).map_or(cell.clone(), |color| cell.fg(color))
         }));
     }
     for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((0, if i + 1 < N { 2 } else { 0 }));
+        column.set_padding((0, if i + 1 < count { 2 } else { 0 }));
         if i == 0 {
             column.set_constraint(ColumnConstraint::ContentWidth);
         }

@@ -18,7 +18,7 @@ use crate::case::{Solution, TitleBlock};
 use crate::plot::{Dimension, StageView};
 use crate::results::Summary;
 use crate::study::verify::{self, Told, Verification};
-use crate::study::versus::Versus;
+use crate::study::compare::SideBySide;
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
 
@@ -37,7 +37,7 @@ pub struct Report<'a> {
     answer: Answer,
     title_block: TitleBlock,
     verification: Option<&'a Verification>,
-    versus: Option<&'a Versus>,
+    versus: Option<&'a SideBySide>,
 }
 
 impl<'a> Report<'a> {
@@ -81,7 +81,7 @@ impl<'a> Report<'a> {
     }
 
     /// Adds a comparison with other runs and measurements.
-    pub fn against(self, versus: &'a Versus) -> Self {
+    pub fn against(self, versus: &'a SideBySide) -> Self {
         Self { versus: Some(versus), ..self }
     }
 

@@ -1,25 +1,23 @@
 //! Comparison with other runs and measurements: pictures of all, and the table of their differences.
 
 use super::page::{Section, figure, list, table, word};
-use crate::output::study::versus::pictures;
 use crate::plot::Chart;
-use crate::study::versus::{COLUMNS, Versus};
+use crate::study::Cell;
+use crate::study::compare::SideBySide;
 use maud::html;
 
-pub(super) fn section(versus: &Versus) -> Section {
-    let mut rows = Vec::new();
-    for line in versus.lines() {
-        for (i, (entry, member)) in line.of_runs.into_iter().zip(&versus.members).enumerate() {
-            let value = entry.light.map_or_else(|| entry.value.to_string(), word);
-            let first = if i == 0 { line.label.to_string() } else { String::new() };
-            rows.push([first, member.mark.clone(), value, entry.change.to_string()]);
-        }
-    }
+pub(super) fn section(all: &SideBySide) -> Section {
+    let differences = all.table();
+    let text = |cell: &Cell| match cell {
+        Cell::Light(light, _) => word(*light),
+        cell => cell.to_string(),
+    };
+    let rows = differences.rows.iter().map(|row| [0, 1, 2, 3].map(|i| text(&row[i]))).collect();
     let content = html! {
-        (list(&versus.legend(), ""))
-        (table(&COLUMNS, rows))
-        @for picture in pictures(versus, false) {
-            (figure(&Chart { title: String::new(), ..picture.chart }, &picture.about))
+        (list(&all.legend(), ""))
+        (table(&["Quantity", "Run", "Value", "Difference"], rows))
+        @for (_, about, chart) in all.charts() {
+            (figure(&Chart { title: String::new(), ..chart }, about))
         }
     };
     Section::new("Compared", content)

@@ -205,12 +205,11 @@ fn lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec<Vec<(f6
     let Ok(lines) = builder.lines(values, &[level]) else { return Vec::new() };
     let rings = lines.into_iter().flat_map(|line| line.into_inner().0.0);
     let (right, top) = ((columns - 1) as f64, (rows - 1) as f64);
-    let point = |c: &contour::Coordinate| (c.x - 0.5, c.y - 0.5);
-    // The builder closes lines along the border of the grid.
+        // The builder closes lines along the border of the grid.
     let is_inside = |(u, v): &(f64, f64)| *u > 0.0 && *u < right && *v > 0.0 && *v < top;
     rings
         .flat_map(|ring| {
-            let points: Vec<(f64, f64)> = ring.coords().map(point).map(|(u, v)| (u.clamp(0.0, right), v.clamp(0.0, top))).collect();
+            let points: Vec<(f64, f64)> = ring.coords().map(|c| ((c.x - 0.5).clamp(0.0, right), (c.y - 0.5).clamp(0.0, top))).collect();
             let is_border = |a: &(f64, f64), b: &(f64, f64)| !is_inside(a) && !is_inside(b) && (a.0 == b.0 || a.1 == b.1);
             let stretches: Vec<Vec<(f64, f64)>> =
                 points.chunk_by(|a, b| !is_border(a, b)).map(<[(f64, f64)]>::to_vec).collect();

@@ -1,75 +1,67 @@
-//! Studies: one case, run with many settings.
+//! Studies: many evaluations of one case, and what they say.
 //!
 //! ```text
-//! Subject       the case, read once; a design is it with overrides
-//! Vary          a key and its values: tools.die.shoulder=4..10 mm/7
-//! Designs       every design of a study by its index; Plan: every combination of what is varied
-//! side_by_side  many runs on all cores, handed on in order
-//! run           designs on all cores → rows, in order
-//! Row           a design, its numbers and lights, how it ended
-//! Columns       its line in study.csv
-//! Journal       study.csv on its way; goes on after any end
-//! Times         study_times.csv beside it
-//! Shard         a part of a study that runs by itself; merge puts them together
-//! Results       a study read back from its table; Varied: an axis as a designer names it
-//! Zone          a way to fail; Window: where designs are sound, its borders, and how far the case is from them
-//! Swing         what a number is moved by, one key at a time
-//! Said          what a study found, in sentences
-//! Readings      what was measured: columns of a file, or those that a program holds
-//! Span          a stretch of a key's values, or of several that move together
-//! search        where a condition ends, or a number has a value; the best of several keys
-//! file          a study as TOML
-//! scatter       designs that are drawn by chance, and what can be said of them
-//! fit           laws and keys from measurements
-//! versus        several runs, and what was measured, side by side
+//! BaseCase      the case, read once; a design is the case with further overrides
+//! Variable      a key and its values: tools.die.shoulder=4..10 mm/7
+//! Design        a point of a study; Run: its row; RunTable: all rows, as CSV
+//! Study         a kind of study: the next designs, and the report of all runs
+//! evaluate      the engine; TableFile: its rows on the disk, resumed after any end
+//! Shard         a share of a study that runs by itself; merge joins the tables
+//! StudyReport   headline, notes, tables, charts
+//! Sweep LimitSearch Scatter        the kinds of study
+//! fit           hardening laws and keys of a case from measurements
+//! compare       several runs and measured curves side by side
+//! verify        error bars from refined runs
 //! ```
 
-mod bars;
-mod deciding;
+mod base_case;
+mod bracket;
+mod charts;
+pub mod compare;
+mod condition;
+mod default_scatter;
+mod distribution;
 mod error;
-pub mod file;
+mod evaluate;
+mod failure_mode;
 pub mod fit;
-mod hash;
-mod journal;
-mod plan;
-mod readings;
-mod region;
-mod results;
-mod row;
+mod goals;
+mod measured_curve;
+mod measured_data;
+mod parallel_map;
+mod report;
 mod run;
-mod said;
-pub mod scatter;
-pub mod search;
-mod shards;
-mod side_by_side;
-mod span;
-mod subject;
-mod swing;
-mod times;
-mod varied;
-mod vary;
+mod run_table;
+mod scatter;
+mod search;
+mod search_report;
+mod shard;
+mod statistics;
+mod study_file;
+mod sweep;
+mod table_file;
+mod uncertain_variable;
+mod variable;
 pub mod verify;
-pub mod versus;
-mod window;
-mod zone;
 
-pub use bars::Bars;
+pub use base_case::BaseCase;
+pub use bracket::{Bracket, Side};
+pub use condition::{Comparison, Condition};
 pub use error::StudyError;
-pub use journal::{Begun, Earlier, Journal, csv};
-pub use plan::{Design, Designs, How, Plan};
-pub use readings::Readings;
-pub use region::{Grid, Point, Region};
-pub use results::{Found, Results};
-pub use row::{Columns, Judged, Row, Solved};
-pub use run::{base, one, run};
-pub use said::{Said, designs};
-pub use shards::{Shard, merge};
-pub use side_by_side::side_by_side;
-pub use span::Span;
-pub use subject::Subject;
-pub use swing::{End, Swing, swings};
-pub use times::Times;
-pub use varied::Varied;
-pub use vary::{Value, Vary};
-pub use window::{Distance, Meets, Window, windows};
-pub use zone::Zone;
+pub use evaluate::{EarlierRuns, Evaluation, Study, begin, evaluate};
+pub use failure_mode::{FailureMode, failure_modes};
+pub use goals::{GOALS, Goal};
+pub use measured_curve::MeasuredCurve;
+pub use measured_data::MeasuredData;
+pub use parallel_map::parallel_map;
+pub use report::{Cell, ReportTable, StudyReport};
+pub use run::{Design, Evaluated, Response, Run};
+pub use run_table::{LightCounts, RunTable};
+pub use scatter::{Event, EventKind, Scatter, Spread, UncertaintyResult};
+pub use search::{LimitSearch, SearchRequest};
+pub use shard::{Shard, merge};
+pub use statistics::{Probability, quantile, rank_correlation, wilson};
+pub use study_file::StudyFile;
+pub use sweep::{End, Sensitivity, Sweep};
+pub use table_file::{Earlier, TableFile, is_table};
+pub use variable::{Domain, SearchRange, Value, Variable};

@@ -46,9 +46,9 @@ impl Axis {
         }
         let mut axis = Self { variables, values, own: None };
         let own = base.value(&axis.variables[0].key);
-        axis.own = own.and_then(|own| match axis.names() {
+        axis.own = own.and_then(|own| match axis.names()[..] {
             [] => Some(axis.variables[0].axis_unit().1 * axis.variables[0].in_unit(&own)?),
-            names => names.iter().position(|name| *name == own).map(|place| place as f64),
+            ref names => names.iter().position(|name| *name == own).map(|place| place as f64),
         });
         Ok(axis)
     }

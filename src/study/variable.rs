@@ -106,7 +106,7 @@ impl Variable {
             let help = "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
             StudyError::new(format!("{key}: the range `{values}` {what}"), help)
         };
-        let number = |text: &str, what: &str| split_number(text.trim()).ok_or_else(|| wrong(what));
+        let number = |text, what| number_or(text, || wrong(what));
         let (start, from) = match from.split_once(" in ") {
             Some((start, from)) => (Some(number(start, "does not start with a number")?.0), from),
             None => (None, from),
@@ -278,6 +278,10 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let end = text.char_indices().find(|&at| !is_of_number(at)).map_or(text.len(), |(i, _)| i);
     let number: f64 = text[..end].replace('−', "-").parse().ok()?;
     number.is_finite().then(|| (number, text[end..].trim()))
+}
+
+fn number_or(text: &str, wrong: impl FnOnce() -> StudyError) -> Result<(f64, &str), StudyError> {
+    split_number(text.trim()).ok_or_else(wrong)
 }
 
 fn one_unit([first, unit]: [&str; 2]) -> Result<(), String> {

@@ -1,19 +1,16 @@
 //! `[material]` of a case from fitted laws.
 
-use super::kind::Kind;
-use super::law_fit::LawFit;
-use super::law_fits::LawFits;
+use super::law_fit::{LawFit, LawFits};
 use crate::material::rate::Rate;
-use crate::units::{rounded, trimmed};
+use crate::units::{rounded, significant, trimmed};
 use std::fmt::Write;
-use toml_edit::{DocumentMut, InlineTable, Value};
 
 /// Poisson's ratio, which a tension test without a width does not give \[–\].
 const POISSON: f64 = 0.3;
 /// Moduli that are those of metals; another slope is that of the machine \[MPa\].
 const METALS: std::ops::RangeInclusive<f64> = 40_000.0..=240_000.0;
 
-/// What to paste into a case: one of the laws, with its range, the elastic line, the rate law and r-values.
+/// Material table of a law: range, elastic line, rate law and r-values.
 pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
     let files: Vec<&str> = fits.tests.iter().map(|test| test.short_name()).collect();
     let end = rounded(fits.end());
@@ -44,27 +41,11 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
         (None, None) => {}
     }
     let name = law.kind.name().replace('-', "_");
-    match law.kind {
-        Kind::Mixed(_) => {
-            let other = |kind: Kind| fits.fits.iter().find(move |fit| fit.kind == kind);
-            let _ = writeln!(text, "\n[material.hardening.mixed]\nweight = {}", written(law, "weight"));
-            for (table, kind) in [("swift", Kind::Swift), ("voce", Kind::Voce)] {
-                if let Some(fit) = other(kind) {
-                    let _ = write!(text, "{table} = {{ ");
-                    let pairs: Vec<String> =
-                        kind.slots().iter().map(|slot| format!("{} = {}", slot.key, written(fit, slot.key))).collect();
-                    let _ = writeln!(text, "{} }}", pairs.join(", "));
-                }
-            }
-        }
-        kind => {
-            let _ = writeln!(text, "\n[material.hardening.{name}]");
-            for slot in kind.slots() {
-                let error = law.estimate(slot.key).and_then(|estimate| estimate.told_error());
-                let error = error.map_or_else(String::new, |error| format!("    # ± {error}"));
-                let _ = writeln!(text, "{} = {}{error}", slot.key, written(law, slot.key));
-            }
-        }
+    let _ = writeln!(text, "\n[material.hardening.{name}]");
+    for parameter in law.kind.parameters() {
+        let error = law.estimate(parameter.key).and_then(|estimate| estimate.error);
+        let error = error.map_or_else(String::new, |error| format!("    # ± {}", significant(error, 2)));
+        let _ = writeln!(text, "{} = {}{error}", parameter.key, written(law, parameter.key));
     }
     let rate = |key| written(law, key);
     match law.rate {
@@ -97,25 +78,6 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
     text
 }
 
-/// The same as one override, which makes it the sheet of a case: `material={ ... }`.
-pub fn material_setting(fits: &LawFits, law: &LawFit) -> String {
-    let document: DocumentMut = material_text(fits, law).parse().expect("what is to be pasted is TOML");
-    let table = document["material"].as_table().cloned().unwrap_or_default().into_inline_table();
-    format!("material={}", inline(table))
-}
-
-/// On one line, without its comments.
-fn inline(table: InlineTable) -> InlineTable {
-    table
-        .into_iter()
-        .map(|(key, value)| match value {
-            Value::InlineTable(below) => (key, Value::InlineTable(inline(below))),
-            plain => (key, plain.decorated("", "")),
-        })
-        .collect()
-}
-
-/// A number with its unit as a case has it.
 fn written(law: &LawFit, key: &str) -> String {
     let Some(estimate) = law.estimate(key) else { return String::new() };
     match estimate.unit.as_str() {

@@ -2,14 +2,14 @@
 
 use super::flow_curve::{FlowCurve, Reduction};
 use super::tension::Tension;
-use crate::study::{Readings, StudyError};
+use crate::study::{MeasuredData, StudyError};
 use crate::units::{Dimensioned, Positive, Stress, parse};
 
 /// Tension tests, and how they are reduced.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tests {
     /// A table each.
-    pub tests: Vec<Readings>,
+    pub tests: Vec<MeasuredData>,
     /// How they are reduced.
     pub reduction: Reduction,
     /// Section of the specimen, for forces \[mm²\].
@@ -37,8 +37,8 @@ impl Tests {
         if let Some(rate) = self.rate.iter().find(|rate| !(**rate > 0.0 && rate.is_finite())) {
             return Err(StudyError::new(format!("a strain rate of {rate} /s"), "it must be above 0"));
         }
-        let one = |(i, readings): (usize, &Readings)| {
-            let curve = FlowCurve::of(&Tension::load(readings, self.section, self.gauge)?, &self.reduction)?;
+        let one = |(i, data): (usize, &MeasuredData)| {
+            let curve = FlowCurve::of(&Tension::load(data, self.section, self.gauge)?, &self.reduction)?;
             Ok(FlowCurve { rate: self.rate.get(i).copied(), direction: self.direction.get(i).copied(), ..curve })
         };
         let curves = self.tests.iter().enumerate().map(one).collect::<Result<Vec<_>, StudyError>>()?;

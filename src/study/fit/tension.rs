@@ -1,8 +1,8 @@
 //! A tension test as its file has it.
 
 use super::columns::{Columns, Measure};
-use crate::study::readings::refused;
-use crate::study::{Readings, StudyError};
+use crate::study::measured_data::csv_error;
+use crate::study::{MeasuredData, StudyError};
 use crate::table::Csv;
 
 /// A tension test: true strain and stress, row by row.
@@ -43,9 +43,9 @@ impl Tension {
     ///
     /// # Errors
     /// When it cannot be read, a column is missing or without its unit, strains go back, or it is no tension.
-    pub fn load(readings: &Readings, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let csv = readings.table("give a CSV file of a tension test", EXAMPLE)?;
-        Self::of(&csv, &readings.to_string(), section, gauge)
+    pub fn load(data: &MeasuredData, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
+        let csv = data.table(EXAMPLE)?;
+        Self::of(&csv, &data.to_string(), section, gauge)
     }
 
     /// The same of a text.
@@ -53,7 +53,7 @@ impl Tension {
     /// # Errors
     /// As [`load`](Self::load).
     pub fn read(text: &str, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let csv = Csv::read(text, "the test", EXAMPLE).map_err(|error| refused(name, &error))?;
+        let csv = Csv::read(text, "the test", EXAMPLE).map_err(|error| csv_error(name, &error))?;
         Self::of(&csv, name, section, gauge)
     }
 

@@ -1,24 +1,24 @@
-//! A measured curve that runs are held against.
+//! Measured curves: a file whose columns say what it is a curve of.
 
 use crate::case::Case;
-use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity};
-use crate::study::{Readings, StudyError};
-use crate::table::Csv;
+use super::{MeasuredData, StudyError};
+use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity, Spec};
+use crate::model::Model;
+use crate::table::{Axis, Csv, Record};
 use std::path::PathBuf;
 
 /// A measured curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Target {
-    /// Its file, or what it is called.
+pub struct MeasuredCurve {
+    /// Its file or name.
     pub path: PathBuf,
-    /// What it is of, and its columns.
+    /// Its quantity and columns.
     pub spec: CurveSpec,
     csv: Csv,
-    /// Column of each point's standard deviation, if any.
     scatter: Option<usize>,
 }
 
-/// What a file's columns are taken for: words of the abscissa, of the ordinate, and words that the latter has not.
+/// A quantity, words of its abscissa and of its ordinate.
 type Rule = (Quantity, &'static [&'static str], &'static [&'static str]);
 const TRAVEL: &[&str] = &["travel", "stroke"];
 const RULES: [Rule; 4] = [
@@ -27,19 +27,19 @@ const RULES: [Rule; 4] = [
     (Quantity::ThicknessAtS0, &["s0"], &["thickness"]),
     (Quantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
-/// Other forces, and what is said of a value beside it.
+/// Words of other forces and of scatter.
 const NOT: [&str; 9] = ["holder", "edge", "binder", "deviation", "stdev", "std", "scatter", "sd", "error"];
 const SCATTER: [&str; 5] = ["deviation", "stdev", "std", "scatter", "sd"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \
                        maybe one such as standard_deviation_kN";
 
-impl Target {
+impl MeasuredCurve {
     /// Reads a curve; its columns say what it is of.
     ///
     /// # Errors
     /// When it cannot be read, or no curve that is compared has such columns.
-    pub fn load(readings: &Readings) -> Result<Self, StudyError> {
-        let csv = readings.table("give a CSV file of a measured curve with --to", EXAMPLE)?;
+    pub fn load(data: &MeasuredData) -> Result<Self, StudyError> {
+        let csv = data.table(EXAMPLE)?;
         let words: Vec<Vec<String>> = csv.header.fields.iter().map(words).collect();
         let find = |any: &[&str]| {
             let is = |of: &[String]| {
@@ -50,18 +50,18 @@ impl Target {
         let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
         let (quantity, x, y) = found.ok_or_else(|| {
             StudyError::new(
-                format!("{readings} is no curve that a run can be held against; it has {}", csv.found()),
+                format!("{data} is no curve of a run; it has {}", csv.found()),
                 EXAMPLE,
             )
         })?;
         let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
         let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
-        Ok(Self::new(readings.path().to_owned(), spec, csv))
+        Ok(Self::new(data.path().to_owned(), spec, last_frame(csv)))
     }
 
-    /// The curves that a case is compared with.
-    pub fn of(case: &Case) -> Vec<Self> {
-        let curve = |spec: &crate::compare::Spec| match (&spec.against, &spec.data) {
+    /// Curves that a case is compared with.
+    pub fn of_case(case: &Case) -> Vec<Self> {
+        let curve = |spec: &Spec| match (&spec.against, &spec.data) {
             (Against::Curve(curve), Some(data)) => {
                 Some(Self::new(spec.reference.clone(), curve.clone(), data.csv.clone()))
             }
@@ -79,7 +79,7 @@ impl Target {
         Self { path, spec, csv, scatter }
     }
 
-    /// Its points with what a stage computed there.
+    /// Its points with the computed values.
     ///
     /// # Errors
     /// When a column is missing, has no unit or another one.
@@ -87,22 +87,28 @@ impl Target {
         self.spec.points(&self.path, &self.csv, computed)
     }
 
-    /// The standard deviation of each of its points; `None` where not all have one.
-    pub(super) fn scatter(&self, points: &[Point]) -> Option<Vec<f64>> {
+    /// Standard deviation of each point; `None` if one has none.
+    pub fn deviations(&self, points: &[Point]) -> Option<Vec<f64>> {
         let column = self.scatter?;
         let (_, factor) = self.csv.unit(column).ok()?;
         let [x, y] = [&self.spec.x, &self.spec.y].map(|name| self.csv.column(name));
         let (x, y) = (x?, y?);
         let (_, of_x) = self.csv.unit(x).ok()?;
-        let has = |row: &&crate::table::Record| matches!((row.number(x), row.number(y)), (Ok(Some(_)), Ok(Some(_))));
+        let has = |row: &&Record| matches!((row.number(x), row.number(y)), (Ok(Some(_)), Ok(Some(_))));
         let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let inside = |row: &&crate::table::Record| {
+        let inside = |row: &&Record| {
             row.number(x).ok().flatten().is_some_and(|x| (low * of_x..=high * of_x).contains(&(x * of_x)))
         };
         let rows = self.csv.rows.iter().filter(has).filter(inside);
         let scatter: Option<Vec<f64>> =
             rows.map(|row| row.number(column).ok().flatten().map(|s| s * factor).filter(|s| *s > 0.0)).collect();
         scatter.filter(|scatter| scatter.len() == points.len())
+    }
+
+    /// Axes of abscissa and ordinate, in solver units.
+    pub fn axes(&self, model: &Model) -> [Axis; 2] {
+        let (x, y) = self.spec.quantity.columns(&Computed::nothing(model));
+        [x.axis(), y.axis()]
     }
 
     /// Name of its file.
@@ -113,4 +119,14 @@ impl Target {
 
 fn words(header: &str) -> Vec<String> {
     header.to_lowercase().split(|c: char| !c.is_alphanumeric()).map(str::to_owned).collect()
+}
+
+/// Rows of the last frame, of a table of thickness with one frame after another.
+fn last_frame(mut csv: Csv) -> Csv {
+    if let (Some(travel), Some(_)) = (csv.column("travel_mm"), csv.column("s0_mm")) {
+        let frame = |row: &Record| row.fields.get(travel).unwrap_or("").to_owned();
+        let last = csv.rows.last().map(frame);
+        csv.rows.retain(|row| Some(frame(row)) == last);
+    }
+    csv
 }

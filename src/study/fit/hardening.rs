@@ -1,26 +1,25 @@
-//! The hardening laws that are fitted, each with its parameters, their ranges and where to begin.
+//! Hardening and rate laws that can be fitted: parameters, ranges and starting points.
 
-use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Mixed, Swift, Voce};
+use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
+use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 use std::str::FromStr;
 
 /// A hardening law of the solver.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HardeningKind {
     /// k (offset + ε)^n.
     Swift,
     /// saturation − (saturation − initial) exp(−rate ε).
     Voce,
-    /// The same with a power of ε.
+    /// Voce's law with a power of ε.
     HockettSherby,
     /// initial + k ε^n.
     Ludwik,
-    /// A weight of a Swift and the rest of a Voce that each fit by themselves: the points do not tell more apart.
-    Mixed(Option<(Swift, Voce)>),
 }
 
-/// A parameter of a law.
+/// Range of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Slot {
+pub(super) struct ParameterRange {
     pub key: &'static str,
     /// `MPa`, or none.
     pub unit: &'static str,
@@ -30,9 +29,9 @@ pub(super) struct Slot {
 
 const STRESS: [f64; 2] = [1.0, 1e5];
 
-impl Kind {
+impl HardeningKind {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Swift, Self::Voce, Self::HockettSherby, Self::Ludwik, Self::Mixed(None)];
+    pub const ALL: [Self; 4] = [Self::Swift, Self::Voce, Self::HockettSherby, Self::Ludwik];
 
     /// Name on the command line.
     pub fn name(self) -> &'static str {
@@ -41,7 +40,6 @@ impl Kind {
             Self::Voce => "voce",
             Self::HockettSherby => "hockett-sherby",
             Self::Ludwik => "ludwik",
-            Self::Mixed(_) => "mixed",
         }
     }
 
@@ -52,18 +50,12 @@ impl Kind {
             Self::Voce => "Voce",
             Self::HockettSherby => "Hockett-Sherby",
             Self::Ludwik => "Ludwik",
-            Self::Mixed(_) => "Swift and Voce mixed",
         }
     }
 
-    /// Numbers that it takes from the points in all.
-    pub fn count(self) -> usize {
-        self.slots().len() + if matches!(self, Self::Mixed(_)) { 6 } else { 0 }
-    }
-
-    pub(super) fn slots(self) -> Vec<Slot> {
-        let stress = |key| Slot { key, unit: "MPa", low: STRESS[0], high: STRESS[1] };
-        let plain = |key, low, high| Slot { key, unit: "", low, high };
+    pub(super) fn parameters(self) -> Vec<ParameterRange> {
+        let stress = |key| ParameterRange { key, unit: "MPa", low: STRESS[0], high: STRESS[1] };
+        let plain = |key, low, high| ParameterRange { key, unit: "", low, high };
         match self {
             Self::Swift => vec![stress("k"), plain("n", 0.0, 1.0), plain("offset", 1e-6, 1.0)],
             Self::Voce => vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3)],
@@ -71,7 +63,6 @@ impl Kind {
                 vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3), plain("exponent", 0.05, 1.0)]
             }
             Self::Ludwik => vec![stress("initial"), stress("k"), plain("n", 0.01, 1.0)],
-            Self::Mixed(_) => vec![plain("weight", 0.0, 1.0)],
         }
     }
 
@@ -82,14 +73,10 @@ impl Kind {
             Self::Voce => Voce::new(p[0], p[1], p[2], 1.0).ok().map(Hardening::Voce),
             Self::HockettSherby => HockettSherby::new(p[0], p[1], p[2], p[3]).ok().map(Hardening::HockettSherby),
             Self::Ludwik => Ludwik::new(p[0], p[1], p[2]).ok().map(Hardening::Ludwik),
-            Self::Mixed(laws) => {
-                let (swift, voce) = laws?;
-                Mixed::new(p[0], swift, voce).ok().map(Hardening::Mixed)
-            }
         }
     }
 
-    /// Where to begin: what is linear in a law follows from the points for some values of what is not.
+    /// Starting points: linear parameters by regression, for several values of the others.
     pub(super) fn starts(self, points: &[(f64, f64)]) -> Vec<Vec<f64>> {
         let line = |x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64| {
             let n = points.len() as f64;
@@ -123,16 +110,62 @@ impl Kind {
                     vec![initial, k, n]
                 })
                 .to_vec(),
-            Self::Mixed(_) => vec![vec![0.5]],
         }
     }
 }
 
-impl FromStr for Kind {
+impl FromStr for HardeningKind {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
         let names = || Self::ALL.map(Self::name).join(", ");
         Self::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| format!("the laws are {}", names()))
+    }
+}
+
+/// A rate law of the solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RateKind {
+    /// (rate/reference)^m.
+    Power,
+    /// 1 + C ln(rate/reference).
+    JohnsonCook,
+    /// 1 + (rate/C)^(1/p).
+    CowperSymonds,
+}
+
+impl RateKind {
+    /// Parameters, each with its start.
+    pub(super) fn parameters(self) -> Vec<(ParameterRange, f64)> {
+        let range = |key, unit, low, high| ParameterRange { key, unit, low, high };
+        match self {
+            Self::Power => vec![(range("rate.exponent", "", 0.0, 1.0), 0.02)],
+            Self::JohnsonCook => vec![(range("rate.coefficient", "", 1e-9, 1.0), 0.02)],
+            Self::CowperSymonds => {
+                vec![(range("rate.rate", "/s", 1e-6, 1e12), 1e4), (range("rate.exponent", "", 0.5, 50.0), 5.0)]
+            }
+        }
+    }
+
+    /// The law; `reference` is the rate of the slowest test \[1/s\].
+    pub(super) fn law(self, p: &[f64], reference: f64) -> Rate {
+        match self {
+            Self::Power => Rate::PowerRate(PowerRate { exponent: p[0], reference }),
+            Self::JohnsonCook => Rate::JohnsonCook(JohnsonCook { coefficient: p[0], reference }),
+            Self::CowperSymonds => Rate::CowperSymonds(CowperSymonds { rate: p[0], exponent: p[1] }),
+        }
+    }
+}
+
+impl FromStr for RateKind {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        match name {
+            "power" => Ok(Self::Power),
+            "johnson-cook" => Ok(Self::JohnsonCook),
+            "cowper-symonds" => Ok(Self::CowperSymonds),
+            _ => Err("the laws are power, johnson-cook and cowper-symonds".to_owned()),
+        }
     }
 }

@@ -1,3 +1,0 @@
-//! Pictures and tables of studies.
-
-pub mod study;
