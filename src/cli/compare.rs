@@ -1,8 +1,8 @@
 //! `stampflow compare`: runs and measured curves side by side; cases against their references.
 
 use super::code::{BadRequest, Code};
-use super::study::{StudyOptions, request, screen_table};
 use super::say::{say, say_json, warn};
+use super::study::{StudyOptions, request, screen_table};
 use super::table::wrapped;
 use super::{interrupt, job, json, place};
 use stampflow::compare::{Comparison, KINDS, Verdict};

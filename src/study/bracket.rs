@@ -175,6 +175,9 @@ mod tests {
         ] {
             assert_eq!(search(Aim::Limit(Side::Largest), of).0, expected);
         }
-        assert_eq!(Search::stretches(&[(1.0, Some(1.0)), (2.0, None), (3.0, Some(1.0)), (4.0, Some(-1.0))]), [[1.0, 3.0]]);
+        assert_eq!(
+            Search::stretches(&[(1.0, Some(1.0)), (2.0, None), (3.0, Some(1.0)), (4.0, Some(-1.0))]),
+            [[1.0, 3.0]]
+        );
     }
 }

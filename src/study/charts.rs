@@ -4,10 +4,10 @@ use super::scatter::UncertaintyResult;
 use super::sweep::{Axis as SweepAxis, End, Sensitivity, Sweep};
 use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
-use crate::assess::Sense;
 use crate::plot::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color, pale};
 use crate::study::verify::Of;
 use crate::table::{Axis, Spacing};
+use crate::units::Sense;
 use contour::ContourBuilder;
 
 /// Responses by their importance.
@@ -65,7 +65,8 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Option<Chart> {
 
 fn chart(mut panels: Vec<Panel>) -> Chart {
     for mode in FailureMode::ALL {
-        let has = |panel: &Panel| panel.series.iter().any(|series| series.look == marker(mode) && !series.points.is_empty());
+        let has =
+            |panel: &Panel| panel.series.iter().any(|series| series.look == marker(mode) && !series.points.is_empty());
         if panels.iter().any(has) {
             panels[0].series.push(Series::new(mode.label(), Vec::new(), marker(mode)));
         }
@@ -80,7 +81,7 @@ fn marker(mode: FailureMode) -> Look {
         FailureMode::Wrinkles => color(0),
         FailureMode::Press => color(3),
         FailureMode::Other => color(4),
-        FailureMode::NoAnswer => GREY,
+        FailureMode::NoResult => GREY,
     };
     Look::Dots { color }
 }
@@ -110,13 +111,15 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
     let panel = |(i, place): (usize, usize)| {
         let response = &runs.responses[place];
         let known = order.iter().map(|i| (positions[*i], &runs.runs[*i]));
-        let known: Vec<(f64, &Run)> = known.filter(|(_, run)| run.is_known() && run.numbers[place].is_finite()).collect();
+        let known: Vec<(f64, &Run)> =
+            known.filter(|(_, run)| run.is_known() && run.numbers[place].is_finite()).collect();
         let curve: Vec<(f64, f64)> = known.iter().map(|(x, run)| (*x, run.numbers[place])).collect();
         let mut series = Vec::new();
         if axis.names().is_empty() {
             series.push(Series::silent(curve.clone(), Look::Line { color: color(2), width: 2.4, dash: &[] }));
         }
-        let points: Vec<((f64, f64), &Run)> = curve.iter().zip(&known).map(|(point, (_, run))| (*point, *run)).collect();
+        let points: Vec<((f64, f64), &Run)> =
+            curve.iter().zip(&known).map(|(point, (_, run))| (*point, *run)).collect();
         series.extend(markers(&points));
         if let Some((red, (low, high))) = response.limits.and_then(|limits| limits.red).zip(ends(&curve)) {
             series.push(Series::silent(vec![(low, red), (high, red)], OWN));
@@ -148,13 +151,7 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
 }
 
 /// Process window: contour lines of each deciding number at its limit, over the designs.
-fn window(
-    sweep: &Sweep,
-    runs: &RunTable,
-    [x, y]: [usize; 2],
-    counts: &dyn Fn(&Run) -> bool,
-    caption: String,
-) -> Panel {
+fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], counts: &dyn Fn(&Run) -> bool, caption: String) -> Panel {
     let axes = [x, y].map(|i| &sweep.axes()[i]);
     let positions = axes.map(SweepAxis::positions);
     let [columns, rows] = axes.map(SweepAxis::count);
@@ -175,8 +172,7 @@ fn window(
         let beyond = if sense == Sense::AtMost { 2.0 * limit.abs() } else { -2.0 * limit.abs() };
         let value = |run: &Option<&Run>| run.map_or(f64::NAN, |run| run.numbers[place]);
         // Runs without the number count as beyond the limit.
-        let values: Vec<f64> =
-            grid.iter().map(value).map(|v| if v.is_finite() { v } else { limit + beyond }).collect();
+        let values: Vec<f64> = grid.iter().map(value).map(|v| if v.is_finite() { v } else { limit + beyond }).collect();
         for line in lines(&values, [columns, rows], limit) {
             let at = |(u, v): (f64, f64)| (between(&positions[0], u), between(&positions[1], v));
             let points: Vec<(f64, f64)> = line.into_iter().map(at).collect();
@@ -205,12 +201,14 @@ fn lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec<Vec<(f6
     let Ok(lines) = builder.lines(values, &[level]) else { return Vec::new() };
     let rings = lines.into_iter().flat_map(|line| line.into_inner().0.0);
     let (right, top) = ((columns - 1) as f64, (rows - 1) as f64);
-        // The builder closes lines along the border of the grid.
+    // The builder closes lines along the border of the grid.
     let is_inside = |(u, v): &(f64, f64)| *u > 0.0 && *u < right && *v > 0.0 && *v < top;
     rings
         .flat_map(|ring| {
-            let points: Vec<(f64, f64)> = ring.coords().map(|c| ((c.x - 0.5).clamp(0.0, right), (c.y - 0.5).clamp(0.0, top))).collect();
-            let is_border = |a: &(f64, f64), b: &(f64, f64)| !is_inside(a) && !is_inside(b) && (a.0 == b.0 || a.1 == b.1);
+            let points: Vec<(f64, f64)> =
+                ring.coords().map(|c| ((c.x - 0.5).clamp(0.0, right), (c.y - 0.5).clamp(0.0, top))).collect();
+            let is_border =
+                |a: &(f64, f64), b: &(f64, f64)| !is_inside(a) && !is_inside(b) && (a.0 == b.0 || a.1 == b.1);
             let stretches: Vec<Vec<(f64, f64)>> =
                 points.chunk_by(|a, b| !is_border(a, b)).map(<[(f64, f64)]>::to_vec).collect();
             stretches
@@ -348,7 +346,9 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Option<Cha
 }
 
 fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.filter(|v| v.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
 fn ends(curve: &[(f64, f64)]) -> Option<(f64, f64)> {

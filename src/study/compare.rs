@@ -95,12 +95,17 @@ pub fn check(candidates: &[Candidate], curves: &[MeasuredCurve]) -> Result<(), S
         }
         if kind(one) != kind(first) {
             let what = format!("{} is {}, {} is {}", name(first), kind(first), name(one), kind(one));
-            return Err(StudyError::new(what, "compare sections of one kind; `depth` in [blank] gives forces of the part"));
+            return Err(StudyError::new(
+                what,
+                "compare sections of one kind; `depth` in [blank] gives forces of the part",
+            ));
         }
     }
     for curve in curves {
         let nothing = Computed::nothing(first.case.model());
-        curve.points(&nothing).map_err(|error| StudyError::new(error.to_string(), "check the columns and their units"))?;
+        curve
+            .points(&nothing)
+            .map_err(|error| StudyError::new(error.to_string(), "check the columns and their units"))?;
     }
     Ok(())
 }
@@ -188,7 +193,8 @@ impl SideBySide {
             let first = self.members.first().and_then(|member| member.number(&number));
             for (i, member) in self.members.iter().enumerate() {
                 let own = member.number(&number);
-                let change = first.as_ref().filter(|_| i > 0).zip(own.as_ref()).map(|(first, own)| Change::new(first, own));
+                let change =
+                    first.as_ref().filter(|_| i > 0).zip(own.as_ref()).map(|(first, own)| Change::new(first, own));
                 let value = own.map_or_else(|| "–".into(), |amount| amount.into());
                 let (cell, beyond) = match change {
                     Some(change) => (change.by.into(), if change.is_beyond { "yes" } else { "no" }),
@@ -226,9 +232,11 @@ impl SideBySide {
         let load = [step::TRAVEL.axis(extent), step::PUNCH_FORCE.axis(extent)];
         let thickness = [element::S0.axis(extent), element::THICKNESS.axis(extent)];
         let curve = |curve: fn(&Outcome) -> &[(f64, f64)], quantity: Quantity, axes: [Axis; 2]| {
-            let runs = self.members.iter().enumerate().map(|(i, member)| {
-                Series::new(member.label(), curve(member.outcome()).to_vec(), Look::curve(i))
-            });
+            let runs = self
+                .members
+                .iter()
+                .enumerate()
+                .map(|(i, member)| Series::new(member.label(), curve(member.outcome()).to_vec(), Look::curve(i)));
             let mut series: Vec<Series> = runs.filter(|series| !series.points.is_empty()).collect();
             if series.is_empty() {
                 return None;
@@ -249,7 +257,11 @@ impl SideBySide {
         let sections = self.sections();
         let all = [
             ("compare_load", "punch force over the travel", curve(|o| &o.load, Quantity::PunchForce, load)),
-            ("compare_thickness", "thickness over the blank", curve(|o| &o.thickness, Quantity::ThicknessAtS0, thickness)),
+            (
+                "compare_thickness",
+                "thickness over the blank",
+                curve(|o| &o.thickness, Quantity::ThicknessAtS0, thickness),
+            ),
             ("compare_sections", "the sections at the end", sections),
         ];
         all.into_iter().filter_map(|(name, about, chart)| Some((name, about, chart?))).collect()

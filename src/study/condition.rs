@@ -126,9 +126,8 @@ impl Comparison {
     /// # Errors
     /// When there is no name, or no value with a unit.
     pub fn target(text: &str) -> Result<Self, StudyError> {
-        let wrong = || {
-            StudyError::new(format!("`{text}` is no target"), "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"")
-        };
+        let wrong =
+            || StudyError::new(format!("`{text}` is no target"), "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"");
         let (quantity, value) = text.split_once('=').ok_or_else(wrong)?;
         Self::new(quantity, quantity_of(value)?).ok_or_else(wrong)
     }
@@ -178,7 +177,8 @@ fn term(text: &str) -> Result<Term, StudyError> {
         return Ok(Term::Light { row: None, worst });
     }
     if let Some(at) = words.iter().position(|word| *word == "not") {
-        let row = words[..at].iter().filter(|word| **word != "is").copied().collect::<Vec<_>>().join("_").to_lowercase();
+        let row =
+            words[..at].iter().filter(|word| **word != "is").copied().collect::<Vec<_>>().join("_").to_lowercase();
         let worst = worst(&words[at + 1..]).filter(|_| !row.is_empty()).ok_or_else(wrong)?;
         return Ok(Term::Light { row: Some(row), worst });
     }
@@ -197,5 +197,6 @@ fn term(text: &str) -> Result<Term, StudyError> {
 fn quantity_of(text: &str) -> Result<Parsed, StudyError> {
     let text = text.trim();
     let text = if text.ends_with("°C") { text.to_owned() } else { text.replace('°', " deg") };
-    parse(&text).map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))
+    parse(&text)
+        .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))
 }

@@ -33,8 +33,9 @@ impl DefaultScatter {
         let numbers: Vec<(&str, f64)> =
             tools.iter().filter_map(|(path, text)| Some((path.as_str(), number(text)?))).collect();
         let Some((_, first)) = numbers.first() else { return };
-        let uniform =
-            |key: &str, mu: f64| format!("{key}=uniform {}..{}", (mu - FRICTION).max(LEAST_FRICTION * mu), mu + FRICTION);
+        let uniform = |key: &str, mu: f64| {
+            format!("{key}=uniform {}..{}", (mu - FRICTION).max(LEAST_FRICTION * mu), mu + FRICTION)
+        };
         if numbers.len() == tools.len() && numbers.iter().all(|(_, mu)| mu == first) {
             self.vary.push(uniform("friction", *first));
         } else {
@@ -55,7 +56,8 @@ impl DefaultScatter {
             let deviation = tolerance / THICKNESS_DEVIATIONS;
             self.vary.push(format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in ± {tolerance} mm"));
             let (tolerance, source) = (Amount::size(tolerance), standard.source());
-            self.notes.push(format!("Thickness: normal, tolerance {tolerance} at three standard deviations; {source}."));
+            self.notes
+                .push(format!("Thickness: normal, tolerance {tolerance} at three standard deviations; {source}."));
         }
         if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {
             let deviation = share / STRENGTH_DEVIATIONS;

@@ -2,10 +2,10 @@
 
 use super::StudyError;
 use super::bracket::Side;
+use crate::assess::design::tensile_strength;
 use crate::case::Case;
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
-use crate::rules::design::tensile_strength;
 use crate::units::significant;
 
 /// A search with a name.

@@ -1,7 +1,7 @@
 //! Measured curves: a file whose columns say what it is a curve of.
 
-use crate::case::Case;
 use super::{MeasuredData, StudyError};
+use crate::case::Case;
 use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity, Spec};
 use crate::model::Model;
 use crate::table::{Axis, Csv, Record};
@@ -48,12 +48,8 @@ impl MeasuredCurve {
             words.iter().position(|of| is(of))
         };
         let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
-        let (quantity, x, y) = found.ok_or_else(|| {
-            StudyError::new(
-                format!("{data} is no curve of a run; it has {}", csv.found()),
-                EXAMPLE,
-            )
-        })?;
+        let (quantity, x, y) = found
+            .ok_or_else(|| StudyError::new(format!("{data} is no curve of a run; it has {}", csv.found()), EXAMPLE))?;
         let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
         let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
         Ok(Self::new(data.path().to_owned(), spec, last_frame(csv)))

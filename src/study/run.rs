@@ -1,11 +1,11 @@
 //! One evaluation: a design and the responses of its run.
 
-use super::verify::{Number, Of, Outcome, Watch, quick};
 use super::variable::Value;
+use super::verify::{Number, Of, Outcome, Watch, quick};
 use super::{BaseCase, FailureMode};
-use crate::assess::{self, Light, Limits};
+use crate::assess::{self, Light};
 use crate::case::Solution;
-use crate::units::rounded;
+use crate::units::{Limits, rounded};
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +82,7 @@ pub struct Evaluated {
 impl Run {
     /// Whether it came to a result.
     pub fn is_known(&self) -> bool {
-        !self.failures.contains(&FailureMode::NoAnswer)
+        !self.failures.contains(&FailureMode::NoResult)
     }
 
     /// Whether the part is sound.
@@ -112,7 +112,11 @@ pub(super) fn responses(solution: &Solution) -> (Outcome, Vec<Response>, Vec<(St
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let outcome = Outcome::found(solution, None, &findings);
     let limits = |number: &Number| {
-        assess::judgements(&findings).find(|row| number.of == Of::Verdict && row.key == number.key)?.limits
+        assess::judgements(&findings)
+            .find(|row| number.of == Of::Verdict && row.key == number.key)?
+            .quantity
+            .as_ref()?
+            .limits
     };
     let responses = outcome.numbers.iter().map(|number| Response {
         column: column(number, ""),
@@ -147,7 +151,7 @@ pub(super) fn evaluate_design(
                 errors: if errors { none.clone() } else { Vec::new() },
                 numbers: none,
                 light: None,
-                failures: vec![FailureMode::NoAnswer],
+                failures: vec![FailureMode::NoResult],
                 red: Vec::new(),
                 amber: Vec::new(),
                 end: "not run".into(),
@@ -188,7 +192,7 @@ pub(super) fn evaluated(
         numbers,
         errors: half_widths,
         light: Some(assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey)),
-        failures: super::failure_modes(solution, &findings),
+        failures: FailureMode::all(&solution.stages, &findings),
         red: of(Light::Red),
         amber: of(Light::Amber),
         end: outcome.end.kind.to_owned(),

@@ -119,14 +119,18 @@ impl RunTable {
         let numbers = self.responses.iter().map(|response| response.column.clone());
         let errors = self.responses.iter().filter(|_| self.has_errors).map(|r| column(&r.number, "_error"));
         let first = FIRST.map(str::to_owned).into_iter();
-        first.chain(self.variables.iter().cloned()).chain(numbers).chain(errors).chain(LAST.map(str::to_owned)).collect()
+        first
+            .chain(self.variables.iter().cloned())
+            .chain(numbers)
+            .chain(errors)
+            .chain(LAST.map(str::to_owned))
+            .collect()
     }
 
     /// Line of a run.
     pub fn line(&self, run: &Run) -> Vec<String> {
         let number = |value: &f64| if value.is_finite() { value.to_string() } else { String::new() };
-        let mut line =
-            vec![self.study.clone(), self.designs.to_string(), run.index.to_string(), run.inputs.clone()];
+        let mut line = vec![self.study.clone(), self.designs.to_string(), run.index.to_string(), run.inputs.clone()];
         line.extend(run.values.iter().cloned());
         line.extend(run.numbers.iter().chain(&run.errors).map(number));
         line.push(run.light.map_or("", Light::name).to_owned());
@@ -155,7 +159,17 @@ impl RunTable {
         let (red, amber, end, reason) = (words(next()?), words(next()?), next()?, next()?);
         let light = LIGHTS.into_iter().find(|own| own.name() == light);
         (next()? == VERSION).then_some(Run {
-            index, values, inputs, numbers, errors, light, failures, red, amber, end, reason
+            index,
+            values,
+            inputs,
+            numbers,
+            errors,
+            light,
+            failures,
+            red,
+            amber,
+            end,
+            reason,
         })
     }
 

@@ -157,8 +157,7 @@ impl Scatter {
         let known: Vec<&Run> = runs.runs.iter().filter(|run| run.light.is_some() && run.is_known()).collect();
         let inputs: Vec<Vec<f64>> =
             (0..self.variables.len()).map(|i| known.iter().map(|run| run.value(i)).collect()).collect();
-        let correlations =
-            |y: &[f64]| inputs.iter().map(|x| rank_correlation(x, y)).collect::<Vec<Option<f64>>>();
+        let correlations = |y: &[f64]| inputs.iter().map(|x| rank_correlation(x, y)).collect::<Vec<Option<f64>>>();
         let spreads = (0..runs.responses.len()).filter_map(|response| {
             let all: Vec<f64> = known.iter().map(|run| run.numbers[response]).collect();
             let mut values: Vec<f64> = all.iter().copied().filter(|value| value.is_finite()).collect();

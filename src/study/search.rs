@@ -71,7 +71,8 @@ impl LimitSearch {
         let vary = request.vary.as_ref().or(goal.as_ref().map(|goal| &goal.vary)).ok_or_else(|| {
             StudyError::new("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for")
         })?;
-        let texts = vary.split('&').map(|text| if text.contains('=') { Ok(text.to_owned()) } else { around(text, &base) });
+        let texts =
+            vary.split('&').map(|text| if text.contains('=') { Ok(text.to_owned()) } else { around(text, &base) });
         let variables = texts.map(|text| Variable::read(&text?)).collect::<Result<Vec<_>, _>>()?;
         let mut ranges = variables.iter().map(Variable::search_range).collect::<Result<Vec<_>, _>>()?;
         if ranges[0].ends[0] > ranges[0].ends[1] {
@@ -110,7 +111,8 @@ impl LimitSearch {
         match (found, &self.aim) {
             (Bracket::Between([inner, outer]), SearchAim::Keep(_)) => (found, place(inner), place(outer)),
             (Bracket::Between([inner, outer]), SearchAim::Reach(..)) => {
-                let size = |x: f64| trials.iter().find(|trial| trial.0 == x).and_then(|t| t.1).map_or(f64::MAX, f64::abs);
+                let size =
+                    |x: f64| trials.iter().find(|trial| trial.0 == x).and_then(|t| t.1).map_or(f64::MAX, f64::abs);
                 let nearest = if size(inner) <= size(outer) { [inner, outer] } else { [outer, inner] };
                 (found, place(nearest[0]), place(nearest[1]))
             }
@@ -265,10 +267,9 @@ fn aim(request: &SearchRequest, goal: Option<GoalAim>) -> Result<SearchAim, Stud
             let help = format!("give it with --target, such as \"{quantity}=90 deg\" or \"{quantity}=8 mm\"");
             Err(StudyError::new(format!("the wanted value of {quantity} is missing"), help))
         }
-        (None, None, None) => Err(StudyError::new(
-            "no condition is given",
-            "give --while \"no red\", or --target \"QUANTITY=VALUE\"",
-        )),
+        (None, None, None) => {
+            Err(StudyError::new("no condition is given", "give --while \"no red\", or --target \"QUANTITY=VALUE\""))
+        }
     }
 }
 
@@ -280,7 +281,8 @@ fn around(key: &str, base: &BaseCase) -> Result<String, StudyError> {
         StudyError::new(what, format!("give the range: \"{key}=FROM..TO UNIT\""))
     };
     let own = base.value(key).ok_or_else(unknown)?;
-    let (value, unit) = super::variable::split_number(own.trim()).filter(|(value, _)| *value > 0.0).ok_or_else(unknown)?;
+    let (value, unit) =
+        super::variable::split_number(own.trim()).filter(|(value, _)| *value > 0.0).ok_or_else(unknown)?;
     let [low, high] = [0.5, 2.0].map(|share| significant(share * value, 4));
     Ok(format!("{key}={low}..{high} {unit}"))
 }

@@ -24,7 +24,9 @@ impl LimitSearch {
                     (Bracket::Between([inner, outer]), Side::Smallest) => {
                         format!("{key}: “{condition}” holds from {}, not at {}.", at(inner), at(outer))
                     }
-                    (Bracket::Everywhere(x), _) => format!("{key}: “{condition}” holds to the end of the range, {}.", at(x)),
+                    (Bracket::Everywhere(x), _) => {
+                        format!("{key}: “{condition}” holds to the end of the range, {}.", at(x))
+                    }
                     (Bracket::Open(x), _) => {
                         format!("{key}: “{condition}” holds at {}; beyond it no run came to a result.", at(x))
                     }
@@ -63,7 +65,11 @@ impl LimitSearch {
             }
             _ => {}
         }
-        if let Some([best, other]) = best.zip(other).and_then(|(a, b)| Some([self.draw_ratio(runs, a)?, self.draw_ratio(runs, b)?])).filter(|[a, b]| a != b) {
+        if let Some([best, other]) = best
+            .zip(other)
+            .and_then(|(a, b)| Some([self.draw_ratio(runs, a)?, self.draw_ratio(runs, b)?]))
+            .filter(|[a, b]| a != b)
+        {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
         }
         if let (SearchAim::Keep(_), [_, _, ..]) = (&self.aim, &Search::stretches(&trials)[..]) {
@@ -84,7 +90,7 @@ impl LimitSearch {
     }
 
     fn draw_ratio(&self, runs: &RunTable, run: usize) -> Option<f64> {
-        crate::rules::estimate::draw_ratio(self.base_case().case(&self.settings_of(&runs.runs[run])).ok()?.model())
+        crate::assess::estimate::draw_ratio(self.base_case().case(&self.settings_of(&runs.runs[run])).ok()?.model())
     }
 
     /// The answer and the run on its other side.

@@ -36,7 +36,9 @@ impl Shard {
     pub fn file(self, stem: &str) -> String {
         match self {
             Self::WHOLE => format!("{stem}.csv"),
-            Self { number, count } => format!("{stem}-{number:0width$}-of-{count}.csv", width = count.to_string().len()),
+            Self { number, count } => {
+                format!("{stem}-{number:0width$}-of-{count}.csv", width = count.to_string().len())
+            }
         }
     }
 }

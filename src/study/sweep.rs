@@ -132,22 +132,30 @@ impl Sweep {
     pub fn places(&self, index: u64) -> Vec<Option<usize>> {
         let mut rest = index;
         if !self.one_at_a_time {
-            let mut places: Vec<_> = self.axes.iter().rev().map(|axis| {
-                let count = axis.count() as u64;
-                let place = rest % count;
-                rest /= count;
-                Some(place as usize)
-            }).collect();
+            let mut places: Vec<_> = self
+                .axes
+                .iter()
+                .rev()
+                .map(|axis| {
+                    let count = axis.count() as u64;
+                    let place = rest % count;
+                    rest /= count;
+                    Some(place as usize)
+                })
+                .collect();
             places.reverse();
             return places;
         }
         // Design 0 is the base case.
         let mut before = 1;
-        self.axes.iter().map(|axis| {
-            let own = index.checked_sub(before).filter(|place| *place < axis.count() as u64);
-            before += axis.count() as u64;
-            own.map(|place| place as usize)
-        }).collect()
+        self.axes
+            .iter()
+            .map(|axis| {
+                let own = index.checked_sub(before).filter(|place| *place < axis.count() as u64);
+                before += axis.count() as u64;
+                own.map(|place| place as usize)
+            })
+            .collect()
     }
 
     fn design(&self, index: u64) -> Design {
@@ -173,7 +181,8 @@ impl Sweep {
         if let Some(response) = charts::deciding(runs, 1).first().copied() {
             let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[response].is_finite());
             let by = |a: &&Run, b: &&Run| a.numbers[response].total_cmp(&b.numbers[response]);
-            if let Some((least, most)) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index) {
+            if let Some((least, most)) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)
+            {
                 let told = |run: &Run| {
                     format!("{} ({})", runs.responses[response].display(run.numbers[response]), self.describe(run))
                 };

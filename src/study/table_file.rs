@@ -2,10 +2,10 @@
 //!
 //! A killed run may leave one incomplete last row, which resuming removes.
 
+use super::StudyError;
 use super::evaluate::EarlierRuns;
 use super::run::Run;
 use super::run_table::{BEGINNING, RunTable, record};
-use super::StudyError;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -121,9 +121,9 @@ fn rows(text: &[u8], runs: &RunTable) -> Option<EarlierRuns> {
 fn lock(file: &File, path: &Path, earlier: Earlier) -> Result<(), StudyError> {
     let shown = path.display();
     match file.try_lock() {
-        Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => {
-            file.lock().map_err(|error| StudyError::new(format!("cannot wait for the other run of {shown}: {error}"), "try again"))
-        }
+        Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => file.lock().map_err(|error| {
+            StudyError::new(format!("cannot wait for the other run of {shown}: {error}"), "try again")
+        }),
         Err(TryLockError::WouldBlock) => {
             let help = "wait for it, or choose another place with --out";
             Err(StudyError::new(format!("another run writes {shown}"), help))

@@ -2,9 +2,9 @@
 
 use super::StudyError;
 use super::distribution::{Distribution, WrittenDistribution};
+use super::variable::{Domain, Value, Variable, split_number};
 use crate::case::Case;
 use crate::material::chaboche;
-use super::variable::{Domain, Value, Variable, split_number};
 use crate::units::{self, Dimensioned, Stress, significant};
 use toml_edit::{InlineTable, Value as Toml};
 

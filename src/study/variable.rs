@@ -86,8 +86,8 @@ impl Variable {
     /// # Errors
     /// When either is missing or the values cannot be read.
     pub fn read(text: &str) -> Result<Self, StudyError> {
-        let (key, values) = split_pair(text)
-            .ok_or_else(|| StudyError::new(format!("`{}` gives no key values", text.trim()), USAGE))?;
+        let (key, values) =
+            split_pair(text).ok_or_else(|| StudyError::new(format!("`{}` gives no key values", text.trim()), USAGE))?;
         Self::new(key, values)
     }
 
@@ -103,7 +103,8 @@ impl Variable {
 
     fn range(key: &str, values: &str, from: &str, to: &str) -> Result<Self, StudyError> {
         let wrong = |what: &str| {
-            let help = "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
+            let help =
+                "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
             StudyError::new(format!("{key}: the range `{values}` {what}"), help)
         };
         let number = |text, what| number_or(text, || wrong(what));
@@ -273,7 +274,9 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
 pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let is_exponent = |rest: &str| rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
     let is_of_number = |(i, c): (usize, char)| {
-        c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '−') || (matches!(c, 'e' | 'E') && is_exponent(&text[i + 1..]))
+        c.is_ascii_digit()
+            || matches!(c, '.' | '+' | '-' | '−')
+            || (matches!(c, 'e' | 'E') && is_exponent(&text[i + 1..]))
     };
     let end = text.char_indices().find(|&at| !is_of_number(at)).map_or(text.len(), |(i, _)| i);
     let number: f64 = text[..end].replace('−', "-").parse().ok()?;

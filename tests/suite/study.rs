@@ -1,85 +1,241 @@
-//! Studies: designs in order, rows whole, mistakes told before anything is run.
+//! The study engine: designs in order, rows whole and the same on any machine, resumed and merged tables.
 
-use stampflow::study::{Bars, Columns, Designs, Plan, Row, StudyError, Subject, Vary, run};
-use std::convert::Infallible;
+use crate::common::cli::{CUP, folder, stampflow, text};
+use serde_json::Value;
+use stampflow::study::verify::Watch;
+use stampflow::study::{
+    BaseCase, EarlierRuns, Evaluated, Evaluation, FailureMode, RunTable, Shard, Study, StudyError, Sweep, begin,
+    evaluate,
+};
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::process::Output;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-const CASE: &str = "cases/quickstart.toml";
-
-fn plan(varied: &[&str]) -> Result<Plan, StudyError> {
-    let axes = varied.iter().map(|text| Vary::together(text)).collect::<Result<_, _>>()?;
-    Plan::new(CASE, vec!["blank.elements=30".into(), "solver.max_step=0.05".into()], axes)
+fn base() -> BaseCase {
+    let set = vec!["blank.elements=30".into(), "solver.max_step=0.05".into()];
+    BaseCase::load("cases/quickstart.toml", set).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn rows(plan: &Plan, indices: &[u64], threads: usize) -> Vec<Row> {
-    let mut rows = Vec::new();
-    let ended = run(plan, indices, threads, Bars::Without, &(), |row| {
-        rows.push(row);
-        Ok::<_, Infallible>(())
-    });
-    assert!(ended.is_ok());
-    rows
+pub fn sweep(vary: &[&str], one_at_a_time: bool) -> Result<Sweep, StudyError> {
+    let vary: Vec<String> = vary.iter().map(|text| (*text).to_owned()).collect();
+    Sweep::new(base(), &vary, one_at_a_time)
+}
+
+pub fn run(study: &mut dyn Study, threads: usize, errors: bool, watch: &dyn Watch) -> RunTable {
+    let settings = Evaluation { threads, errors, shard: Shard::WHOLE, watch };
+    let runs = begin(study, &settings).unwrap_or_else(|error| panic!("{error}"));
+    evaluate(study, &settings, runs, &EarlierRuns::new(), &mut |_, _: &Evaluated| ControlFlow::Continue(()))
 }
 
 /// Trust: two grids by hand, the last key fastest.
 #[test]
 fn designs_are_counted_with_the_last_key_fastest_and_pairs_together() {
-    let plan = plan(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm & tools.punch.friction=0.1,0.2"]);
-    // The punch's friction is set by both, the later one last.
-    let plan = plan.expect("a plan");
-    assert_eq!(plan.count(), 4);
-    let texts = |i: u64| plan.design(i).values.iter().map(|value| value.text.clone()).collect::<Vec<_>>();
-    assert_eq!(
-        [0, 1, 2, 3].map(texts),
-        [["0.05", "5", "0.1"], ["0.05", "6", "0.2"], ["0.1", "5", "0.1"], ["0.1", "6", "0.2"]]
-    );
+    let mut sweep = sweep(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm & tools.punch.friction=0.1,0.2"], false)
+        .expect("a sweep");
+    let runs =
+        begin(&mut sweep, &Evaluation { threads: 1, errors: false, shard: Shard::WHOLE, watch: &() }).expect("a run");
+    let values: Vec<Vec<String>> = sweep.next(&runs).into_iter().map(|design| design.values).collect();
+    assert_eq!(values, [["0.05", "5", "0.1"], ["0.05", "6", "0.2"], ["0.1", "5", "0.1"], ["0.1", "6", "0.2"]]);
 }
 
-/// Trust: the plan of the file itself.
-#[test]
-fn a_plan_of_a_text_is_that_of_its_file() {
-    let text = std::fs::read_to_string(CASE).expect("shipped");
-    let base = vec!["blank.elements=30".into(), "solver.max_step=0.05".into()];
-    let of_text = |text: &str| Subject::of_text(text.into(), CASE, base.clone());
-    let axes = vec![Vary::together("friction=0.05,0.1").expect("values")];
-    let of_text_and_axes = Plan::of(of_text(&text).expect("a case"), axes).expect("a plan");
-    assert_eq!(of_text_and_axes, plan(&["friction=0.05,0.1"]).expect("a plan"));
-    assert!(of_text("").is_err());
-}
-
-/// Trust: what is the same however many threads run it; friction raises the force.
+/// Trust: the same on any number of threads; friction raises the force; error bars are there when asked for.
 #[test]
 fn rows_come_in_order_and_are_the_same_on_any_number_of_threads() {
-    let plan = plan(&["friction=0.04..0.2/5"]).expect("a plan");
-    let all: Vec<u64> = (0..plan.count()).collect();
-    let [one, three] = [1, 3].map(|threads| rows(&plan, &all, threads));
-    let base = one[0].result.as_ref().expect("solved");
-    let columns = Columns::of(&plan, base);
-    let lines = |rows: &[Row]| rows.iter().map(|row| columns.line(&plan, row)).collect::<Vec<_>>();
-    assert_eq!(lines(&one), lines(&three));
-    assert!(lines(&one).iter().all(|line| line.len() == columns.header().len()));
-    let force = |row: &Row| row.result.as_ref().expect("solved").number("punch_force_N").expect("a force");
-    assert!(one.windows(2).all(|pair| force(&pair[0]) < force(&pair[1])));
+    let tables =
+        [1, 3].map(|threads| run(&mut sweep(&["friction=0.04..0.2/3"], false).expect("a sweep"), threads, true, &()));
+    assert_eq!(tables[0].csv(), tables[1].csv());
+    let force = tables[0].response("punch_force").expect("a force");
+    let runs = &tables[0].runs;
+    assert!(runs.windows(2).all(|pair| pair[0].numbers[force] < pair[1].numbers[force]));
+    assert!(runs.iter().all(|run| run.errors[force] > 0.0 && run.errors[force] < 0.2 * run.numbers[force]));
 }
 
-/// Trust: a die whose throat is narrower than its punch cannot be built, the others can.
+/// Trust: a die whose throat is narrower than its punch cannot be built, the other can.
 #[test]
-fn a_design_that_cannot_be_built_is_a_row_that_says_why() {
-    let plan = plan(&["tools.die.throat=20,31.25 mm"]).expect("a plan");
-    let rows = rows(&plan, &[0, 1], 2);
-    assert!(rows[0].result.as_ref().is_err_and(|why| why.contains("throat")), "{:?}", rows[0].result);
-    assert!(rows[1].result.is_ok());
+fn a_design_that_cannot_be_built_is_a_row_with_its_reason() {
+    let table = run(&mut sweep(&["tools.die.throat=20,31.25 mm"], false).expect("a sweep"), 2, false, &());
+    assert!(table.runs[0].failures == [FailureMode::NoResult] && table.runs[0].reason.contains("throat"));
+    assert!(table.runs[1].is_known());
 }
 
 /// Trust: none of its values makes a case.
 #[test]
-fn a_key_that_no_value_fits_is_told_before_anything_is_run() {
-    for (varied, said) in [
-        ("tools.die.sholder=4..6 mm/3", "sholder"),
-        ("tools.die.shoulder=4..6/3", "needs a unit"),
-        ("tools.dye.shoulder=4,5 mm", "dye"),
-        ("material=dc99,dc98", "dc99"),
+fn bad_requests_are_refused_before_anything_is_run() {
+    for (vary, says) in [
+        (&["tools.die.sholder=4..6 mm/3"][..], "sholder"),
+        (&["tools.die.shoulder=4..6/3"], "unit"),
+        (&["material=dc99,dc98"], "dc99"),
+        (&["friction=0.1,0.2", "friction=0.3"], "varied twice"),
+        (&["friction=0.1,0.2 & tools.die.shoulder=5 mm"], "as many values"),
+        (&[], "nothing of the case is varied"),
     ] {
-        let error = plan(&[varied]).expect_err(varied).to_string();
-        assert!(error.contains(said), "{varied}: {error}");
+        let error = sweep(vary, false).expect_err(says).to_string();
+        assert!(error.contains(says), "{vary:?}: {error}");
     }
+}
+
+/// Trust: one key at a time changes one key at a time; the larger friction moves the force more.
+#[test]
+fn one_at_a_time_gives_the_sensitivity_of_each_key() {
+    let mut sweep = sweep(&["friction=0.07,0.09", "tools.punch.friction=0.04,0.2", "tools.die.shoulder=6 mm"], true)
+        .expect("a sweep");
+    let table = run(&mut sweep, 2, false, &());
+    assert_eq!(table.runs.len(), 6);
+    assert_eq!(table.runs[0].numbers, table.base.numbers);
+    let force = table.response("punch_force").expect("a force");
+    let all = sweep.sensitivities(&table, force);
+    assert!(all.windows(2).all(|pair| pair[0].width() >= pair[1].width()) && all.iter().all(|s| s.axis < 2), "{all:?}");
+}
+
+/// Stops after so many runs.
+struct After(AtomicUsize, usize);
+
+impl Watch for After {
+    fn wants_to_stop(&self) -> bool {
+        self.0.load(Ordering::Relaxed) >= self.1
+    }
+
+    fn ran(&self, done: usize, _: usize) {
+        self.0.store(done, Ordering::Relaxed);
+    }
+}
+
+/// Trust: rows that were cut short are not handed on, and those of an earlier run are not run again.
+#[test]
+fn a_stopped_study_keeps_its_rows() {
+    let mut sweep = sweep(&["friction=0.04..0.2/4"], false).expect("a sweep");
+    let whole = run(&mut sweep, 1, false, &());
+    let part = run(&mut sweep, 1, false, &After(AtomicUsize::new(0), 2));
+    assert_eq!(part.runs, whole.runs[..2]);
+    let earlier: EarlierRuns = part.runs.iter().map(|run| (run.index, run.clone())).collect();
+    let settings = Evaluation { threads: 2, errors: false, shard: Shard::WHOLE, watch: &() };
+    let begun = begin(&mut sweep, &settings).expect("a run");
+    let mut new = Vec::new();
+    let resumed = evaluate(&mut sweep, &settings, begun, &earlier, &mut |_, evaluated| {
+        new.push(evaluated.run.index);
+        ControlFlow::Continue(())
+    });
+    assert_eq!((resumed.csv(), new), (whole.csv(), vec![2, 3]));
+}
+
+const VARY: [&str; 4] = ["--vary", "friction=0.05..0.15/5", "--quiet", "--no-error-bars"];
+
+fn call(dir: &Path, args: &[&str]) -> Output {
+    stampflow(dir, args)
+}
+
+fn swept(dir: &Path, more: &[&str]) -> Output {
+    call(dir, &[&["sweep", "cases/cup.toml"], &VARY[..], more].concat())
+}
+
+/// Trust: the rows of a whole run, cut in the middle of a row, are completed to the same bytes.
+#[test]
+fn a_killed_study_is_resumed_to_the_same_bytes() {
+    let dir = folder(CUP);
+    let done = swept(dir.path(), &["--out", "a"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let whole = fs::read(dir.path().join("a/study.csv")).unwrap();
+    assert!(dir.path().join("a/sweep.png").is_file());
+    fs::create_dir(dir.path().join("b")).unwrap();
+    let rows: Vec<usize> = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(i, _)| i + 1).collect();
+    for end in [rows[2] + 30, rows[0], 20] {
+        fs::write(dir.path().join("b/.study.csv.part"), &whole[..end]).unwrap();
+        let refused = swept(dir.path(), &["--out", "b"]);
+        assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("--resume"));
+        let done = swept(dir.path(), &["--out", "b", "--resume"]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        assert!(
+            fs::read(dir.path().join("b/study.csv")).unwrap() == whole
+                && !dir.path().join("b/.study.csv.part").exists()
+        );
+        fs::remove_file(dir.path().join("b/study.csv")).unwrap();
+    }
+    // Rows of another study are refused, and so is a file that is no table.
+    fs::write(dir.path().join("b/.study.csv.part"), &whole[..rows[2]]).unwrap();
+    let other = call(dir.path(), &["sweep", "cases/cup.toml", "--vary", "friction=0.1,0.2", "--out", "b", "--resume"]);
+    assert!(other.status.code() == Some(2) && text(&other.stderr).contains("another study"), "{}", text(&other.stderr));
+    fs::write(dir.path().join("b/study.csv"), "mine\n").unwrap();
+    let foreign = swept(dir.path(), &["--out", "b", "--restart"]);
+    assert!(foreign.status.code() == Some(2) && text(&foreign.stderr).contains("no table of a study"));
+}
+
+/// Trust: the table of all shards is that of the whole study, byte for byte; what is missing, twice, cut or foreign is refused.
+#[test]
+fn shards_are_merged_to_the_table_of_the_whole_study() {
+    let dir = folder(CUP);
+    assert_eq!(swept(dir.path(), &["--out", "whole"]).status.code(), Some(0));
+    for shard in ["1/3", "2/3", "3/3"] {
+        let done = swept(dir.path(), &["--out", "s", "--shard", shard]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    }
+    let shards = ["s/study-1-of-3.csv", "s/study-2-of-3.csv", "s/study-3-of-3.csv"];
+    let merge = |shards: &[&str]| call(dir.path(), &[&["merge"], shards, &["--out", "m/study.csv"]].concat());
+    let done = merge(&shards);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let read = |path: &str| fs::read(dir.path().join(path)).unwrap();
+    assert_eq!(read("m/study.csv"), read("whole/study.csv"));
+    let second = String::from_utf8(read(shards[1])).unwrap();
+    fs::write(dir.path().join("cut.csv"), &second[..second.len() - 20]).unwrap();
+    fs::write(dir.path().join("short.csv"), second.lines().take(2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    let key = second.lines().nth(1).unwrap().split(',').next().unwrap();
+    fs::write(dir.path().join("foreign.csv"), second.replace(key, "0123456789abcdef")).unwrap();
+    fs::write(dir.path().join("columns.csv"), second.replace("friction", "fraction")).unwrap();
+    fs::write(dir.path().join("no.csv"), "a,b\n1,2\n").unwrap();
+    for (others, says) in [
+        (vec![shards[0], shards[2]], "is in no shard"),
+        (vec![shards[0], shards[1], shards[2], shards[1]], "is both in"),
+        (vec![shards[0], "cut.csv", shards[2]], "no row of a study"),
+        (vec![shards[0], "short.csv", shards[2]], "is in no shard"),
+        (vec![shards[0], "foreign.csv", shards[2]], "another study"),
+        (vec![shards[0], "columns.csv", shards[2]], "other columns"),
+        (vec![shards[0], "no.csv"], "no table of a study"),
+    ] {
+        let done = merge(&others);
+        assert!(done.status.code() == Some(2) && text(&done.stderr).contains(says), "{says}: {}", text(&done.stderr));
+    }
+    assert_eq!(read("m/study.csv"), read("whole/study.csv"));
+}
+
+/// Trust: a study file says what the command line says; `--keep curves` and JSON are as asked for.
+#[test]
+fn a_study_file_is_the_command_line() {
+    let dir = folder(CUP);
+    let study = "case = \"cases/cup.toml\"\nset = [\"blank.elements=24\"]\n[vary]\ntools.die.shoulder = \"5..7 mm/2\"\nfriction = [0.04, 0.08]\n";
+    fs::write(dir.path().join("study.toml"), study).unwrap();
+    let done = call(dir.path(), &["sweep", "study.toml", "--json", "--out", "a", "--keep", "curves"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let value: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!(value["designs"], 4);
+    assert!(value["headline"].as_str().is_some_and(|text| text.starts_with("4 designs")), "{value}");
+    assert!(dir.path().join("a/curves/load-3.csv").is_file() && dir.path().join("a/sweep.png").is_file());
+    let line =
+        ["--vary", "tools.die.shoulder=5..7 mm/2", "--vary", "friction=0.04, 0.08", "--set", "blank.elements=24"];
+    let done = call(dir.path(), &[&["sweep", "cases/cup.toml", "--quiet", "--out", "b"], &line[..]].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let table = |folder: &str| fs::read(dir.path().join(folder).join("study.csv")).unwrap();
+    assert_eq!(table("a"), table("b"));
+    for (study, says) in
+        [("case = \"cases/cup.toml\"\nvari = 1\n", "vari"), ("case = \"no.toml\"\n", "no file"), ("case = 1\n", "case")]
+    {
+        fs::write(dir.path().join("wrong.toml"), study).unwrap();
+        let done = call(dir.path(), &["sweep", "wrong.toml"]);
+        assert!(done.status.code() == Some(2) && text(&done.stderr).contains(says), "{}", text(&done.stderr));
+    }
+}
+
+/// Trust: the quickstart on a press of 120 kN wrinkles at a low holder force, and its window has both a sound and a failed part.
+#[test]
+fn a_window_of_two_keys_shows_where_designs_fail() {
+    let mut sweep = sweep(&["tools.holder.force=1..40 kN/4", "friction=0.04..0.2/3"], false).expect("a sweep");
+    let table = run(&mut sweep, 2, false, &());
+    assert!(table.runs.iter().any(|run| run.failures.contains(&FailureMode::Wrinkles)));
+    let report = sweep.report(&table);
+    let (name, chart) = &report.charts[0];
+    assert_eq!((name.as_str(), chart.panels.len()), ("sweep", 1));
+    let labels: Vec<&str> = chart.panels[0].series.iter().filter_map(|series| series.label.as_deref()).collect();
+    assert!(labels.contains(&FailureMode::Wrinkles.label()), "{labels:?}");
+    assert!(labels.iter().any(|label| label.ends_with("at its limit")), "{labels:?}");
 }

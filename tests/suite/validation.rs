@@ -7,7 +7,7 @@ use stampflow::case;
 use stampflow::solver::solve;
 use std::path::Path;
 
-/// A comparison of a case, in the order of `validate`: its quantity and what comes of it.
+/// A comparison of a case, in the order of `compare`: its quantity and what comes of it.
 type Outcome = (&'static str, &'static str, &'static str);
 
 /// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (docs/agreement.md).
@@ -32,7 +32,7 @@ const OUTCOMES: [Outcome; 13] = [
 fn every_comparison_is_within_its_tolerance() {
     let out = temp_dir::TempDir::new().unwrap();
     let out = out.path().to_str().expect("a path");
-    let done = stampflow(Path::new(env!("CARGO_MANIFEST_DIR")), &["validate", "--json", "--out", out]);
+    let done = stampflow(Path::new(env!("CARGO_MANIFEST_DIR")), &["compare", "--json", "--out", out]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stdout));
     let found: Vec<Value> = serde_json::from_slice(&done.stdout).expect("JSON");
     let of = |found: &Value, key: &str| found[key].as_str().expect("a text").to_owned();

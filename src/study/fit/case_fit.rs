@@ -1,9 +1,9 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Estimate, correlated, estimates, table};
+use crate::compare::{Computed, Point};
 use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
 use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series};
-use crate::compare::{Computed, Point};
 use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
@@ -186,9 +186,10 @@ impl Watch for Runner<'_> {
 
 impl Runner<'_> {
     fn one(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let curves = self.request.run(values, self.watch).and_then(|curves| {
-            self.residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned())
-        });
+        let curves = self
+            .request
+            .run(values, self.watch)
+            .and_then(|curves| self.residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned()));
         let failed = |why: &String| {
             self.failed.fetch_add(1, Ordering::Relaxed);
             if let Ok(mut first) = self.why.lock() {
@@ -208,10 +209,16 @@ impl Runner<'_> {
 impl Residuals for Runner<'_> {
     fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
         let mut all = Vec::with_capacity(points.len());
-        let Ok(()) = parallel_map(points, self.threads, self, |point| self.one(point), |one| {
-            all.push(one);
-            Ok::<_, Infallible>(())
-        });
+        let Ok(()) = parallel_map(
+            points,
+            self.threads,
+            self,
+            |point| self.one(point),
+            |one| {
+                all.push(one);
+                Ok::<_, Infallible>(())
+            },
+        );
         if all.len() < points.len() { Vec::new() } else { all }
     }
 }
@@ -303,9 +310,11 @@ impl CaseFit {
             notes.push(format!("{} runs failed or ended before the curves do.", self.runs[1]));
         }
         notes.push(self.settings.iter().map(|s| format!("--set \"{s}\"")).collect::<Vec<_>>().join(" "));
-        let charts = self.misfits.iter().enumerate().map(|(i, misfit)| {
-            (if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) }, misfit.chart())
-        });
+        let charts = self
+            .misfits
+            .iter()
+            .enumerate()
+            .map(|(i, misfit)| (if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) }, misfit.chart()));
         StudyReport {
             headline: format!("{}.", keys.collect::<Vec<_>>().join(", ")),
             notes,

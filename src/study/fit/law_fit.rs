@@ -73,11 +73,7 @@ const TIED: f64 = 0.98;
 ///
 /// # Errors
 /// When no law can be fitted.
-pub fn fit_laws(
-    tests: Vec<FlowCurve>,
-    wanted: Option<HardeningKind>,
-    rate: RateKind,
-) -> Result<LawFits, StudyError> {
+pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<HardeningKind>, rate: RateKind) -> Result<LawFits, StudyError> {
     let kinds = wanted.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
     let mut angles: Vec<f64> = tests.iter().filter_map(|test| test.direction).collect();
     let first = angles.iter().copied().find(|angle| *angle == 0.0).or(angles.first().copied());
@@ -106,8 +102,7 @@ pub fn fit_laws(
 fn direction(angle: f64, tests: &[FlowCurve], law: &LawFit) -> Direction {
     let own: Vec<&FlowCurve> = tests.iter().filter(|test| test.direction == Some(angle)).collect();
     let stress = |test: &FlowCurve, point: &FlowPoint| point.stress / law.stress(point.strain, test.rate);
-    let ratios: Vec<f64> =
-        own.iter().flat_map(|test| test.points.iter().map(|point| stress(test, point))).collect();
+    let ratios: Vec<f64> = own.iter().flat_map(|test| test.points.iter().map(|point| stress(test, point))).collect();
     let r: Vec<(f64, f64)> = own.iter().filter_map(|test| test.r).collect();
     let count = r.len() as f64;
     Direction {
@@ -136,7 +131,10 @@ impl LawFit {
             tests.iter().flat_map(|test| test.points.iter().map(|point| (point, test.rate))).collect();
         if points.len() <= ranges.len() {
             let what = format!("{} points for the {} parameters of {}", points.len(), ranges.len(), kind.label());
-            return Err(StudyError::new(what, "a fit needs more points than parameters: another --law, or more points"));
+            return Err(StudyError::new(
+                what,
+                "a fit needs more points than parameters: another --law, or more points",
+            ));
         }
         let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
         let weight = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).map_or(1.0, |scatter| 1.0 / scatter);
