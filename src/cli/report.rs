@@ -13,9 +13,9 @@ use serde_json::json;
 use stampflow::case::Case;
 use stampflow::report::Report;
 use stampflow::results::{is_report, write};
-use stampflow::study::verify::quick;
 use stampflow::study::MeasuredCurve;
 use stampflow::study::compare::{Candidate, SideBySide};
+use stampflow::study::verify::quick;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 

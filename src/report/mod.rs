@@ -17,8 +17,8 @@ use crate::assess::{self, Answer, Finding, Kind, judgements};
 use crate::case::{Solution, TitleBlock};
 use crate::plot::{Dimension, StageView};
 use crate::results::Summary;
-use crate::study::verify::{self, Told, Verification};
 use crate::study::compare::SideBySide;
+use crate::study::verify::{self, Told, Verification};
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
 

@@ -12,7 +12,7 @@ pub(super) fn section(all: &SideBySide) -> Section {
         Cell::Light(light, _) => word(*light),
         cell => cell.to_string(),
     };
-    let rows = differences.rows.iter().map(|row| [0, 1, 2, 3].map(|i| text(&row[i]))).collect();
+    let rows: Vec<[String; 4]> = differences.rows.iter().map(|row| [0, 1, 2, 3].map(|i| text(&row[i]))).collect();
     let content = html! {
         (list(&all.legend(), ""))
         (table(&["Quantity", "Run", "Value", "Difference"], rows))

@@ -4,10 +4,11 @@ use super::scatter::UncertaintyResult;
 use super::sweep::{Axis as SweepAxis, End, Sensitivity, Sweep};
 use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
-use crate::plot::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color, pale};
+use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style};
+use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::study::verify::Of;
 use crate::table::{Axis, Spacing};
-use crate::units::Sense;
+use crate::units::{Sense, Unit};
 use contour::ContourBuilder;
 
 /// Responses by their importance.
@@ -31,7 +32,7 @@ const VARIES: f64 = 2e-3;
 const LEAST: f64 = 0.02;
 const PANELS: usize = 5;
 const BINS: usize = 24;
-const OWN: Look = Look::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] };
+const OWN: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] };
 
 /// Places of the most important responses that vary.
 pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
@@ -66,16 +67,16 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Option<Chart> {
 fn chart(mut panels: Vec<Panel>) -> Chart {
     for mode in FailureMode::ALL {
         let has =
-            |panel: &Panel| panel.series.iter().any(|series| series.look == marker(mode) && !series.points.is_empty());
+            |panel: &Panel| panel.series.iter().any(|series| series.style == marker(mode) && !series.points.is_empty());
         if panels.iter().any(has) {
             panels[0].series.push(Series::new(mode.label(), Vec::new(), marker(mode)));
         }
     }
-    Chart { title: String::new(), legend: String::new(), panels, notes: Vec::new() }
+    Chart::new("", panels, Vec::new())
 }
 
 /// Marker of a failure mode.
-fn marker(mode: FailureMode) -> Look {
+fn marker(mode: FailureMode) -> Style {
     let color: Color = match mode {
         FailureMode::Tears => color(1),
         FailureMode::Wrinkles => color(0),
@@ -83,7 +84,7 @@ fn marker(mode: FailureMode) -> Look {
         FailureMode::Other => color(4),
         FailureMode::NoResult => GREY,
     };
-    Look::Dots { color }
+    Style::Dots { color }
 }
 
 fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
@@ -91,7 +92,7 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
         points.iter().filter(move |(_, run)| run.failures.first().copied() == mode).map(|(point, _)| *point).collect()
     };
     let failed = FailureMode::ALL.map(|mode| Series::silent(of(Some(mode)), marker(mode)));
-    let sound = Series::silent(of(None), Look::Dots { color: color(2) });
+    let sound = Series::silent(of(None), Style::Dots { color: color(2) });
     failed.into_iter().chain([sound]).filter(|series| !series.points.is_empty()).collect()
 }
 
@@ -116,7 +117,7 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
         let curve: Vec<(f64, f64)> = known.iter().map(|(x, run)| (*x, run.numbers[place])).collect();
         let mut series = Vec::new();
         if axis.names().is_empty() {
-            series.push(Series::silent(curve.clone(), Look::Line { color: color(2), width: 2.4, dash: &[] }));
+            series.push(Series::silent(curve.clone(), Style::Line { color: color(2), width: 2.4, dash: &[] }));
         }
         let points: Vec<((f64, f64), &Run)> =
             curve.iter().zip(&known).map(|(point, (_, run))| (*point, *run)).collect();
@@ -126,15 +127,12 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
         }
         if let Some(own) = axis.own.filter(|_| runs.base.numbers[place].is_finite()) {
             let point = vec![(own, runs.base.numbers[place])];
-            series.push(Series::silent(point, Look::Circles { color: BLACK }));
+            series.push(Series::silent(point, Style::Circles { color: BLACK }));
         }
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        let panel = Panel {
-            x: axis_of(axis),
-            y: Axis::named(response.number.label, response.number.amount.unit),
-            series,
-            scale: Scale::Fit { height: if i == 0 { 230.0 } else { 150.0 }, least: LEAST * largest },
-        };
+        let y = Axis::named(response.number.label, response.number.amount.unit);
+        let height = if i == 0 { 230.0 } else { 150.0 };
+        let panel = Panel::fit(axis_of(axis), y, height, LEAST * largest).with(series);
         let half = |run: &Run| run.errors.get(place).copied().filter(|half| half.is_finite());
         let halves: Option<Vec<f64>> = known.iter().map(|(_, run)| half(run)).collect();
         match halves.filter(|halves| halves.len() > 1) {
@@ -178,21 +176,21 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], counts: &dyn Fn(&R
             let points: Vec<(f64, f64)> = line.into_iter().map(at).collect();
             let label = format!("{} at its limit", runs.responses[place].number.label);
             let is_first = !series.iter().any(|s: &Series| s.label.as_deref() == Some(label.as_str()));
-            series.push(Series { label: is_first.then_some(label), points, look: Look::curve(n) });
+            series.push(Series { label: is_first.then_some(label), points, style: Style::curve(n) });
         }
     }
     if let Some(own) = axes[0].own.zip(axes[1].own) {
-        series.push(Series::new("the case as it stands", vec![own], Look::Triangles { color: BLACK }));
-    }
-    if !caption.is_empty() {
-        series.push(Series::new(caption, Vec::new(), Look::Text));
+        series.push(Series::new("the case as it stands", vec![own], Style::Triangles { color: BLACK }));
     }
     let [along, up] = positions.map(|positions| {
         let (low, high) = span(positions.iter().copied());
         let paper = 0.03 * (high - low);
         (low - paper, high + paper)
     });
-    Panel { x: axis_of(axes[0]), y: axis_of(axes[1]), series, scale: Scale::Window { height: 430.0, x: along, y: up } }
+    let height = if caption.is_empty() { 430.0 } else { 270.0 };
+    let scale = Scale::Window { height, x: along, y: up };
+    let panel = Panel::new(axis_of(axes[0]), axis_of(axes[1]), scale).with(series);
+    Panel { is_small: !caption.is_empty(), caption, ..panel }
 }
 
 /// Contour lines of values on a grid, in grid coordinates from 0.
@@ -233,7 +231,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Option<Chart> {
         let (low, high) = span(all.iter().flat_map(|s| s.ends.iter().map(|end| end.number)).chain([own]));
         let room = 0.25 * (high - low);
         let count = all.len();
-        let mut series = Vec::new();
+        let (mut series, mut labels) = (Vec::new(), Vec::new());
         for (i, s) in all.iter().enumerate() {
             let y = (count - 1 - i) as f64;
             let Some([least, most]) = s.extremes() else { continue };
@@ -241,24 +239,18 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Option<Chart> {
                 if end.number != own {
                     let outline = [(own, -0.34), (end.number, -0.34), (end.number, 0.34), (own, 0.34)];
                     let outline = outline.map(|(x, dy)| (x, y + dy)).to_vec();
-                    series.push(Series::silent(outline, Look::Area { fill, edge: Some((70, 70, 70)) }));
-                    let look = if end.number < own { Look::Before } else { Look::Text };
-                    series.push(Series::new(end_label(sweep, s, end), vec![(end.number, y)], look));
+                    series.push(Series::silent(outline, Style::Area { fill, edge: Some((70, 70, 70)) }));
+                    let kind = if end.number < own { AnnotationKind::End } else { AnnotationKind::Start };
+                    labels.push(Annotation::new(kind, end_label(sweep, s, end), (end.number, y)));
                 }
             }
         }
         series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
         let names = all.iter().rev().map(|s| sweep.axes()[s.axis].variables[0].label()).collect();
-        Some(Panel {
-            x: Axis::named(number.label, number.amount.unit),
-            y: Axis::of_names("", names),
-            series,
-            scale: Scale::Window {
-                height: 34.0 * count as f64 + 12.0,
-                x: (low - room, high + room),
-                y: (-0.6, count as f64 - 0.4),
-            },
-        })
+        let height = 34.0 * count as f64 + 12.0;
+        let scale = Scale::Window { height, x: (low - room, high + room), y: (-0.6, count as f64 - 0.4) };
+        let x = Axis::named(number.label, number.amount.unit);
+        Some(Panel::new(x, Axis::of_names("", names), scale).with(series).annotated(labels))
     };
     let panels: Vec<Panel> = deciding(runs, 4).into_iter().filter_map(panel).collect();
     (!panels.is_empty()).then(|| chart(panels))
@@ -294,15 +286,12 @@ pub(super) fn search(
         }
         if let Some(run) = best.map(|best| &runs.runs[best]) {
             let point = vec![(factor * run.value(0), run.numbers[place])];
-            series.push(Series::new("Result", point, Look::Circles { color: BLACK }));
+            series.push(Series::new("Result", point, Style::Circles { color: BLACK }));
         }
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        Panel {
-            x: Axis::named(variable.label(), unit).spaced(spacing),
-            y: Axis::named(number.label, number.amount.unit),
-            series,
-            scale: Scale::Fit { height: 260.0, least: LEAST * largest },
-        }
+        let x = Axis::named(variable.label(), unit).spaced(spacing);
+        let y = Axis::named(number.label, number.amount.unit);
+        Panel::fit(x, y, 260.0, LEAST * largest).with(series)
     };
     let panels: Vec<Panel> = asked.into_iter().map(panel).collect();
     (!panels.is_empty()).then(|| chart(panels))
@@ -324,7 +313,7 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Option<Cha
         let bar = |(i, count): (usize, &f64)| {
             let (from, to) = (low + i as f64 * width, low + (i + 1) as f64 * width);
             let outline = vec![(from, 0.0), (to, 0.0), (to, *count), (from, *count)];
-            Series::silent(outline, Look::Area { fill: pale(color(0)), edge: Some(color(0)) })
+            Series::silent(outline, Style::Area { fill: pale(color(0)), edge: Some(color(0)) })
         };
         let mut series: Vec<Series> = counts.iter().enumerate().map(bar).collect();
         let top = counts.iter().copied().fold(0.0, f64::max);
@@ -334,12 +323,8 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Option<Cha
                 series.push(Series::silent(vec![(limit, 0.0), (limit, top)], OWN));
             }
         }
-        Some(Panel {
-            x: Axis::named(response.number.label, response.number.amount.unit),
-            y: Axis::named("Parts", crate::units::Unit::None),
-            series,
-            scale: Scale::Fit { height: 180.0, least: 1.0 },
-        })
+        let x = Axis::named(response.number.label, response.number.amount.unit);
+        Some(Panel::fit(x, Axis::named("Parts", Unit::None), 180.0, 1.0).with(series))
     };
     let panels: Vec<Panel> = deciding(runs, 4).into_iter().filter_map(panel).collect();
     (!panels.is_empty()).then(|| chart(panels))

@@ -9,7 +9,8 @@ use crate::assess::{self, Light};
 use crate::case::{Case, Solution};
 use crate::compare::{Computed, Quantity};
 use crate::model::Geometry;
-use crate::plot::chart::{Chart, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
+use crate::plot::palette::color;
 use crate::study::verify::{Number, Of, Outcome, Verification, Watch, answered, quick};
 use crate::table::Axis;
 use crate::table::fields::{element, step};
@@ -236,7 +237,7 @@ impl SideBySide {
                 .members
                 .iter()
                 .enumerate()
-                .map(|(i, member)| Series::new(member.label(), curve(member.outcome()).to_vec(), Look::curve(i)));
+                .map(|(i, member)| Series::new(member.label(), curve(member.outcome()).to_vec(), Style::curve(i)));
             let mut series: Vec<Series> = runs.filter(|series| !series.points.is_empty()).collect();
             if series.is_empty() {
                 return None;
@@ -247,12 +248,11 @@ impl SideBySide {
                 let points: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.reference)).collect();
                 let place = self.members.len() + i;
                 let is_line = points.len() > CIRCLES;
-                let look = if is_line { Look::curve(place) } else { Look::Circles { color: color(place) } };
+                let look = if is_line { Style::curve(place) } else { Style::Circles { color: color(place) } };
                 series.push(Series::new(format!("{}: {}", i + 1, measured.name()), points, look));
             }
             let [x, y] = axes;
-            let panels = vec![Panel { x, y, series, scale: Scale::Fit { height: 350.0, least: 0.0 } }];
-            Some(Chart { title: String::new(), legend: String::new(), panels, notes: Vec::new() })
+            Some(Chart::new("", vec![Panel::fit(x, y, 350.0, 0.0).with(series)], Vec::new()))
         };
         let sections = self.sections();
         let all = [
@@ -272,7 +272,7 @@ impl SideBySide {
         let line = |(i, member): (usize, &Member)| {
             let frame = member.solution.stages.last()?.frames.last()?;
             let points = frame.nodes.iter().map(|node| (node.r, node.z)).collect();
-            Some(Series::new(member.label(), points, Look::curve(i)))
+            Some(Series::new(member.label(), points, Style::curve(i)))
         };
         let series: Vec<Series> = self.members.iter().enumerate().filter_map(line).collect();
         let all = || series.iter().flat_map(|series| &series.points);
@@ -284,8 +284,7 @@ impl SideBySide {
         }
         let scale = Scale::Section { x: range(|p| p.0), y: range(|p| p.1) };
         let (x, y) = (Axis::named("r", Unit::Mm), Axis::named("z", Unit::Mm));
-        let panels = vec![Panel { x, y, series, scale }];
-        Some(Chart { title: String::new(), legend: String::new(), panels, notes: Vec::new() })
+        Some(Chart::new("", vec![Panel::new(x, y, scale).with(series)], Vec::new()))
     }
 }
 

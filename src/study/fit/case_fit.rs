@@ -3,7 +3,8 @@
 use super::estimate::{Estimate, correlated, estimates, table};
 use crate::compare::{Computed, Point};
 use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
-use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series};
+use crate::plot::chart::{Chart, Panel, Series, Style};
+use crate::plot::palette::BLACK;
 use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
@@ -329,12 +330,11 @@ impl CurveMisfit {
     fn chart(&self) -> Chart {
         let points = self.points.iter().map(|p| (p.x, p.reference)).collect();
         let series = vec![
-            Series::new("Run at the start", self.before.clone(), Look::curve(1)),
-            Series::new("Fitted run", self.after.clone(), Look::curve(0)),
-            Series::new(self.curve.name(), points, Look::Circles { color: BLACK }),
+            Series::new("Run at the start", self.before.clone(), Style::curve(1)),
+            Series::new("Fitted run", self.after.clone(), Style::curve(0)),
+            Series::new(self.curve.name(), points, Style::Circles { color: BLACK }),
         ];
         let [x, y] = self.axes.clone();
-        let panels = vec![Panel { x, y, series, scale: Scale::Fit { height: 350.0, least: 0.0 } }];
-        Chart { title: String::new(), legend: String::new(), panels, notes: Vec::new() }
+        Chart::new("", vec![Panel::fit(x, y, 350.0, 0.0).with(series)], Vec::new())
     }
 }

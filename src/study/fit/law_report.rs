@@ -3,7 +3,8 @@
 use super::estimate::table;
 use super::flow_curve::FlowCurve;
 use super::law_fit::LawFits;
-use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
+use crate::plot::palette::{BLACK, GREY, color};
 use crate::study::report::{Cell, ReportTable, StudyReport};
 use crate::table::Axis;
 use crate::units::{Amount, Digits, Unit, significant, trimmed};
@@ -80,30 +81,24 @@ impl LawFits {
         let mut series = Vec::new();
         for (i, fit) in self.fits.iter().enumerate() {
             let curve = strains.iter().map(|e| (*e, fit.stress(*e, None))).collect();
-            series.push(Series::new(fit.kind.label(), curve, Look::curve(i)));
+            series.push(Series::new(fit.kind.label(), curve, Style::curve(i)));
         }
         for (i, test) in self.tests.iter().enumerate() {
             let points = thinned(test.points.iter().map(|p| (p.strain, p.stress)));
-            let look = if i == 0 { Look::Dots { color: BLACK } } else { Look::Triangles { color: color(i) } };
+            let look = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
             series.push(Series::new(test.short_name(), points, look));
         }
-        series.push(Series::new("end of the points", vec![(end, best.stress(end, None))], Look::Flag));
+        let flag = Annotation::new(AnnotationKind::Flag, "end of the points", (end, best.stress(end, None)));
         let points = self.fitted().flat_map(|test| &test.points);
         let misses = thinned(points.zip(&best.misses).map(|(point, miss)| (point.strain, *miss)));
-        let zero = Series::silent(vec![(0.0, 0.0), (end, 0.0)], Look::Line { color: GREY, width: 1.2, dash: &[] });
-        let below = vec![zero, Series::silent(misses, Look::Dots { color: BLACK })];
-        let panel = |label: &'static str, series, height, least| Panel {
-            x: Axis::named("True plastic strain", Unit::None),
-            y: Axis::named(label, Unit::MPa),
-            series,
-            scale: Scale::Fit { height, least },
+        let zero = Series::silent(vec![(0.0, 0.0), (end, 0.0)], Style::Line { color: GREY, width: 1.2, dash: &[] });
+        let below = vec![zero, Series::silent(misses, Style::Dots { color: BLACK })];
+        let panel = |label: &'static str, height, least| {
+            let strain = Axis::named("True plastic strain", Unit::None);
+            Panel::fit(strain, Axis::named(label, Unit::MPa), height, least)
         };
-        Chart {
-            title: String::new(),
-            legend: String::new(),
-            panels: vec![panel("True stress", series, 330.0, 10.0), panel("Law less point", below, 210.0, 1.0)],
-            notes: Vec::new(),
-        }
+        let above = panel("True stress", 330.0, 10.0).with(series).annotated([flag]);
+        Chart::new("", vec![above, panel("Law less point", 210.0, 1.0).with(below)], Vec::new())
     }
 }
 
