@@ -70,26 +70,3 @@ fn place_names(bands: &[Stretch], px: f64) -> Vec<(f64, bool)> {
     }
     names
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::measure::Band;
-
-    /// Reference: every pair of a hat of 435 mm, whose 100 mm of radii and wall are two letters wide.
-    #[test]
-    fn names_stand_in_their_bands_or_above_them_in_order() {
-        let ends = [0.0, 320.0, 336.0, 365.0, 382.0, 435.0];
-        let named = [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange];
-        let stretch = |i: usize| Stretch { band: named[i], elements: i..i + 1, along: [ends[i], ends[i + 1]] };
-        let bands: Vec<Stretch> = (0..named.len()).map(stretch).collect();
-        let px = NARROW / 435.0;
-        let names = place_names(&bands, px);
-        assert_eq!(names.iter().map(|name| name.1).collect::<Vec<_>>(), [false, true, true, true, true]);
-        let half = |i: usize| 0.5 * LETTER * named[i].name().chars().count() as f64 / px;
-        for i in 1..names.len() {
-            assert!(names[i].0 - half(i) >= 0.0 && names[i].0 + half(i) <= 435.0, "{names:?}");
-            assert!(i == 1 || names[i - 1].0 + half(i - 1) < names[i].0 - half(i), "{names:?}");
-        }
-    }
-}

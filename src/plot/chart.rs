@@ -113,15 +113,6 @@ pub enum Style {
         /// Colour of the outline, if there is one.
         edge: Option<Color>,
     },
-    /// Hatched polygon, distinct from its neighbours in grey print.
-    Hatched {
-        /// Colour of the inside; transparent without one.
-        fill: Option<Color>,
-        /// Colour of the lines.
-        line: Color,
-        /// Slope of the lines, counter-clockwise \[degrees\].
-        angle: f64,
-    },
 }
 
 /// Text in a panel; points are in the units of the axes.

@@ -9,70 +9,48 @@ const TOLERANCE: Style = Style::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0
 const MEASURED: Style = Style::Area { fill: (238, 174, 132), edge: Some((213, 94, 0)) };
 const WIDENED: Style = Style::Area { fill: (249, 224, 206), edge: Some((213, 94, 0)) };
 
-/// Computed curve against reference points.
-#[derive(Clone, Debug)]
-pub struct CurveComparison {
-    /// Axes of both curves.
-    pub axes: [Axis; 2],
-    /// Computed curve.
-    pub computed: Vec<(f64, f64)>,
-    /// Reference points.
-    pub reference: Vec<(f64, f64)>,
-    /// Relative differences over x \[%\].
-    pub differences: Vec<(f64, f64)>,
-    /// Accepted difference \[%\].
-    pub tolerance: f64,
+type Points = Vec<(f64, f64)>;
+
+/// Computed line and reference points; below them the differences and their tolerance \[%\].
+pub fn curve_panels(
+    [x, y]: [Axis; 2],
+    computed: Points,
+    reference: Points,
+    differences: Points,
+    tolerance: f64,
+) -> Vec<Panel> {
+    let (low, high) = bounds(reference.iter().chain(&computed).map(|p| p.0));
+    let level = |value: f64| vec![(low, value), (high, value)];
+    let above = [
+        Series::new("Computed", computed, Style::curve(0)),
+        Series::new("Reference", reference, Style::Circles { color: color(1) }),
+    ];
+    let below = [
+        Series::new(format!("Tolerance ±{tolerance} %"), level(tolerance), TOLERANCE),
+        Series::silent(level(-tolerance), TOLERANCE),
+        Series::silent(differences.clone(), Style::solid(BLACK, 1.6)),
+        Series::silent(differences, Style::Circles { color: BLACK }),
+    ];
+    let difference = Axis::named("Difference", Unit::Percent);
+    vec![Panel::fit(x.clone(), y, 270.0, 0.0).with(above), Panel::fit(x, difference, 150.0, 0.0).with(below)]
 }
 
-/// Computed curve against a band of reference values.
-#[derive(Clone, Debug)]
-pub struct BandComparison {
-    /// Axes.
-    pub axes: [Axis; 2],
-    /// Computed curve.
-    pub computed: Vec<(f64, f64)>,
-    /// Computed points that are compared, with their legend entry.
-    pub compared: (String, Vec<(f64, f64)>),
-    /// Reference values from the lowest to the highest, with their legend entry.
-    pub measured: (String, [f64; 2]),
-    /// Reference widened by its error, if it has one.
-    pub widened: Option<(String, [f64; 2])>,
-}
-
-impl CurveComparison {
-    /// Reference as circles, computed as a line; the difference and its tolerance below.
-    pub fn panels(self) -> Vec<Panel> {
-        let [x, y] = self.axes;
-        let (low, high) = bounds(self.reference.iter().chain(&self.computed).map(|p| p.0));
-        let level = |value: f64| vec![(low, value), (high, value)];
-        let above = [
-            Series::new("Computed", self.computed, Style::curve(0)),
-            Series::new("Reference", self.reference, Style::Circles { color: color(1) }),
-        ];
-        let below = [
-            Series::new(format!("Tolerance ±{} %", self.tolerance), level(self.tolerance), TOLERANCE),
-            Series::silent(level(-self.tolerance), TOLERANCE),
-            Series::silent(self.differences.clone(), Style::solid(BLACK, 1.6)),
-            Series::silent(self.differences, Style::Circles { color: BLACK }),
-        ];
-        let difference = Axis::named("Difference", Unit::Percent);
-        vec![Panel::fit(x.clone(), y, 270.0, 0.0).with(above), Panel::fit(x, difference, 150.0, 0.0).with(below)]
-    }
-}
-
-impl BandComparison {
-    /// Band over the whole width, the computed curve in front, circles at the compared values.
-    pub fn panel(self) -> Panel {
-        let [x, y] = self.axes;
-        let ends = bounds(self.computed.iter().map(|p| p.0));
-        let area = |(label, [low, high]): (String, [f64; 2]), style| {
-            Series::new(label, vec![(ends.0, low), (ends.1, low), (ends.1, high), (ends.0, high)], style)
-        };
-        let widened = self.widened.map(|band| area(band, WIDENED));
-        let measured = area(self.measured, MEASURED);
-        let (label, points) = self.compared;
-        let compared = (!points.is_empty()).then(|| Series::new(label, points, Style::Circles { color: BLACK }));
-        let computed = Series::new("Computed", self.computed, Style::curve(0));
-        Panel::fit(x, y, 350.0, 0.0).with(widened.into_iter().chain([measured, computed]).chain(compared))
-    }
+/// Band of reference values, if given also widened by its error, and the computed line with circles at the compared points;
+/// texts are legend entries.
+pub fn band_panel(
+    [x, y]: [Axis; 2],
+    computed: Points,
+    compared: (String, Points),
+    measured: (String, [f64; 2]),
+    widened: Option<(String, [f64; 2])>,
+) -> Panel {
+    let ends = bounds(computed.iter().map(|p| p.0));
+    let area = |(label, [low, high]): (String, [f64; 2]), style| {
+        Series::new(label, vec![(ends.0, low), (ends.1, low), (ends.1, high), (ends.0, high)], style)
+    };
+    let bands = widened.map(|band| area(band, WIDENED)).into_iter().chain([area(measured, MEASURED)]);
+    let line = Series::new("Computed", computed, Style::curve(0));
+    let circles = Series::new(compared.0, compared.1, Style::Circles { color: BLACK });
+    let circles = Some(circles).filter(|series| !series.points.is_empty());
+    Panel::fit(x, y, 350.0, 0.0).with(bands.chain([line]).chain(circles))
 }

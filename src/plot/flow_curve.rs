@@ -1,8 +1,8 @@
-//! Material chart: flow curve with measured points, rate factor, forming limits.
+//! Material chart: flow curve with measured points, and forming limits.
 
 use super::chart::{Chart, Panel, Series, Style};
 use super::forming_diagram::StrainMeasure;
-use super::palette::{BLACK, PALE, color};
+use super::palette::BLACK;
 use crate::case::library::{Measured, Rates};
 use crate::forming_limit::Curve;
 use crate::material::Material;
@@ -14,7 +14,7 @@ const POINTS: usize = 200;
 /// Styles that are left to the curves of several rates.
 const RATES: usize = 3;
 
-/// Yield stress over the equivalent plastic strain; with tests also misfit and rate factor; limit curves below.
+/// Yield stress over the equivalent plastic strain, limit curves below.
 pub fn chart(
     title: &str,
     material: &Material,
@@ -23,8 +23,6 @@ pub fn chart(
     notes: Vec<String>,
 ) -> Chart {
     let mut panels = vec![over_strain(material, measured)];
-    panels.extend(measured.map(|measured| misfit(material, measured)));
-    panels.extend(measured.and_then(|m| m.rates.as_ref()).map(|rates| over_rate(material, rates)));
     if !limits.is_empty() {
         let [x, y] = StrainMeasure { is_engineering: false }.axes();
         let series = limits.iter().enumerate().map(|(i, limit)| {
@@ -37,21 +35,16 @@ pub fn chart(
     Chart::new(title, panels, notes)
 }
 
-fn evenly(low: f64, high: f64) -> impl Iterator<Item = f64> {
-    (0..=POINTS).map(move |i| low + (high - low) * i as f64 / POINTS as f64)
-}
-
-fn strain_axis() -> Axis {
-    Axis::named("Equivalent plastic strain", Unit::None)
-}
-
 /// Flow curve at rates that were tested and are a decade apart or more, thin beyond the range of the fit.
 fn over_strain(material: &Material, measured: Option<&Measured>) -> Panel {
     let drawn = material.hardening.valid_up_to().unwrap_or(LARGEST);
     let end = material.measured_up_to().unwrap_or(drawn).min(drawn);
     let factor = |rate: f64| material.rate.map_or(1.0, |law| law.at(rate).value);
     let curve = |factor: f64, from: f64, to: f64| -> Vec<(f64, f64)> {
-        evenly(from, to).map(|strain| (strain, factor * material.hardening.at(strain).stress)).collect()
+        (0..=POINTS)
+            .map(|i| from + (to - from) * i as f64 / POINTS as f64)
+            .map(|strain| (strain, factor * material.hardening.at(strain).stress))
+            .collect()
     };
     let tested = measured.map(Measured::rate);
     let tested_factor = tested.map_or(1.0, factor);
@@ -74,30 +67,6 @@ fn over_strain(material: &Material, measured: Option<&Measured>) -> Panel {
         let points = measured.points().map(|p| (p.strain, p.stress)).collect();
         series.push(Series::new("Measured", points, Style::Dots { color: BLACK }));
     }
-    Panel::fit(strain_axis(), Axis::named("Yield stress", Unit::MPa), 260.0, 10.0).with(series)
-}
-
-/// Law less measured points, in front of their scatter.
-fn misfit(material: &Material, measured: &Measured) -> Panel {
-    let side = |sign: f64| measured.points().map(move |p| (p.strain, sign * p.scatter)).collect::<Vec<_>>();
-    let outline = side(1.0).into_iter().chain(side(-1.0).into_iter().rev()).collect();
-    let misfit = measured.misses(material);
-    Panel::fit(strain_axis(), Axis::named("Law less point", Unit::MPa), 150.0, 10.0).with([
-        Series::new("Scatter of the points", outline, Style::area(PALE)),
-        Series::silent(misfit.clone(), Style::curve(0)),
-        Series::silent(misfit, Style::Dots { color: BLACK }),
-    ])
-}
-
-/// Yield stress over that of the slowest test, by the rate law and as measured.
-fn over_rate(material: &Material, rates: &Rates) -> Panel {
-    let ratios = rates.ratios().into_iter().map(|(rate, ratio)| (rate.log10(), ratio)).collect();
-    let (slow, fast) = super::chart::bounds(rates.rates().map(f64::log10));
-    let law = evenly(slow, fast).map(|decade| (decade, rates.law(material, 10_f64.powf(decade)))).collect();
-    let label = material.rate.map_or_else(|| "No rate law".to_owned(), |law| law.to_string());
-    let x = Axis::named("Decades of the strain rate, log₁₀ of 1/s", Unit::None);
-    Panel::fit(x, Axis::named("Rate factor", Unit::None), 200.0, 0.1).with([
-        Series::new(label, law, Style::curve(0)),
-        Series::new("Measured ratios", ratios, Style::Triangles { color: color(1) }),
-    ])
+    let strain = Axis::named("Equivalent plastic strain", Unit::None);
+    Panel::fit(strain, Axis::named("Yield stress", Unit::MPa), 260.0, 10.0).with(series)
 }

@@ -8,6 +8,7 @@ pub mod chart;
 pub mod comparison;
 mod dimensions;
 mod display;
+#[cfg(feature = "app")]
 pub mod flow_curve;
 #[cfg(feature = "app")]
 pub mod forming_diagram;

@@ -138,7 +138,7 @@ pub(super) fn cross(at: (f64, f64), half: f64) -> impl Iterator<Item = Series> {
 
 /// Font size and mean width of a letter of callouts \[px\], and places tried along each direction.
 const LETTER_HEIGHT: f64 = 20.0;
-const LETTER_WIDTH: f64 = 12.4;
+const LETTER_WIDTH: f64 = 13.5;
 const STEPS: u32 = 24;
 /// Distance of a callout from the sheet \[px\].
 const CLEARANCE: f64 = 9.0;

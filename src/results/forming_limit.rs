@@ -5,12 +5,7 @@ use crate::forming_limit::Curve;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL};
 use crate::table::fields::path::{major, minor};
 use crate::table::fields::step::TRAVEL;
-use crate::table::{Axis, Column, Table, Unit};
-
-/// The axes of a forming limit diagram: minor and major strain.
-pub(crate) fn axes() -> [Axis; 2] {
-    [minor(Vec::new()).axis(), major(Vec::new()).axis()]
-}
+use crate::table::{Column, Table, Unit};
 
 /// The points of a curve.
 pub fn curve(curve: &Curve) -> Table {

@@ -3,10 +3,11 @@
 use super::{Chart, Files, Format, Results, StageView, csv};
 use crate::case::{Case, Solution};
 use crate::compare::{
-    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Point, Points,
-    Quantity, compare,
+    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Point,
+    Points, Quantity, compare,
 };
-use crate::plot::comparison::{BandComparison, CurveComparison};
+use crate::plot::chart::Panel;
+use crate::plot::comparison::{band_panel, curve_panels};
 use crate::units::rounded;
 
 impl Solution {
@@ -58,10 +59,10 @@ fn is_quantity(name: &str) -> bool {
 pub(crate) fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
     let (panels, mut notes) = match (&comparison.spec.against, &comparison.found) {
         (Against::Curve(spec), Found::Points(points)) => {
-            (curve(comparison, spec, points).panels(), notes_on_points(comparison, spec, points))
+            (curve(comparison, spec, points), notes_on_points(comparison, spec, points))
         }
         (Against::Band(spec), Found::Band(found)) => {
-            (vec![band(comparison, spec, found).panel()], notes_on_band(comparison, spec, found))
+            (vec![band(comparison, spec, found)], notes_on_band(comparison, spec, found))
         }
         _ => return None,
     };
@@ -78,19 +79,16 @@ fn largest_drawn(points: &[Point], spec: &CurveSpec) -> f64 {
     if 2 * beyond > points.len() { f64::INFINITY } else { end }
 }
 
-fn curve(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> CurveComparison {
+fn curve(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> Vec<Panel> {
     let largest = largest_drawn(points, spec);
     let differences = points.iter().filter_map(|p| Some((p.x, p.difference()?)));
-    CurveComparison {
-        axes: comparison.axes().into(),
-        computed: comparison.curve.clone(),
-        reference: points.iter().map(|p| (p.x, p.reference)).collect(),
-        differences: differences.filter(|d| d.1.abs() <= largest).map(|(x, d)| (x, 100.0 * d)).collect(),
-        tolerance: rounded(100.0 * spec.tolerance),
-    }
+    let differences = differences.filter(|d| d.1.abs() <= largest).map(|(x, d)| (x, 100.0 * d)).collect();
+    let reference = points.iter().map(|p| (p.x, p.reference)).collect();
+    let tolerance = rounded(100.0 * spec.tolerance);
+    curve_panels(comparison.axes().into(), comparison.curve.clone(), reference, differences, tolerance)
 }
 
-fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> BandComparison {
+fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Panel {
     let curve = &comparison.curve;
     let which = spec.quantity.which();
     let compared = band.computed.map_or_else(Default::default, |computed| {
@@ -101,16 +99,11 @@ fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> BandComparison
         };
         (format!("Computed {which}, {}", comparison.text(computed)), points)
     });
-    let measured = (format!("Reference {which}, {}", comparison.text(band.measured)), band.measured);
+    let ends = |interval: Interval| [interval.low, interval.high];
+    let measured = (format!("Reference {which}, {}", comparison.text(band.measured)), ends(band.measured));
     let widened = (band.accepted != band.measured)
-        .then(|| (format!("Reference with its error, {}", comparison.text(band.accepted)), band.accepted));
-    BandComparison {
-        axes: comparison.axes().into(),
-        computed: curve.clone(),
-        compared,
-        measured: (measured.0, [measured.1.low, measured.1.high]),
-        widened: widened.map(|(label, interval)| (label, [interval.low, interval.high])),
-    }
+        .then(|| (format!("Reference with its error, {}", comparison.text(band.accepted)), ends(band.accepted)));
+    band_panel(comparison.axes().into(), curve.clone(), compared, measured, widened)
 }
 
 fn origin(comparison: &Comparison, columns: &str) -> Vec<String> {

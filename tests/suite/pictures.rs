@@ -7,9 +7,10 @@ use crate::common::{drawn, shipped};
 use stampflow::case::Press;
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::bands;
-use stampflow::model::{Geometry, Release};
+use stampflow::model::{Bead, Geometry, Release};
 use stampflow::plot::chart::{AnnotationKind, Scale, Style};
-use stampflow::plot::{Captions, Chart, Format, Pictures, StageView, svg};
+use stampflow::plot::{Captions, Chart, Format, Pictures, StageView, dimensioned, svg};
+use stampflow::report::dimensions;
 use stampflow::results::{Make, OUTPUTS};
 use stampflow::solver::solution::{StageSolution, Stop};
 
@@ -238,6 +239,37 @@ fn thickness_along_the_part_names_its_bands() {
     let [_, over_part] = &chart.panels[..] else { panic!("two panels") };
     let borders = over_part.series.iter().filter(|series| series.points.len() == 2).map(|series| series.points[0].0);
     assert_eq!(borders.collect::<Vec<_>>(), bands[1..].iter().map(|band| band.along[0]).collect::<Vec<_>>());
+}
+
+fn cross(a: &[(f64, f64)], b: &[(f64, f64)]) -> bool {
+    let side =
+        |l: &[(f64, f64)], p: (f64, f64)| (l[1].0 - l[0].0) * (p.1 - l[0].1) - (l[1].1 - l[0].1) * (p.0 - l[0].0);
+    side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0
+}
+
+/// Reference: the sizes are those of the case files; leaders are the thin lines that end left of a text at the side.
+#[test]
+fn a_dimensioned_section_has_leaders_that_do_not_cross() {
+    for name in ["quickstart", "stages_cup", "hat_springback", "brite_cylindrical", "osu_stretch", "bulge"] {
+        let mut model = shipped::shipped(name, &[]);
+        model.beads = vec![Bead { at: 0.8 * model.blank.length, restraining: 50.0, closing: 10.0 }];
+        let chart = dimensioned(name.to_owned(), &model, None, &dimensions(&model, None));
+        let series = &chart.panels[0].series;
+        let thin = series.iter().filter(|s| s.points.len() == 2 && matches!(s.style, Style::Line { width: 1.0, .. }));
+        let lines: Vec<_> = thin.map(|s| s.points.as_slice()).collect();
+        let right = lines.iter().map(|line| line[1].0).fold(0.0, f64::max);
+        let leaders: Vec<_> = lines.into_iter().filter(|line| line[1].0 == right).collect();
+        for (i, a) in leaders.iter().enumerate() {
+            assert!(leaders[..i].iter().all(|b| !cross(a, b)), "{name}: leaders cross");
+        }
+        let texts: Vec<&str> = texts(&chart, |_| true).iter().map(|text| text.0).collect();
+        assert!(texts.iter().any(|text| text.starts_with("Draw bead")), "{name}: {texts:?}");
+        if name == "quickstart" {
+            for text in ["Blank Ø 110 mm", "Punch Ø 60 mm", "Punch nose R 6 mm", "Die shoulder R 6 mm"] {
+                assert!(texts.contains(&text), "{text} is not in {texts:?}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::{Canvas, IN_MEMORY, units};
 use crate::plot::chart::{Color, Panel, Scale, Style};
 use crate::plot::palette::BLACK;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
-use plotters::element::Rectangle;
+use plotters::element::PathElement;
 
 /// Most labels of the x axis, and the least width of each in a small panel.
 const X_TICKS: usize = 8;
@@ -105,7 +105,7 @@ impl Frame {
         let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
         for series in panel.series.iter().filter(|series| !series.points.is_empty()) {
             let points = match series.style {
-                Style::Area { .. } | Style::Hatched { .. } => clipped(&series.points, self.x, self.y),
+                Style::Area { .. } => clipped(&series.points, self.x, self.y),
                 _ => series.points.clone(),
             };
             let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).collect();
@@ -118,7 +118,9 @@ impl Frame {
         let y_px = |v: f64| height * if is_section { share(v, self.y) } else { 1.0 - share(v, self.y) };
         self.flags.draw(&plot, y_px, height);
         annotations::draw(&plot, panel, |p| (width * share(p.0, self.x), y_px(p.1)));
-        plot.draw(&Rectangle::new([(0, 0), (size.0 as i32, size.1 as i32)], pen(BLACK, AXIS))).expect(IN_MEMORY);
+        let (right, bottom) = (size.0 as i32, size.1 as i32);
+        let corners = [(0, 0), (right, 0), (right, bottom), (0, bottom), (0, 0)];
+        plot.draw(&PathElement::new(corners, pen(BLACK, AXIS))).expect(IN_MEMORY);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Lines, markers and areas, in a panel or as samples in the legend.
 
-use super::polygon::{dashed, hatched};
+use super::polygon::dashed;
 use super::{Canvas, IN_MEMORY, px, rgb, units};
 use crate::plot::chart::{Color, Style};
 use crate::plot::palette::WHITE;
@@ -13,9 +13,6 @@ use std::f64::consts::TAU;
 pub(super) const DOT: f64 = 2.6;
 const CIRCLE: f64 = 5.0;
 const TRIANGLE: f64 = 4.0;
-/// Distance of the lines of a hatched area, and their thickness.
-const HATCH: f64 = 9.0;
-const HATCH_LINE: f64 = 1.0;
 
 /// Series or legend sample in the coordinates `C` of its area.
 pub(super) struct Shape<C> {
@@ -71,15 +68,6 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<C> {
                     backend.draw_path(outline.iter().chain(outline.first()).copied(), &pen(edge, 0.8))?;
                 }
             }
-            Style::Hatched { fill, line, angle } => {
-                let outline: Vec<_> = points.collect();
-                if let Some(fill) = fill {
-                    backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
-                }
-                for ends in hatched(&outline.into_iter().map(px).collect::<Vec<_>>(), angle, HATCH) {
-                    backend.draw_path(ends.map(whole), &pen(line, HATCH_LINE))?;
-                }
-            }
         }
         Ok(())
     }
@@ -90,9 +78,7 @@ pub(super) fn sample(canvas: &Canvas, style: Style, (x, y): (f64, f64), (width, 
     let points = match style {
         Style::Line { .. } => vec![(x, y), (x + width, y)],
         Style::Circles { .. } | Style::Dots { .. } | Style::Triangles { .. } => vec![(x + 0.5 * width, y)],
-        Style::Area { .. } | Style::Hatched { .. } => {
-            vec![(x, y - half), (x + width, y - half), (x + width, y + half), (x, y + half)]
-        }
+        Style::Area { .. } => vec![(x, y - half), (x + width, y - half), (x + width, y + half), (x, y + half)],
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { style, points }).expect(IN_MEMORY);
