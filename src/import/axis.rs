@@ -10,22 +10,20 @@ use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
 use crate::model::Role;
 
-/// A punch that comes so near to x = 0 reaches it, over the farthest x of all tools \[–\]: drawings are untidy.
+/// Largest distance of a punch from x = 0 over the farthest x of all tools \[–\], at which it still reaches the axis.
 const NEAR: f64 = 0.02;
 
-/// What is in the name of a line type or a layer of centre lines.
 const CENTRE: [&str; 9] = ["center", "centre", "mitte", "achse", "axis", "axe", "symm", "dashdot", "strichpunkt"];
 /// Line types of ISO 128 for centre lines, as CAD programs name them.
 const ISO: [&str; 2] = ["iso04w", "iso10w"];
 
-/// A vertical centre line: its x from where the axis is taken to be \[mm\].
+/// Vertical centre line, x from the assumed axis \[mm\].
 struct CentreLine<'a> {
     x: f64,
     from: &'a Listed,
 }
 
-/// Refuses a drawing with a punch that would be a ring, or with tools that are alike on both sides of a line that is not
-/// x = 0. A centre line at x = 0 answers the question.
+/// Refuses tools that would be rings or lie symmetric about a line other than x = 0; a centre line at x = 0 accepts them.
 pub(super) fn ask(strokes: &[(Part, Vec<Stroke>)], entities: &[Placed], frame: &Frame) -> Result<(), ImportError> {
     let of = |is: &dyn Fn(Role) -> bool| {
         let pieces = strokes.iter().filter(|(part, _)| is(part.role)).flat_map(|(_, strokes)| strokes);
@@ -64,7 +62,7 @@ pub(super) fn ask(strokes: &[(Part, Vec<Stroke>)], entities: &[Placed], frame: &
     Err(ImportError::new(format!("{found}: is the axis at x = {x}, {why}?"), help))
 }
 
-/// The end of a punch that is away from the die, or nearer to x = 0 where no die is drawn \[mm\].
+/// End of a punch away from the die, or nearer to x = 0 without a die \[mm\].
 fn inner_end(punch: &Bounds, die: Option<Bounds>) -> f64 {
     let inward = match die {
         Some(die) => die.low.x + die.high.x > punch.low.x + punch.high.x,
@@ -73,7 +71,6 @@ fn inner_end(punch: &Bounds, die: Option<Bounds>) -> f64 {
     if inward { punch.low.x } else { punch.high.x }
 }
 
-/// Whether every end of a piece has its mirror image in the line x = `middle`.
 fn are_alike(pieces: &[Piece], middle: f64, join: f64) -> bool {
     let ends: Vec<Point> = pieces.iter().flat_map(|piece| [piece.first(), piece.last()]).collect();
     let has_image = |p: &Point| {
@@ -83,7 +80,6 @@ fn are_alike(pieces: &[Piece], middle: f64, join: f64) -> bool {
     ends.iter().all(has_image)
 }
 
-/// The vertical lines of the drawing that are centre lines by their line type or layer, one of those at one x.
 fn centre_lines<'a>(entities: &'a [Placed], frame: &Frame) -> Vec<CentreLine<'a>> {
     let says = |name: &str| {
         let name = name.to_lowercase();

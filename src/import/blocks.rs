@@ -6,22 +6,19 @@ use super::listing::{Block, Drawing, ENTITIES, Entity, Listed, Shape, cut};
 use super::reference::{Placement, Reference};
 use std::collections::BTreeMap;
 
-/// Blocks inside blocks are followed so deep.
 const DEEPEST: usize = 50;
-/// The layer whose entities take on that of the reference.
+/// Layer whose entities take that of the reference.
 const NO_LAYER: &str = "0";
 
-/// An entity where the drawing has it: of the model or a paper sheet, or placed by references.
+/// Entity as it is placed in the drawing.
 #[derive(Debug)]
 pub(super) struct Placed<'a> {
     pub listed: Listed,
-    /// Its shape where it is one that tools are drawn with.
     pub curve: Option<&'a Curve>,
     pub placement: Placement,
 }
 
-/// All entities of a drawing, each block as often as it is referred to. A reference to what is not in the file, or that is not
-/// in the drawing's plane, stays one.
+/// Entities of a drawing with all blocks placed; a reference to a missing block or out of the plane stays.
 ///
 /// # Errors
 /// When a block holds itself, or there are too many entities.
@@ -35,16 +32,16 @@ pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>, ImportError
 
 struct Explosion<'a> {
     drawing: &'a Drawing,
-    /// By their names in small letters.
+    /// Blocks by their names in small letters.
     blocks: BTreeMap<String, &'a Block>,
-    /// The blocks that are being placed, the innermost last.
+    /// Blocks that are being placed, the innermost last.
     open: Vec<&'a str>,
     count: usize,
     found: Vec<Placed<'a>>,
 }
 
 impl<'a> Explosion<'a> {
-    /// Places entities; `by` is the reference that they are placed by.
+    /// Places entities; `by` is their reference.
     fn entities(
         &mut self,
         entities: &'a [Entity],
@@ -97,8 +94,7 @@ impl<'a> Explosion<'a> {
         Err(ImportError::new(what, "save the tools' layers only").at(listed.line))
     }
 
-    /// An entity as it is placed. Without a layer of its own it has that of the reference, and where that has none, the name of
-    /// the block: a part's file that is placed whole is a block of that name.
+    /// Entity as it is placed, with the layer of its reference if it has none, or else the block's name as its layer.
     fn listed(&self, entity: &Listed, placement: &Placement, by: Option<&Listed>) -> Listed {
         let mut listed = entity.clone();
         let at = placement.at(entity.at.into());

@@ -9,22 +9,20 @@ use crate::geometry::{Arc, Bounds, Piece, Point, Segment, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Lines that lie on each other go the same way within this angle \[rad\].
+/// Largest angle between overlapping lines \[rad\].
 const ALONG: f64 = 0.01;
 
-/// A line of strokes, each beginning where the one before ends.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub strokes: Vec<Stroke>,
-    /// Whether the last one ends where the first begins.
     pub is_closed: bool,
 }
 
-/// One end of a stroke: its index, and whether it is the last point.
+/// Index of a stroke, and whether its last point is meant.
 type End = (usize, bool);
 
 impl Chain {
-    /// The pieces in order, and the index of each one's stroke.
+    /// Pieces in order with the index of their stroke.
     pub fn pieces(&self) -> impl DoubleEndedIterator<Item = (&Piece, usize)> {
         self.strokes.iter().enumerate().flat_map(|(i, stroke)| stroke.pieces.iter().map(move |piece| (piece, i)))
     }
@@ -37,7 +35,6 @@ impl Chain {
         self.strokes[self.strokes.len() - 1].last()
     }
 
-    /// The same line walked the other way.
     pub fn reversed(&self) -> Self {
         Self { strokes: self.strokes.iter().rev().map(Stroke::reversed).collect(), ..*self }
     }
@@ -84,7 +81,6 @@ pub(super) fn join(
     Ok(Chain { strokes, is_closed })
 }
 
-/// The strokes without those that another one draws as well.
 fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
     let looks = |stroke: &Stroke| stroke.pieces.iter().flat_map(|piece| piece.sample(4)).collect::<Vec<_>>();
     let within = |a: &Stroke, b: &Stroke| looks(a).iter().all(|p| away(b, *p) <= frame.join);
@@ -106,12 +102,11 @@ fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>)
     kept.into_iter().map(|(_, stroke)| stroke).collect()
 }
 
-/// Distance of a point from a stroke \[mm\].
+/// \[mm\]
 fn away(stroke: &Stroke, p: Point) -> f64 {
     stroke.pieces.iter().map(|piece| (piece.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min)
 }
 
-/// The places where strokes end, each with the ends that are there.
 fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
     let mut corners: Vec<(Point, Vec<End>)> = Vec::new();
     for (i, stroke) in strokes.iter().enumerate() {
@@ -125,7 +120,7 @@ fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
     corners
 }
 
-/// Ends that lie on the inside of another stroke: overlaps and side branches.
+/// Refuses ends inside another stroke: overlaps and side branches.
 fn touching(strokes: &[Stroke], part: Part, frame: &Frame) -> Result<(), ImportError> {
     let boxes: Vec<Bounds> = strokes.iter().map(Stroke::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
@@ -159,7 +154,6 @@ fn touching(strokes: &[Stroke], part: Part, frame: &Frame) -> Result<(), ImportE
     Ok(())
 }
 
-/// Direction of a piece at a point on it.
 fn tangent_near(piece: &Piece, at: Point) -> Point {
     match piece {
         Piece::Segment(_) => piece.tangent(false),
@@ -167,7 +161,7 @@ fn tangent_near(piece: &Piece, at: Point) -> Point {
     }
 }
 
-/// The lines that the strokes make, each in order and one way, and whether it is closed.
+/// Lines made of strokes, each with whether it is closed.
 fn walk(strokes: &[Stroke], corners: &[(Point, Vec<End>)]) -> Vec<(Vec<Stroke>, bool)> {
     let mut done = vec![false; strokes.len()];
     let mut lines = Vec::new();
@@ -196,7 +190,7 @@ fn walk(strokes: &[Stroke], corners: &[(Point, Vec<End>)]) -> Vec<(Vec<Stroke>, 
     lines
 }
 
-/// The two ends of different lines that come closest.
+/// Error of the two ends of different lines that come closest.
 fn gap(lines: &[Vec<Stroke>], part: Part, frame: &Frame) -> ImportError {
     let ends = |line: &'_ [Stroke]| {
         let (first, last) = (&line[0], &line[line.len() - 1]);
@@ -217,8 +211,7 @@ fn gap(lines: &[Vec<Stroke>], part: Part, frame: &Frame) -> ImportError {
         .at(from_a.line)
 }
 
-/// Makes every stroke begin exactly where the one before ends, and returns the widest joint \[mm\]. A line gives way to an
-/// arc, so that tangents stay.
+/// Closes all joints and returns the widest \[mm\]; a line gives way to an arc, so that tangents stay.
 fn close_joints(strokes: &mut [Stroke], is_closed: bool) -> f64 {
     let mut widest: f64 = 0.0;
     let mut close = |a: &mut Piece, b: &mut Piece| {
@@ -243,7 +236,6 @@ fn close_joints(strokes: &mut [Stroke], is_closed: bool) -> f64 {
     widest
 }
 
-/// The piece between other ends, close to its own.
 pub(super) fn with_ends(piece: &Piece, from: Point, to: Point) -> Piece {
     match piece {
         _ if (from, to) == (piece.first(), piece.last()) => *piece,

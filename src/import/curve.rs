@@ -1,12 +1,9 @@
 //! The entities that tools are drawn with, as the file's groups give them: in drawing units and degrees.
 
-/// A point x, y, z.
 pub(super) type Place = [f64; 3];
 
-/// An entity that becomes pieces of a section.
 #[derive(Clone, Debug)]
 pub(super) enum Curve {
-    /// LINE: both ends.
     Line([Place; 2]),
     Arc(Arc),
     /// LWPOLYLINE.
@@ -16,12 +13,12 @@ pub(super) enum Curve {
     Spline(Spline),
 }
 
-/// A circular arc, counter-clockwise as seen along its normal.
+/// Circular arc, counter-clockwise as seen along its normal.
 #[derive(Clone, Debug)]
 pub(super) struct Arc {
     pub center: Place,
     pub radius: f64,
-    /// Where it begins and ends \[degrees\].
+    /// Start and end \[degrees\].
     pub angles: [f64; 2],
     pub normal: Place,
 }
@@ -36,36 +33,31 @@ pub(super) struct Polyline {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Vertex {
     pub at: Place,
-    /// Tangent of a quarter of the angle that the arc to the next vertex turns, positive to the left; 0 for a line.
+    /// Tangent of a quarter of the arc's angle to the next vertex, positive to the left; 0 for a line.
     pub bulge: f64,
     flags: f64,
 }
 
-/// A rational B-spline.
 #[derive(Clone, Debug)]
 pub(super) struct Spline {
     pub degree: f64,
     pub knots: Vec<f64>,
-    /// One for each control point, or none.
+    /// Weights of the control points, or none.
     pub weights: Vec<f64>,
     pub control: Vec<Place>,
 }
 
-/// What a group code means to an entity.
+/// Target of a group's value.
 pub(super) enum Group<'a> {
-    /// A number of its shape, to be set.
     Number(&'a mut f64),
-    /// A coordinate of a point that has no x before it.
+    /// Coordinate of a point without x.
     NoPoint,
-    /// Nothing about its shape.
     Other,
 }
 
-/// The normal of what is drawn in the drawing's plane.
 pub(super) const UP: Place = [0.0, 0.0, 1.0];
 
 impl Curve {
-    /// An entity of a kind whose groups follow; `None` of a kind that is no curve.
     pub fn new(kind: &str) -> Option<Self> {
         let polyline = || Polyline { vertices: Vec::new(), flags: 0.0, normal: UP };
         Some(match kind {
@@ -80,7 +72,6 @@ impl Curve {
         })
     }
 
-    /// Where the value of a group goes; lists grow with it.
     pub fn group(&mut self, code: i32) -> Group<'_> {
         // 10, 20, 30; 11, 21, 31; 210, 220, 230
         let axis = (code / 10 % 10 - 1).clamp(0, 2) as usize;
@@ -115,14 +106,12 @@ impl Polyline {
         self.flags as i64 & 1 != 0
     }
 
-    /// Whether it is a mesh in space.
     pub fn is_mesh(&self) -> bool {
         self.flags as i64 & (16 | 64) != 0
     }
 }
 
 impl Vertex {
-    /// Where the value of a group goes.
     pub fn group(&mut self, code: i32) -> Group<'_> {
         match code {
             10 | 20 | 30 => Group::Number(&mut self.at[code as usize / 10 - 1]),
@@ -132,13 +121,11 @@ impl Vertex {
         }
     }
 
-    /// Whether it is a control point of the spline that the polyline follows, and not on it.
     pub fn is_off_the_curve(&self) -> bool {
         self.flags as i64 & 16 != 0
     }
 }
 
-/// A new last entry.
 fn added<T: Default>(list: &mut Vec<T>) -> &mut T {
     list.push(T::default());
     list.last_mut().expect("it was just added")

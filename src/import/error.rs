@@ -1,14 +1,14 @@
-//! What is wrong with a drawing, where, and what to do about it.
+//! Errors of a drawing: what, where, and what you can do.
 
-/// A drawing that no tool's section can be read from.
+/// Reason why no section can be read from a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what}\n  {help}")]
 pub struct ImportError {
-    /// What is wrong, with the entities and the place.
+    /// The error, with the entities and the place.
     pub what: String,
-    /// What to do about it.
+    /// Remedy.
     pub help: String,
-    /// Line of the file, from 1, of the first entity that is named.
+    /// Line of the file, from 1, of the first named entity.
     pub line: Option<usize>,
 }
 
@@ -17,7 +17,6 @@ impl ImportError {
         Self { what: what.into(), help: help.into(), line: None }
     }
 
-    /// The same error, at a line of the file.
     pub(super) fn at(self, line: usize) -> Self {
         Self { line: Some(line), ..self }
     }

@@ -6,24 +6,24 @@ use super::options::{DrawingUnit, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
 
-/// What the numbers of $INSUNITS stand for, from 1.
+/// Names of the units of $INSUNITS, from 1.
 const UNITS: &str = "inches, feet, miles, mm, cm, m, km, microinches, mils, yards, ångströms, nanometres, micrometres, decimetres, \
     decametres, hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey \
     yards, US survey miles";
 
-/// How a drawing's coordinates become a section's.
+/// Unit and axis, which turn a drawing's coordinates into a section's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
     unit: DrawingUnit,
-    /// x of the axis in the drawing \[mm\].
+    /// \[mm\]
     axis: f64,
-    /// See [`Options`] \[mm\].
+    /// \[mm\]
     pub join: f64,
     pub tolerance: f64,
 }
 
 impl Frame {
-    /// The unit asked for, or the header's ($INSUNITS, or else a metric $MEASUREMENT), and the axis.
+    /// Unit and axis of the options, or else the header's unit ($INSUNITS, then a metric $MEASUREMENT).
     pub fn of(header: &Header, options: &Options, notes: &mut Vec<String>) -> Result<Self, ImportError> {
         let (unit, from) = match options.unit {
             Some(unit) => (unit, "as asked for"),
@@ -37,22 +37,22 @@ impl Frame {
         Ok(Self { unit, axis, join: options.join, tolerance: options.tolerance })
     }
 
-    /// A point of the drawing in mm, x from the axis.
+    /// \[mm\], x from the axis.
     pub fn point(&self, x: f64, y: f64) -> Point {
         Point::new(x * self.unit.mm() - self.axis, y * self.unit.mm())
     }
 
-    /// A length of the drawing in mm.
+    /// \[mm\]
     pub fn length(&self, length: f64) -> f64 {
         length * self.unit.mm()
     }
 
-    /// A place as it is found in the drawing: `x = 30 mm, y = -6 mm`.
+    /// Point in the drawing's unit: `x = 30 mm, y = -6 mm`.
     pub fn place(&self, p: Point) -> String {
         format!("x = {}, y = {}", self.along(p.x + self.axis), self.along(p.y))
     }
 
-    /// A length \[mm\] as it is found in the drawing: `1.5 in`.
+    /// Length \[mm\] in the drawing's unit: `1.5 in`.
     pub fn along(&self, mm: f64) -> String {
         let written = (mm / self.unit.mm() * 1e6).round() / 1e6 + 0.0;
         format!("{written} {}", self.unit.symbol())

@@ -7,7 +7,7 @@ use super::parts::Part;
 use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
 
-/// The chain at x ≥ 0.
+/// Chain at x ≥ 0.
 pub(super) fn right(
     strokes: Vec<Stroke>,
     part: Part,
@@ -42,8 +42,7 @@ pub(super) fn right(
     }
 }
 
-/// The parts of a stroke on either side of the axis. Points within a joint's width of the axis are on it; what runs along
-/// it is no part of an outline.
+/// Parts of a stroke on either side of the axis, without those along it; points within a joint's width are on the axis.
 fn cut(stroke: &Stroke, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
     let on_axis = |p: Point| if p.x.abs() <= frame.join { Point::new(0.0, p.y) } else { p };
     let mut parts: Vec<Stroke> = Vec::new();
@@ -76,12 +75,11 @@ fn is_right(piece: &Piece) -> bool {
     piece.sample(2)[1].x > 0.0
 }
 
-/// The mirror image in the axis.
 fn mirrored(stroke: &Stroke) -> Stroke {
     Stroke { pieces: stroke.pieces.iter().map(Piece::across_axis).collect(), from: stroke.from.clone() }
 }
 
-/// Every point of one half has to be on the other.
+/// Refuses halves that differ.
 fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<(), ImportError> {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
         let points = these.pieces().flat_map(|(piece, stroke)| piece.sample(8).into_iter().map(move |p| (p, stroke)));

@@ -1,4 +1,4 @@
-//! Which layer draws which tool.
+//! Tools by layer.
 
 use super::blocks::Placed;
 use super::error::ImportError;
@@ -8,7 +8,7 @@ use super::parts::{Part, Parts, operation, ordered};
 use crate::model::Role;
 use std::collections::BTreeMap;
 
-/// Which layers are tools: those named with `--layer`, then those whose names hold the word of one.
+/// Tools by layer: those of `--layer`, then those by name.
 pub(super) fn parts(found: &[Placed], options: &Options, notes: &mut Vec<String>) -> Result<Parts, ImportError> {
     let mut layers: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { listed, .. } in found.iter().filter(|entity| !entity.listed.on_paper) {
@@ -46,14 +46,13 @@ pub(super) fn parts(found: &[Placed], options: &Options, notes: &mut Vec<String>
     Ok(ordered(parts))
 }
 
-/// Layers are tools, but no line is on them.
 pub(super) fn nothing_drawn(parts: &Parts) -> ImportError {
     let named = some(parts.iter().map(|(layer, part)| format!("\"{}\" ({})", cut(layer), part.name())));
     let what = format!("no line, arc, polyline or spline is on {named}");
     ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
 }
 
-/// A list for a sentence, of twenty entries at most.
+/// List for a sentence, of twenty entries at most.
 pub(super) fn some(entries: impl Iterator<Item = String>) -> String {
     let mut entries = entries.peekable();
     let first: Vec<String> = entries.by_ref().take(20).collect();
@@ -61,7 +60,6 @@ pub(super) fn some(entries: impl Iterator<Item = String>) -> String {
     first.join(", ") + &more
 }
 
-/// `1 entity`, `4 entities`.
 pub(super) fn entities(count: usize) -> String {
     if count == 1 { "1 entity".to_owned() } else { format!("{count} entities") }
 }

@@ -11,58 +11,49 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// More of a file is no drawing of a few tools \[bytes\].
+/// Largest file \[bytes\].
 pub const LARGEST: usize = 50_000_000;
-/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
+/// Most lines and arcs of a tool; a section may have 2000.
 pub(super) const MOST: usize = 5000;
 
-/// Entities of a drawing, and points and knots of its lines and curves: an assembly with all its parts has fewer.
+/// Most entities of a drawing, and points and knots of its curves.
 pub(super) const ENTITIES: usize = 200_000;
 const POINTS: usize = 1_000_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
 
-/// Characters of the Windows code page 1252 from 0x80 to 0x9F; all others are those of Unicode.
+/// Code page 1252 from 0x80 to 0x9F; other characters are those of Unicode.
 const WINDOWS: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
     '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
 
-/// What is read of a drawing.
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     pub header: Header,
-    /// The entities of the model and of paper sheets, references to blocks among them.
     pub entities: Vec<Entity>,
     pub blocks: Vec<Block>,
-    /// The line type of each layer, by the layer's name.
+    /// Line type of each layer.
     pub line_types: BTreeMap<String, String>,
 }
 
-/// What a drawing says about its unit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Header {
-    /// Number of $INSUNITS; 0 where there is none.
+    /// $INSUNITS, or 0.
     pub unit: usize,
-    /// Whether $MEASUREMENT is metric.
     pub is_metric: bool,
 }
 
-/// An entity and its shape.
 #[derive(Debug)]
 pub(super) struct Entity {
     pub listed: Listed,
     pub shape: Shape,
 }
 
-/// What an entity draws.
 #[derive(Debug)]
 pub(super) enum Shape {
-    /// What tools are drawn with.
     Curve(Curve),
-    /// INSERT.
     Reference(Reference),
-    /// Nothing that a tool is drawn with.
     Other,
 }
 
@@ -84,23 +75,21 @@ impl Shape {
     }
 }
 
-/// An entity as the file names it.
+/// Properties of an entity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Listed {
-    /// LINE, ARC, ...
     pub kind: String,
     pub layer: String,
     /// Hexadecimal, as CAD programs show it; empty in old files.
     pub handle: String,
     /// Line of the file, from 1.
     pub line: usize,
-    /// Drawn on a sheet of paper, not in the model.
     pub on_paper: bool,
-    /// Its point, in drawing units: where a circle's centre or a text is.
+    /// First point \[drawing units\].
     pub at: [f64; 2],
-    /// Its line type; empty where it is that of the layer.
+    /// Empty for that of the layer.
     pub line_type: String,
-    /// The block that it is in, or that it refers to; empty for others.
+    /// Block that it is in or refers to; empty for others.
     pub block: String,
 }
 
@@ -113,19 +102,16 @@ impl fmt::Display for Listed {
     }
 }
 
-/// A block as the file lists it.
 #[derive(Debug, Default)]
 pub(super) struct Block {
     pub name: String,
-    /// The point that a reference places, in drawing units.
+    /// Point that a reference places \[drawing units\].
     pub base: Point,
-    /// Whether it stands for another file.
     pub is_external: bool,
     pub entities: Vec<Entity>,
 }
 
 impl Block {
-    /// Takes a group of the block itself.
     pub fn take(&mut self, code: i32, value: &str) {
         let number = || value.parse::<f64>().ok().filter(|number| number.is_finite()).unwrap_or(0.0);
         match code {
@@ -138,7 +124,7 @@ impl Block {
     }
 }
 
-/// The file's text: UTF-8, or the Windows code page of older files.
+/// Text of the file: UTF-8, or the Windows code page of older files.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     let text_help = "save the drawing as DXF in text form (ASCII), version R12 or later";
     if bytes.len() > LARGEST {
@@ -161,22 +147,19 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     })
 }
 
-/// What the pairs that follow belong to, inside the BLOCKS and ENTITIES sections.
+/// Owner of the next groups.
 enum Part {
-    /// The last block itself.
     Block,
     Entity,
-    /// The last vertex of the last entity, a POLYLINE.
     Vertex,
-    /// An attribute of a block, the end of a list of vertices: no part of any shape.
+    /// Attributes and ends of lists.
     Other,
 }
 
 /// Reads a drawing's text.
 ///
 /// # Errors
-/// When it is no DXF, ends inside a section, holds more than any drawing of tools, or has something else where a group code
-/// or a curve's number has to be.
+/// When it is no DXF, is cut short, is too large, or has no number where one has to be.
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     let Drawing { mut header, mut entities, mut blocks, mut line_types } = Drawing::default();
     let (mut section, mut opens, mut is_dxf) = ("", false, false);
@@ -254,7 +237,6 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     Ok(Drawing { header, entities, blocks, line_types })
 }
 
-/// Begins an entity, or a part of the last one.
 fn begun(kind: &str, line: usize, found: &mut Vec<Entity>) -> Part {
     match (kind, found.last_mut()) {
         ("VERTEX", Some(Entity { shape: Shape::Curve(Curve::Old(polyline)), .. })) => {
@@ -306,12 +288,11 @@ impl Entity {
     }
 }
 
-/// A whole number, which some programs write with decimals; 0 for anything else.
+/// Whole number, which some programs write with decimals; 0 for anything else.
 pub(super) fn whole(value: &str) -> usize {
     value.parse::<f64>().map_or(0, |value| value as usize)
 }
 
-/// A quotation that stays short.
 pub(super) fn cut(text: &str) -> &str {
     text.char_indices().nth(40).map_or(text, |(end, _)| &text[..end])
 }

@@ -1,16 +1,13 @@
 //! Tool sections from a drawing (DXF): lines, arcs, polylines and splines joined into oriented chains, one per tool.
 //!
 //! ```text
-//! text → listing               what the file holds, line by line: the header's unit, entities and where they stand
-//!    │ curve                      the shape of those that tools are drawn with
-//!    │ blocks                     each block as often as it is referred to
-//!    │ layers, parts              which layer is which tool of which operation
-//!    │ stroke, spline             entity → Stroke: pieces in mm, and where they were drawn
-//!    │ axis                       is the axis at x = 0?
-//!    │ halves                     cut at the axis; a second half is compared and left out
+//! text → listing, curve          entities and their shapes, the header's unit
+//!    │ blocks, reference          each block as often as it is referred to
+//!    │ layers, parts              tool and operation of each layer
+//!    │ stroke, spline             entity → Stroke: pieces in mm
+//!    │ axis, halves               is the axis at x = 0? a second half is compared and left out
 //!    │ chain                      strokes joined end to end: gaps, overlaps, branches are named
-//!    │ orient, outline            which way the punch moves; the sheet on the left; of outlines the side towards the sheet
-//!    └ Sections                   a Profile for each tool, as drawn
+//!    └ orient, outline            Section: sheet on the left; of outlines the side towards the sheet
 //! ```
 //!
 //! # Frame
@@ -48,8 +45,7 @@ use std::collections::BTreeSet;
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 ///
 /// # Errors
-/// When the bytes are no DXF, the unit or the axis is not known, no layer is a tool, or a tool's lines do not make one chain;
-/// the message names the entities and the place in the drawing's own unit.
+/// When the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let drawing = listing::drawing(&listing::decode(bytes)?)?;
     let mut notes = Vec::new();
@@ -93,7 +89,6 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     Ok(Sections { number, tools, later, notes })
 }
 
-/// Every part once: operations by their numbers, in each of them punch, die, holder.
 fn in_order(parts: &Parts) -> Vec<Part> {
     let operations: BTreeSet<Option<u32>> = parts.values().map(|part| part.operation).collect();
     let all = operations.into_iter().flat_map(|operation| Role::ALL.map(|role| Part { operation, role }));

@@ -4,21 +4,20 @@ use crate::model::Role;
 use crate::units::factor;
 use std::str::FromStr;
 
-/// How a drawing is to be understood.
+/// Options of the reader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Layers by name and the tool that each draws (`None`: no tool), before what their names say.
+    /// Tools of layers by name, `None` for no tool, in place of what their names say.
     pub layers: Vec<(String, Option<Role>)>,
     /// Unit of the drawing; the header's when `None`.
     pub unit: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing \[mm\]; where `None` it is 0, and tools that are drawn elsewhere are
-    /// refused.
+    /// x of the axis or symmetry plane in the drawing \[mm\]; 0 when `None`, and tools away from it are refused.
     pub axis: Option<f64>,
-    /// Ends that are no farther apart meet \[mm\].
+    /// Largest gap between ends that meet \[mm\].
     pub join: f64,
-    /// How far the arcs that replace a spline may leave it \[mm\].
+    /// Largest distance of a spline from its arcs \[mm\].
     pub tolerance: f64,
-    /// Which way the punch moves in the drawing; found from the tools' walls when `None`.
+    /// Direction of the punch in the drawing; found from the tools' walls when `None`.
     pub punch_moves: Option<Heading>,
 }
 
@@ -28,7 +27,7 @@ impl Default for Options {
     }
 }
 
-/// A unit of length that drawings are made in.
+/// Unit of length of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingUnit {
     /// 10⁻³ mm.
@@ -51,26 +50,18 @@ impl DrawingUnit {
     /// Every unit, the likeliest first.
     pub const ALL: [Self; 7] = [Self::Mm, Self::Cm, Self::M, Self::Inch, Self::Foot, Self::Mil, Self::Micrometre];
 
-    /// Its symbol, as `--units` takes it.
+    /// Symbol, as `--units` takes it.
     pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Micrometre => "um",
-            Self::Mm => "mm",
-            Self::Cm => "cm",
-            Self::M => "m",
-            Self::Mil => "mil",
-            Self::Inch => "in",
-            Self::Foot => "ft",
-        }
+        ["um", "mm", "cm", "m", "mil", "in", "ft"][self as usize]
     }
 
-    /// Its length \[mm\].
+    /// Length \[mm\].
     pub fn mm(self) -> f64 {
         factor(self.symbol()).expect("every unit of a drawing is one of a case file")
     }
 }
 
-/// Which way the punch moves in the drawing, where y goes up.
+/// Direction of the punch in the drawing, where y goes up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heading {
     /// Towards smaller y.
@@ -80,15 +71,12 @@ pub enum Heading {
 }
 
 impl Heading {
-    /// Both.
+    /// Both directions.
     pub const ALL: [Self; 2] = [Self::Down, Self::Up];
 
     /// `down` or `up`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Down => "down",
-            Self::Up => "up",
-        }
+        ["down", "up"][self as usize]
     }
 }
 
@@ -108,16 +96,15 @@ impl FromStr for Heading {
     }
 }
 
-/// One of a list, by its name.
 fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
     let found = all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
     found.ok_or_else(|| format!("give {}", all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")))
 }
 
-/// Which tool a layer draws, `NAME=TOOL`; `None` of `NAME=none`.
+/// Reads `NAME=TOOL`, the tool that a layer draws; `None` for `NAME=none`.
 ///
 /// # Errors
-/// When no layer is named, or no tool is.
+/// When no layer or no tool is named.
 pub fn layer(text: &str) -> Result<(String, Option<Role>), String> {
     let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
     match Role::from_word(tool) {

@@ -1,4 +1,4 @@
-//! Which way the punch moves, and the sheet on the left of every section.
+//! Direction of the punch, and the sheet on the left of every section.
 
 use super::chain::Chain;
 use super::error::ImportError;
@@ -12,12 +12,12 @@ use super::section::Section;
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
 
-/// A wall is seen from this height on \[mm\].
+/// Least height of a wall \[mm\].
 const WALL: f64 = 1e-3;
 
-/// The heading asked for, or the one that the walls of punch and die tell: a punch's body lies behind its face, so that
-/// its outer end is behind its inner one, and a die's cavity is ahead of its face. Of tools that are drawn all round, their
-/// places tell.
+/// Direction of the punch: the option's, or that of the walls, or that of the tools' places.
+///
+/// A punch's body lies behind its face, so that its outer end is behind its inner one; a die's cavity is ahead of its face.
 pub(super) fn heading(
     chains: &[(Part, Chain)],
     asked: Option<Heading>,
@@ -65,13 +65,12 @@ fn by_place(chains: &[(Part, Chain)]) -> Result<(Heading, String), ImportError> 
     Ok((Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()))
 }
 
-/// The ends of a chain, the one nearer to the axis first.
 fn from_axis(chain: &Chain) -> (Point, Point) {
     let (a, b) = (chain.first(), chain.last());
     if a.x <= b.x { (a, b) } else { (b, a) }
 }
 
-/// The section of a tool: z in the direction of the punch travel, the sheet on its left.
+/// Section of a tool: z along the punch travel, the sheet on its left.
 pub(super) fn section(
     part: Part,
     chain: Chain,
@@ -126,8 +125,7 @@ pub(super) fn section(
     Ok(Section { role, profile, ends, made_of })
 }
 
-/// The chain from the axis outward. Where both ends are equally far from it (a body drawn as far as the axis, a ring), the
-/// end nearer to the sheet is the inner one.
+/// Chain from the axis outward; with both ends equally far, the one nearer to the sheet is the inner end.
 fn outward(part: Part, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
     let (a, b) = (chain.first(), chain.last());
     let along = if heading == Heading::Down { -1.0 } else { 1.0 };

@@ -20,16 +20,15 @@ use super::stroke::Stroke;
 use crate::geometry::{Arc, Bounds, Piece, Point};
 use crate::model::Role;
 
-/// Parts that lie one above the other have their middles so far apart, over the height of the lower one of both \[–\].
+/// Least distance of the middles of tools above each other, over the height of the lower one \[–\].
 const APART: f64 = 0.1;
 
-/// Whether a line goes all round a tool: it is closed, or begins and ends on the axis.
+/// Whether a line is closed, or begins and ends on the axis.
 pub(super) fn is_outline(chain: &Chain) -> bool {
     chain.is_closed || chain.first().x == 0.0 && chain.last().x == 0.0
 }
 
-/// The heading that the places of punch or holder and die tell: the punch and the holder are drawn behind the sheet, the die
-/// is ahead of it.
+/// Direction of the punch from places: punch and holder are behind the sheet, the die is ahead of it.
 pub(super) fn heading(chains: &[(Part, Chain)]) -> Option<(Heading, String)> {
     let bounds = |chain: &Chain| {
         let pieces: Vec<Piece> = chain.pieces().map(|(piece, _)| *piece).collect();
@@ -50,7 +49,7 @@ pub(super) fn heading(chains: &[(Part, Chain)]) -> Option<(Heading, String)> {
     told.next()
 }
 
-/// The side of an outline that meets the sheet, as an open line.
+/// Side of an outline towards the sheet, as an open line.
 pub(super) fn sheet_side(
     part: Part,
     chain: Chain,
@@ -90,17 +89,16 @@ pub(super) fn sheet_side(
     Ok(side)
 }
 
-/// Twice the area that a closed line goes round, positive where that is counter-clockwise \[mm²\]; of chords of arcs, which
-/// does not change its sign.
+/// Twice the enclosed area, positive if counter-clockwise \[mm²\]; chords of arcs keep its sign.
 fn area(chain: &Chain) -> f64 {
     let points: Vec<Point> = chain.pieces().flat_map(|(piece, _)| piece.sample(8)).collect();
     points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp(b)).sum()
 }
 
-/// A place on a chain: stroke, piece, point.
+/// Stroke, piece and point of a chain.
 type Spot = (usize, usize, Point);
 
-/// The point of a chain that is the largest by the first of two measures, and of those within `near` of it by the second.
+/// Point with the largest first measure, and within `near` of it the largest second one.
 fn largest(chain: &Chain, by: &dyn Fn(Point) -> [f64; 2], near: f64) -> Spot {
     let spots = chain.strokes.iter().enumerate().flat_map(|(i, stroke)| {
         stroke.pieces.iter().enumerate().flat_map(move |(j, piece)| corners(piece).map(move |p| (i, j, p)))
@@ -111,7 +109,7 @@ fn largest(chain: &Chain, by: &dyn Fn(Point) -> [f64; 2], near: f64) -> Spot {
     first.max_by(|a, b| by(a.2)[1].total_cmp(&by(b.2)[1])).expect("a chain has pieces")
 }
 
-/// Ends of a piece, and where an arc goes along x or y.
+/// Ends of a piece, and the points of an arc where it is parallel to x or y.
 fn corners(piece: &Piece) -> impl Iterator<Item = Point> + use<> {
     let poles = match piece {
         Piece::Arc(arc) => [Point::x(), Point::y(), -Point::x(), -Point::y()]
@@ -121,7 +119,6 @@ fn corners(piece: &Piece) -> impl Iterator<Item = Point> + use<> {
     [piece.first(), piece.last()].into_iter().chain(poles.into_iter().flatten())
 }
 
-/// The strokes before and after a place.
 fn split(chain: Chain, (i, j, at): Spot, join: f64) -> [Vec<Stroke>; 2] {
     let mut before = chain.strokes;
     let mut after = before.split_off(i);
@@ -136,7 +133,6 @@ fn split(chain: Chain, (i, j, at): Spot, join: f64) -> [Vec<Stroke>; 2] {
     [before, after]
 }
 
-/// The parts of a piece before and after a point of it.
 fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
     if (at - piece.first()).norm() <= join {
         return [None, Some(*piece)];
@@ -149,14 +145,12 @@ fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
     [Some(part(piece.first(), at)), Some(part(at, piece.last()))]
 }
 
-/// A closed chain that begins at its largest point.
 fn from(chain: Chain, by: &dyn Fn(Point) -> [f64; 2], join: f64) -> Chain {
     let spot = largest(&chain, by, join);
     let [before, after] = split(chain, spot, join);
     Chain { strokes: after.into_iter().chain(before).collect(), is_closed: true }
 }
 
-/// A chain as far as its largest point.
 fn up_to(chain: Chain, by: &dyn Fn(Point) -> [f64; 2], join: f64) -> Chain {
     let spot = largest(&chain, by, join);
     let [before, _] = split(chain.clone(), spot, join);

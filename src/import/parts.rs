@@ -1,4 +1,4 @@
-//! Which tool of which operation a layer draws.
+//! Tool and operation of a layer.
 
 use crate::model::Role;
 use std::collections::{BTreeMap, BTreeSet};
@@ -6,26 +6,23 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
 const WORDS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
 
-/// A tool of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Part {
-    /// Number of the operation; `None` where the drawing has only one, or for layers without a number that are another's.
+    /// Number of the operation; `None` for the only one and for layers without a number.
     pub operation: Option<u32>,
     pub role: Role,
 }
 
 impl Part {
-    /// `punch`, `OP30 punch`.
     pub fn name(self) -> String {
         let role = self.role.name();
         self.operation.map_or_else(|| role.to_owned(), |number| format!("OP{number} {role}"))
     }
 }
 
-/// The part of each layer that draws one, by the layer's name.
+/// Parts by the layer's name.
 pub(super) type Parts = BTreeMap<String, Part>;
 
-/// The number of the operation in a layer's name.
 pub(super) fn operation(layer: &str) -> Option<u32> {
     let lower = layer.to_lowercase();
     let is_word = |word: &str| WORDS.contains(&word);
@@ -46,8 +43,7 @@ pub(super) fn operation(layer: &str) -> Option<u32> {
     None
 }
 
-/// Layers without a number are the first operation's, where that has none of these tools itself, or else an operation before it;
-/// one operation needs no number.
+/// Assigns layers without a number to the first operation, or to one before it if that has these tools itself.
 pub(super) fn ordered(mut parts: Parts) -> Parts {
     let of = |parts: &Parts, operation: Option<u32>| -> Vec<Role> {
         parts.values().filter(|part| part.operation == operation).map(|part| part.role).collect()

@@ -1,4 +1,4 @@
-//! Where a block is placed.
+//! Placement of a block.
 //!
 //! ```text
 //! x' = p + R(φ) [S (x − b) + (i c, j r)]        b base of the block; p, φ, S the reference's point, rotation and scales;
@@ -9,16 +9,14 @@ use super::curve::{Group, Place, UP};
 use crate::geometry::Point;
 use nalgebra::{Matrix2, Rotation2};
 
-/// INSERT: where and how a block is placed.
+/// INSERT: placement of a block.
 #[derive(Clone, Debug)]
 pub(super) struct Reference {
     at: Place,
     scale: Place,
     /// \[degrees\]
     rotation: f64,
-    /// Columns and rows.
     count: [f64; 2],
-    /// Distance of columns and of rows.
     spacing: [f64; 2],
     normal: Place,
 }
@@ -30,7 +28,6 @@ impl Default for Reference {
 }
 
 impl Reference {
-    /// Where the value of a group goes.
     pub fn group(&mut self, code: i32) -> Group<'_> {
         Group::Number(match code {
             10 | 20 | 30 => &mut self.at[code as usize / 10 - 1],
@@ -43,7 +40,7 @@ impl Reference {
         })
     }
 
-    /// Every place of an array, as far as `most` in each direction; `None` of a block that is turned out of the plane or has no extent.
+    /// All places of an array, up to `most` in each direction; `None` for a block out of the plane or without extent.
     pub fn placements(&self, base: Point, most: usize) -> Option<impl Iterator<Item = Placement> + use<>> {
         let [x, y, z] = self.normal;
         let [across, up, _] = self.scale;
@@ -63,19 +60,18 @@ impl Reference {
     }
 }
 
-/// From the coordinates of a block to those of the drawing: x ↦ A x + s, in drawing units.
+/// Map from a block to the drawing, x ↦ A x + s \[drawing units\].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placement {
     matrix: Matrix2<f64>,
     shift: Point,
 }
 
-/// What a placement does to a circle.
 pub(super) struct Similarity {
     pub scale: f64,
     /// \[rad\]
     pub rotation: f64,
-    /// −1 where it mirrors, else 1; the mirror image in the x axis is taken before the rotation.
+    /// −1 for a mirror image in the x axis, taken before the rotation, else 1.
     pub sense: f64,
 }
 
@@ -88,17 +84,15 @@ impl Placement {
         Self { matrix: self.matrix * inner.matrix, shift: self.at(inner.shift) }
     }
 
-    /// Where a point of the block is in the drawing.
     pub fn at(&self, p: Point) -> Point {
         self.matrix * p + self.shift
     }
 
-    /// −1 where it mirrors, else 1.
     pub fn sense(&self) -> f64 {
         self.matrix.determinant().signum()
     }
 
-    /// `None` where it makes ellipses of circles.
+    /// `None` for a map that makes ellipses of circles.
     pub fn similarity(&self) -> Option<Similarity> {
         let (x, y) = (self.matrix.column(0), self.matrix.column(1));
         let scale = x.norm();

@@ -1,27 +1,27 @@
-//! What was understood of a drawing.
+//! Sections read from a drawing.
 
 use crate::geometry::{Point, Profile};
 use crate::model::Role;
 
-/// A tool's section that was read.
+/// Section of a tool.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
-    /// Which tool it is.
+    /// The tool.
     pub role: Role,
-    /// The sheet on its left; z in the direction of the punch travel, not moved.
+    /// Profile with the sheet on its left, z along the punch travel, not moved.
     pub profile: Profile,
-    /// Where lines and arcs of the drawing, and whole splines, begin and end \[mm\].
+    /// Ends of drawn lines, arcs and splines \[mm\].
     pub ends: Vec<Point>,
-    /// What it was made of: `4 entities of layer "PUNCH"`.
+    /// Source, `4 entities of layer "PUNCH"`.
     pub made_of: String,
 }
 
-/// The tools of one operation.
+/// Tools of one operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operation {
-    /// As its layers name it; `None` of layers without a number.
+    /// Number in the layers' names, if any.
     pub number: Option<u32>,
-    /// Punch, die, holder, those that are drawn; where there are several operations, each has its punch.
+    /// Punch, die, holder as far as they are drawn.
     pub tools: Vec<Section>,
 }
 
@@ -31,27 +31,27 @@ impl Operation {
         self.number.map_or_else(|| "the first operation".to_owned(), |number| format!("OP{number}"))
     }
 
-    /// The section of a tool of the first operation, where it is drawn.
+    /// Section of a tool, if drawn.
     pub fn tool(&self, role: Role) -> Option<&Section> {
         self.tools.iter().find(|tool| tool.role == role)
     }
 }
 
-/// What was understood of a drawing.
+/// Tools read from a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
-    /// Number of the first operation, where layers name several.
+    /// Number of the first operation, if there are several.
     pub number: Option<u32>,
-    /// Punch, die, holder of the first operation, those that are drawn.
+    /// Tools of the first operation.
     pub tools: Vec<Section>,
-    /// The operations after it, by their numbers.
+    /// Later operations, by their numbers.
     pub later: Vec<Operation>,
-    /// Units, direction, halves, joints, what was left out: whole sentences without a full stop.
+    /// How the drawing was understood: unit, direction, halves, joints, omissions.
     pub notes: Vec<String>,
 }
 
 impl Sections {
-    /// The section of a tool of the first operation, where it is drawn.
+    /// Section of a tool of the first operation, if drawn.
     pub fn tool(&self, role: Role) -> Option<&Section> {
         self.tools.iter().find(|tool| tool.role == role)
     }

@@ -8,36 +8,34 @@ use super::listing::MOST;
 use crate::geometry::{Piece, Point, biarc, turn};
 use nalgebra::Vector3;
 
-/// Most halvings of one span: 2^12 pairs of arcs.
+/// Most halvings of one span.
 const DEEPEST: usize = 12;
 
-/// Neither end of a pair of arcs turns farther from their chord \[rad\]: what does is halved first.
+/// Largest turn of the ends of a biarc from their chord \[rad\].
 const TURN: f64 = 0.5;
 
-/// Points of a part at which its arcs are compared with it.
+/// Points at which a part is compared with its arcs.
 const LOOKS: usize = 16;
 
-/// Share of the tolerance that those points may use up [–]: between two of them the distance may rise a little more.
+/// Share of the tolerance at those points \[–\]; between them the distance may rise.
 const BETWEEN: f64 = 0.9;
 
-/// Highest degree that CAD programs write.
 const DEGREE: usize = 25;
 
-/// Ends that are not farther apart are one point \[mm\].
+/// Largest distance of coinciding points \[mm\].
 const SAME: f64 = 1e-9;
 
-/// A curve with homogeneous control points (w x, w y, w).
+/// Curve with homogeneous control points (w x, w y, w).
 struct Curve {
     degree: usize,
     knots: Vec<f64>,
     control: Vec<Vector3<f64>>,
 }
 
-/// Lines and arcs in place of a spline through its control points \[mm\]: its ends and tangents are met, and it is nowhere
-/// farther from them than `tolerance` \[mm\].
+/// Arcs within `tolerance` of a spline through control points \[mm\], with its ends and tangents.
 ///
 /// # Errors
-/// What is wrong with it, as the end of a sentence.
+/// The reason, as the end of a sentence.
 pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Result<Vec<Piece>, String> {
     let curve = Curve::new(spline, control)?;
     let mut pieces = Vec::new();
@@ -78,7 +76,7 @@ impl Curve {
         Ok(Self { degree, knots: knots.clone(), control })
     }
 
-    /// Point and derivative at a parameter of the span between a knot and the next.
+    /// Point and derivative at a parameter of a span.
     fn at(&self, span: usize, u: f64) -> (Point, Point) {
         let (p, t) = (self.degree, &self.knots);
         let mut d: Vec<Vector3<f64>> = self.control[span - p..=span].to_vec();
@@ -97,7 +95,6 @@ impl Curve {
         (point, (rate.xy() - rate.z * point) / d[p].z)
     }
 
-    /// Adds the arcs of a part of a span, halved until they are close enough.
     fn arcs(
         &self,
         span: usize,

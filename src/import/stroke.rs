@@ -13,32 +13,17 @@ use crate::units::{Dimensioned, Kind, Length, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// Kinds that say something about a drawing and are no part of an outline.
-const SAID: [&str; 15] = [
-    "TEXT",
-    "MTEXT",
-    "DIMENSION",
-    "ARC_DIMENSION",
-    "LEADER",
-    "MULTILEADER",
-    "TOLERANCE",
-    "HATCH",
-    "POINT",
-    "ATTDEF",
-    "XLINE",
-    "RAY",
-    "VIEWPORT",
-    "IMAGE",
-    "WIPEOUT",
-];
+/// Kinds of annotations, which are no part of an outline.
+const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER TOLERANCE HATCH POINT ATTDEF XLINE RAY VIEWPORT \
+                           IMAGE WIPEOUT";
 
-/// Ends that are not farther apart are one point \[mm\]: no drawing is finer.
+/// Largest distance of coinciding points \[mm\].
 const SHORTEST: f64 = 1e-7;
 
-/// A bulge that is smaller is a straight line's \[–\]: its arc leaves the chord by half of this share.
+/// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
 
-/// An entity, or the part of one on one side of the axis.
+/// Entity, or its part on one side of the axis.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     pub pieces: Vec<Piece>,
@@ -54,18 +39,15 @@ impl Stroke {
         self.pieces[self.pieces.len() - 1].last()
     }
 
-    /// The box around it.
     pub fn bounds(&self) -> Bounds {
         Bounds::around(&self.pieces).expect("a stroke has pieces")
     }
 
-    /// The same stroke drawn the other way.
     pub fn reversed(&self) -> Self {
         Self { pieces: self.pieces.iter().rev().map(Piece::reversed).collect(), from: self.from.clone() }
     }
 }
 
-/// The strokes of a tool, from all of its layers.
 pub(super) fn of_part(
     entities: &[Placed],
     parts: &Parts,
@@ -75,9 +57,9 @@ pub(super) fn of_part(
 ) -> Result<Vec<Stroke>, ImportError> {
     let ours = |entity: &&Placed| !entity.listed.on_paper && parts.get(&entity.listed.layer) == Some(&part);
     let name = part.name();
-    let mut said: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut annotations: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
-        if !SAID.contains(&listed.kind.as_str()) {
+        if !ANNOTATIONS.split(' ').any(|kind| kind == listed.kind) {
             let help = match listed.kind.as_str() {
                 "INSERT" => "its block is in another file, or lies across the drawing's plane: bind or explode it",
                 _ => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
@@ -86,11 +68,11 @@ pub(super) fn of_part(
             let what = format!("{listed} at {place} cannot be part of the {name}'s profile");
             return Err(ImportError::new(what, help).at(listed.line));
         }
-        *said.entry(&listed.kind).or_default() += 1;
+        *annotations.entry(&listed.kind).or_default() += 1;
     }
-    if !said.is_empty() {
-        let said: Vec<String> = said.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        notes.push(format!("left out of the {name}'s layer: {}", said.join(", ")));
+    if !annotations.is_empty() {
+        let annotations: Vec<String> = annotations.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+        notes.push(format!("left out of the {name}'s layer: {}", annotations.join(", ")));
     }
     let curves = || entities.iter().filter(ours).filter_map(|placed| Some((placed.curve?, placed)));
     let splines = curves().filter(|(_, placed)| placed.listed.kind == "SPLINE").count();
@@ -133,7 +115,6 @@ fn stroke(curve: &Curve, from: &Listed, placement: &Placement, frame: &Frame) ->
     Ok(Stroke { pieces, from: from.clone() })
 }
 
-/// Draws the pieces of one entity, and names it where it cannot.
 struct Pen<'a> {
     entry: &'a Listed,
     placement: &'a Placement,
@@ -146,7 +127,7 @@ impl Pen<'_> {
             .at(self.entry.line)
     }
 
-    /// A point in mm; `side` is −1 in a coordinate system seen from behind.
+    /// Point in mm; `side` is −1 in a coordinate system seen from behind.
     fn point(&self, side: f64, [x, y, _]: Place) -> Result<Point, ImportError> {
         let [x, y] = self.placement.at(Point::new(side * x, y)).into();
         let point = self.frame.point(x, y);
@@ -157,7 +138,6 @@ impl Pen<'_> {
         Err(self.error(format!("reaches x = {x}, y = {y}, beyond {largest} mm: is the unit right?")))
     }
 
-    /// All heights above the drawing's plane have to be the same.
     fn flat(&self, heights: impl IntoIterator<Item = f64>) -> Result<(), ImportError> {
         let (low, high) =
             heights.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
@@ -168,7 +148,7 @@ impl Pen<'_> {
         Ok(())
     }
 
-    /// +1 for an entity that is drawn in the plane of the drawing, −1 for one that is seen from behind.
+    /// +1 in the drawing's plane, −1 seen from behind.
     fn side(&self, [x, y, z]: Place) -> Result<f64, ImportError> {
         if x.abs() > 1e-9 || y.abs() > 1e-9 || z == 0.0 {
             return Err(self.error(format!("does not lie in the x-y plane: its normal is ({x}, {y}, {z})")));
@@ -195,7 +175,6 @@ impl Pen<'_> {
         Ok(vec![Piece::Arc(Arc::new(center, radius, start, similarity.sense * sweep))])
     }
 
-    /// The error of an arc that its block's scales make an ellipse of.
     fn elliptic(&self) -> ImportError {
         self.error("is an arc in a block that is placed with different scales along x and y".to_owned())
     }
@@ -209,7 +188,6 @@ impl Pen<'_> {
         self.vertices(line, vertices)
     }
 
-    /// The line through some of a polyline's vertices.
     fn vertices<'v>(
         &self,
         line: &Polyline,
@@ -226,8 +204,7 @@ impl Pen<'_> {
         self.polyline(&points, &bulges)
     }
 
-    /// Lines and arcs through points; the bulge of each point but the last is the tangent of a quarter of the angle
-    /// that the arc to the next one turns, positive to the left.
+    /// Lines and arcs through points; a bulge is that of the arc to the next point.
     fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>, ImportError> {
         // Repeated points, which CAD programs leave behind, are one.
         let distinct = points.windows(2).zip(bulges).filter(|(pair, _)| (pair[1] - pair[0]).norm() > SHORTEST);

@@ -35,21 +35,6 @@ fn a_run_writes_every_file_and_sums_up() {
     assert!(trace.starts_with("step,travel_mm,iteration,velocity_norm") && trace.lines().count() > 50);
 }
 
-/// An end that was asked for is no early stop: exit code 0, every file, and no word of stopping early.
-#[test]
-fn a_contact_share_ends_a_run_as_wished() {
-    let dir = folder(include_str!("../../cases/superplastic_box.toml"));
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    assert!(text(&done.stdout).contains("contact share reached"), "{}", text(&done.stdout));
-    for file in ["summary.json", "pressure_cycle.csv", "pressure_cycle.png"] {
-        let size = fs::metadata(dir.path().join("out/cup").join(file)).unwrap().len();
-        assert!(size > 200, "{file}: {size} bytes");
-    }
-    let summary = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
-    assert!(summary.contains("\"complete\": true"), "{summary}");
-}
-
 #[test]
 fn several_cases_go_to_folders_of_their_own_without_progress_when_quiet() {
     let dir = folder(CUP);
@@ -59,15 +44,6 @@ fn several_cases_go_to_folders_of_their_own_without_progress_when_quiet() {
     assert!(dir.path().join("r/cup/shapes.png").exists() && dir.path().join("r/bowl/shapes.png").exists());
     let summary = text(&done.stdout);
     assert!(summary.find("in r/cup").unwrap() < summary.find("in r/bowl").unwrap(), "in the order asked for");
-}
-
-#[test]
-fn an_override_reaches_the_run_and_its_summary() {
-    let dir = folder(CUP);
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--set", "tools.punch.travel=3 mm"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let json = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
-    assert!(json.contains("\"travel_mm\": 3.0") && json.contains("tools.punch.travel=3 mm"), "{json}");
 }
 
 #[test]
@@ -82,7 +58,6 @@ fn bad_input_ends_with_2_and_writes_nothing() {
         &["run", "cases/curveless.toml"],
         &["run", "cases/cup.toml", "cases/curveless.toml", "--trace", "t.csv"],
         &["check", "cases/none.toml"],
-        &["validate", "--cases", "none"],
         &["run"],
         &["fly"],
     ] {
@@ -129,7 +104,6 @@ fn no_control_character_reaches_the_terminal() {
         (&["check", "cases/other.toml"], 2),
         (&["check", "cases/cup.toml", "--set", &set], 2),
         (&["check", &missing], 2),
-        (&["validate", "--cases", &missing], 2),
         (&[&verb], 2),
     ] {
         let done = stampflow(dir.path(), args);
@@ -141,14 +115,6 @@ fn no_control_character_reaches_the_terminal() {
     }
 }
 
-/// Colours are of the program; what stands in the file is none.
-#[test]
-fn a_coloured_message_shows_the_files_escapes_as_codes() {
-    let shown = stampflow::case::parse("title = \"\u{1b}[31m", "a\u{1b}[31m.toml", &[]).unwrap_err().render(true);
-    assert!(shown.contains("\u{1b}[") && shown.contains("\\u001b[31m"), "{shown:?}");
-    assert!(!shown.contains("\"\u{1b}") && !shown.contains("a\u{1b}"), "{shown:?}");
-}
-
 /// Trust: one good case among two bad ones, read before, between and after them.
 #[test]
 fn every_bad_case_of_a_command_is_named() {
@@ -157,7 +123,7 @@ fn every_bad_case_of_a_command_is_named() {
     fs::write(cases.join("curve.csv"), "").unwrap();
     fs::write(cases.join("curved.toml"), format!("{CUP}{COMPARE}")).unwrap();
     fs::write(cases.join("empty.toml"), "").unwrap();
-    for args in [&["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"][..], &["validate"]] {
+    for args in [&["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"]] {
         let done = stampflow(dir.path(), args);
         assert_eq!(done.status.code(), Some(2), "{args:?}");
         let said = text(&done.stderr);
@@ -205,7 +171,6 @@ fn a_place_that_cannot_be_written_to_is_2_before_anything_is_solved() {
         (&["run", "cases/cup.toml", "--out", "half"], "cannot write half/summary.json: is a directory"),
         (&["run", "cases/cup.toml", "--trace", "folder"], "another place with --trace"),
         (&["run", "cases/cup.toml", "--trace", "taken/t.csv"], "cannot write taken/t.csv"),
-        (&["validate", "--out", "taken"], "--out"),
     ] {
         let done = stampflow(dir.path(), args);
         assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
@@ -214,23 +179,6 @@ fn a_place_that_cannot_be_written_to_is_2_before_anything_is_solved() {
         assert_eq!(files(dir.path(), "").len(), 4, "{args:?} left something behind");
     }
     assert_eq!(fs::read_to_string(dir.path().join("taken")).unwrap(), "mine");
-}
-
-/// Trust: one iteration does not find a first step, and steps may not be made smaller.
-#[test]
-fn a_run_that_never_starts_leaves_tables_and_where_it_would_have_started() {
-    let dir = folder(CUP);
-    stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
-    let out = dir.path().join("out/cup");
-    fs::write(out.join("compare_1_punch_force.png"), "of an earlier case").unwrap();
-    fs::write(out.join("mine.txt"), "mine").unwrap();
-    let set = ["--set", "solver.max_iterations=1", "--set", "solver.min_step=0.002"];
-    let done = stampflow(dir.path(), &[&["run", "cases/cup.toml", "-q"], &set[..]].concat());
-    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stdout), text(&done.stderr));
-    let names: Vec<_> =
-        files(&out, "").iter().map(|path| path.file_name().unwrap().to_str().unwrap().to_owned()).collect();
-    assert_eq!(names, ["load_travel.csv", "mine.txt", "profile.csv", "shapes.png", "summary.json"]);
-    assert!(text(&done.stdout).contains("4 files"), "{}", text(&done.stdout));
 }
 
 /// One spelling is as good as the other.
@@ -251,114 +199,23 @@ fn out_and_output_are_one_option() {
 }
 
 #[test]
-fn options_are_offered_where_they_have_a_use() {
-    let dir = folder(CUP);
-    for (verb, threads) in [("run", true), ("verify", true), ("validate", true), ("check", false), ("schema", false)] {
-        let help = stampflow(dir.path(), &[verb, "--help"]);
-        assert_eq!(text(&help.stdout).contains("--json"), verb != "schema", "{verb}");
-        assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");
-    }
-    assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "1"]).status.code(), Some(0));
-    let many = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "65535"]);
-    assert!(many.status.code() == Some(2) && text(&many.stderr).contains("1..=256"), "{}", text(&many.stderr));
-}
-
-#[test]
-fn validation_away_from_the_project_asks_for_its_cases() {
+fn the_help_has_thirteen_verbs_and_the_short_one_of_run_fits_a_screen() {
     let dir = temp_dir::TempDir::new().unwrap();
-    let done = stampflow(dir.path(), &["validate"]);
-    assert_eq!(done.status.code(), Some(2));
-    assert!(
-        text(&done.stderr).contains("there is no folder cases: give the folder of the case files with --cases DIR")
-    );
-}
-
-/// The computed curve is made the reference, once as it is and once 10 % off.
-#[test]
-fn validation_passes_on_its_own_curve_and_fails_on_another() {
-    let dir = folder(&format!("{CUP}{COMPARE}"));
-    let reference = dir.path().join("reference_data");
-    fs::create_dir(&reference).unwrap();
-    let first = folder(CUP);
-    stampflow(first.path(), &["run", "cases/cup.toml", "-q"]);
-    let table = fs::read_to_string(first.path().join("out/cup/load_travel.csv")).unwrap();
-    for (factor, code, verdict) in [(1.0, 0, "inside"), (1.1, 1, "outside 1")] {
-        let mut curve = String::from("travel_mm,punch_force_kN\n");
-        for row in table.lines().skip(20).step_by(20) {
-            let cells: Vec<f64> = row.split(',').take(2).map(|cell| cell.parse().unwrap()).collect();
-            curve += &format!("{},{}\n", cells[0], factor * cells[1] / 1000.0);
-        }
-        fs::write(reference.join("curve.csv"), curve).unwrap();
-        let done = stampflow(dir.path(), &["validate", "-q"]);
-        assert_eq!(done.status.code(), Some(code), "{}{}", text(&done.stdout), text(&done.stderr));
-        let line = text(&done.stdout).lines().nth(1).expect("a line below the headers").to_owned();
-        assert!(line.starts_with("cup ") && line.ends_with(verdict), "{}", text(&done.stdout));
-        assert!(dir.path().join("out/validate/cup/compare_1_punch_force.png").exists());
+    let help = stampflow(dir.path(), &["--help"]);
+    let verbs = text(&help.stdout).split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let verbs = verbs.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let verbs: Vec<&str> =
+        verbs.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").collect();
+    for verb in
+        ["new", "import", "check", "run", "report", "sweep", "search", "scatter", "fit", "compare", "verify", "trace"]
+    {
+        assert!(verbs.contains(&verb), "{verb}: {verbs:?}");
     }
-}
-
-/// Trust: what each of four comparisons comes to is set by the tolerance that it has here; names and numbers are counted by hand.
-#[test]
-fn a_comparison_is_one_line_its_reason_below_and_its_kind_is_counted() {
-    let name = "a_cup_whose_name_is_longer_than_any_screen_has_room_for_in_a_table";
-    let at = |tolerance: &str, more: &str| {
-        COMPARE.replace("tolerance = \"5 %\"", &format!("tolerance = {tolerance:?}")) + more + "\n"
-    };
-    let wide = at("900 %", "");
-    let tight = at("0.001 %", "demonstration = true");
-    let missing = at("5 %", "optional = true").replace("curve.csv", "lost.csv");
-    let dir = folder(&[CUP, &wide, &tight, &tight, &missing].concat());
-    let cases = dir.path().join("cases");
-    fs::rename(cases.join("cup.toml"), cases.join(name).with_extension("toml")).unwrap();
-    let data = dir.path().join("reference_data");
-    fs::create_dir(&data).unwrap();
-    fs::write(data.join("curve.csv"), "travel_mm,punch_force_kN\n1,5\n2,9\n").unwrap();
-    let source = |kind: &str| format!("[\"curve.csv\"]\ncitation = \"a test\"\nkind = \"{kind}\"\ngrade = \"A\"\n");
-    fs::write(data.join("sources.toml"), source("numerical benchmark")).unwrap();
-    let printed = |more: &[&str]| {
-        let done = stampflow(dir.path(), &[&["validate", "-q"], more].concat());
-        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-        text(&done.stdout).to_owned()
-    };
-    let screen = printed(&[]);
-    let lines: Vec<&str> = screen.lines().collect();
-    assert!(lines.iter().all(|line| line.chars().count() <= 80), "{screen}");
-    let ends = ["verdict", "inside", "outside 1", "outside 1", "no data 2", ""];
-    for (line, end) in lines.iter().zip(ends) {
-        assert!(
-            line.ends_with(end) && (end != "inside" || line.starts_with("a_cup") && line.contains('…')),
-            "{screen}"
-        );
-    }
-    assert!(screen.contains("2  ") && screen.contains("lost.csv is not there"), "{screen}");
-    assert!(screen.contains("benchmark: 1 of 3 inside, 2 outside as demonstrations\nno data: 1"), "{screen}");
-    let table = printed(&["--markdown"]);
-    assert_eq!(table.lines().count(), 2 + 4, "{table}");
-    assert!(
-        table.contains(&format!("| {name} | numerical benchmark | punch_force | a test, grade A | 900 % |")),
-        "{table}"
-    );
-    fs::write(data.join("sources.toml"), source("estimate of a foreman")).unwrap();
-    assert!(printed(&[]).contains("estimate of a foreman: 1 of 3 inside"));
-}
-
-#[test]
-fn an_optional_curve_may_be_missing() {
-    let dir = folder(&format!("{CUP}{COMPARE}optional = true\n"));
-    let done = stampflow(dir.path(), &["validate", "-q"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    assert!(text(&done.stdout).contains("no data"));
-}
-
-#[test]
-fn columns_stand_in_line_whatever_their_letters() {
-    let dir = folder(&format!("{CUP}{}optional = true\n", COMPARE.replace("curve", "łé")));
-    let done = stampflow(dir.path(), &["validate", "-q"]);
-    let printed = text(&done.stdout);
-    let lines: Vec<&str> = printed.lines().collect();
-    let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
-    assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"), "{printed}");
-    assert!(!printed.contains('\u{1b}'), "tests are no terminal");
+    assert!(!verbs.contains(&"schema") && !verbs.contains(&"man"), "{verbs:?}");
+    let short = stampflow(dir.path(), &["run", "-h"]);
+    assert!(text(&short.stdout).lines().count() <= 40, "{}", text(&short.stdout));
+    let long = stampflow(dir.path(), &["run", "--help"]);
+    assert!(text(&long.stdout).contains("load_travel.csv") && text(&long.stdout).contains("--dpi"));
 }
 
 #[test]

@@ -95,38 +95,6 @@ fn drawings_give_the_profiles_that_were_drawn() {
     }
 }
 
-#[test]
-fn what_was_understood_is_said() {
-    let says = |drawing: &str, options: &Options, wanted: &[&str]| {
-        let notes = sections(drawing, options).notes.join("\n");
-        for text in wanted {
-            assert!(notes.contains(text), "{drawing}: {text} is not in\n{notes}");
-        }
-    };
-    let header = Options::default();
-    let mm = Options { unit: Some(DrawingUnit::Mm), ..Options::default() };
-    says(
-        "ezdxf_lines_and_arcs.dxf",
-        &header,
-        &[
-            "1 drawing unit is 1 mm ($INSUNITS",
-            "moves down",
-            "by the punch's wall",
-            "1 TEXT",
-            "\"Bemaßung\" (1 entity)",
-        ],
-    );
-    says("ezdxf_splines.dxf", &header, &["followed by tangent arcs within 0.001 mm"]);
-    says("ezdxf_inches.dxf", &header, &["1 drawing unit is 1 in"]);
-    says(
-        "ezdxf_both_halves.dxf",
-        &header,
-        &["both halves of the punch", "both halves of the die", "both halves of the holder"],
-    );
-    says("ezdxf_r12_mirrored.dxf", &mm, &["1 mm (as asked for)"]);
-    says("dxfwriter_polylines_punch_below.dxf", &header, &["moves up", "1 TEXT"]);
-}
-
 /// Points along the lines and arcs of a profile.
 fn along(pieces: &[Piece]) -> impl Iterator<Item = Point> {
     pieces.iter().flat_map(|piece| piece.sample(40))
@@ -254,19 +222,6 @@ fn faulty_drawings_give_the_expected_messages() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert_eq!(files("tests/drawings/faulty", "txt").len(), faulty.len(), "an expectation without its drawing");
-}
-
-/// Trust: a drawing's dates say nothing of its shapes.
-#[test]
-fn a_date_beyond_every_calendar_is_not_looked_at() {
-    let text = fs::read_to_string("tests/drawings/ezdxf_lines_and_arcs.dxf").unwrap();
-    let header = "HEADER\n";
-    assert!(text.contains(header), "the drawing has a header");
-    for date in ["1e300", "-9999999999999", "nan"] {
-        let dated = text.replacen(header, &format!("{header}  9\n$TDCREATE\n 40\n{date}\n"), 1);
-        let options = Options::default();
-        assert_eq!(read(dated.as_bytes(), &options).unwrap(), read(text.as_bytes(), &options).unwrap(), "{date}");
-    }
 }
 
 /// Trust: numbers of a file, not of an error: what is listed stays a few lines.

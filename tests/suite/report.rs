@@ -153,14 +153,15 @@ fn of_class<'a>(page: &'a Document, class: &str) -> Node<'a, 'a> {
 fn the_first_page_answers_what_is_asked_first() {
     let case = CUP.replace("[blank]", "[report]\npart = \"Cup <1>\"\nrevision = \"B\"\n[blank]");
     let dir = folder(&case);
-    let args = ["report", "cases/cup.toml", "-q", "--revision", "C", "--author", "A. Ito", "--date", "2026-11-22"];
+    let set = ["--set", "report.revision=C", "--set", "report.author=A. Ito", "--set", "report.date=2026-11-22"];
+    let args = [&["report", "cases/cup.toml", "-q"], &set[..]].concat();
     let done = stampflow(dir.path(), &args);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     let html = fs::read_to_string(dir.path().join("out/cup/report.html")).unwrap();
     let xml = as_xml(&html);
     let page = Document::parse(&xml).unwrap();
     let block = text_of(of_class(&page, "title-block"));
-    assert_eq!(block, "PartCup <1>RevisionCAuthorA. ItoDate2026-11-22Casecup", "an option replaces what the case says");
+    assert_eq!(block, "PartCup <1>RevisionCAuthorA. ItoDate2026-11-22Casecup", "overrides replace values of the case");
     assert!(html.contains("<meta name=\"author\" content=\"A. Ito\">"));
 
     let front = of_class(&page, "front");

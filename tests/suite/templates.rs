@@ -352,32 +352,3 @@ fn a_new_case_is_printed_or_written_and_no_file_is_lost() {
         assert_eq!(done.status.code(), Some(0), "{args:?}: {}", message(&done));
     }
 }
-
-#[test]
-fn the_list_and_the_help_name_every_option() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    let listed = stampflow(dir.path(), &["new", "--list"]);
-    let one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(one_line(&String::from_utf8_lossy(&listed.stdout)), one_line(&list()));
-    for template in TEMPLATES {
-        let help = stampflow(dir.path(), &["new", template.name, "--help"]);
-        let help = one_line(&String::from_utf8_lossy(&help.stdout));
-        for choice in template.options() {
-            let option = format!("--{} ", choice.key);
-            assert!(list().contains(&option) && help.contains(&option), "{}: {option}", template.name);
-            assert!(help.contains(choice.default), "{}: {option}", template.name);
-        }
-    }
-}
-
-/// The example on the page of `stampflow::case`, read from there.
-#[test]
-fn the_smallest_case_is_twelve_lines_and_runs() {
-    let page = include_str!("../../src/case/mod.rs");
-    let example = page.split("r#\"").nth(1).unwrap().split("\"#").next().unwrap();
-    let lines: Vec<&str> =
-        example.lines().map(|line| line.trim_start_matches("//!").trim()).filter(|l| !l.is_empty()).collect();
-    assert!(lines.len() <= 12, "{} lines", lines.len());
-    let case = parse(&lines.join("\n"), "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
-    assert_eq!(solved(&case)[0].stop, Stop::FullTravel);
-}
