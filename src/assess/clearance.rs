@@ -1,54 +1,72 @@
-//! Whether the sheet fits between punch and die.
+//! Clearance between punch and die, and ironing.
 
-use super::nose::NoseEnd;
+use super::bottom_tearing::NoseEnd;
 use super::{Finding, Light, run::Run};
+use crate::assess::design::IRONING_LIMIT;
 use crate::assess::estimate;
 use crate::model::Model;
-use crate::table::Unit;
 use crate::units::{Amount, Digits};
 
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
 /// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
 const WIDE: f64 = 1.5;
+/// Reduction of the thickness above which a wall counts as ironed \[–\].
+const IRONED: f64 = 0.01;
 
 /// Tools that close by more than the sheet leaves room for.
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
-    let found = format!(
-        "at the full travel punch and die are {gap} apart, less than the thickness of {thickness}: sheet that does not thin to \
-         that is ironed",
-        gap = Amount::size(gap),
-        thickness = Amount::size(t)
+    let text = format!(
+        "at the full travel punch and die are {{}} apart, less than the thickness of {}: thicker sheet is ironed",
+        Amount::size(t)
     );
-    let warning = Finding::warning("narrow_clearance", "Clearance", found);
-    Some(warning.against(gap, Unit::Mm, "one thickness at least").at_least(t, None))
+    let warning = Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap));
+    Some(warning.limit("one thickness at least").at_least(t, None))
 }
 
-/// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
+/// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
-    let straight = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
-    let light = Light::doubtful(gap < LEAST || straight && gap > WIDE);
-    let limit = match straight {
-        true => {
-            format!(
-                "one thickness at least, {wide} at most beside a straight wall",
-                wide = Amount::given_thicknesses(WIDE)
-            )
-        }
+    let upright = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
+    let light = Light::doubtful(gap < LEAST || upright && gap > WIDE);
+    let limit = match upright {
+        true => format!("one thickness at least, {} at most beside a straight wall", Amount::given_thicknesses(WIDE)),
         false => "one thickness at least".into(),
     };
-    let found = format!("{gap} between punch and die", gap = Amount::thicknesses(gap).to(Digits::Decimals(2)));
-    let judged = Finding::judged("clearance", "Clearance", light, found).against(gap, Unit::None, limit);
-    let judged = if gap > WIDE { judged.at_most(straight.then_some(WIDE), None) } else { judged.at_least(1.0, None) };
+    let judged = Finding::judged("clearance", "Clearance", light, "{} between punch and die")
+        .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
+        .limit(limit)
+        .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
+    let judged = if gap > WIDE { judged.at_most(upright.then_some(WIDE), None) } else { judged.at_least(1.0, None) };
+    Some(judged.advice(match gap < LEAST {
+        true => "a larger throat, a smaller punch or a shorter travel",
+        false => "a smaller throat: the wall leans, and puckers",
+    }))
+}
+
+/// Largest reduction of the thickness by ironing, its place, force and pressure.
+pub(super) fn ironing(run: &Run) -> Option<Finding> {
+    let most = run.steps().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
+    let text = match run.steps().find(|step| step.ironing > IRONED) {
+        None => "no wall is ironed between two tools".into(),
+        Some(first) => format!(
+            "wall ironed by {{}} between two tools at s0 = {}, from {} of travel, with up to {}",
+            Amount::place(most.ironing_s0),
+            Amount::place(first.travel),
+            Amount::stress(run.largest(|step| step.ironing_pressure)?)
+        ),
+    };
     Some(
-        judged
-            .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb")
-            .advice(match gap < LEAST {
-                true => "a larger throat, a smaller punch or a shorter travel",
-                false => "a smaller throat: the wall leans, and puckers",
-            }),
+        Finding::judged("ironing", "Ironing", Light::of(most.ironing, [IRONED, IRONING_LIMIT]), text)
+            .number(Amount::share(most.ironing))
+            .limit(format!("{} in one pass", Amount::given_share(IRONING_LIMIT)))
+            .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
+            .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
+            .advice(
+                "without ironing: a clearance of t √β, the thickness of the rim (4ming), and a land no longer than needed. \
+                 The penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness",
+            ),
     )
 }

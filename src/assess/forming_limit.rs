@@ -1,21 +1,46 @@
-//! How near the sheet comes to its forming limit.
+//! Distance to the forming limit.
 
-use super::nearest::Nearest;
 use super::{Finding, Light, run::Run, thinning};
 use crate::assess::design::THIN;
 use crate::case::file::YieldCondition;
-use crate::forming_limit::{CROOKED, Judged};
+use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
 use crate::solver::solution::StageSolution;
-use crate::table::Unit;
 use crate::units::{Amount, joined};
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
-
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;
 
-/// How much of the forming limit a run uses, of the stage that comes nearest to it.
+/// Stage that comes nearest to its forming limit.
+pub(super) struct Nearest<'a> {
+    /// Name of the curve.
+    pub name: &'static str,
+    pub stage: &'a StageSolution,
+    pub assessment: Assessment,
+}
+
+impl<'a> Nearest<'a> {
+    /// `None` without a forming limit.
+    pub fn of(stages: &'a [StageSolution]) -> Option<Self> {
+        let all = stages.iter().filter_map(|stage| {
+            let curve = stage.model.forming_limit.as_ref()?;
+            Some(Self { name: curve.name, stage, assessment: assess(curve, &stage.paths)? })
+        });
+        // A limit that is reached, or not known, comes before one that is near.
+        all.min_by(|a, b| {
+            let margin = |it: &Self| it.assessment.worst().margin();
+            a.is_kept().cmp(&b.is_kept()).then(margin(a).total_cmp(&margin(b)))
+        })
+    }
+
+    /// Whether the sheet stays below the limit, and below where the curve ends.
+    pub fn is_kept(&self) -> bool {
+        self.assessment.is_kept()
+    }
+}
+
+/// Share of the forming limit that a run uses, in the stage that comes nearest to it.
 pub struct Used {
     /// Initial distance from the axis of the place that the verdict judges \[mm\].
     pub worst: f64,
@@ -23,105 +48,87 @@ pub struct Used {
     pub shares: Vec<(f64, f64)>,
 }
 
-/// Of solved stages; `None` without a limit.
+/// Share of the forming limit; `None` without one.
 pub fn used(stages: &[StageSolution]) -> Option<Used> {
     let Nearest { assessment, .. } = Nearest::of(stages)?;
     let shares = assessment.elements.iter().map(|judged| (judged.s0, 100.0 * judged.ratio()));
     Some(Used { worst: assessment.worst().s0, shares: shares.collect() })
 }
 
-/// The least margin, where, and when the limit was first reached; not judged where no limit is given.
+/// Least margin to the limit, its place, and when the limit was first reached.
 pub(super) fn margin(run: &Run) -> Option<Finding> {
     let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
+    if let (Some(open), None) = (assessment.open(), assessment.reached) {
+        return Some(unjudged(name, open));
+    }
     let worst = assessment.worst();
-    let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
-    let open = assessment.open();
-    let light = match assessment.reached {
-        Some(_) => Light::Red,
-        None if open.is_some() => Light::Amber,
-        None => Light::within(worst.ratio(), CAREFUL),
-    };
-    // What speaks against the bend itself is said by its radius.
-    let faces = (bend * THIN > 1.0).then(|| {
-        let strain = Amount::strain((1.0 + 0.5 * bend).ln());
-        format!("of the mid-surface: bends strain the faces by up to {strain}")
-    });
+    let light = if assessment.reached.is_some() { Light::Red } else { Light::within(worst.ratio(), CAREFUL) };
+    let side = if worst.margin() < 0.0 { "beyond it" } else { "left" };
+    let uses = format!(
+        "uses {{}} of the limit at s0 = {}, {} of major true strain {side}",
+        Amount::place(worst.s0),
+        Amount::strain(worst.margin().abs())
+    );
     let reached = assessment.reached.map(|reached| {
         let when = match stage.model.travel > 0.0 {
-            true => format!("{travel} of travel", travel = Amount::place(reached.travel)),
-            false => Amount::time(reached.time).into(),
+            true => format!("{} of travel", Amount::place(reached.travel)),
+            false => Amount::time(reached.time).to_string(),
         };
-        format!("first reached at {when}, s0 = {s0}", s0 = Amount::place(reached.s0))
+        format!("first reached at {when}, s0 = {}", Amount::place(reached.s0))
     });
-    if let (Some(open), None) = (open, assessment.reached) {
-        return Some(unjudged(name, open, light));
-    }
-    let (used, s0) = (Amount::share(worst.ratio()), Amount::place(worst.s0));
-    let margin = Amount::strain(worst.margin().abs());
-    let used = match worst.margin() < 0.0 {
-        true => format!("uses {used} of the limit at s0 = {s0}, {margin} of major true strain beyond it"),
-        false => format!("uses {used} of the limit at s0 = {s0}, {margin} of major true strain left"),
-    };
-    let found = joined([Some(used), reached, faces].into_iter().flatten(), "; ");
-    let limit =
-        format!("{curve}: not reached, below {share} of it", curve = *name, share = Amount::given_share(CAREFUL));
+    // The bend itself is judged by its radius.
+    let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
+    let faces = (bend * THIN > 1.0).then(|| {
+        format!("of the mid-surface: bends strain the faces by up to {}", Amount::strain((1.0 + 0.5 * bend).ln()))
+    });
+    let text = joined([Some(uses), reached, faces].into_iter().flatten(), "; ");
     Some(
-        Finding::judged("forming_limit", "Forming limit", light, found)
-            .against(100.0 * worst.ratio(), Unit::Percent, limit)
+        Finding::judged("forming_limit", "Forming limit", light, text)
+            .number(Amount::share(worst.ratio()))
+            .limit(format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL)))
             .at_most(100.0 * CAREFUL, 100.0)
             .source("the case's curve; the share is a declared rule of thumb")
             .advice(thinning::advice(run, stage, worst.s0)),
     )
 }
 
-/// A place that is strained more than anywhere the curve ends: there it may be whole or torn, and no rule that a kept limit
-/// lets off is let off.
-fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
+/// Place strained beyond the end of the curve, where nothing is judged.
+fn unjudged(name: &'static str, open: &Judged) -> Finding {
     let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::strain);
-    let found = format!(
-        "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, and its end, {level}, is below the major \
-         strain of {major}",
-        s0 = Amount::place(open.s0)
+    let s0 = Amount::place(open.s0);
+    let text = format!(
+        "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"
     );
-    Finding::judged("forming_limit", "Forming limit", light, found)
+    Finding::judged("forming_limit", "Forming limit", Light::Amber, text)
         .limit(format!("{name}, which ends in plane strain"))
         .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
-        .advice(joined([other_condition(), "or give measured points of the coil in [forming_limit]".into()], ", "))
+        .advice(format!("{}, or give measured points of the coil in [forming_limit]", other_condition()))
 }
 
-/// What to write where Hill's condition says too little.
+/// Remedy where Hill's yield condition is too soft.
 pub(super) fn other_condition() -> String {
-    format!("write {line} in [material] (bcc for steel)", line = YieldCondition::FCC)
+    format!("write {} in [material] (bcc for steel)", YieldCondition::FCC)
 }
 
 fn missing() -> Finding {
     Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")
-        .limit("the strains are held against one")
+        .limit("a forming limit, not in the case")
         .advice("write [forming_limit] with hill = true (computed from the law), or the measured points of the coil")
 }
 
-/// Whether the curve can be taken at its word: it holds for straight strain paths.
-pub(super) fn path(run: &Run) -> Option<Finding> {
+/// Straightness of strain paths, for which the curve holds.
+pub(super) fn paths(run: &Run) -> Option<Finding> {
     let assessment = &run.nearest.as_ref()?.assessment;
-    let crooked = assessment.crooked();
     let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
-    let found = match crooked {
+    let text = match assessment.crooked() {
         0 => "all straight".into(),
-        n => format!(
-            "{n} of {all} elements not straight, they use up to {used} of the limit",
-            all = assessment.elements.len(),
-            used = Amount::share(used)
-        ),
+        n => format!("{n} of {} elements not straight, they use up to {{}} of the limit", assessment.elements.len()),
     };
-    let limit = format!(
-        "within {crooked} of a straight line, or below {bent} of the limit",
-        crooked = Amount::given_share(CROOKED),
-        bent = Amount::given_share(BENT)
-    );
+    let [crooked, bent] = [CROOKED, BENT].map(Amount::given_share);
     Some(
-        Finding::judged("strain_paths", "Strain paths", Light::within(used, BENT), found)
-            .against(100.0 * used, Unit::Percent, limit)
-            .at_most(100.0 * BENT, None)
+        Finding::judged("strain_paths", "Strain paths", Light::within(used, BENT), text)
+            .share(used, BENT)
+            .limit(format!("within {crooked} of a straight line, or below {bent} of the limit"))
             .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
             .advice("keep more margin there: look at strain_paths.csv of `run`"),
     )

@@ -1,54 +1,49 @@
-//! Whether the friction is known or guessed.
+//! Friction: known or assumed.
 
 use super::{Finding, Light, run::Run};
 use crate::model::{Model, Tool};
-use crate::table::Unit;
 use crate::units::Amount;
 use std::ops::RangeInclusive;
 
-/// Coefficients of sheet on tools \[–\]: from the best of lubricants to dry steel on steel; beyond, a slip of the decimal
-/// point.
+/// Coefficients of sheet on tools \[–\]: from the best of lubricants to dry steel on steel.
 const USUAL: RangeInclusive<f64> = 0.01..=0.3;
+/// Change of a coefficient that is advised to be tried \[–\].
+const TRIED: f64 = 0.02;
 
-/// A coefficient above that of dry steel.
+/// Coefficient above that of dry steel.
 pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
-    let (friction, dry) = (tool.friction.largest_coefficient(), USUAL.end());
-    (friction > *dry && !tool.friction.needs_shear_yield()).then(|| {
-        let limit = Amount::number(*dry);
-        let found = format!(
-            "the {tool}'s friction of {friction} is above that of dry steel, {limit}",
-            tool = tool.role.name(),
-            friction = Amount::number(friction)
-        );
-        Finding::warning("dry_friction", "Friction", found)
-            .against(friction, Unit::None, format!("{limit} at most"))
-            .at_most(*dry, None)
+    let (friction, dry) = (tool.friction.largest_coefficient(), *USUAL.end());
+    (friction > dry && !tool.friction.needs_shear_yield()).then(|| {
+        let limit = Amount::number(dry);
+        let text = format!("the {}'s friction of {{}} is above that of dry steel, {limit}", tool.role.name());
+        Finding::warning("dry_friction", "Friction", text)
+            .number(Amount::number(friction))
+            .limit(format!("{limit} at most"))
+            .at_most(dry, None)
     })
 }
 
-/// Amber unless the case says where its friction comes from, and the coefficients are sheet metal's.
+/// Amber unless the case names the source of its friction, and the coefficients are those of sheet metal.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let coefficients = || run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient());
     let most = coefficients().reduce(f64::max)?;
-    let usual = coefficients().all(|mu| USUAL.contains(&mu));
-    let largest = Amount::number(most);
-    let (light, found) = match &run.case.sources.friction {
-        _ if !usual => (Light::Amber, format!("{largest} at most, outside what sheet on tools has")),
-        Some(source) => (Light::Green, format!("{largest} at most: {source}")),
-        None => (Light::Amber, format!("{largest} at most, no source is given")),
+    let (light, text) = match &run.case.sources.friction {
+        _ if !coefficients().all(|mu| USUAL.contains(&mu)) => {
+            (Light::Amber, "{} at most, outside the range of sheet on tools".to_owned())
+        }
+        Some(source) => (Light::Green, format!("{{}} at most: {source}")),
+        None => (Light::Amber, "you assumed {} at most".to_owned()),
     };
-    let limit = format!(
-        "a measured or cited number, {low} to {high}",
-        low = Amount::number(*USUAL.start()),
-        high = Amount::number(*USUAL.end())
-    );
+    let [low, high] = [most - TRIED, most + TRIED].map(|mu| Amount::number(mu.max(0.0)));
     Some(
-        Finding::judged("friction", "Friction", light, found)
-            .against(most, Unit::None, limit)
+        Finding::judged("friction", "Friction", light, text)
+            .number(Amount::number(most))
+            .limit(format!(
+                "a measured or cited number, {} to {}",
+                Amount::number(*USUAL.start()),
+                Amount::number(*USUAL.end())
+            ))
             .at_most(*USUAL.end(), None)
-            .advice(
-                "run it with 0.02 more and less (--set) to see what hangs on it; write as `source` of [friction] where it was \
-                 measured, or author and year",
-            ),
+            .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]")),
     )
 }

@@ -1,54 +1,46 @@
-//! Whether the holder holds the sheet.
+//! Holder: force, lift, distance blocks.
 
 use super::run::Run;
-use super::{Finding, Light, closing, strength};
+use super::{Finding, Light, closing, material};
 use crate::assess::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::measure::rests_on_blocks;
 use crate::model::{Model, Motion, Role, Tool};
 use crate::solver::solution::{StageSolution, StepRecord};
-use crate::table::Unit;
-use crate::units::{Amount, joined};
+use crate::units::Amount;
 
-/// Lift over the thickness that is worth a word, and at which the holder has left the flange to itself \[–\].
+/// Lift over the thickness that is reported, and at which the flange is no longer held \[–\].
 const LIFTED: f64 = 0.3;
 const OFF: f64 = 1.0;
 /// Width of a flange that no longer buckles as it runs out over the shoulder, its rim tilting, over the thickness \[–\].
 const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
 /// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
 const PRESSURE: f64 = 0.1;
-/// Share of the holder's force on the rim alone from which it is worth a word \[–\].
+/// Share of the holder's force on the rim alone from which it is reported \[–\].
 const RIM_SHARE: f64 = 0.9;
-/// Share of the travel from which it is worth a word that the holder rests on its blocks \[–\].
+/// Share of the travel from which resting on the blocks is reported \[–\].
 const RESTS: f64 = 0.1;
 
-/// A holder without a force.
+/// Holder without a force.
 pub(super) fn idle(model: &Model) -> Option<Finding> {
     let idle = |motion: &Motion| matches!(motion, Motion::Pressed(press) if press.is_idle());
     model.tools.iter().any(|tool| idle(&tool.motion)).then(|| {
-        let found = "the holder has no force and takes no part: the flange may swing up through where it is drawn";
-        Finding::warning("holder_force", "Holder", found).against(0.0, Unit::None, "above 0")
+        let text = "the holder has no force and takes no part: the flange may swing up through where it is drawn";
+        Finding::warning("holder_force", "Holder", text).number(Amount::count(0)).limit("above 0")
     })
 }
 
-/// A holder that presses harder than the sheet is strong; where that is weaker than any, the law is to blame.
+/// Holder pressure above the strength of the sheet, unless the hardening law is to blame.
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
-    let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
-    let found = format!(
-        "the holder presses with {pressure}, more than the sheet's tensile strength of {strength}",
-        pressure = Amount::stress(pressure),
-        strength = Amount::stress(strength)
-    );
-    Some(
-        Finding::warning("holder_pressure", "Holder pressure", found)
-            .against(pressure, Unit::MPa, Amount::stress(strength))
-            .at_most(strength, None)
-            .advice("check its force"),
-    )
+    let pressure = holder_pressure(model).filter(|pressure| !material::is_weak(model) && *pressure > strength)?;
+    let limit = Amount::stress(strength);
+    let text = format!("the holder presses with {{}}, more than the sheet's tensile strength of {limit}");
+    let warning = Finding::warning("holder_pressure", "Holder pressure", text).number(Amount::stress(pressure));
+    Some(warning.limit(limit).at_most(strength, None).advice("check its force"))
 }
 
-/// How far a holder that is pressed is lifted until the flange runs out, six thicknesses wide \[mm\]; `None` of a
-/// stage without one. A narrower flange no longer buckles, and its rim tilts as it goes over the shoulder.
+/// Lift of a pressed holder until the flange runs out, six thicknesses wide \[mm\]. A narrower flange no longer buckles,
+/// and its rim tilts as it goes over the shoulder.
 pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     let model = &stage.model;
     let pressed = |holder: &Tool| matches!(&holder.motion, Motion::Pressed(press) if !press.is_idle());
@@ -60,81 +52,64 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
 }
 
-/// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and whether
-/// the rim takes nearly all of its force at the end.
+/// Lift of the holder until the flange runs out, its first pressure, and whether the rim takes nearly all of its force.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let model = &first.model;
-    let lift = holder_lift(first)? / model.blank.thickness;
-    if let Some(gap) = closing::open(first) {
-        let found = format!("not judged: it stands open by {gap} on its bead", gap = Amount::thickness(gap));
-        let judged = Finding::judged("holder", "Holder", Light::Grey, found);
+    let thickness = model.blank.thickness;
+    let lift = holder_lift(first)?;
+    if let Some(gap) = closing::gap_left(first) {
+        let text = "not judged: it stands open by {} on its bead";
+        let judged = Finding::judged("holder", "Holder", Light::Grey, text).number(Amount::thickness(gap));
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
     let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material));
-    let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
-    let advice = match presses {
-        Light::Green => "more holder force; a larger die shoulder raises the flange less",
-        _ => "less holder force: the flange is squeezed thinner",
-    };
-    let found = format!(
-        "{lifted}; presses with {pressure} at first",
-        lifted = lifted_by(lift * model.blank.thickness),
-        pressure = Amount::stress(pressure)
-    );
-    let rim = (last.rim_share > RIM_SHARE).then(|| {
-        let (share, rim) = (Amount::share(last.rim_share), Amount::size(StepRecord::RIM * model.blank.thickness));
-        format!("in the end {share} of its force on the outer {rim}")
-    });
-    let found = joined([found, rim.unwrap_or_default()], "; ");
-    let limit = format!(
-        "lifted by {lifted}, red above {off}; {pressure}",
-        lifted = Amount::thickness(LIFTED * model.blank.thickness),
-        off = Amount::thickness(OFF * model.blank.thickness),
-        pressure = Amount::stress(PRESSURE * strength)
-    );
+    let (lifts, presses) = (Light::of(lift / thickness, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
+    let mut text = format!("lifted by {{}} at most; presses with {} at first", Amount::stress(pressure));
+    if last.rim_share > RIM_SHARE {
+        text += &format!("; at the end it sits on the outer {} only", Amount::size(StepRecord::RIM * thickness));
+    }
+    let [lifted, off] = [LIFTED, OFF].map(|times| Amount::thickness(times * thickness));
     Some(
-        Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
-            .against(lift * model.blank.thickness, Unit::Mm, limit)
-            .at_most(LIFTED * model.blank.thickness, OFF * model.blank.thickness)
-            .advice(advice),
+        Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(text, 0))
+            .number(Amount::thickness(lift))
+            .limit(format!("lifted by {lifted}, red above {off}; {}", Amount::stress(PRESSURE * strength)))
+            .at_most(LIFTED * thickness, OFF * thickness)
+            .advice(match presses {
+                Light::Green => "more holder force; a larger die shoulder raises the flange less",
+                _ => "less holder force: the flange is squeezed thinner",
+            }),
     )
 }
 
-/// A lift \[mm\].
-fn lifted_by(lift: f64) -> String {
-    format!("lifted by {lift} at most", lift = Amount::thickness(lift))
-}
-
-/// A holder that is lifted far while there is a flange to be held.
+/// Holder that is lifted far while there is a flange to be held.
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
-    let lift = holder_lift(stage)? / stage.model.blank.thickness;
-    (lift > LIFTED).then(|| {
-        let thickness = stage.model.blank.thickness;
-        let lifted = lifted_by(lift * thickness);
-        let found = format!("the holder is {lifted}: the flange thickens or rises under it");
-        Finding::warning("holder_lift", "Holder", found)
-            .against(lift * thickness, Unit::Mm, Amount::thickness(LIFTED * thickness))
-            .at_most(LIFTED * thickness, None)
+    let (lift, thickness) = (holder_lift(stage)?, stage.model.blank.thickness);
+    let most = LIFTED * thickness;
+    (lift > most).then(|| {
+        let text = "the holder is lifted by {} at most: the flange thickens or rises under it";
+        let warning = Finding::warning("holder_lift", "Holder", text).number(Amount::thickness(lift));
+        warning.limit(Amount::thickness(most)).at_most(most, None)
     })
 }
 
-/// A holder that rests on its distance blocks presses no sheet there, however hard it is pressed.
+/// Holder that rests on its distance blocks, where it presses no sheet.
 pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
-    let [from, to] = resting(stage.model.travel, &stage.steps)?;
-    let found = format!(
-        "the holder rests on its distance blocks from {from} to {to} of travel, not on the sheet: it does not hold it there, \
-         whatever its force",
-        from = Amount::place(from),
-        to = Amount::place(to)
-    );
-    let limit = format!("{share} of the travel", share = Amount::given_share(RESTS));
-    let warning = Finding::warning("holder_rests", "Distance blocks", found).against(to - from, Unit::Mm, limit);
-    Some(warning.at_most(RESTS * stage.model.travel, None))
+    let travel = stage.model.travel;
+    let [from, to] = resting(travel, &stage.steps)?;
+    let [begin, end] = [from, to].map(Amount::place);
+    let text =
+        format!("the holder rests on its distance blocks from {begin} to {end} of travel, and does not hold the sheet");
+    Some(
+        Finding::warning("holder_rests", "Distance blocks", text)
+            .number(Amount::place(to - from))
+            .limit(format!("{} of the travel", Amount::given_share(RESTS)))
+            .at_most(RESTS * travel, None),
+    )
 }
 
-/// Where in the travel the holder rests on its blocks \[mm\], if it does for a good part of it.
+/// Part of the travel in which the holder rests on its blocks \[mm\], if it is a large one.
 fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
     let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
     let (mut longest, mut since) = ([0.0; 2], None);
@@ -147,16 +122,13 @@ fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
     (longest[1] - longest[0] > RESTS * travel).then_some(longest)
 }
 
-/// A tool that the sheet has left, and that stands still from there on.
+/// Tool that the sheet has left, and that stands still from there on.
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
-    let found = format!(
-        "the sheet left the {tool} at {travel} of travel; the {tool} stands still from there on",
-        travel = Amount::place(travel)
-    );
-    let warning = Finding::warning("holder_lost", "Holder", found).against(travel, Unit::Mm, "the whole travel");
-    Some(warning.at_least(stage.model.travel, None))
+    let text = format!("the sheet left the {tool} at {{}} of travel; the {tool} stands still from there on");
+    let warning = Finding::warning("holder_lost", "Holder", text).number(Amount::place(travel));
+    Some(warning.limit("the whole travel").at_least(stage.model.travel, None))
 }
 
 #[cfg(test)]

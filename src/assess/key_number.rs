@@ -1,7 +1,7 @@
-//! The numbers that a part is known by.
+//! Numbers that a part is known by.
 
-use super::place::{place, thinnest};
 use super::press::{Load, RESERVE};
+use super::tear::{place, thinnest};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::model::{Geometry, Model, Motion, Role};
@@ -9,8 +9,7 @@ use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use crate::units::{Amount, Digits, Quantity, joined};
 
-/// The numbers that a part is known by: thinnest place, force and press, holder, blank, the angle that a bend springs back
-/// to, height, draw-in, and the opening of a slit ring.
+/// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, draw-in, opening of a slit ring.
 pub(super) fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let all = [
         thinnest_number(stages, is_torn),

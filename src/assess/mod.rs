@@ -1,72 +1,51 @@
-//! What the program tells a user to know of a case, before it is solved and after: [`Finding`]s, made here and nowhere else.
+//! Assessment of a case, before and after it is solved: [`Finding`]s, made here and nowhere else.
 //!
-//! One question, one file, asked before the run, after it, or both; a new one is a file here and a line in `BEFORE` or
-//! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
-//! thumb.
+//! A new finding is a file here and a line in `BEFORE` or `AFTER`. Each rule has one constant with its source; a rule without
+//! a source that could be read is called a declared rule of thumb.
 
 mod answer;
-mod bead;
-mod bending_radius;
-mod bent_strength;
-mod blank_size;
+mod bends;
 mod bottom_tearing;
 pub mod check;
 mod clearance;
 mod closing;
-mod contact_share;
-mod cut_off;
 pub mod design;
-mod draw_ratio;
-mod ears;
+mod draw;
 pub mod estimate;
 mod failure_mode;
 mod finding;
 mod forming_limit;
 mod friction;
-mod hardening;
 mod holder;
-mod ironing;
 mod key_number;
-mod line_end;
-mod mesh;
-mod moment;
-mod nearest;
-mod neck;
-mod nose;
-mod penetration;
-mod place;
-mod power_balance;
+mod material;
 mod press;
-mod redraw_ratio;
 mod run;
-mod sharp_corner;
 pub mod size;
+mod solution_quality;
 mod springback;
 mod stop;
-mod strength;
+mod tear;
 mod thinning;
-mod trim;
-mod two_sheets;
-mod wall_load;
 mod wrinkling;
 mod yield_condition;
-mod yielding;
 
-pub use answer::{Answer, tears_at};
+pub use answer::Answer;
 pub use failure_mode::FailureMode;
 pub use finding::{Finding, Kind, Light, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
 pub use key_number::largest_force;
 pub use size::{SIZE_CHECKS, size_doubts};
+pub use tear::tears_at;
 
 use crate::case::Case;
 use crate::model::{Model, Tool};
 use crate::solver::solution::StageSolution;
-use nearest::Nearest;
+use forming_limit::Nearest;
 use run::Run;
 
-/// A question to a case.
+/// Finding before the run.
 enum Before {
     /// Of the case.
     Case(fn(&Case) -> Option<Finding>),
@@ -76,7 +55,7 @@ enum Before {
     Tool(fn(&Model, &Tool) -> Option<Finding>),
 }
 
-/// A question to what came out.
+/// Finding after the run.
 enum After {
     /// Of all stages together.
     Run(fn(&Run) -> Option<Finding>),
@@ -84,71 +63,64 @@ enum After {
     Stage(fn(&StageSolution) -> Option<Finding>),
 }
 
-/// What is asked of a case, in the order of telling.
+/// Findings on a case, in the order of output.
 const BEFORE: &[Before] = &[
-    Before::Case(two_sheets::mixed),
-    Before::Case(two_sheets::thickness),
-    Before::Model(strength::unusual),
+    Before::Case(material::mixed),
+    Before::Case(material::thickness),
+    Before::Model(material::strength),
     Before::Model(closing::closes),
-    Before::Model(closing::drawn),
+    Before::Model(closing::bead),
     Before::Model(holder::idle),
     Before::Model(holder::crushing),
-    Before::Tool(bending_radius::small),
+    Before::Tool(bends::tool_radius),
     Before::Tool(friction::dry),
-    Before::Tool(sharp_corner::met),
-    Before::Tool(line_end::passed),
+    Before::Tool(bends::sharp_corner),
+    Before::Tool(solution_quality::line_end),
     Before::Model(clearance::narrow),
-    Before::Model(mesh::coarse),
-    Before::Model(draw_ratio::large),
-    Before::Model(blank_size::drawn_through),
-    Before::Model(hardening::short),
+    Before::Model(solution_quality::mesh),
+    Before::Model(draw::ratio),
+    Before::Model(draw::blank_area),
+    Before::Model(material::short),
 ];
 
-/// What is asked of a run, in the order of telling: tears, wrinkles, press, tools, trust.
+/// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
 const AFTER: &[After] = &[
-    After::Stage(trim::cut),
+    After::Stage(draw::trim),
     After::Run(stop::judge),
     After::Run(thinning::judge),
-    After::Run(neck::judge),
-    After::Stage(neck::seen),
+    After::Run(thinning::localisation),
+    After::Stage(thinning::neck_seen),
     After::Run(forming_limit::margin),
-    After::Run(forming_limit::path),
+    After::Run(forming_limit::paths),
     After::Run(bottom_tearing::judge),
-    After::Run(redraw_ratio::judge),
+    After::Run(draw::redraw),
     After::Run(wrinkling::judge),
     After::Run(wrinkling::wall),
     After::Run(press::force),
     After::Run(press::energy),
     After::Run(holder::judge),
     After::Run(clearance::judge),
-    After::Run(ironing::judge),
+    After::Run(clearance::ironing),
     After::Run(springback::judge),
-    After::Run(ears::expected),
-    After::Run(bending_radius::judge),
-    After::Run(bent_strength::judge),
+    After::Run(draw::ears),
+    After::Run(bends::radius),
+    After::Run(bends::strength),
     After::Run(yield_condition::judge),
-    After::Run(hardening::judge),
+    After::Run(material::hardening),
     After::Run(friction::judge),
-    After::Run(power_balance::judge),
-    After::Stage(power_balance::missed),
-    After::Run(cut_off::judge),
-    After::Stage(cut_off::large),
-    After::Run(penetration::judge),
-    After::Stage(penetration::deep),
-    After::Stage(penetration::left),
-    After::Run(moment::judge),
-    After::Stage(hardening::beyond),
-    After::Stage(hardening::other_temperatures),
-    After::Stage(contact_share::missed),
+    After::Run(solution_quality::judge),
+    After::Stage(solution_quality::poor),
+    After::Stage(material::extrapolated),
+    After::Stage(material::temperature),
+    After::Stage(stop::contact_share),
     After::Stage(closing::stays_open),
     After::Stage(holder::lifted),
     After::Stage(holder::rests),
     After::Stage(holder::lost),
-    After::Stage(yielding::again),
+    After::Stage(solution_quality::yields_again),
 ];
 
-/// What can be found before a case is solved: what was assumed while it was read, and what should be known before a result
-/// is trusted.
+/// Assumptions made while a case was read, and warnings before it is solved.
 pub fn before(case: &Case) -> Vec<Finding> {
     let sizes = SIZE_CHECKS.iter().filter_map(|check| check(case.model()));
     let asked = BEFORE.iter().flat_map(|question| match question {
@@ -160,12 +132,12 @@ pub fn before(case: &Case) -> Vec<Finding> {
     assumed.chain(sizes).chain(asked).map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 
-/// What can be found on a case's solved stages: the verdict, and the warnings of every stage.
+/// Verdict on a solved case, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: false })
 }
 
-/// The same of one of many runs: what wants the case solved again is found, and not solved.
+/// Like [`after`] for one of many runs; no finding solves the case a second time.
 pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: true })
 }
@@ -179,9 +151,9 @@ fn asked(run: &Run) -> Vec<Finding> {
     asked.chain(of_stages).collect()
 }
 
-/// What is told with the results of each stage: its warnings, of `before` what was assumed while the case was read, and with
-/// the first stage the rest of it.
-pub fn told(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
+/// Findings to print with each stage: its warnings and all assumptions; with the first stage, also the warnings before the
+/// run.
+pub fn by_stage(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
     let of = |(i, stage)| {
         let with = before.iter().filter(move |finding| i == 0 || finding.kind == Kind::Assumption);
         of_stage(i, stage).into_iter().chain(with.cloned()).collect()
@@ -189,12 +161,12 @@ pub fn told(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
     stages.iter().enumerate().map(of).collect()
 }
 
-/// What a user should know before trusting a solved stage, as sentences.
+/// Warnings on a solved stage, as sentences.
 pub fn warnings(stage: &StageSolution) -> Vec<String> {
     sentences(&of_stage(0, stage), Kind::Warning)
 }
 
-/// The warnings of a solved stage, which is the `i`-th of its case, counted from 0.
+/// Warnings on the `i`-th stage of a case, counted from 0.
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
     let asked = AFTER.iter().filter_map(|question| match question {
         After::Run(_) => None,

@@ -1,10 +1,9 @@
-//! What the questions after a run are put to.
+//! Solved case, as findings see it.
 
-use super::nearest::Nearest;
+use super::forming_limit::Nearest;
 use crate::case::Case;
 use crate::measure::events;
 use crate::solver::solution::{StageSolution, StepRecord};
-use crate::units::joined;
 
 /// A case with its solved stages.
 pub(super) struct Run<'a> {
@@ -12,15 +11,14 @@ pub(super) struct Run<'a> {
     pub stages: &'a [StageSolution],
     /// The stage that comes nearest to its forming limit.
     pub nearest: Option<Nearest<'a>>,
-    /// Whether it is one of many, which no question solves a second time.
+    /// Whether it is one of many runs, in which no finding may solve the case a second time.
     pub is_one_of_many: bool,
 }
 
 impl Run<'_> {
-    /// What was found in a stage, counted from 0; with its number where there are several.
-    pub fn of_stage(&self, found: String, i: usize) -> String {
-        let stage = if self.stages.len() > 1 { format!("stage {n}", n = i + 1) } else { String::new() };
-        joined([found, stage], ", ")
+    /// Text with the number of its stage, counted from 0, if there are several.
+    pub fn of_stage(&self, text: String, i: usize) -> String {
+        if self.stages.len() > 1 { format!("{text}, stage {}", i + 1) } else { text }
     }
 
     /// Every step of every stage.
@@ -28,13 +26,13 @@ impl Run<'_> {
         self.stages.iter().flat_map(|stage| &stage.steps)
     }
 
-    /// The largest of a figure over all stages, or 0; `None` where no step was solved.
+    /// Largest of a figure over all stages, or 0; `None` without a step.
     pub fn largest(&self, value: impl Fn(&StepRecord) -> f64) -> Option<f64> {
         self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
     }
 }
 
-/// Where a peak of the load lies on an event of its stage, to a step, what happens there: `(rim meets the die)`.
+/// Event of a stage in the step of a peak load: `(rim meets the die)`.
 pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let events = events(stage);
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
@@ -42,15 +40,15 @@ pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     here.map_or_else(String::new, |event| format!("({event})", event = event.kind.label()))
 }
 
-/// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].
+/// Strain of all steps below which a stage forms nothing \[–\]: shares of its work are meaningless.
 const FORMED: f64 = 2e-3;
 
-/// Whether a stage strains the sheet enough for shares of its work to say something.
-pub(super) fn formed(stage: &StageSolution) -> bool {
+/// Whether a stage strains the sheet enough for shares of its work.
+pub(super) fn forms(stage: &StageSolution) -> bool {
     stage.steps.iter().map(|step| step.strain_increment).sum::<f64>() > FORMED
 }
 
-/// The largest of a figure over a stage; 0 where there is none.
+/// Largest of a figure over a stage, or 0.
 pub(super) fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
     stage.steps.iter().map(value).fold(0.0, f64::max)
 }

@@ -1,12 +1,12 @@
-//! What a bent section does when its tools are taken away, and what compensates it.
+//! Spring-back against tolerances, and its compensation.
 
-use super::{Finding, Light, run::Run, wall_load};
+use super::{Finding, Light, run::Run};
 use crate::case::Springback;
 use crate::geometry::{Piece, Profile};
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, ShapeMeasure, WALL_ANGLE, changes};
 use crate::model::{Geometry, Mode, Model, Role};
-use crate::table::Unit;
-use crate::units::joined;
+use crate::solver::solution::Frame;
+use crate::units::{Amount, Digits, Unit, joined};
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
 /// a fifth and more \[–\].
@@ -15,7 +15,7 @@ const NEAR: f64 = 0.8;
 /// tens of degrees.
 const BESIDE: f64 = 8.0;
 
-/// A quantity of the released part against what is wanted.
+/// Measure of the released part against its tolerance.
 struct Judged {
     change: Change,
     wanted: f64,
@@ -26,8 +26,8 @@ struct Judged {
     tolerance: f64,
 }
 
-/// The part after a stage that takes the tools away, against its tolerances where the case names them; and of a section in
-/// plane strain by the flow law, that nothing springs back.
+/// Part after its tools are taken away, against its tolerances. The flow law has no elasticity, which is said of plane
+/// sections.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let limits = &run.case.springback;
@@ -52,7 +52,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let worst = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used()))?;
     let over = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted));
     let less = match run.case.model().tool(Role::Holder) {
-        Some(_) => wall_load::advice(&last.model, before, &shape),
+        Some(_) => wall_advice(&last.model, before, &shape),
         None => "a smaller radius springs back less".into(),
     };
     Some(
@@ -62,14 +62,15 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             Light::of(worst.used(), [NEAR, 1.0]),
             joined(judged.iter().map(Judged::found), "; "),
         )
-        .against(worst.missed.abs(), worst.change.quantity.unit, joined(judged.iter().map(Judged::limit), "; "))
+        .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
+        .limit(joined(judged.iter().map(Judged::limit), "; "))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
         .advice(joined([less, compensated(over)], "; ")),
     )
 }
 
-/// What cannot be held against a tolerance: none is given, or nothing was found to measure.
+/// Spring-back without a tolerance, or without an angle that can be measured.
 fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Option<Finding> {
     if limits.is_given() {
         let advice = "a bend by ten degrees or more, and a straight leg behind it that can be measured";
@@ -92,13 +93,13 @@ fn grey(found: impl Into<String>, advice: impl Into<String>) -> Finding {
         .advice(advice)
 }
 
-/// The angle of the punch's wall to its direction \[°\], where the sheet's wall lies against it.
+/// Angle of the punch's wall to its direction \[°\], where the sheet's wall lies against it.
 fn punch_wall(model: &Model, changes: &[Change]) -> Option<f64> {
     let sheet = changes.iter().find(|change| change.quantity.key == WALL_ANGLE.key)?.before?;
     steepest(&model.tool(Role::Punch)?.profile).filter(|angle| (angle - sheet).abs() < BESIDE)
 }
 
-/// The angle of a profile's steepest straight piece to the punch's direction \[°\]: 0 upright, positive opened.
+/// Angle of a profile's steepest straight piece to the punch's direction \[°\]: 0 upright, positive opened.
 fn steepest(profile: &Profile) -> Option<f64> {
     let angles = profile.pieces().iter().filter_map(|piece| match piece {
         Piece::Segment(line) => {
@@ -110,7 +111,7 @@ fn steepest(profile: &Profile) -> Option<f64> {
     angles.map(f64::to_degrees).min_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// What the punch's wall wants of a quantity: its own angle, or that between it and its mirror image.
+/// Target from the punch's wall: its own angle, or that between it and its mirror image.
 fn of_punch(quantity: &ShapeMeasure, wall: Option<f64>) -> Option<f64> {
     match quantity.key {
         key if key == WALL_ANGLE.key => wall,
@@ -120,7 +121,7 @@ fn of_punch(quantity: &ShapeMeasure, wall: Option<f64>) -> Option<f64> {
 }
 
 impl Springback {
-    /// What is judged of what was measured; `punch` is the angle of its wall \[°\].
+    /// Judged measures; `punch` is the angle of its wall \[°\].
     fn of<'a>(&'a self, changes: &'a [Change], punch: Option<f64>) -> impl Iterator<Item = Judged> + 'a {
         let limits: [(ShapeMeasure, Option<f64>, Option<f64>); 4] = [
             (OPENING_ANGLE, self.angle, self.tolerance),
@@ -153,7 +154,7 @@ impl Judged {
         joined([missed, self.each_wall()], ", ")
     }
 
-    /// What one wall does; nothing of what is no angle of a wall.
+    /// Change of one wall; empty for measures that are no angle of a wall.
     fn each_wall(&self) -> String {
         let share = match self.change.quantity.key {
             key if key == OPENING_ANGLE.key => 0.5,
@@ -177,16 +178,16 @@ impl Judged {
     }
 }
 
-/// How the tools give the wanted angle.
+/// Compensation in the tools.
 enum Overbend {
-    /// By the angle under the tools that leaves the wanted one.
+    /// Angle under the tools that leaves the wanted one.
     By(String),
     /// The wall would have to lie under the punch.
     Undercut,
 }
 
-/// The angle under the tools that leaves the wanted one, to the first order: as much further as it springs back from where it
-/// is now. `None` of what is no angle of a tool.
+/// Angle under the tools that leaves the wanted one, to first order: over-bent by the present spring-back. `None` for
+/// measures that are no angle of a tool.
 fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
     let quantity = change.quantity;
     let of_wall = [OPENING_ANGLE.key, WALL_ANGLE.key].contains(&quantity.key);
@@ -200,7 +201,7 @@ fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
     Some(Overbend::By(format!("{} {angle}, over-bent by {by}", quantity.label)))
 }
 
-/// Nothing where there is no angle.
+/// Advice on compensation; empty without an angle.
 fn compensated(over: impl Iterator<Item = Overbend>) -> String {
     let mut angles = Vec::new();
     let mut undercut = String::new();
@@ -208,10 +209,7 @@ fn compensated(over: impl Iterator<Item = Overbend>) -> String {
         match over {
             Overbend::By(angle) => angles.push(angle),
             Overbend::Undercut => {
-                undercut =
-                    "over-bending the wall is not for this tool alone, a straight punch cannot bend past upright: \
-                            restrike, a cam or more tension"
-                        .into();
+                undercut = "a straight punch cannot bend past upright: restrike, a cam or more tension".into();
             }
         }
     }
@@ -219,9 +217,32 @@ fn compensated(over: impl Iterator<Item = Overbend>) -> String {
     if over.is_empty() {
         return undercut;
     }
-    let told = format!(
-        "or tools that over-bend ({over}), a first estimate with the spring-back as it is now: run again, and go on by what is \
-         left"
-    );
-    joined([undercut, told], "; ")
+    let advice = format!("or over-bend: {over}; a first estimate, so run again and go on by what is left");
+    joined([undercut, advice], "; ")
+}
+
+/// Effect of tension on a wall's spring-back, with the wall's tension under the tools.
+fn wall_advice(model: &Model, frame: &Frame, shape: &Shape) -> String {
+    let carried = wall_tension(model, frame, shape).map_or_else(String::new, |share| {
+        format!("Wall tension is {} of what would straighten it", Amount::share(share))
+    });
+    joined(["smaller radii spring back less, more wall tension (holder force, beads) too".into(), carried], ". ")
+}
+
+/// Largest mean tension along the wall over the one at which its whole thickness yields \[–\].
+fn wall_tension(model: &Model, frame: &Frame, shape: &Shape) -> Option<f64> {
+    let nodes = shape.wall.as_ref()?.nodes.clone();
+    let weights: Vec<f64> = frame.through.layers.iter().map(|layer| layer.weight).collect();
+    let total: f64 = weights.iter().sum();
+    // A wall does not strain across its section: the stress along it is then larger than the yield stress.
+    let material = &model.material;
+    let across = material.yield_criterion.equivalent_stress([1.0, material.yield_criterion.plane_strain_ratio(), 0.0]);
+    let of = |e: usize| {
+        let (element, points) = (frame.elements.get(e)?, frame.through.elements().nth(e)?);
+        let yields = |strain: f64| material.yield_stress(strain, element.temperature);
+        let limit: f64 =
+            points.iter().zip(&weights).map(|(point, weight)| weight * yields(point.strain_equivalent)).sum();
+        Some(element.stress_meridional * across * total / limit)
+    };
+    (nodes.start..nodes.end.saturating_sub(1)).filter_map(of).reduce(f64::max).filter(|share| *share > 0.0)
 }

@@ -1,64 +1,80 @@
-//! Whether the run came to its end.
+//! End of the run.
 
 use super::{Finding, Light, run::Run, thinning};
 use crate::model::Role;
-use crate::solver::solution::Stop;
-use crate::units::joined;
+use crate::solver::solution::{StageSolution, Stop};
+use crate::units::{Amount, joined};
 
-/// Red where a stage stopped early, amber where the cup left the die; the stop says why.
+/// Red if a stage stopped early, amber if the cup left the die.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
-    let words = match stop {
+    let text = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
-        Stop::FullTravel if model.stop.drawn_through => {
-            format!("{stop}, and the cup is not through the die", stop = stop.to_string())
-        }
+        Stop::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
         stop => stop.to_string(),
     };
     let light = match stop {
         Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
         stop if stop.is_complete() => Light::Green,
         // Many a cup leaves its die at the other end.
-        Stop::DrawnThrough { .. } => Light::Amber,
-        // The user knows.
-        Stop::Interrupted { .. } => Light::Amber,
+        Stop::DrawnThrough { .. } | Stop::Interrupted { .. } => Light::Amber,
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
-    let at = match stages {
-        1 => String::new(),
-        all => format!("stage {n} of {all}", n = run.stages.len()),
-    };
-    let advice: String = match stop {
-        Stop::FullTravel if model.stop.drawn_through => "more travel".into(),
-        Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => "".into(),
-        Stop::Interrupted { .. } => "let it run to its end".into(),
-        Stop::Refused(_) => "a value that the solver can take".into(),
-        Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => {
-            thinning::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0))
-        }
-        Stop::PressureMaximum { .. } => {
-            "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height".into()
-        }
-        Stop::Mechanism { .. } => {
-            "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight".into()
-        }
-        Stop::Arched { .. } => {
-            "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel".into()
-        }
-        Stop::DrawnThrough { .. } => {
-            "[stop] drawn_through = true where it is wished; else a shorter travel or a larger blank, or more holder force, \
-             which keeps the edge back".into()
-        }
-        Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die".into(),
-        Stop::Creeping { .. } => {
-            "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap".into()
-        }
-        Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)".into(),
-    };
+    let at = if stages > 1 { format!("stage {} of {stages}", run.stages.len()) } else { String::new() };
     let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
     let closing = if closes { "while the holder closes".into() } else { String::new() };
-    let found = joined([at, closing, words], ": ");
-    Some(Finding::judged("stop", "Run", light, found).limit("reaches its end").source("the solver").advice(advice))
+    Some(
+        Finding::judged("stop", "Run", light, joined([at, closing, text], ": "))
+            .limit("reaches its end")
+            .source("the solver")
+            .advice(advice(run, last)),
+    )
+}
+
+fn advice(run: &Run, last: &StageSolution) -> String {
+    match &last.stop {
+        Stop::FullTravel if last.model.stop.drawn_through => "more travel",
+        Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => "",
+        Stop::Interrupted { .. } => "let it run to its end",
+        Stop::Refused(_) => "a value that the solver can take",
+        Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => {
+            return thinning::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
+        }
+        Stop::PressureMaximum { .. } => {
+            "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"
+        }
+        Stop::Mechanism { .. } => {
+            "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
+        }
+        Stop::Arched { .. } => {
+            "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
+        }
+        Stop::DrawnThrough { .. } => {
+            "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank or more holder force"
+        }
+        Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
+        Stop::Creeping { .. } => {
+            "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"
+        }
+        Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
+    }
+    .into()
+}
+
+/// Share of the sheet on its tools below the one that was to end the run.
+pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
+    let share = stage.steps.last()?.contact_share;
+    let wanted = stage.model.stop.contact_share.filter(|_| !matches!(stage.stop, Stop::ContactShare { .. }))?;
+    let limit = Amount::given_share(wanted);
+    let text = format!("{{}} of the sheet lies on its tools at the end, not the {limit} that were to end the run");
+    Some(
+        Finding::warning("contact_share", "Contact", text)
+            .number(Amount::share(share))
+            .limit(limit)
+            .at_least(100.0 * wanted, None)
+            .source("the case's stop.contact_share")
+            .advice("give more time, travel or pressure"),
+    )
 }

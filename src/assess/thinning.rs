@@ -1,21 +1,25 @@
-//! How thin the sheet has become.
+//! Thinning and necking.
 
-use super::nearest::Nearest;
-use super::nose::NoseEnd;
+use super::bottom_tearing::NoseEnd;
+use super::forming_limit::Nearest;
 use super::{Finding, Light, run::Run, wrinkling};
 use crate::measure::{Band, place_on_part};
 use crate::model::{Edge, Geometry, Role};
-use crate::solver::solution::StageSolution;
-use crate::table::Unit;
+use crate::solver::solution::neck::{Neck, neck};
+use crate::solver::solution::{StageSolution, Stop};
 use crate::units::Amount;
 
-/// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].
-const LIMITS: [f64; 2] = [CAREFUL, 0.30];
-/// The first of them \[–\].
+/// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;
+/// Thinning that is refused unless a forming limit is kept \[–\].
+const REFUSED: f64 = 0.30;
+/// Thickness over the initial one below which a sheet that is not superplastic has torn \[–\].
+const TORN: f64 = 0.5;
+const NECK_LIMIT: &str = "no place thins alone";
+const NECK_SOURCE: &str = "the solver's watch for necks; declared thresholds";
 
-/// What makes a sheet thin less at a place, initially `s0` from the axis \[mm\]: over a round punch the pole is spared by
-/// friction that holds it, at a nose by whatever lets the flange come. A flange or a wall that may wrinkle is not let loose.
+/// Remedies against thinning at a place, initially `s0` from the axis \[mm\]. Over a round punch friction spares the pole;
+/// at a nose everything that lets the flange come helps, unless the flange may wrinkle.
 pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
     let model = &stage.model;
     if model.tool(Role::Punch).is_none() {
@@ -24,12 +28,9 @@ pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
     if model.blank.edge == Edge::Clamped {
         return "a shorter travel, larger radii, or an edge that is let in".into();
     }
-    let on_dome = || match place_on_part(stage, s0) {
-        Some(place) => matches!(place.band, Band::Dome | Band::Unsupported),
-        None => false,
-    };
+    let on_dome = || place_on_part(stage, s0).is_some_and(|place| matches!(place.band, Band::Dome | Band::Unsupported));
     let is_round = model.geometry == Geometry::Axisymmetric && (on_dome() || NoseEnd::of(stage).is_none());
-    let holder = model.tool(Role::Holder).is_some() && !wrinkling::wants_holding(run);
+    let holder = model.tool(Role::Holder).is_some() && !wrinkling::needs_holding(run);
     match (is_round, holder) {
         (true, true) => {
             "a smaller blank, less holder force, less friction at die and holder but more at the punch (no oil there)"
@@ -43,30 +44,63 @@ pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
     .into()
 }
 
-/// The least thickness of the last stage over that of the blank.
+/// Largest thinning of the last stage. A forming limit that is kept, or a superplastic metal, allows more.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?.steps.last()?;
-    let thinning = 1.0 - last.thinnest / run.case.model().blank.thickness;
-    // A forming limit that is kept, or a metal that stretches without a neck, allows more.
+    let model = run.case.model();
+    let thinning = 1.0 - last.thinnest / model.blank.thickness;
     let allowed = run.nearest.as_ref().is_some_and(Nearest::is_kept)
-        || run.case.model().material.rate.is_some_and(|r| r.is_superplastic());
-    let most = if allowed { f64::INFINITY } else { LIMITS[1] };
-    let light = Light::of(thinning, [LIMITS[0], most]);
-    let limit = if allowed {
-        format!("below {share}", share = Amount::share(LIMITS[0]))
-    } else {
-        format!(
-            "below {share}, at most {most} unless a forming limit is kept",
-            share = Amount::share(LIMITS[0]),
-            most = Amount::share(LIMITS[1])
-        )
+        || model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let most = if allowed { f64::INFINITY } else { REFUSED };
+    let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
+    let limit = match allowed {
+        true => format!("below {careful}"),
+        false => format!("below {careful}, at most {refused} unless a forming limit is kept"),
     };
-    let found =
-        format!("{thinning} at s0 = {s0}", thinning = Amount::share(thinning), s0 = Amount::place(last.thinnest_s0));
+    let text = format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0));
     Some(
-        Finding::judged("thinning", "Thinning", light, found)
-            .against(100.0 * thinning, Unit::Percent, limit)
-            .at_most(100.0 * LIMITS[0], (!allowed).then_some(100.0 * LIMITS[1]))
+        Finding::judged("thinning", "Thinning", Light::of(thinning, [CAREFUL, most]), text)
+            .number(Amount::share(thinning))
+            .limit(limit)
+            .at_most(100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
             .advice(advice(run, run.stages.last()?, last.thinnest_s0)),
     )
+}
+
+/// Neck or coalescence of voids that ended the run, or a sheet too thin to be whole.
+pub(super) fn localisation(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
+    let thinnest = last.steps.last()?.thinnest_s0;
+    let judged = |light, text: String| Finding::judged("localisation", "Neck", light, text);
+    let finding = match (&last.stop, neck_seen(last)) {
+        (stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }), _) => {
+            judged(Light::Red, format!("it ended the run: {}", stop.kind()))
+        }
+        (_, Some(seen)) => Finding { quantity: seen.quantity, ..judged(Light::Red, seen.text) },
+        (_, None) => judged(Light::Green, "none".into()),
+    };
+    Some(finding.limit(NECK_LIMIT).source(NECK_SOURCE).advice(advice(run, last, thinnest)))
+}
+
+/// Neck, or a sheet too thin to be whole, in a stage that did not end by it.
+pub(super) fn neck_seen(stage: &StageSolution) -> Option<Finding> {
+    stage.steps.last()?;
+    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+        return None;
+    }
+    let neck = torn(stage)?;
+    let s0 = Amount::place(neck.s0);
+    let text = match neck.stands_out {
+        true => format!("it necks at s0 = {s0}, down to {{}} of the thickness; what follows depends on the mesh"),
+        false => format!("the sheet is down to {{}} of its thickness at s0 = {s0}: it has torn before"),
+    };
+    let warning = Finding::warning("neck", "Neck", text).number(Amount::share(neck.share));
+    Some(warning.limit(NECK_LIMIT).source(NECK_SOURCE))
+}
+
+/// Thinnest place of a stage that has taken a step, if it is a neck or too thin to be whole.
+pub(super) fn torn(stage: &StageSolution) -> Option<Neck> {
+    let neck = neck(&stage.model, &stage.end, None);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
 }

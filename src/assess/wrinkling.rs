@@ -1,30 +1,29 @@
-//! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
+//! Wrinkling of the flange: an index, because an axisymmetric run cannot wrinkle.
 
-use super::nose::NoseEnd;
+use super::bottom_tearing::NoseEnd;
 use super::{Finding, Light, closing, run::Run};
 use crate::assess::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::model::tool_sizes::extent;
 use crate::model::{Model, Motion, Role};
-use crate::table::Unit;
-use crate::units::Amount;
+use crate::units::{Amount, Unit};
 
-/// Advised pressure over the holder's \[–\]: 1 by the rule; above 2 even a factor of 0.002, the least that the rule is said
-/// to be quoted with, would ask for more. A force that was rounded after the rule may miss it by a percent.
+/// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
+/// more; a force that was rounded after the rule may miss it by a percent.
 const LIMITS: [f64; 2] = [1.01, 2.0];
 /// Diameter of a blank less that of the punch, over the thickness, up to which a cup is drawn without a holder \[–\].
 const FREE: [f64; 2] = [15.0, 20.0];
-/// Room between a fixed holder and the die, in thicknesses, above which waves have a height to grow to \[–\].
+/// Gap between a fixed holder and the die, over the thickness, above which waves can grow \[–\].
 const GAP: f64 = 1.2;
 
-/// Siebel's pressure over the least that the holder exerts on the flange's first area, beads' closing force taken off; of a
-/// fixed holder its gap. Of the first stage of an axisymmetric draw.
+/// Siebel's pressure over the least that the holder exerts on the flange's first area, without the force that closes beads;
+/// for a fixed holder its gap. For the first stage of an axisymmetric draw.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let model = &first.model;
     draw_ratio(model)?;
-    if let Some(gap) = closing::open(first) {
-        let found = format!("not judged: the holder stands open by {gap}", gap = Amount::thickness(gap));
-        let judged = Finding::judged("wrinkling", "Wrinkle index", Light::Grey, found);
+    if let Some(gap) = closing::gap_left(first) {
+        let text = "not judged: the holder stands open by {}";
+        let judged = Finding::judged("wrinkling", "Wrinkle index", Light::Grey, text).number(Amount::thickness(gap));
         return Some(judged.limit("a holder that is closed on the flange").advice(closing::advice(model)));
     }
     match model.tool(Role::Holder).map(|holder| &holder.motion) {
@@ -34,28 +33,23 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     }
 }
 
-/// A wall that hangs free between nose and shoulder, of a punch without a straight one: it may pucker, which no index here
-/// says. Of the first stage of an axisymmetric draw.
+/// Wall that hangs free between nose and shoulder: it may pucker, and no index here says whether.
 pub(super) fn wall(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     draw_ratio(&first.model)?;
     if NoseEnd::of(first).is_some_and(NoseEnd::is_upright) {
         return None;
     }
+    let text = "part of the wall hangs free between punch and die";
     Some(
-        Finding::judged(
-            "wall_wrinkles",
-            "Wall wrinkles",
-            Light::Grey,
-            "part of the wall hangs free between punch and die",
-        )
-        .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
-        .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later"),
+        Finding::judged("wall_wrinkles", "Wall wrinkles", Light::Grey, text)
+            .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
+            .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later"),
     )
 }
 
-/// Whether flange or wall may wrinkle if the holder lets go of them.
-pub(super) fn wants_holding(run: &Run) -> bool {
+/// Whether flange or wall may wrinkle with less holder force.
+pub(super) fn needs_holding(run: &Run) -> bool {
     wall(run).is_some() || judge(run).is_some_and(|index| index.light > Light::Green)
 }
 
@@ -64,51 +58,38 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let pressure = (least - beads).max(0.0) / held_area(model)?;
     let advised = siebel_pressure(model, tensile_strength(&model.material))?;
     let index = advised / pressure;
-    let light = Light::of(index, LIMITS);
-    let force = advised * held_area(model)? + beads;
-    let found = format!(
-        "{index}: {advised} advised over {pressure}; an axisymmetric run itself cannot wrinkle",
-        index = Amount::ratio(index),
-        advised = Amount::stress(advised),
-        pressure = Amount::stress(pressure)
-    );
-    let limit =
-        format!("{limit}, red above {red}", limit = Amount::count(LIMITS[0] as usize), red = Amount::number(LIMITS[1]));
-    Some(
-        Finding::judged("wrinkling", "Wrinkle index", light, found)
-            .against(index.is_finite().then_some(index), Unit::None, limit)
-            .at_most(LIMITS[0], LIMITS[1])
-            .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
-            .advice(format!("a holder force of {force} or more; where the sheet tears too, a thicker sheet, a smaller blank or one more draw", force = Amount::force(force, Unit::N))),
-    )
+    let force = Amount::force(advised * held_area(model)? + beads, Unit::N);
+    let [wanted, given] = [advised, pressure].map(Amount::stress);
+    let text = format!("{{}}: {wanted} advised over {given}; an axisymmetric run itself cannot wrinkle");
+    let limit = format!("1, red above {}", Amount::number(LIMITS[1]));
+    let judged = Finding::judged("wrinkling", "Wrinkle index", Light::of(index, LIMITS), text)
+        .number(Amount::ratio(index))
+        .limit(limit)
+        .at_most(LIMITS[0], LIMITS[1])
+        .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb");
+    Some(judged.advice(format!(
+        "a holder force of {force} or more; if the sheet tears too, a thicker sheet, a smaller blank or one more draw"
+    )))
 }
 
 fn fixed(gap: f64) -> Finding {
-    let found = format!(
-        "holder fixed {gap} from the die; an axisymmetric run itself cannot wrinkle",
-        gap = Amount::thicknesses(gap)
-    );
-    Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
-        .against(gap, Unit::None, format!("at most {limit}", limit = Amount::given_thicknesses(GAP)))
+    let text = "holder fixed {} from the die; an axisymmetric run itself cannot wrinkle";
+    Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), text)
+        .number(Amount::thicknesses(gap))
+        .limit(format!("at most {}", Amount::given_thicknesses(GAP)))
         .at_most(GAP, None)
         .advice("a smaller holder gap, or a holder force")
 }
 
-/// A blank that nothing holds: how far it stands beyond the punch, in thicknesses.
+/// Blank without a holder: its width beyond the punch over the thickness.
 fn free(model: &Model) -> Finding {
     let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
     let thicknesses = beyond / model.blank.thickness;
-    let found = format!(
-        "nothing holds the flange: blank less punch diameter is {ratio}; an axisymmetric run itself cannot wrinkle",
-        ratio = Amount::thicknesses(thicknesses)
-    );
-    let limit = format!(
-        "{limit}, red above {red}",
-        limit = Amount::given_thicknesses(FREE[0]),
-        red = Amount::given_thicknesses(FREE[1])
-    );
-    Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), found)
-        .against(thicknesses, Unit::None, limit)
+    let [limit, red] = FREE.map(Amount::given_thicknesses);
+    let text = "nothing holds the flange: blank less punch diameter is {}; an axisymmetric run itself cannot wrinkle";
+    Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), text)
+        .number(Amount::thicknesses(thicknesses))
+        .limit(format!("{limit}, red above {red}"))
         .at_most(FREE[0], FREE[1])
         .advice("give tools.holder a force; `check` says what Siebel's rule advises")
 }

@@ -1,7 +1,7 @@
-//! Whether the sheet's yield condition says what biaxial stretching asks of it.
+//! Yield condition in biaxial stretching.
 
-use super::answer::whether_it_tears;
 use super::forming_limit::other_condition;
+use super::tear::tear_sentence;
 use super::{Finding, Light, run::Run};
 use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
@@ -9,47 +9,40 @@ use crate::material::{Hosford, YieldCriterion};
 use crate::model::Stage;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::solver::solve;
-use crate::table::Unit;
 use crate::units::{Amount, joined};
 
-/// r̄ from which on Hill's condition of 1948 is taken at its word in biaxial stretching \[–\]: below it is softer there than
-/// aluminium is.
+/// r̄ below which Hill's condition of 1948 is softer in biaxial stretching than aluminium \[–\].
 const LEAST: f64 = 0.8;
-/// What the other answer is computed with: sheets of such low r̄ are of aluminium.
+/// Crystal of sheets of such low r̄: aluminium.
 const CRYSTAL: Crystal = Crystal::Fcc;
 
-/// Amber where a low r̄ goes by Hill's condition and the thinnest place, or the one nearest to the forming limit, is
-/// stretched both ways; then with what Hosford's condition says of the same case.
+/// Amber if a low r̄ goes by Hill's condition and the worst place is stretched both ways; then with the result by Hosford's
+/// condition.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let criterion = run.case.model().material.yield_criterion;
     let (r, last) = (criterion.ratio(), run.stages.last()?);
     last.steps.last()?;
     let doubtful = matches!(criterion, YieldCriterion::Hill48(_)) && r < LEAST && is_biaxial(run, last);
     let name = match criterion {
-        YieldCriterion::Hill48(_) => format!("Hill 1948, r̄ = {r}", r = Amount::number(r)),
+        YieldCriterion::Hill48(_) => "Hill 1948, r̄ = {}".to_owned(),
         YieldCriterion::Hosford(hosford) => {
-            format!("Hosford, exponent {a}, r̄ = {r}", a = Amount::number(hosford.exponent()), r = Amount::number(r))
+            format!("Hosford, exponent {}, r̄ = {{}}", Amount::number(hosford.exponent()))
         }
     };
-    let found = match doubtful {
-        true => {
-            let soft = "too soft where the sheet is worst off, stretched both ways".into();
-            joined([Some(name), Some(soft), other(run)].into_iter().flatten(), "; ")
-        }
+    let soft = || "too soft where the sheet is worst off, stretched both ways".to_owned();
+    let text = match doubtful {
+        true => joined([Some(name), Some(soft()), by_hosford(run)].into_iter().flatten(), "; "),
         false => name,
     };
-    let limit = format!(
-        "r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways",
-        least = Amount::number(LEAST)
-    );
-    let finding = Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), found)
-        .against(r, Unit::None, limit)
+    let least = Amount::number(LEAST);
+    let finding = Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), text)
+        .number(Amount::number(r))
+        .limit(format!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways"))
         .source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb");
-    // With another condition, or without biaxial stretching, any r̄ will do.
     Some(if doubtful { finding.at_least(LEAST, None).advice(other_condition()) } else { finding })
 }
 
-/// Whether the thinnest place, or that which comes nearest to the forming limit, is stretched both ways.
+/// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.
 fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
     let thinnest = last.frames.last().and_then(|frame| {
         let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
@@ -62,9 +55,8 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
     thinnest.into_iter().chain(nearest).any(|[a, b]| a.min(b) > 0.0 && a.max(b) > SHORTEST)
 }
 
-/// What comes out with Hosford's condition of fcc metal, all else alike; `None` where it cannot be solved, as with voids, or
-/// the user has had enough.
-fn other(run: &Run) -> Option<String> {
+/// Result by Hosford's condition of fcc metal, all else alike; `None` if it cannot be solved, or the run was interrupted.
+fn by_hosford(run: &Run) -> Option<String> {
     if run.is_one_of_many || matches!(run.stages.last()?.stop, Stop::Interrupted { .. }) {
         return None;
     }
@@ -72,15 +64,15 @@ fn other(run: &Run) -> Option<String> {
     let solved = solve(&stages, &mut ());
     let end = solved.last()?.steps.last()?;
     Some(format!(
-        "with Hosford's condition of fcc metal, exponent {a}, it thins by {thinning} at s0 = {s0}, and {tears}",
-        a = Amount::number(CRYSTAL.exponent()),
-        thinning = Amount::share(1.0 - end.thinnest / run.case.model().blank.thickness),
-        s0 = Amount::place(end.thinnest_s0),
-        tears = whether_it_tears(&solved)
+        "with Hosford's condition of fcc metal, exponent {}, it thins by {} at s0 = {}, and {}",
+        Amount::number(CRYSTAL.exponent()),
+        Amount::share(1.0 - end.thinnest / run.case.model().blank.thickness),
+        Amount::place(end.thinnest_s0),
+        tear_sentence(&solved)
     ))
 }
 
-/// The stage with the other condition, and the forming limit that follows from it; none where it has none.
+/// Stage with Hosford's condition, and the forming limit that follows from it.
 fn with_hosford(mut stage: Stage) -> Stage {
     let material = &mut stage.model.material;
     material.yield_criterion = Hosford::new(material.yield_criterion.ratio(), CRYSTAL.exponent()).into();

@@ -62,7 +62,7 @@ impl Solution {
 
     /// Views of every solved stage, with these findings from before the run.
     pub(crate) fn views_with(&self, before: &[Finding]) -> Vec<StageView<'_>> {
-        let findings = assess::told(before, &self.stages).into_iter().enumerate();
+        let findings = assess::by_stage(before, &self.stages).into_iter().enumerate();
         let mut views: Vec<_> = findings.map(|(i, findings)| StageView::stage(self, i, findings)).collect();
         if let Some(first) = views.first_mut() {
             first.findings.extend(missing_letters(first.title));

@@ -55,7 +55,7 @@ const HOLDER: &str = "holder_force";
 const LIMIT: &str = "forming_limit";
 
 /// Rows of the verdict that judge the numerics themselves: what a refinement does to them says nothing of a part.
-const OF_THE_SOLVER: [&str; 4] = ["power_balance", "cutoff", "penetration", "moment_error"];
+const OF_THE_SOLVER: [&str; 1] = ["solution_quality"];
 
 impl Number {
     fn new(key: &'static str, label: &'static str, amount: Amount) -> Self {

@@ -1,0 +1,185 @@
+//! Quality of the numerical solution: energy balance, nearly rigid zones, penetration, bending moments, mesh.
+
+use super::finding::ACCURACY;
+use super::run::{Run, forms, largest};
+use super::{Finding, Light};
+use crate::assess::estimate;
+use crate::measure::moment_error;
+use crate::model::{ContactMethod, Mode, Model, Role, Settings, Tool};
+use crate::solver::solution::StageSolution;
+use crate::units::{Amount, Digits, Unit};
+
+/// Numerical error that is checked.
+struct Check {
+    text: &'static str,
+    advice: &'static str,
+    /// Largest share allowed \[–\].
+    limit: f64,
+    /// Share of a stage \[–\].
+    of: fn(&StageSolution) -> Option<f64>,
+}
+
+const CHECKS: [Check; 4] = [
+    Check {
+        text: "{} of the tools' work is missing in the balance",
+        advice: "take smaller steps (solver.max_step)",
+        limit: 0.01,
+        of: |stage| stage.steps.last().filter(|_| forms(stage)).map(|step| step.work.imbalance().abs()),
+    },
+    Check {
+        text: "{} of the plastic work is done in nearly rigid zones, where stresses are not the true ones",
+        advice: "take a smaller solver.cutoff_strain",
+        limit: 0.05,
+        of: |stage| {
+            let work = stage.steps.last().filter(|_| forms(stage))?.work;
+            (work.plastic > 0.0).then(|| work.cutoff / work.plastic)
+        },
+    },
+    Check {
+        text: "tools sink into the sheet by {} of its thickness",
+        advice: "take a larger solver.contact_stiffness, or contact by the augmented Lagrangian",
+        limit: 0.05,
+        of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.penetration)),
+    },
+    Check {
+        text: "{} of the largest bending moment is missed",
+        advice: "take more layers (blank.layers)",
+        limit: 0.05,
+        of: |stage| {
+            let bends = stage.model.mode != Mode::Flow && stage.model.release.is_none();
+            Some(moment_error(stage.frames.last().filter(|_| bends)?)?.share)
+        },
+    },
+];
+
+impl Check {
+    /// Largest share over all stages \[–\].
+    fn over(&self, run: &Run) -> Option<f64> {
+        run.stages.iter().filter_map(self.of).reduce(f64::max)
+    }
+}
+
+/// Worst of the numerical errors, over its limit.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    run.steps().next()?;
+    let shares = CHECKS.iter().enumerate().filter_map(|(i, check)| {
+        let share = if i == 0 { Some(missing_work(run)) } else { check.over(run) };
+        Some((check, share?))
+    });
+    let (check, share) = shares.max_by(|(a, x), (b, y)| (x / a.limit).total_cmp(&(y / b.limit)))?;
+    Some(
+        Finding::judged("solution_quality", "Solution quality", Light::within(share, check.limit), check.text)
+            .share(share, check.limit)
+            .source(ACCURACY)
+            .advice(check.advice),
+    )
+}
+
+/// Work missing in the balance of any stage over the largest external work of any \[–\].
+fn missing_work(run: &Run) -> f64 {
+    let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
+    let missing = run.stages.iter().filter_map(|stage| stage.steps.last()).map(|step| step.work.missing().abs());
+    if largest > 0.0 { missing.fold(0.0, f64::max) / largest } else { 0.0 }
+}
+
+/// Numerical error of a stage above its limit; the augmented Lagrangian should leave no penetration.
+pub(super) fn poor(stage: &StageSolution) -> Option<Finding> {
+    let poor = CHECKS.iter().take(3).find_map(|check| {
+        let share = (check.of)(stage).filter(|share| *share > check.limit)?;
+        Some((check, share, check.limit))
+    });
+    let left = || {
+        let deepest = largest(stage, |step| step.penetration);
+        let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
+        (augmented && deepest > 1.01 * Settings::PENETRATION).then_some((&CHECKS[2], deepest, Settings::PENETRATION))
+    };
+    let (check, share, limit) = poor.or_else(left)?;
+    let warning = Finding::warning("solution_quality", "Solution quality", check.text).share(share, limit);
+    Some(warning.source(ACCURACY).advice(check.advice))
+}
+
+/// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
+const YIELDED: f64 = 1e-4;
+/// Share of the sheet that is reported \[–\].
+const LEAST: f64 = 1e-3;
+
+/// Share of the sheet's volume that yields again as the tools are taken away; with elasticity alone, where the remaining
+/// stress exceeds the yield stress.
+pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
+    let (model, end) = (&stage.model, &stage.end);
+    model.release?;
+    let before = &stage.start.as_ref()?.through.points;
+    let layers = model.blank.points();
+    let (mut volume, mut total) = (0.0, 0.0);
+    for (i, (point, before)) in end.points.iter().zip(before).enumerate() {
+        let e = i / layers.len();
+        let share = end.volume[e] * layers[i % layers.len()].weight;
+        let limit = model.material.yield_stress(point.strain, end.temperature[e]);
+        let beyond = model.mode != Mode::ElastoViscoplastic
+            && model.material.yield_criterion.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);
+        total += share;
+        volume += if beyond || point.strain - before.strain_equivalent > YIELDED { share } else { 0.0 };
+    }
+    let text = match model.mode {
+        Mode::Elastic => "{} of the sheet would yield again as the tools are taken away, which elasticity leaves out",
+        _ => "{} of the sheet yields again as the tools are taken away",
+    };
+    let share = volume / total;
+    (share > LEAST).then(|| Finding::warning("yields_again", "Unloading", text).share(share, LEAST))
+}
+
+/// Elements per 90° below which the load oscillates as nodes pass a corner, and the advised number \[–\].
+const PER_QUARTER: [f64; 2] = [8.0, 10.0];
+
+/// Elements at the corner that has the fewest.
+pub(super) fn mesh(model: &Model) -> Option<Finding> {
+    let [least, advised] = PER_QUARTER;
+    let fit = estimate::coarsest_corner(model).filter(|fit| fit.per_quarter < least)?;
+    let elements = (model.blank.elements as f64 * advised / fit.per_quarter).ceil() as usize;
+    let text = format!(
+        "{{}} elements per 90° at the {}'s radius of {}: the load will oscillate as nodes pass it",
+        fit.role.name(),
+        Amount::size(fit.radius)
+    );
+    Some(
+        Finding::warning("mesh", "Mesh", text)
+            .number(Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2)))
+            .limit(format!("{} at least", Amount::number(least)))
+            .at_least(least, None)
+            .advice(format!("take about {elements} elements, which give {}", Amount::number(advised))),
+    )
+}
+
+/// Cosine of a wall's lean up to which it counts as upright, to 2°.
+const UPRIGHT: f64 = 0.9994;
+
+/// Punch or die whose line ends before the travel, so that the sheet bends over its end.
+pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
+    // Punches go up through the sheet; dies are passed by it on its way up.
+    let (behind, whole) = match tool.role {
+        Role::Punch => (-1.0, "its nose and its wall"),
+        Role::Die => (1.0, "its shoulder and its wall"),
+        Role::Holder => return None,
+    };
+    let face = tool.profile.extreme(tool.role == Role::Punch, model.blank.length)?.y;
+    // The sheet lies left of the line: its last end is the one that is passed.
+    let (at, away) = tool.profile.ends()[1]?;
+    let depth = behind * (at.y - face);
+    if at.x >= model.blank.length || depth >= model.travel || away.y.abs() >= UPRIGHT {
+        return None;
+    }
+    let [r, z, travel, to] = [at.x, at.y, model.travel, face + behind * model.travel].map(Amount::size);
+    let text = format!(
+        "the {}'s line ends at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's middle), {{}} of the {travel} of travel \
+         behind its face: the sheet bends over the end as over a sharp edge",
+        tool.role.name()
+    );
+    Some(
+        Finding::warning("line_end", "End of a tool", text)
+            .number(Amount::size(depth))
+            .limit(travel)
+            .at_least(model.travel, None)
+            .source("a tool acts only where it is drawn")
+            .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}")),
+    )
+}
