@@ -1,44 +1,40 @@
-//! What can be said of a case before it is solved: its numbers, rules of thumb, and warnings.
+//! Check of a case before it is solved: its numbers, rules of thumb, and warnings.
 
-mod details;
 mod line;
 mod loads;
-mod stages;
+mod settings;
 mod tools;
 
 pub use line::Line;
 
-use super::{Kind, before, sentences};
-use crate::assess::estimate;
+use super::{Kind, before, estimate, sentences};
 use crate::case::Case;
 use crate::model::{Extent, Geometry, Model, Theory};
-use crate::table::Unit;
-use crate::units::ZERO_CELSIUS;
-use crate::units::{Amount, Digits, joined};
+use crate::units::{Amount, Digits, Unit, ZERO_CELSIUS, joined};
 use line::{line, size_of};
 use std::fmt;
 
-/// A case looked over before it is solved.
+/// Check of a case before it is solved.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Check {
-    /// The case's title.
+    /// Title of the case.
     pub title: String,
-    /// The case in numbers, in the order of telling.
+    /// The case in numbers.
     pub lines: Vec<Line>,
-    /// What a report adds, so that the run can be judged and repeated: constants of the sheet, mesh and settings.
+    /// Constants of the sheet, mesh and settings, from which the run can be repeated.
     pub details: Vec<Line>,
-    /// What should be known before the result is trusted; the case can be solved all the same.
+    /// Doubts; the case can be solved all the same.
     pub warnings: Vec<String>,
-    /// Declared assumptions, and what was assumed while reading.
+    /// Assumptions, declared or made while reading.
     pub notes: Vec<String>,
 }
 
-/// Looks a case over without solving it.
+/// Checks a case without solving it.
 pub fn report(case: &Case) -> Check {
     let model = case.model();
     let mut lines = Vec::new();
     blank(model, &mut lines);
-    lines.push(line("material", String::from(model.material.describe()), ""));
+    lines.push(line("material", model.material.describe(), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material);
     lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
@@ -46,26 +42,18 @@ pub fn report(case: &Case) -> Check {
     lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));
     loads::holder(model, strength, &mut lines);
     mesh(model, &mut lines);
-    for (i, stage) in case.later().iter().enumerate() {
-        lines.push(line(format!("stage {n}", n = i + 2), stage.name.clone(), stages::describe(stage)));
-    }
-    let compare = case.compare.iter().map(|spec| {
-        let against = spec.against.to_string();
-        let meaning = match spec.data {
-            Some(_) => against.into(),
-            None => format!("{against} (not there: drop the CSV in to see the overlay)"),
-        };
-        line("compare", spec.reference.display().to_string(), meaning)
-    });
-    lines.extend(compare);
+    lines.extend(case.later().iter().enumerate().map(|(i, stage)| loads::stage(i + 2, stage)));
+    lines.extend(case.compare.iter().map(|spec| {
+        let missing = if spec.data.is_some() { "" } else { " (no data: add the CSV file to see it)" };
+        line("compare", spec.reference.display().to_string(), format!("{}{missing}", spec.against))
+    }));
     let findings = before(case);
-    let notes = model.notes.iter().cloned().map(String::from).chain(sentences(&findings, Kind::Assumption)).collect();
     Check {
         title: model.title.clone(),
         lines,
-        details: details::lines(case),
+        details: settings::lines(case),
         warnings: sentences(&findings, Kind::Warning),
-        notes,
+        notes: model.notes.iter().cloned().chain(sentences(&findings, Kind::Assumption)).collect(),
     }
 }
 
@@ -80,11 +68,10 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
-    let (volume, meaning): (String, _) = match model.extent() {
-        Extent::PerDepth => (volume(Unit::Mm2).into(), "times the depth"),
-        _ => (volume(Unit::Mm3).into(), ""),
-    };
-    lines.push(line("volume", volume, meaning));
+    lines.push(match model.extent() {
+        Extent::PerDepth => line("volume", volume(Unit::Mm2), "times the depth"),
+        _ => line("volume", volume(Unit::Mm3), ""),
+    });
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {n} points through the thickness", n = blank.layers),
         Theory::Membrane => "membrane".into(),
@@ -117,29 +104,19 @@ fn mesh(model: &Model, lines: &mut Vec<Line>) {
     }
 }
 
-impl Check {
-    fn text(&self) -> String {
-        let mut text = format!("{}\n\n", self.title);
-        let labels: Vec<String> = self.lines.iter().map(|line| line.label.to_string()).collect();
-        let width = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
-        for (label, Line { value, meaning, .. }) in labels.iter().zip(&self.lines) {
-            let said = joined([value.clone(), meaning.clone()], " ").to_string();
-            text += &format!("  {label:<width$}  {said}\n");
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}\n", self.title)?;
+        let width = self.lines.iter().map(|line| line.label.chars().count()).max().unwrap_or(0);
+        for Line { label, value, meaning, .. } in &self.lines {
+            writeln!(f, "  {label:<width$}  {}", joined([value.clone(), meaning.clone()], " "))?;
         }
         for (heading, entries) in [("notes", &self.notes), ("warnings", &self.warnings)] {
             if !entries.is_empty() {
-                text += &format!("\n{}\n", String::from(heading).to_string());
+                writeln!(f, "\n{heading}")?;
             }
-            for entry in entries {
-                text += &format!("  - {}\n", entry.to_string());
-            }
+            entries.iter().try_for_each(|entry| writeln!(f, "  - {entry}"))?;
         }
-        text
-    }
-}
-
-impl fmt::Display for Check {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text())
+        Ok(())
     }
 }

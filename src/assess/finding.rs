@@ -1,13 +1,13 @@
-//! The one way in which the program tells a user what to know.
+//! Findings: the one form of warnings, assumptions and rows of the verdict.
 
-use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined};
+use crate::units::{Amount, ErrorBar, Limits, Quantity, Sense, joined};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// How a finding stands to its limit.
+/// State of a finding against its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Light {
-    /// Not judged: the case does not hold what it would be held against.
+    /// Not judged: the case gives no limit.
     Grey,
     /// Within the limit.
     Green,
@@ -18,7 +18,7 @@ pub enum Light {
 }
 
 impl Light {
-    /// The word that stands for it without colours.
+    /// Name in text.
     pub fn name(self) -> &'static str {
         match self {
             Self::Grey => "grey",
@@ -42,30 +42,30 @@ impl Light {
         Self::of(value, [limit, f64::INFINITY])
     }
 
-    /// Amber where something is in doubt.
+    /// Amber if in doubt.
     pub(super) fn doubtful(doubtful: bool) -> Self {
         if doubtful { Self::Amber } else { Self::Green }
     }
 }
 
-/// When a finding can be made.
+/// Earliest time of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum When {
     /// From the case alone.
     Before,
-    /// From what came out.
+    /// From the result.
     After,
 }
 
-/// Where a finding is told.
+/// Place of a finding in the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A row of the verdict, whatever its light.
+    /// Row of the verdict.
     Judgement,
-    /// A sentence among the warnings, made only where something is wrong.
+    /// Sentence among the warnings.
     Warning,
-    /// A sentence among the notes: what was assumed or changed while the case was read.
+    /// Sentence among the notes: assumed or changed while the case was read.
     Assumption,
 }
 
@@ -164,15 +164,6 @@ impl Finding {
         Self { quantity: Some(Quantity::new(self.key, self.label, amount)), ..self }
     }
 
-    /// Sets number and limit.
-    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<String>) -> Self {
-        match value.into() {
-            Some(value) => self.number(Amount::new(value, unit, Digits::Significant(3))),
-            None => self,
-        }
-        .limit(limit)
-    }
-
     /// Sets a share and its amber limit \[–\].
     pub(super) fn share(self, share: f64, limit: f64) -> Self {
         self.number(Amount::share(share)).limit(Amount::given_share(limit)).at_most(100.0 * limit, None)
@@ -240,17 +231,17 @@ impl Finding {
     }
 }
 
-/// The rows of the verdict.
+/// Rows of the verdict.
 pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
     findings.iter().filter(|finding| finding.kind == Kind::Judgement)
 }
 
-/// The sentences of a kind.
+/// Sentences of a kind.
 pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
     findings.iter().filter(|finding| finding.kind == kind).map(Finding::sentence).collect()
 }
 
-/// One sentence on the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
+/// Counts of the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
 pub fn headline(findings: &[Finding]) -> String {
     let of = |light: Light| judgements(findings).filter(move |f| f.light == light);
     let named = |light: Light| (of(light).count(), joined(of(light).map(|f| f.label.into()), ", "));
@@ -265,7 +256,7 @@ pub fn headline(findings: &[Finding]) -> String {
     joined(parts, ", ")
 }
 
-/// The verdict's rows of a light, those with one advice together, where the first of them stands.
+/// Rows of the verdict by light, grouped by advice.
 pub fn by_advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<Vec<&Finding>> {
     let mut groups: Vec<Vec<&Finding>> = Vec::new();
     for finding in judgements(findings).filter(|f| is(f.light)) {
@@ -277,7 +268,7 @@ pub fn by_advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<Vec<&F
     groups
 }
 
-/// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
+/// Labels and advice of rows of the verdict by light, grouped by advice.
 pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
     let groups = by_advice(findings, is).into_iter().filter(|group| !group[0].advice.is_empty());
     let labels = |group: &[&Finding]| joined(group.iter().map(|finding| finding.label.into()), ", ");

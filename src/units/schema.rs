@@ -1,20 +1,17 @@
 //! Quantities in the JSON schema of a case file.
 
 use super::dimensioned::Dimensioned;
-use super::pattern::pattern;
 use super::serde::As;
 use schemars::JsonSchema;
 
-/// The schema of a quantity: a number, or text with examples; with its bounds, which validators leave alone in text, and in
-/// text its kind and unit for the reference.
+/// Schema of a quantity: a number, or text with examples, kind and unit.
 pub(super) fn of<Q: Dimensioned>() -> schemars::Schema {
     let kind = Q::KIND;
     let mut schema = if kind.unit.is_empty() {
         schemars::json_schema!({ "type": "number" })
     } else {
         let note = format!("{} with its unit; solved in {}", kind.name, kind.unit);
-        let pattern = pattern(&[kind]);
-        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples, "pattern": pattern, "x-quantity": kind.measured() })
+        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples, "x-quantity": kind.measured() })
     };
     for (keyword, bound) in Q::BOUND {
         schema.insert((*keyword).into(), (*bound).into());

@@ -1,24 +1,24 @@
-//! One line of what is said of a case.
+//! Line of a check: label, value, meaning.
 
 use crate::model::{Geometry, Model};
 use crate::units::Amount;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-/// One line of the report.
+/// Label, value and meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// What is said.
+    /// Name of the value.
     pub label: String,
-    /// The number with its unit, or the word itself.
+    /// Number with its unit, or word.
     pub value: String,
-    /// The number; none where it is a word.
+    /// The number, if it is one.
     pub amount: Option<Amount>,
-    /// What it means or where it comes from; may be empty.
+    /// Meaning or origin; may be empty.
     pub meaning: String,
 }
 
 impl Line {
-    /// The value in its unit; `None` where it is a word.
+    /// Value in its unit; `None` for words.
     pub fn number(&self) -> Option<f64> {
         self.amount.map(|amount| amount.value)
     }
@@ -36,7 +36,6 @@ impl Serialize for Line {
     }
 }
 
-/// A line; what it means may be empty.
 pub(super) fn line(label: impl Into<String>, value: impl LineValue, meaning: impl Into<String>) -> Line {
     let (value, amount) = value.parts();
     Line { label: label.into(), value, amount, meaning: meaning.into() }
@@ -65,7 +64,7 @@ impl LineValue for &str {
     }
 }
 
-/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter; told as `amount` does.
+/// Distance from the axis or symmetry plane \[mm\] as shops give it: for round parts the diameter.
 pub(super) fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> String {
     match model.geometry {
         Geometry::Axisymmetric => format!("Ø {diameter}", diameter = amount(2.0 * half)),

@@ -1,10 +1,10 @@
-//! What presses and pulls the sheet, in lines: holder, beads, gas.
+//! Lines on loads and later stages: holder, beads, gas, motions.
 
 use super::line::{Line, line, size_of};
 use crate::assess::estimate;
-use crate::model::{Bead, Face, Gas, Model, Motion, Pressure, Role};
-use crate::table::Unit;
-use crate::units::{Amount, Digits, joined};
+use crate::model::stage::Stage;
+use crate::model::{Bead, Face, Gas, Mode, Model, Motion, Pressure, Role};
+use crate::units::{Amount, Digits, Unit, joined};
 
 pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     let unit = model.extent().force_unit();
@@ -18,59 +18,76 @@ pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
         _ => return,
     };
     let [least, most] = [force.force.smallest(), force.force.largest()].map(|force| Amount::force(force, unit));
-    let text = if least == most { most.into() } else { format!("{least} to {most}") };
+    let text = if least == most { most.to_string() } else { format!("{least} to {most}") };
     let meaning = match force.stiffness {
         0.0 if least == most => String::new(),
         0.0 => "over the travel".into(),
-        c => format!(
-            "on the flat sheet, and {stiffness} more per mm that it is lifted",
-            stiffness = Amount::force(c, unit)
-        ),
+        c => format!("on the flat sheet, and {} more per mm that it is lifted", Amount::force(c, unit)),
     };
     lines.push(line("holder force", text, meaning));
     let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else { return };
     lines.push(line("holder pressure", Amount::stress(pressure), "on the initial area between holder and die's flat"));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
         let meaning = format!(
-            "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m, as Kugler, Umformtechnik (2009), has it: {force}",
-            force = Amount::force(siebel * area, unit)
+            "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009): {}",
+            Amount::force(siebel * area, unit)
         );
         lines.push(line("advised pressure", Amount::stress(siebel), meaning));
     }
 }
 
 pub(super) fn bead(model: &Model, bead: &Bead) -> Line {
-    let meaning = format!(
-        "restraining {restraining}, closing {closing}",
-        restraining = Amount::force(bead.restraining, Unit::NPerMm),
-        closing = Amount::force(bead.closing, Unit::NPerMm)
-    );
-    line("bead", size_of(model, bead.at, Amount::drawn), meaning)
+    let [restraining, closing] = [bead.restraining, bead.closing].map(|force| Amount::force(force, Unit::NPerMm));
+    line("bead", size_of(model, bead.at, Amount::drawn), format!("restraining {restraining}, closing {closing}"))
 }
 
 pub(super) fn gas(model: &Model, gas: &Gas) -> Line {
     let (within, time) = (Amount::size(gas.within), Amount::time(model.duration));
-    let place = match gas.face {
-        Face::Lower => format!("on the lower face within {within}, for {time}"),
-        Face::Upper => format!("on the upper face within {within}, for {time}"),
+    let face = match gas.face {
+        Face::Lower => "lower",
+        Face::Upper => "upper",
     };
+    let place = format!("on the {face} face within {within}, for {time}");
     let control = match &gas.pressure {
         Pressure::OverTime(history) => {
-            let meaning = format!("at most {place}");
-            return line("gas pressure", Amount::given_stress(history.largest()), meaning);
+            return line("gas pressure", Amount::given_stress(history.largest()), format!("at most {place}"));
         }
         Pressure::Rate(control) => control,
     };
-    let norm = format!("held by the pressure (norm with q = {q})", q = Amount::number(control.exponent));
-    let most = control
-        .max_pressure
-        .is_finite()
-        .then(|| format!("{pressure} at most", pressure = Amount::given_stress(control.max_pressure)));
-    let rise = control
-        .max_rise
-        .is_finite()
-        .then(|| format!("{rise}/s at most", rise = Amount::given_stress(control.max_rise)));
+    let norm = format!("held by the pressure (norm with q = {})", Amount::number(control.exponent));
+    let finite = |value: f64| value.is_finite().then(|| Amount::given_stress(value));
+    let most = finite(control.max_pressure).map(|most| format!("{most} at most"));
+    let rise = finite(control.max_rise).map(|rise| format!("{rise}/s at most"));
     let limits = joined([Some(norm), most, rise].into_iter().flatten(), ", ");
     let rate = Amount::new(control.target, Unit::PerSecond, Digits::Significant(3));
-    line("strain rate", rate, joined([limits, place], " "))
+    line("strain rate", rate, format!("{limits} {place}"))
+}
+
+/// Line of the `n`-th stage.
+pub(super) fn stage(n: usize, stage: &Stage) -> Line {
+    let Stage { model, begin, .. } = stage;
+    let mut does = Vec::new();
+    does.extend(begin.trim.map(|half| format!("cut at {}", size_of(model, half, Amount::set))));
+    does.extend(begin.anneal.then(|| "annealed".into()));
+    for tool in &model.tools {
+        let name = tool.role.name();
+        let name = if begin.meets.contains(&tool.role) { format!("new {name}") } else { name.into() };
+        does.push(match &tool.motion {
+            Motion::Path(way) if way.x == 0.0 => format!("{name} goes {}", Amount::size(way.y)),
+            Motion::Path(way) => format!("{name} goes {} and {} aside", Amount::size(way.y), Amount::size(way.x)),
+            Motion::Pressed(press) => {
+                let force = Amount::force(press.force.at(model.travel), model.extent().force_unit());
+                format!("{name} presses with {force} at the end")
+            }
+            Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{name} stands"),
+        });
+    }
+    does.extend(model.release.map(|_| "tools taken away".into()));
+    does.push(match model.mode {
+        Mode::Flow => String::new(),
+        Mode::ElastoViscoplastic => "elasto-viscoplastic".into(),
+        Mode::Elastic => "elastic".into(),
+    });
+    does.extend(model.timed.then(|| Amount::time(model.duration).to_string()));
+    line(format!("stage {n}"), stage.name.as_str(), joined(does, "; "))
 }

@@ -1,15 +1,14 @@
-//! The tools in lines: sizes, radii, travel.
+//! Lines on the tools: sizes, radii, travel.
 
 use super::line::{Line, line, size_of};
 use super::loads;
-use crate::assess::design::LIMITING_RATIO;
-use crate::assess::estimate;
+use crate::assess::{design::LIMITING_RATIO, estimate};
 use crate::contact::friction::Friction;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Geometry, Model, Role, Tool};
 use crate::units::{Amount, joined};
 
-/// More radii than these are told as a range: they round a curve off.
+/// Number of radii above which only their range is given.
 const FEW: usize = 4;
 
 pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
@@ -55,16 +54,16 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     };
     let friction = match &tool.friction {
         Friction::Coulomb(_) => Amount::number(tool.friction.largest_coefficient()).into(),
-        law => String::from(law.to_string()),
+        law => law.to_string(),
     };
     let friction = format!("friction {friction}");
     let meaning = joined([what, corners(tool, model.blank.thickness), friction], ", ");
     line(tool.role.name(), size, meaning)
 }
 
-/// The radii over which the sheet is bent; of many the smallest and the largest.
+/// Radii over which the sheet is bent; of many the smallest and the largest.
 fn corners(tool: &Tool, thickness: f64) -> String {
-    let told = |radius: f64| {
+    let text = |radius: f64| {
         format!("R {radius} ({ratio})", radius = Amount::drawn(radius), ratio = Amount::thicknesses(radius / thickness))
     };
     let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
@@ -74,16 +73,15 @@ fn corners(tool: &Tool, thickness: f64) -> String {
         return format!(
             "{n} arcs, {smallest} to {largest}",
             n = radii.len(),
-            smallest = told(smallest),
-            largest = told(largest)
+            smallest = text(smallest),
+            largest = text(largest)
         );
     }
-    joined(radii.into_iter().map(told), ", ")
+    joined(radii.into_iter().map(text), ", ")
 }
 
-/// How fast the punch goes, where the case says so.
+/// Punch speed, if the case gives it.
 fn pace(model: &Model) -> String {
-    // Told as the length that it goes in a second.
     let speed = Amount::size(model.speed);
     match &model.schedule {
         _ if !model.timed => String::new(),

@@ -3,7 +3,7 @@
 use super::untagged::untagged;
 use crate::units::{
     Conductivity, Density, Dimensioned, Force, Fraction, HeatTransfer, Kind, Length, LineForce, NonNegative, Number,
-    Positive, SpecificHeat, StrainRate, Stress, StressRate, Temperature, Time, parse, pattern,
+    Positive, SpecificHeat, StrainRate, Stress, StressRate, Temperature, Time, parse,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
@@ -222,8 +222,8 @@ macro_rules! whole_or_per_depth {
 
             fn json_schema(_: &mut SchemaGenerator) -> Schema {
                 let kinds = [NonNegative::<$whole>::KIND, NonNegative::<$per_depth>::KIND];
-                let (pattern, quantity) = (pattern(&kinds), kinds.map(Kind::measured).join(", or "));
-                schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern, "x-quantity": quantity })
+                let quantity = kinds.map(Kind::measured).join(", or ");
+                schemars::json_schema!({ "type": "string", "examples": $examples, "x-quantity": quantity })
             }
         }
     };
