@@ -36,7 +36,7 @@ const HELD_OUT: f64 = 8.0;
 const PER_QUARTER: f64 = 10.0;
 /// Height for which a blank is made beyond the wanted one, over that one [–]: a declared rule of thumb.
 pub const TRIM: f64 = 0.08;
-/// What [`TRIM`] is for.
+/// Reason of [`TRIM`].
 pub const TRIMMED: &str = "because the rim thickens (declared)";
 /// How far a rim has gone round the die's shoulder when a cup counts as drawn [rad].
 const RIM: f64 = FRAC_PI_4;

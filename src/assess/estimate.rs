@@ -27,7 +27,7 @@ pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
 }
 
-/// Where the flat between holder and die begins \[mm\].
+/// Inner edge of the flat between holder and die \[mm\].
 pub(crate) fn held_from(model: &Model) -> Option<f64> {
     Some(extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?)))
 }

@@ -47,19 +47,19 @@ use run::Run;
 
 /// Finding before the run.
 enum Before {
-    /// Of the case.
+    /// On the case.
     Case(fn(&Case) -> Option<Finding>),
-    /// Of the first stage.
+    /// On the first stage.
     Model(fn(&Model) -> Option<Finding>),
-    /// Of each of its tools.
+    /// On each of its tools.
     Tool(fn(&Model, &Tool) -> Option<Finding>),
 }
 
 /// Finding after the run.
 enum After {
-    /// Of all stages together.
+    /// On all stages together.
     Run(fn(&Run) -> Option<Finding>),
-    /// Of each stage.
+    /// On each stage.
     Stage(fn(&StageSolution) -> Option<Finding>),
 }
 
@@ -123,32 +123,32 @@ const AFTER: &[After] = &[
 /// Assumptions made while a case was read, and warnings before it is solved.
 pub fn before(case: &Case) -> Vec<Finding> {
     let sizes = SIZE_CHECKS.iter().filter_map(|check| check(case.model()));
-    let asked = BEFORE.iter().flat_map(|question| match question {
+    let findings = BEFORE.iter().flat_map(|finding| match finding {
         Before::Case(ask) => ask(case).into_iter().collect(),
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });
     let assumed = case.derived.iter().cloned().map(Finding::assumed);
-    assumed.chain(sizes).chain(asked).map(|finding| Finding { when: When::Before, ..finding }).collect()
+    assumed.chain(sizes).chain(findings).map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 
 /// Verdict on a solved case, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: false })
+    on_run(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: false })
 }
 
 /// Like [`after`] for one of many runs; no finding solves the case a second time.
 pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: true })
+    on_run(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: true })
 }
 
-fn asked(run: &Run) -> Vec<Finding> {
-    let asked = AFTER.iter().flat_map(|question| match question {
+fn on_run(run: &Run) -> Vec<Finding> {
+    let findings = AFTER.iter().flat_map(|finding| match finding {
         After::Run(ask) => ask(run).into_iter().collect::<Vec<_>>(),
         After::Stage(_) => Vec::new(),
     });
     let of_stages = run.stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
-    asked.chain(of_stages).collect()
+    findings.chain(of_stages).collect()
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first stage, also the warnings before the
@@ -168,9 +168,9 @@ pub fn warnings(stage: &StageSolution) -> Vec<String> {
 
 /// Warnings on the `i`-th stage of a case, counted from 0.
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
-    let asked = AFTER.iter().filter_map(|question| match question {
+    let findings = AFTER.iter().filter_map(|finding| match finding {
         After::Run(_) => None,
         After::Stage(ask) => ask(stage),
     });
-    asked.map(|finding| Finding { stage: Some(i), ..finding }).collect()
+    findings.map(|finding| Finding { stage: Some(i), ..finding }).collect()
 }

@@ -26,8 +26,8 @@ struct Judged {
     tolerance: f64,
 }
 
-/// Part after its tools are taken away, against its tolerances. The flow law has no elasticity, which is said of plane
-/// sections.
+/// Part after its tools are taken away, against its tolerances. The flow law has no elasticity, so plane sections are
+/// not judged.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let limits = &run.case.springback;
@@ -60,7 +60,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             "springback",
             "Spring-back",
             Light::of(worst.used(), [NEAR, 1.0]),
-            joined(judged.iter().map(Judged::found), "; "),
+            joined(judged.iter().map(Judged::text), "; "),
         )
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .limit(joined(judged.iter().map(Judged::limit), "; "))
@@ -77,14 +77,14 @@ fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Opti
         return Some(grey("no angle was found to measure", advice));
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-    let said = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
+    let changes_text = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
     let over = changes.iter().filter_map(|change| {
         // The wall's is half of the opening angle's.
         let is_told = change.quantity.key != WALL_ANGLE.key;
         overbend(change, of_punch(change.quantity, punch).or(change.before)?).filter(|_| is_told)
     });
     let advice = joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
-    (!said.is_empty()).then(|| grey(said, advice))
+    (!changes_text.is_empty()).then(|| grey(changes_text, advice))
 }
 
 fn grey(found: impl Into<String>, advice: impl Into<String>) -> Finding {
@@ -147,7 +147,7 @@ impl Judged {
     }
 
     /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
-    fn found(&self) -> String {
+    fn text(&self) -> String {
         let quantity = self.change.quantity;
         let by = quantity.signed_text(self.missed);
         let missed = format!("{} {}, off by {by}", quantity.label, self.change);
@@ -193,7 +193,7 @@ fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
     let of_wall = [OPENING_ANGLE.key, WALL_ANGLE.key].contains(&quantity.key);
     let back = change.change().filter(|_| of_wall || quantity.key == FLANGE_ANGLE.key)?;
     let angle = wanted - back;
-    // To the digit that is told: 0.0° is upright.
+    // To the displayed digit: 0.0° is upright.
     if of_wall && back > 0.0 && quantity.text(angle) != quantity.text(angle.max(0.0)) {
         return Some(Overbend::Undercut);
     }

@@ -43,7 +43,7 @@ fn unquoted_number(line: &str, at: usize) -> Option<String> {
         return None;
     }
     let (rule, value) = match units::parse(value) {
-        Err(QuantityError::DecimalComma { point, .. }) => (Some("the decimal sign is a point"), point),
+        Err(QuantityError { with_point: Some(point), .. }) => (Some("the decimal sign is a point"), point),
         _ if unsigned.starts_with('.') || unsigned.ends_with('.') => {
             (Some("a decimal point has digits on both sides"), value.to_owned())
         }

@@ -16,30 +16,30 @@ pub struct Amount {
     pub value: f64,
     /// The solver's unit, or percent.
     pub unit: Unit,
-    /// How finely it is told.
+    /// Number of digits.
     pub digits: Digits,
-    /// What stands behind it in place of a unit: `t` for thicknesses.
+    /// Symbol in place of a unit: `t` for thicknesses.
     times: &'static str,
     /// Half width of its error bar, in `unit`; `None` where it is not known, or the number was given.
     bar: Option<f64>,
-    /// Whether the bar is told behind it.
+    /// Whether the bar is displayed.
     tells_bar: bool,
 }
 
-/// How finely a number is told.
+/// Number of digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
-    /// So many behind the decimal sign.
+    /// Decimals.
     Decimals(usize),
-    /// So many from the first that is not 0, and all of larger whole parts; of the smallest numbers with a power of ten.
+    /// Significant digits, and all digits of larger whole parts; the smallest numbers with a power of ten.
     Significant(usize),
     /// At most so many behind the decimal sign, without zeros at the end: what was given, not computed.
     Given(usize),
     /// Likewise of a length \[mm\] as drawings have it; of inches three.
     Drawn(usize),
-    /// So many from the first that is not 0, rounded up in the unit that it is told in: what is asked for at least.
+    /// Significant digits, rounded up in the displayed unit.
     Upward(usize),
-    /// As it was given; in a unit other than the solver's so many from the first that is not 0.
+    /// All digits in the solver's unit; significant digits in others.
     Converted(usize),
 }
 
@@ -51,7 +51,7 @@ const OF_INCHES: usize = 3;
 /// Decimals of a number as it was given.
 const FINEST: i32 = 6;
 
-/// The power of ten below which a number is told with it.
+/// Power of ten below which numbers are displayed with it.
 const SMALLEST: i32 = -4;
 
 impl Amount {
@@ -60,12 +60,12 @@ impl Amount {
         Self { value, unit, digits, times: "", bar: None, tells_bar: false }
     }
 
-    /// The same with its error bar, in its unit: told as `0.61 ± 0.01 mm`, and the number with no digit beyond the bar.
+    /// Adds the error bar: `0.61 ± 0.01 mm`, with no digit beyond the bar.
     pub const fn with_bar(self, bar: f64) -> Self {
         Self { bar: Some(bar), tells_bar: true, ..self }
     }
 
-    /// The same with no digit beyond its error bar, in its unit, which is told elsewhere.
+    /// Limits the digits to those of an error bar that is displayed elsewhere.
     pub const fn within_bar(self, bar: f64) -> Self {
         Self { bar: Some(bar), tells_bar: false, ..self }
     }
@@ -80,7 +80,7 @@ impl Amount {
         Self { value, ..self }
     }
 
-    /// The same, told with other digits.
+    /// Changes the digits.
     pub const fn to(self, digits: Digits) -> Self {
         Self { digits, ..self }
     }
@@ -95,12 +95,12 @@ impl Amount {
         Self::new(number, Unit::None, Given(3))
     }
 
-    /// A share, told in percent \[–\].
+    /// A share, displayed in percent \[–\].
     pub const fn share(share: f64) -> Self {
         Self::new(100.0 * share, Unit::Percent, Significant(2))
     }
 
-    /// A share that was given, told in percent \[–\].
+    /// A share that was given, displayed in percent \[–\].
     pub const fn given_share(share: f64) -> Self {
         Self::new(100.0 * share, Unit::Percent, Given(3))
     }
@@ -248,8 +248,8 @@ impl From<Amount> for String {
     }
 }
 
-/// A number and its bar with as many decimals, at most so many: of the bar one digit is told, or two where the first is 1,
-/// and it is not told smaller than it is, but for a twentieth of its last digit.
+/// Number and bar with as many decimals: one digit of the bar, or two if the first is 1, rounded up but for a twentieth of
+/// the last digit.
 fn within_bar(value: f64, bar: f64, most: i32) -> [String; 2] {
     let first = if bar > 0.0 { -bar.log10().floor() as i32 } else { most };
     let is_one = format!("{bar:e}").starts_with('1');

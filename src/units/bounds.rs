@@ -7,7 +7,7 @@ use super::text;
 use super::types::Number;
 
 macro_rules! bounds {
-    ($($(#[$doc:meta])* $type:ident: $ok:expr, $error:ident, $keyword:literal;)*) => {$(
+    ($($(#[$doc:meta])* $type:ident: $ok:expr, $error:literal, $keyword:literal;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $type<Q>(Q);
@@ -22,7 +22,7 @@ macro_rules! bounds {
                 if ok(value) {
                     Ok(Self(inner))
                 } else {
-                    Err(QuantityError::$error { found: found.into(), kind: Q::KIND })
+                    Err(QuantityError::wrong_sign($error, found, Q::KIND))
                 }
             }
 
@@ -36,9 +36,9 @@ macro_rules! bounds {
 
 bounds! {
     /// A quantity above zero.
-    Positive: |value| value > 0.0, NotPositive, "exclusiveMinimum";
+    Positive: |value| value > 0.0, "be positive", "exclusiveMinimum";
     /// A quantity of zero or above.
-    NonNegative: |value| value >= 0.0, Negative, "minimum";
+    NonNegative: |value| value >= 0.0, "not be negative", "minimum";
 }
 
 /// A plain number in 0..=1.
@@ -53,7 +53,7 @@ impl Dimensioned for Fraction {
         if (0.0..=1.0).contains(&value) {
             Ok(Self(value))
         } else {
-            Err(QuantityError::NotFraction { found: found.into() })
+            Err(QuantityError::new(format!("must lie between 0 and 1, found {found}"), "it is a fraction, such as 0.1"))
         }
     }
 

@@ -1,13 +1,13 @@
-//! A number that knows what it measures.
+//! Numbers of known dimension.
 
 use super::error::QuantityError;
 use super::kind::Kind;
 use super::parse::{parse, thicknesses};
-use super::unit::FORCE;
+use super::unit::{FORCE, factor};
 
 /// A number whose dimension and range have been checked.
 pub trait Dimensioned: Copy {
-    /// What the type is called, measured in and limited to.
+    /// Name, unit and range.
     const KIND: &'static Kind;
 
     /// Checks a number given in solver units.
@@ -23,23 +23,27 @@ pub trait Dimensioned: Copy {
     const BOUND: &'static [(&'static str, f64)] = &[];
 }
 
-/// Checks text against a type: number, unit, dimension, range.
+/// Reads text as a quantity: number, unit, dimension, range.
 pub(super) fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
     let (kind, found) = (Q::KIND, text.trim());
-    let parsed = parse(text).map_err(|error| match (error, thicknesses(text)) {
-        (QuantityError::Thicknesses { .. }, Some(tonnes)) if kind.dimension == FORCE => {
-            QuantityError::tonnes(found, tonnes, kind)
-        }
-        (error, _) => error,
-    })?;
-    // A bare 8 would be 800 %: who writes a percentage says so.
+    if let Some(tonnes) = thicknesses(text).filter(|_| kind.dimension == FORCE) {
+        let kilonewtons = 1e-3 * tonnes * factor("tonf").unwrap_or(f64::NAN);
+        return Err(QuantityError::new(
+            format!("{found:?} are thicknesses of the sheet, wanted {}", kind.name),
+            format!("t is thicknesses of the sheet here: write {tonnes} tonf (tonnes-force) or {kilonewtons:.0} kN"),
+        ));
+    }
+    let parsed = parse(text)?;
+    // A bare 8 would be 800 %.
     let is_bare_share = kind.unit == "%" && !parsed.has_unit;
     if parsed.dimension == kind.dimension && !is_bare_share {
         return Q::checked(parsed.value, found);
     }
-    let found = found.into();
     Err(match parsed.has_unit {
-        true => QuantityError::WrongDimension { found, is: parsed.dimension, kind },
-        false => QuantityError::MissingUnit { found, kind },
+        true => QuantityError::new(
+            format!("{found:?} is {}, wanted {}", parsed.dimension.describe(), kind.name),
+            format!("write for example {}", kind.written()),
+        ),
+        false => QuantityError::missing_unit(found, kind),
     })
 }

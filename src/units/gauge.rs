@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 /// Gauges that are understood: from the heaviest that is called sheet to the thinnest of the table.
 pub(super) const GAUGES: RangeInclusive<usize> = 3..=30;
-/// What the words for a gauge of no named metal are.
+/// Words for a gauge without a metal.
 const BARE: [&str; 3] = ["ga", "gauge", "gage"];
 
 /// Weight that a sheet of uncoated steel of each of [`GAUGES`] is called by \[oz/ft²\].
@@ -35,7 +35,7 @@ fn aluminium(gauge: usize) -> f64 {
     (1e4 * inches).round() / 1e4 * INCH
 }
 
-/// The thickness that a number before a word for a gauge stands for \[mm\]; `None` where the word is none.
+/// Thickness of a number before a word for a gauge \[mm\]; `None` for other words.
 pub(super) fn thickness(found: &str, number: f64, word: &str) -> Option<Result<f64, QuantityError>> {
     let of: Option<fn(usize) -> f64> = match word {
         "ga_steel" => Some(steel),
@@ -43,15 +43,17 @@ pub(super) fn thickness(found: &str, number: f64, word: &str) -> Option<Result<f
         word if BARE.contains(&word) => None,
         _ => return None,
     };
-    let found = found.to_owned();
     let Some(gauge) = Some(number as usize).filter(|n| *n as f64 == number && GAUGES.contains(n)) else {
-        return Some(Err(QuantityError::NoGauge { found, from: *GAUGES.start(), to: *GAUGES.end() }));
+        let (from, to) = (GAUGES.start(), GAUGES.end());
+        let help = format!("gauges are whole numbers from {from} to {to}; else write the thickness in mm or in");
+        return Some(Err(QuantityError::new(format!("{found:?} is no gauge of sheet"), help)));
     };
-    Some(of.map(|of| of(gauge)).ok_or_else(|| QuantityError::GaugeOfWhat {
-        found,
-        gauge,
-        steel: steel(gauge),
-        aluminium: aluminium(gauge),
+    Some(of.map(|of| of(gauge)).ok_or_else(|| {
+        let (steel, aluminium) = (steel(gauge), aluminium(gauge));
+        QuantityError::new(
+            format!("{found:?} is {steel:.3} mm of steel and {aluminium:.3} mm of aluminium"),
+            format!("write \"{gauge} ga_steel\" (Manufacturers' Standard Gauge) or \"{gauge} ga_al\" (Brown & Sharpe)"),
+        )
     }))
 }
 

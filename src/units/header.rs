@@ -29,11 +29,11 @@ pub enum Unit {
     Minute,
     /// Strain rates.
     PerSecond,
-    /// Of work and heat; the solver's N·mm are converted where a table is made.
+    /// Work and heat; the solver's N·mm are converted where a table is made.
     Joule,
     /// Work and heat per length of depth.
     JoulePerMm,
-    /// Of angles.
+    /// Angles.
     Degree,
     /// Degrees Celsius; the solver's kelvins are converted where a table is made.
     Celsius,
@@ -78,7 +78,7 @@ fn factor(spelling: &str, unit: Unit) -> f64 {
 }
 
 impl Unit {
-    /// As drawn on an axis.
+    /// Symbol on an axis.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::None => "–",
@@ -111,7 +111,7 @@ impl Unit {
         }
     }
 
-    /// As spelled at the end of a header; empty for plain numbers.
+    /// Spelling at the end of a header; empty for plain numbers.
     pub fn spelled(self) -> &'static str {
         SPELLINGS.iter().find(|(unit, _)| *unit == self).map_or("", |(_, spellings)| spellings[0])
     }

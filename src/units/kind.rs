@@ -1,17 +1,17 @@
-//! What a type of quantity is called, measured in and limited to.
+//! Kinds of quantities: name, unit, range.
 
 use super::unit::Dimension;
 
-/// What a type of quantity is called, measured in and limited to.
+/// Name, dimension, unit and range of a type of quantity.
 #[derive(Debug, PartialEq)]
 pub struct Kind {
     /// With its article, as in "a length".
     pub name: &'static str,
-    /// What it measures.
+    /// Dimension.
     pub dimension: Dimension,
     /// The solver's unit; empty for a plain number.
     pub unit: &'static str,
-    /// How it may be written.
+    /// Examples of texts.
     pub examples: &'static [&'static str],
     /// Largest magnitude that makes sense, in `unit`; beyond it a unit is wrong.
     pub largest: f64,
@@ -24,9 +24,8 @@ impl Kind {
         format!("{name}, {}", self.unit)
     }
 
-    /// What a bare number most likely means: the solver's unit, degrees, or a share that is to be a percentage.
+    /// Likely meaning of a bare number: the solver's unit, degrees, or a share that is to be a percentage.
     pub(super) fn with_unit(&self, found: &str) -> String {
-        // Of angles, temperature and mass nobody writes the solver's unit.
         let unusual = self.unit == "rad" || self.unit.contains('K') || self.unit.contains("s^2");
         let usual = self.examples[0].split_once(' ').filter(|_| unusual).map_or(self.unit, |(_, unit)| unit);
         match found.parse::<f64>() {

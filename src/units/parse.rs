@@ -4,15 +4,15 @@ use super::error::QuantityError;
 use super::gauge;
 use super::unit::{self, Dimension};
 
-/// What stands behind a number of sheet thicknesses: "6 t".
+/// Symbol of sheet thicknesses: "6 t".
 const THICKNESSES: &str = "t";
 
-/// A number in solver units and what it measures.
+/// Number in solver units, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parsed {
     /// The number, in solver units.
     pub value: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// Whether any unit was written.
     pub has_unit: bool,
@@ -27,13 +27,23 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     let text = text.trim();
     let (number, mut rest) = split_number(text);
     let Ok(mut value) = number.replace('−', "-").parse::<f64>() else {
-        return Err(QuantityError::NoNumber { found: text.into() });
+        return Err(QuantityError::new(
+            format!("no number in {text:?}"),
+            "write a number and a unit, such as \"0.9 mm\"",
+        ));
     };
     if let Some(decimals) = rest.strip_prefix(',') {
         let point = format!("{number}.{decimals}");
-        return Err(QuantityError::DecimalComma { found: text.into(), point });
+        let help = format!("write a point: \"{point}\"");
+        return Err(QuantityError {
+            with_point: Some(point),
+            ..QuantityError::new(format!("decimal comma in {text:?}"), help)
+        });
     }
-    let malformed = |at: &str| QuantityError::Malformed { found: text.into(), at: at.into() };
+    let malformed = |at: &str| {
+        let help = "units are joined by * and /, powers written ^2: \"5.4 tonf_uk/in^2\"";
+        QuantityError::new(format!("{text:?} cannot be read from {at:?} on"), help)
+    };
     if rest.trim() == unit::CELSIUS {
         return Ok(Parsed { value: value + unit::ZERO_CELSIUS, dimension: unit::TEMPERATURE, has_unit: true });
     }
@@ -41,7 +51,8 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         return Ok(Parsed { value: thickness?, dimension: unit::LENGTH, has_unit: true });
     }
     if rest.trim() == THICKNESSES {
-        return Err(QuantityError::Thicknesses { found: text.into() });
+        let what = format!("{text:?} are thicknesses of the sheet, and here no sheet is known");
+        return Err(QuantityError::new(what, "write a length, such as \"6 mm\""));
     }
     let (mut dimension, has_unit) = (unit::NONE, !rest.trim().is_empty());
     while !rest.trim_start().is_empty() {

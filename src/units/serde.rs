@@ -18,7 +18,7 @@ impl<Q: Dimensioned> Text<Q> {
         if kind.unit.is_empty() {
             Q::checked(value, &found).map_err(E::custom)
         } else {
-            Err(E::custom(QuantityError::MissingUnit { found, kind }))
+            Err(E::custom(QuantityError::missing_unit(&found, kind)))
         }
     }
 }
@@ -74,7 +74,7 @@ pub trait Plain {
     /// Writes the number with its unit.
     ///
     /// # Errors
-    /// As the serializer's.
+    /// Errors of the serializer.
     fn write<S: Serializer>(number: &Self::Number, to: S) -> Result<S::Ok, S::Error>;
 }
 
@@ -123,7 +123,7 @@ impl<Q: Plain> As<Q> {
     /// Writes the number.
     ///
     /// # Errors
-    /// As the serializer's.
+    /// Errors of the serializer.
     pub fn serialize<S: Serializer>(number: &Q::Number, to: S) -> Result<S::Ok, S::Error> {
         Q::write(number, to)
     }

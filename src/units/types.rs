@@ -20,7 +20,7 @@ macro_rules! quantities {
                 if value.is_finite() && value.abs() <= kind.largest {
                     Ok(Self(value))
                 } else {
-                    Err(QuantityError::TooLarge { found: found.into(), kind })
+                    Err(QuantityError::too_large(found, kind))
                 }
             }
 

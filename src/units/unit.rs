@@ -32,7 +32,7 @@ impl Dimension {
         Self(sum)
     }
 
-    /// In words where there is one: "a length", "a force per length", otherwise the exponents.
+    /// Name if there is one: "a length", "a force per length", otherwise the exponents.
     pub fn describe(self) -> String {
         const NAMED: [(Dimension, &str); 15] = [
             (NONE, "a plain number"),
@@ -115,7 +115,7 @@ pub(super) const UNITS: [Unit; 43] = [
     Unit("%", 0.01, NONE),
 ];
 
-/// What units are also called, in lower case, and how they are written here.
+/// Other names of units, in lower case.
 const CALLED: [(&str, &str); 36] = [
     ("inch", "in"),
     ("inches", "in"),
@@ -167,8 +167,8 @@ pub(super) fn meant(word: &str) -> Vec<&'static str> {
     CALLED.iter().filter(|(called, _)| *called == word || *called == one).map(|(_, name)| *name).collect()
 }
 
-/// A unit in a message: a ton with what it weighs, because there are three.
-pub(super) fn told(name: &str) -> String {
+/// Unit in an error message: a ton with its force, because there are three.
+pub(super) fn display_name(name: &str) -> String {
     let tons = [("tonf", "metric"), ("tonf_us", "short"), ("tonf_uk", "long")];
     let of = tons.iter().find(|(ton, _)| *ton == name).zip(find(name));
     of.map_or(format!("`{name}`"), |((_, which), unit)| format!("`{name}` ({which}, {:.3} kN)", 1e-3 * unit.1))
