@@ -11,7 +11,7 @@ use super::{Kind, before, estimate, sentences};
 use crate::case::Case;
 use crate::model::{Extent, Geometry, Model, Theory};
 use crate::units::{Amount, Digits, Unit, ZERO_CELSIUS, joined};
-use line::{line, size_of};
+use line::{line, number, size_of};
 use std::fmt;
 
 /// Check of a case before it is solved.
@@ -37,7 +37,7 @@ pub fn report(case: &Case) -> Check {
     lines.push(line("material", model.material.describe(), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material);
-    lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
+    lines.push(number("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
     tools::lines(model, &mut lines);
     lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));
     loads::holder(model, strength, &mut lines);
@@ -66,11 +66,11 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     };
     lines.push(line("geometry", joined([geometry, model.extent().described()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
-    lines.push(line("thickness", Amount::size(blank.thickness), ""));
+    lines.push(number("thickness", Amount::size(blank.thickness), ""));
     let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
     lines.push(match model.extent() {
-        Extent::PerDepth => line("volume", volume(Unit::Mm2), "times the depth"),
-        _ => line("volume", volume(Unit::Mm3), ""),
+        Extent::PerDepth => number("volume", volume(Unit::Mm2), "times the depth"),
+        _ => number("volume", volume(Unit::Mm3), ""),
     });
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {n} points through the thickness", n = blank.layers),
@@ -92,7 +92,7 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
 }
 
 fn mesh(model: &Model, lines: &mut Vec<Line>) {
-    lines.push(line("elements", Amount::count(model.blank.elements), ""));
+    lines.push(number("elements", Amount::count(model.blank.elements), ""));
     if let Some(fit) = estimate::coarsest_corner(model) {
         let meaning = format!(
             "at the {tool}'s radius of {radius}: {n} elements per 90°",
@@ -100,7 +100,7 @@ fn mesh(model: &Model, lines: &mut Vec<Line>) {
             radius = Amount::drawn(fit.radius),
             n = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2))
         );
-        lines.push(line("element size", Amount::size(fit.size), meaning));
+        lines.push(number("element size", Amount::size(fit.size), meaning));
     }
 }
 

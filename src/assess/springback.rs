@@ -226,7 +226,7 @@ fn wall_advice(model: &Model, frame: &Frame, shape: &Shape) -> String {
     let carried = wall_tension(model, frame, shape).map_or_else(String::new, |share| {
         format!("Wall tension is {} of what would straighten it", Amount::share(share))
     });
-    joined(["smaller radii spring back less, more wall tension (holder force, beads) too".into(), carried], ". ")
+    joined(["smaller radii spring back less; more wall tension (holder force, beads) helps as the whole wall nears yield".into(), carried], ". ")
 }
 
 /// Largest mean tension along the wall over the one at which its whole thickness yields \[–\].

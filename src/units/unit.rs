@@ -115,44 +115,26 @@ pub(super) const UNITS: [Unit; 43] = [
     Unit("%", 0.01, NONE),
 ];
 
-/// Other names of units, in lower case.
-const CALLED: [(&str, &str); 36] = [
-    ("inch", "in"),
-    ("inches", "in"),
-    ("ins", "in"),
-    ("millimetre", "mm"),
-    ("millimeter", "mm"),
-    ("mms", "mm"),
-    ("centimetre", "cm"),
-    ("centimeter", "cm"),
-    ("metre", "m"),
-    ("meter", "m"),
-    ("micron", "um"),
-    ("µm", "um"),
-    ("μm", "um"),
-    ("newton", "N"),
-    ("kilonewton", "kN"),
-    ("lb", "lbf"),
-    ("lbs", "lbf"),
-    ("ton", "tonf"),
-    ("ton", "tonf_us"),
-    ("ton", "tonf_uk"),
-    ("tonne", "tonf"),
-    ("t_f", "tonf"),
-    ("tf", "tonf"),
-    ("tonf_metric", "tonf"),
-    ("tonf_short", "tonf_us"),
-    ("pascal", "Pa"),
-    ("sec", "s"),
-    ("second", "s"),
-    ("degree", "deg"),
-    ("°", "deg"),
-    ("kelvin", "K"),
-    ("c", CELSIUS),
-    ("ºc", CELSIUS),
-    ("celsiu", CELSIUS), // without its plural's s
-    ("joule", "J"),
-    ("watt", "W"),
+/// Other names of units in lower case, without the plural's s.
+const OTHER_NAMES: [(&str, &str); 18] = [
+    ("in", "inch inche in"),
+    ("mm", "millimetre millimeter mm"),
+    ("cm", "centimetre centimeter"),
+    ("m", "metre meter"),
+    ("um", "micron µm μm"),
+    ("N", "newton"),
+    ("kN", "kilonewton"),
+    ("lbf", "lb"),
+    ("tonf", "ton tonne t_f tf tonf_metric"),
+    ("tonf_us", "ton tonf_short"),
+    ("tonf_uk", "ton tonf_long"),
+    ("Pa", "pascal"),
+    ("s", "sec second"),
+    ("deg", "degree °"),
+    ("K", "kelvin"),
+    (CELSIUS, "c ºc celsiu"),
+    ("J", "joule"),
+    ("W", "watt"),
 ];
 
 /// Degrees of temperature: the one unit that does not start at zero, and so stands alone.
@@ -160,11 +142,12 @@ pub(super) const CELSIUS: &str = "°C";
 /// 0 °C \[K\].
 pub const ZERO_CELSIUS: f64 = 273.15;
 
-/// The units that a word, or its plural, may stand for: several of a ton.
+/// Units that a word or its plural may stand for: several for a ton.
 pub(super) fn meant(word: &str) -> Vec<&'static str> {
     let word = word.to_lowercase();
     let one = word.strip_suffix('s').unwrap_or(&word);
-    CALLED.iter().filter(|(called, _)| *called == word || *called == one).map(|(_, name)| *name).collect()
+    let is_one = |names: &str| names.split(' ').any(|name| name == word || name == one);
+    OTHER_NAMES.iter().filter(|(_, names)| is_one(names)).map(|(unit, _)| *unit).collect()
 }
 
 /// Unit in an error message: a ton with its force, because there are three.

@@ -147,7 +147,7 @@ fn tension_straightens_a_wall_only_once_all_of_it_yields() {
         let force = format!("tools.holder.force={force}");
         let solution = hat_held(97, &[&force, "springback.wall_tolerance=1 deg"]);
         let advice = verdict(&solution).advice.to_string();
-        let share = advice.split("the wall carries ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
+        let share = advice.split("Wall tension is ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
         println!("{force}: {share} %, {}", of(&released(&solution), "wall_angle"));
         (share.parse::<f64>().expect("a number"), of(&released(&solution), "wall_angle").after.unwrap())
     };

@@ -36,38 +36,20 @@ impl Serialize for Line {
     }
 }
 
-pub(super) fn line(label: impl Into<String>, value: impl LineValue, meaning: impl Into<String>) -> Line {
-    let (value, amount) = value.parts();
-    Line { label: label.into(), value, amount, meaning: meaning.into() }
+/// Line with words as its value.
+pub(super) fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<String>) -> Line {
+    Line { label: label.into(), value: value.into(), amount: None, meaning: meaning.into() }
 }
 
-/// Number or word of a [`Line`].
-pub(super) trait LineValue {
-    fn parts(self) -> (String, Option<Amount>);
-}
-
-impl LineValue for Amount {
-    fn parts(self) -> (String, Option<Amount>) {
-        (self.to_string(), Some(self))
-    }
-}
-
-impl LineValue for String {
-    fn parts(self) -> (String, Option<Amount>) {
-        (self, None)
-    }
-}
-
-impl LineValue for &str {
-    fn parts(self) -> (String, Option<Amount>) {
-        (self.to_owned(), None)
-    }
+/// Line with a number as its value.
+pub(super) fn number(label: &str, amount: Amount, meaning: impl Into<String>) -> Line {
+    Line { amount: Some(amount), ..line(label, amount, meaning) }
 }
 
 /// Distance from the axis or symmetry plane \[mm\] as shops give it: for round parts the diameter.
 pub(super) fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> String {
     match model.geometry {
-        Geometry::Axisymmetric => format!("Ø {diameter}", diameter = amount(2.0 * half)),
-        Geometry::PlaneStrain => format!("{half}", half = amount(half)),
+        Geometry::Axisymmetric => format!("Ø {}", amount(2.0 * half)),
+        Geometry::PlaneStrain => amount(half).to_string(),
     }
 }

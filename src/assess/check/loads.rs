@@ -1,6 +1,6 @@
 //! Lines on loads and later stages: holder, beads, gas, motions.
 
-use super::line::{Line, line, size_of};
+use super::line::{Line, line, number, size_of};
 use crate::assess::estimate;
 use crate::model::stage::Stage;
 use crate::model::{Bead, Face, Gas, Mode, Model, Motion, Pressure, Role};
@@ -11,7 +11,7 @@ pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let ratio = Amount::thicknesses(gap / model.blank.thickness);
-            lines.push(line("holder gap", Amount::size(*gap), format!("to the die, {ratio}: fixed")));
+            lines.push(number("holder gap", Amount::size(*gap), format!("to the die, {ratio}: fixed")));
             return;
         }
         Some(Motion::Pressed(press)) => press,
@@ -26,13 +26,17 @@ pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     };
     lines.push(line("holder force", text, meaning));
     let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else { return };
-    lines.push(line("holder pressure", Amount::stress(pressure), "on the initial area between holder and die's flat"));
+    lines.push(number(
+        "holder pressure",
+        Amount::stress(pressure),
+        "on the initial area between holder and die's flat",
+    ));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
         let meaning = format!(
             "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009): {}",
             Amount::force(siebel * area, unit)
         );
-        lines.push(line("advised pressure", Amount::stress(siebel), meaning));
+        lines.push(number("advised pressure", Amount::stress(siebel), meaning));
     }
 }
 
@@ -50,7 +54,7 @@ pub(super) fn gas(model: &Model, gas: &Gas) -> Line {
     let place = format!("on the {face} face within {within}, for {time}");
     let control = match &gas.pressure {
         Pressure::OverTime(history) => {
-            return line("gas pressure", Amount::given_stress(history.largest()), format!("at most {place}"));
+            return number("gas pressure", Amount::given_stress(history.largest()), format!("at most {place}"));
         }
         Pressure::Rate(control) => control,
     };
@@ -60,7 +64,7 @@ pub(super) fn gas(model: &Model, gas: &Gas) -> Line {
     let rise = finite(control.max_rise).map(|rise| format!("{rise}/s at most"));
     let limits = joined([Some(norm), most, rise].into_iter().flatten(), ", ");
     let rate = Amount::new(control.target, Unit::PerSecond, Digits::Significant(3));
-    line("strain rate", rate, format!("{limits} {place}"))
+    number("strain rate", rate, format!("{limits} {place}"))
 }
 
 /// Line of the `n`-th stage.

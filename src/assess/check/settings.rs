@@ -1,6 +1,6 @@
 //! Lines on the sheet's constants, mesh and solver, from which a run can be repeated.
 
-use super::line::{Line, line};
+use super::line::{Line, line, number};
 use crate::case::Case;
 use crate::material::{Elastic, YieldCriterion};
 use crate::model::{ContactMethod, Grading, Iteration, Mode, Norm};
@@ -9,7 +9,6 @@ use crate::units::{Amount, Digits, Unit};
 pub(super) fn lines(case: &Case) -> Vec<Line> {
     let model = case.model();
     let (material, settings) = (&model.material, &model.settings);
-    let number = |value: f64, unit: Unit| Amount::new(value, unit, Digits::Given(6));
     let mut lines = vec![match model.mode {
         Mode::Flow => line("mode", "flow", "rigid and viscoplastic: no elasticity, no spring-back"),
         Mode::ElastoViscoplastic => line("mode", "elasto-viscoplastic", "with elasticity: the sheet springs back"),
@@ -18,7 +17,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     lines.push(match material.elastic {
         Some(Elastic { young, poisson }) => {
             let poisson = format!("Poisson's ratio {}", Amount::number(poisson));
-            line("Young's modulus", Amount::new(young, Unit::MPa, Digits::Converted(3)), poisson)
+            number("Young's modulus", Amount::new(young, Unit::MPa, Digits::Converted(3)), poisson)
         }
         None => line("elasticity", "none given", "the flow law needs none"),
     });
@@ -42,7 +41,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
         Grading::Uniform => format!("elements, each {size} wide"),
         Grading::Radii | Grading::Divided { .. } => format!("elements, {size} on average, finer at the tools' radii"),
     };
-    lines.push(line("mesh", Amount::count(model.blank.elements), spread));
+    lines.push(number("mesh", Amount::count(model.blank.elements), spread));
     let matrix = match settings.iteration {
         Iteration::PrimalDual => "primal-dual Newton",
         Iteration::Newton => "Newton",
@@ -57,15 +56,20 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     lines.push(line("corrector", matrix, format!("{norm} below {tolerance}, at most {most} iterations a step")));
     let (first, strain) = (Amount::given_share(settings.first_step), Amount::number(settings.strain_step));
     let steps = format!("of the travel at most, {first} at first; at most {strain} strain a step");
-    lines.push(line("steps", Amount::given_share(settings.max_step), steps));
+    lines.push(number("steps", Amount::given_share(settings.max_step), steps));
     let contact = match settings.contact {
         ContactMethod::Penalty => "penalty",
         ContactMethod::AugmentedLagrangian => "augmented Lagrangian",
     };
-    let (stiffness, gap) = (settings.contact_stiffness, Amount::given_share(settings.contact_smoothing));
-    let stiffness = format!("{} over the thickness, sets in over {gap} of it", number(stiffness, Unit::MPa));
+    let stiffness = Amount::new(settings.contact_stiffness, Unit::MPa, Digits::Given(6));
+    let gap = Amount::given_share(settings.contact_smoothing);
+    let stiffness = format!("{stiffness} over the thickness, sets in over {gap} of it");
     lines.push(line("contact", contact, stiffness));
-    lines.push(line("cut-off strain", Amount::norm(settings.cutoff_strain), "of 1 % of the travel: rigid below"));
-    lines.push(line("slip speed", Amount::number(settings.slip_speed), "of the punch's speed: 71 % of full friction"));
+    lines.push(number("cut-off strain", Amount::norm(settings.cutoff_strain), "of 1 % of the travel: rigid below"));
+    lines.push(number(
+        "slip speed",
+        Amount::number(settings.slip_speed),
+        "of the punch's speed: 71 % of full friction",
+    ));
     lines
 }

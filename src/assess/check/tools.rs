@@ -1,6 +1,6 @@
 //! Lines on the tools: sizes, radii, travel.
 
-use super::line::{Line, line, size_of};
+use super::line::{Line, line, number, size_of};
 use super::loads;
 use crate::assess::{design::LIMITING_RATIO, estimate};
 use crate::contact::friction::Friction;
@@ -14,68 +14,53 @@ const FEW: usize = 4;
 pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
     lines.extend(model.tools.iter().map(|tool| of_tool(model, tool)));
     if model.travel > 0.0 {
-        lines.push(line("travel", Amount::set(model.travel), pace(model)));
+        lines.push(number("travel", Amount::set(model.travel), pace(model)));
     }
     lines.extend(model.beads.iter().map(|bead| loads::bead(model, bead)));
     lines.extend(model.gas.iter().map(|gas| loads::gas(model, gas)));
     if let Some(clearance) = estimate::clearance(model) {
-        let over_t = format!("or {ratio}", ratio = Amount::thicknesses(clearance / model.blank.thickness));
-        lines.push(line("clearance", Amount::drawn(clearance), over_t));
+        let over_t = format!("or {}", Amount::thicknesses(clearance / model.blank.thickness));
+        lines.push(number("clearance", Amount::drawn(clearance), over_t));
     }
     if let Some(ratio) = estimate::draw_ratio(model) {
         let limit = Amount::number(LIMITING_RATIO);
         let meaning = format!("blank over punch; about {limit} is the limit of one draw for mild steel");
-        lines.push(line("draw ratio", Amount::ratio(ratio), meaning));
+        lines.push(number("draw ratio", Amount::ratio(ratio), meaning));
     }
 }
 
 fn of_tool(model: &Model, tool: &Tool) -> Line {
     let (low, high) = extent(tool);
-    let bottom = tool.role == Role::Die && throat(tool).is_none();
-    let size = match tool.role {
-        Role::Punch => size_of(model, high, Amount::drawn),
-        Role::Die if bottom => String::from("closed"),
-        Role::Die | Role::Holder => size_of(model, low, Amount::drawn),
+    let closed = tool.role == Role::Die && throat(tool).is_none();
+    let (size, of) = match tool.role {
+        Role::Punch => (size_of(model, high, Amount::drawn), "to the wall"),
+        Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
+        Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
+        Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
     };
-    let is_round = model.geometry == Geometry::Axisymmetric;
-    let what = match tool.role {
-        Role::Punch if widens(tool, model.travel) => format!(
-            "{wall}, {mouth} at the sheet at the full travel",
-            wall = if is_round { "to the wall".to_owned() } else { "half-width to the wall".to_owned() },
-            mouth = size_of(model, mouth(tool, model.travel), Amount::drawn)
-        ),
-        Role::Punch if is_round => "to the wall".to_owned(),
-        Role::Punch => "half-width to the wall".to_owned(),
-        Role::Die if bottom => "by a bottom that reaches the axis".into(),
-        Role::Die if is_round => "of the throat".to_owned(),
-        Role::Die => "half-width of the throat".to_owned(),
-        Role::Holder if is_round => "of the inner edge".to_owned(),
-        Role::Holder => "half-width of the inner edge".to_owned(),
+    let of = match model.geometry {
+        Geometry::PlaneStrain if !closed => format!("half-width {of}"),
+        _ => of.into(),
     };
+    let widens = tool.role == Role::Punch && widens(tool, model.travel);
+    let mouth = || size_of(model, mouth(tool, model.travel), Amount::drawn);
+    let mouth = if widens { format!("{} at the sheet at the full travel", mouth()) } else { String::new() };
     let friction = match &tool.friction {
-        Friction::Coulomb(_) => Amount::number(tool.friction.largest_coefficient()).into(),
-        law => law.to_string(),
+        Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
+        law => format!("friction {law}"),
     };
-    let friction = format!("friction {friction}");
-    let meaning = joined([what, corners(tool, model.blank.thickness), friction], ", ");
+    let meaning = joined([of, mouth, corners(tool, model.blank.thickness), friction], ", ");
     line(tool.role.name(), size, meaning)
 }
 
 /// Radii over which the sheet is bent; of many the smallest and the largest.
 fn corners(tool: &Tool, thickness: f64) -> String {
-    let text = |radius: f64| {
-        format!("R {radius} ({ratio})", radius = Amount::drawn(radius), ratio = Amount::thicknesses(radius / thickness))
-    };
+    let text = |radius: f64| format!("R {} ({})", Amount::drawn(radius), Amount::thicknesses(radius / thickness));
     let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
     if radii.len() > FEW {
         radii.sort_by(f64::total_cmp);
-        let (smallest, largest) = (radii[0], radii[radii.len() - 1]);
-        return format!(
-            "{n} arcs, {smallest} to {largest}",
-            n = radii.len(),
-            smallest = text(smallest),
-            largest = text(largest)
-        );
+        let [smallest, largest] = [radii[0], radii[radii.len() - 1]].map(text);
+        return format!("{} arcs, {smallest} to {largest}", radii.len());
     }
     joined(radii.into_iter().map(text), ", ")
 }
