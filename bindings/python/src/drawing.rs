@@ -6,10 +6,10 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::author::{Import, ImportFailure};
 use stampflow::case::files::{Disk, Files};
-use stampflow::import::{self, ImportError, Options};
+use stampflow::import::{self, ImportError, Options, Section};
 use stampflow::model::Geometry;
-use stampflow::plot::sketch;
-use stampflow::units::{Length, Positive};
+use stampflow::plot::{SketchedTool, sketch};
+use stampflow::units::{Dimensioned, Length, Positive};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -48,8 +48,17 @@ pub fn from_drawing(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<(S
         ImportFailure::Sheet(error) | ImportFailure::Case(error) => error::case(py, &error),
     })?;
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let drawn = picture(&sketch(&name, import.geometry, &imported.sections))?;
-    let notes = imported.notes.iter().map(ToString::to_string).collect();
+    let tool = |tool: &Section| SketchedTool {
+        label: format!("{}: {}", tool.role.name(), tool.made_of),
+        role: tool.role,
+        profile: tool.profile.clone(),
+        ends: tool.ends.clone(),
+    };
+    let later = imported.sections.later.iter().map(|later| &later.tools);
+    let operations = std::iter::once(&imported.sections.tools).chain(later);
+    let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
+    let notes = imported.notes;
+    let drawn = picture(&sketch(name, import.geometry, &operations, notes.clone()))?;
     Ok((imported.text, path.with_extension("toml").to_string_lossy().into_owned(), notes, drawn))
 }
 

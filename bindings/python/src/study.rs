@@ -8,7 +8,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::fit::{CaseFitRequest, Reduction, Tests, fit_case, fit_laws};
+use stampflow::study::fit::{CaseFitRequest, RateKind, Reduction, Tests, fit_case, fit_laws};
 use stampflow::study::verify::Watch;
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest,
@@ -103,7 +103,7 @@ pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
         rate: Vec::new(),
         direction: Vec::new(),
     };
-    let fits = tests.curves().and_then(|curves| fit_laws(curves, None, Default::default()));
+    let fits = tests.curves().and_then(|curves| fit_laws(curves, None, RateKind::Power));
     results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
 }
 

@@ -5,18 +5,27 @@ use crate::stage;
 use serde_json::{Value, json};
 use stampflow::assess::{self, Answer, Kind, judgements, sentences};
 use stampflow::case::Case;
-use stampflow::model::Geometry;
+use stampflow::model::{Geometry, Grading, Model};
 use stampflow::units::Quantity;
 
-/// Share of the elements of a coarse run \[–\].
-const COARSE: f64 = 0.5;
+/// Fewest elements of a coarse run.
+const FEWEST: usize = 20;
+
+/// Halves the elements and doubles the steps.
+fn coarsen(Model { blank, settings, .. }: &mut Model) {
+    if blank.grading == Grading::Radii {
+        blank.grading = Grading::Divided { of: blank.elements };
+    }
+    blank.elements = (blank.elements / 2).max(FEWEST.min(blank.elements));
+    settings.max_step = (2.0 * settings.max_step).min(1.0);
+    settings.first_step = (2.0 * settings.first_step).min(settings.max_step);
+    settings.strain_step *= 2.0;
+}
 
 /// Solves a case and judges it.
 pub fn solve(mut case: Case, is_coarse: bool) -> Value {
-    if let Some(coarser) =
-        is_coarse.then(|| stampflow::study::verify::Direction::Together.refined(&case.stages, COARSE)).flatten()
-    {
-        case.stages = coarser;
+    if is_coarse {
+        case.stages.iter_mut().for_each(|stage| coarsen(&mut stage.model));
     }
     let mut film = Film::default();
     let solution = case.solve(&mut film);
