@@ -1,4 +1,4 @@
-//! The sizes of a section, and where they are drawn.
+//! Dimensions of a section, and the places where they are drawn.
 
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
@@ -13,7 +13,7 @@ const ROUNDINGS: usize = 8;
 /// Radii that differ by less are one \[–\].
 const ALIKE: f64 = 1e-4;
 
-/// What is no further from the axis lies on it \[mm\].
+/// Distance from the axis that counts as none \[mm\].
 const ON_AXIS: f64 = 1e-6;
 
 /// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
@@ -55,12 +55,12 @@ fn plain(of: &'static str, amount: Amount, mark: Mark) -> Dimension {
 }
 
 /// The diameter of a round part, or the width of a strip, at a distance from its middle.
-fn wide(model: &Model, of: &'static str, r: f64, told: fn(f64) -> Amount, mark: Mark) -> Dimension {
+fn wide(model: &Model, of: &'static str, r: f64, amount: fn(f64) -> Amount, mark: Mark) -> Dimension {
     let size = match model.geometry {
         Geometry::Axisymmetric => Size::Diameter,
         Geometry::PlaneStrain => Size::Width,
     };
-    Dimension { of: of.into(), size, amount: told(2.0 * r), mark }
+    Dimension { of: of.into(), size, amount: amount(2.0 * r), mark }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
@@ -92,7 +92,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     found.into_iter().map(radius).collect()
 }
 
-/// What a rounding of a tool is called.
+/// Name of a rounding.
 fn named(role: Role, arc: &Arc) -> String {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
     match (role, arc.sweep < 0.0) {
@@ -108,7 +108,7 @@ fn named(role: Role, arc: &Arc) -> String {
     .into()
 }
 
-/// What presses a holder, or how far it stands off.
+/// Force or gap of a holder.
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);

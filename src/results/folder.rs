@@ -29,7 +29,7 @@ pub type IsOurs = fn(&Path, &Path) -> bool;
 /// Folder of results, locked by this process until it is committed or dropped.
 #[derive(Debug)]
 pub struct ResultFolder {
-    /// As the caller named it.
+    /// Path given by the caller.
     named: PathBuf,
     /// Without links.
     path: PathBuf,
@@ -61,8 +61,7 @@ impl ResultFolder {
             let (names, lock) = locked(&path)?;
             let [part, ready, moving] = ["part", "ready", "move"].map(|ending| hidden(&names, ending));
             let (part, ready, moving) = (part?, ready?, moving?);
-            let written = Vec::new();
-            let named = named.to_owned();
+            let (named, written) = (named.to_owned(), Vec::new());
             let folder = Self { named, path, part, ready, moving, is_ours, written, _lock: lock, _parents: parents };
             folder.heal()?;
             if folder.path.exists() {
@@ -80,7 +79,7 @@ impl ResultFolder {
     pub fn write(&mut self, name: impl AsRef<Path>, bytes: &[u8]) -> Result<(), WriteError> {
         let (name, path) = (name.as_ref(), self.part.join(name.as_ref()));
         let written = fs::create_dir_all(folder_of(&path)).and_then(|()| fill(&File::create(&path)?, bytes));
-        written.map_err(|source| WriteError::new(self.named.join(name), kept(&source)))?;
+        written.map_err(|source| WriteError::new(self.named.join(name), unchanged(&source)))?;
         self.written.push(name.to_owned());
         Ok(())
     }
@@ -100,7 +99,7 @@ impl ResultFolder {
         }
         fs::create_dir_all(&self.part)?;
         let synced = self.written.par_iter().try_for_each(|name| File::open(self.part.join(name))?.sync_all());
-        synced.map_err(|error| kept(&error))?;
+        synced.map_err(|error| unchanged(&error))?;
         sync(&self.part);
         if !self.path.exists() {
             fs::rename(&self.part, &self.path)?;
@@ -110,7 +109,7 @@ impl ResultFolder {
         fs::set_permissions(&self.part, fs::metadata(&self.path)?.permissions())?;
         if self.can_be_exchanged() {
             match self.carry(&self.path, &self.part) {
-                Err(error) if error.kind() == ErrorKind::StorageFull => return Err(kept(&error)),
+                Err(error) if error.kind() == ErrorKind::StorageFull => return Err(unchanged(&error)),
                 Ok(true) if exchange(&self.part, &self.path).is_ok() => {
                     sync(folder_of(&self.path));
                     // Files that someone saved between linking and exchange.
@@ -241,7 +240,7 @@ fn sync(folder: &Path) {
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 
-fn kept(error: &io::Error) -> io::Error {
+fn unchanged(error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{error}; the earlier results are as they were"))
 }
 
@@ -260,9 +259,9 @@ mod tests {
         }
     }
 
-    fn found(root: &Path) -> Vec<String> {
+    fn contents(root: &Path) -> Vec<String> {
         let text = |name: &PathBuf| fs::read_to_string(root.join(name)).unwrap_or_default();
-        let mut found: Vec<_> =
+        let mut names: Vec<_> =
             entries(root, 9).unwrap().iter().map(|name| format!("{}={}", name.display(), text(name))).collect();
         found.sort();
         found
@@ -286,7 +285,7 @@ mod tests {
             drop(ResultFolder::open(&root.path().join("cup"), is_ours).unwrap());
             let mut expected = [results, &["note=mine", "s/photo=mine"]].concat();
             expected.sort_unstable();
-            assert_eq!(found(&root.path().join("cup")), expected, "{left:?}");
+            assert_eq!(contents(&root.path().join("cup")), expected, "{left:?}");
             assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1, "{left:?} leaves litter");
         }
     }
@@ -303,7 +302,7 @@ mod tests {
         assert_eq!(ResultFolder::open(&there, is_ours).unwrap_err().source.kind(), ErrorKind::ResourceBusy);
         folder.write("s/r-new", b"2").unwrap();
         assert_eq!(folder.commit().unwrap(), [named.join("s/r-new")]);
-        assert_eq!(found(&there), ["empty=", "s/photo=mine", "s/r-new=2"]);
+        assert_eq!(contents(&there), ["empty=", "s/photo=mine", "s/r-new=2"]);
         assert_eq!(fs::read_dir(root.path()).unwrap().count(), 2);
     }
 }

@@ -1,4 +1,4 @@
-//! The forming limit as tables: the curve, and the way that every element takes below it or through it.
+//! Tables of the forming limit curve and of every element's strain path.
 
 use super::StageView;
 use crate::forming_limit::Curve;

@@ -1,4 +1,4 @@
-//! The history of every accepted step over the punch travel.
+//! Table of every accepted step.
 
 use super::StageView;
 use crate::solver::solution::{StageSolution, StepRecord};
@@ -53,9 +53,9 @@ const BEHIND: [Field<StepRecord>; 25] = [
     Field::new("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
     Field::new("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
 ];
-/// Of a sheet with voids.
+/// Columns of a sheet with voids.
 const VOIDS: [Field<StepRecord>; 1] = [Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity)];
-/// Of a sheet whose temperature is given.
+/// Columns of a sheet with a temperature.
 const HEAT: [Field<StepRecord>; 5] = [
     Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
     Field::new("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS),

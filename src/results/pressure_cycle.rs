@@ -1,7 +1,7 @@
-//! What the press is set to in superplastic forming: the pressure over time that holds the strain rate.
+//! Table of a superplastic forming cycle: the gas pressure that holds the strain rate.
 
 use super::StageView;
-use crate::model::{PressureCap, RateControl};
+use crate::model::PressureCap;
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE, STRAIN_RATE};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{Field, Table, Unit};
@@ -21,19 +21,14 @@ const FIELDS: [Field<StepRecord>; 7] = [
     }),
 ];
 
-/// Time that the pressure sat on a cap \[s\].
+/// Time on a cap of the pressure \[s\].
 pub(super) fn time_on_a_cap(stage: &StageSolution) -> f64 {
     let before = std::iter::once(0.0).chain(stage.steps.iter().map(|s| s.time));
     stage.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
 }
 
-fn held<'a>(view: &StageView<'a>) -> Option<&'a RateControl> {
-    view.stage.steps.first()?;
-    view.model().rate_control()
-}
-
 /// One row per accepted step.
 pub(super) fn of(view: &StageView) -> Option<Table> {
-    held(view)?;
+    view.stage.steps.first().and(view.model().rate_control())?;
     Some(Table::new(FIELDS.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
 }

@@ -10,7 +10,7 @@ use crate::table::fields::element::{
 use crate::table::fields::step::TRAVEL;
 use crate::table::{Field, Table};
 
-/// What an element has beside its place: porosity and temperature where the model has them.
+/// Fields of an element apart from its place; porosity and temperature if the model has them.
 pub(super) fn fields(model: &Model) -> Vec<Field<ElementRecord>> {
     let mut fields = vec![
         THICKNESS,

@@ -1,4 +1,4 @@
-//! Stress through the thickness of one frame: at every layer in numbers, at a few places as curves.
+//! Table of the residual stress at every thickness point.
 
 use super::StageView;
 use crate::plot::residual_stress::{PLACE, places_with_layers, released};
@@ -6,8 +6,7 @@ use crate::solver::solution::{ElementRecord, PointRecord};
 use crate::table::fields::element::{R, S0, STRAIN_EQUIVALENT, STRESS_HOOP, STRESS_MERIDIONAL, Z};
 use crate::table::{Column, Field, Table, Unit};
 
-/// One row per element and layer, from the axis outward and from the die's face to the punch's; nothing where no place
-/// has thickness points.
+/// One row per element and layer, from the axis outward and from the die's face to the punch's.
 pub(super) fn of(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
     places_with_layers(frame, elements).first()?;

@@ -53,7 +53,7 @@ fn belongs_to_run(folder: &Path, path: &Path) -> bool {
 /// Opens the folder for the results of a run.
 ///
 /// # Errors
-/// As [`ResultFolder::open`]; also if a file there has the name of a result, but no run has written it.
+/// If the folder cannot be opened, or holds a file with the name of a result that no run has written.
 pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError> {
     let folder = ResultFolder::open(dir, belongs_to_run)?;
     let stages = (0..).map_while(|i| case.stage_label(i)).map(|label| dir.join(label));
@@ -64,7 +64,7 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 /// Opens a folder for comparisons only, which may hold the results of a run.
 ///
 /// # Errors
-/// As [`ResultFolder::open`].
+/// If the folder cannot be opened.
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
     ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| overlay::is_comparison("", name)))
 }
@@ -111,7 +111,7 @@ impl Results<'_> {
     /// Writes every output, with those of the recorder and a report by its name, and commits the folder.
     ///
     /// # Errors
-    /// As [`ResultFolder::commit`].
+    /// If a file cannot be written, or the folder not committed.
     pub fn write(
         &self,
         recorder: &FrameRecorder,
@@ -134,7 +134,7 @@ impl Results<'_> {
     /// Writes comparisons only and commits the folder.
     ///
     /// # Errors
-    /// As [`ResultFolder::commit`].
+    /// If a file cannot be written, or the folder not committed.
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
         overlay::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()

@@ -1,21 +1,19 @@
-//! Quantities of a record: what a column is called, in which unit, and which number of the record it holds.
+//! Fields of a record: name, unit and number of a column.
 
 use super::{Axis, Column, Unit};
 use crate::model::{Extent, Geometry};
 
-/// A quantity of a record `R`, such as a step or an element at an instant.
+/// Field of a record `R`, such as a step or an element at an instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<R> {
     /// Name in file headers and JSON, without the unit.
     pub key: &'static str,
-    /// Labels of an axisymmetric and of a plane-strain section.
     labels: [&'static str; 2],
     measure: Measure,
-    /// The number in that unit.
+    /// Number of a record, in the unit.
     pub value: fn(&R) -> f64,
 }
 
-/// What decides the unit of a quantity.
 #[derive(Clone, Copy, Debug)]
 enum Measure {
     In(Unit),
@@ -24,22 +22,22 @@ enum Measure {
 }
 
 impl<R> Field<R> {
-    /// A quantity that is called the same in every section.
+    /// Field with one label.
     pub const fn new(key: &'static str, label: &'static str, unit: Unit, value: fn(&R) -> f64) -> Self {
         Self { key, labels: [label; 2], measure: Measure::In(unit), value }
     }
 
-    /// A force, in the unit of the [`Extent`] that it is of.
+    /// Force, in the unit of its [`Extent`].
     pub const fn force(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
         Self { key, labels: [label; 2], measure: Measure::Force, value }
     }
 
-    /// Work or heat, whose values are converted with [`JOULES`](super::JOULES), in the unit of the [`Extent`] that it is of.
+    /// Work or heat in joules (see [`JOULES`](super::JOULES)), in the unit of its [`Extent`].
     pub const fn energy(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
         Self { key, labels: [label; 2], measure: Measure::Energy, value }
     }
 
-    /// A quantity that a plane section calls otherwise: the second label is its.
+    /// Field with labels of an axisymmetric and of a plane-strain section.
     pub const fn worded(key: &'static str, labels: [&'static str; 2], unit: Unit, value: fn(&R) -> f64) -> Self {
         Self { key, labels, measure: Measure::In(unit), value }
     }
@@ -49,7 +47,7 @@ impl<R> Field<R> {
         worded(extent.geometry(), self.labels[0], self.labels[1])
     }
 
-    /// Its values over some records.
+    /// Column of records.
     pub fn column<'a>(&self, extent: Extent, records: impl IntoIterator<Item = &'a R>) -> Column
     where
         R: 'a,
@@ -57,7 +55,7 @@ impl<R> Field<R> {
         self.filled(extent, records.into_iter().map(self.value).collect())
     }
 
-    /// A column of that name with values of another origin.
+    /// Column with values of another origin.
     pub fn filled(&self, extent: Extent, values: Vec<f64>) -> Column {
         let unit = match self.measure {
             Measure::In(unit) => unit,
@@ -84,7 +82,7 @@ impl<R> Field<R> {
     }
 }
 
-/// The word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
+/// Word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
 pub fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static str) -> &'static str {
     match geometry {
         Geometry::Axisymmetric => axisymmetric,

@@ -1,6 +1,6 @@
-//! What is written of a step and of an element, by name; quantities of one table only stand with that table.
+//! Fields of steps, elements and strain paths that several tables share.
 
-/// Of an accepted step.
+/// Fields of an accepted step.
 pub mod step {
     use crate::model::Geometry;
     use crate::solver::solution::StepRecord;
@@ -14,7 +14,7 @@ pub mod step {
     pub const HOLDER_FORCE: Field<StepRecord> = Field::force("holder_force", "Holder force", |s| s.holder_force);
     /// Force of the held edge, outward \[N, or N/mm\].
     pub const EDGE_FORCE: Field<StepRecord> = Field::force("edge_force", "Edge force", |s| s.edge_force);
-    /// How far the edge has moved inward \[mm\].
+    /// Inward motion of the edge \[mm\].
     pub const DRAW_IN: Field<StepRecord> = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);
     /// Thickness of the thinnest element \[mm\].
     pub const THINNEST: Field<StepRecord> = Field::new("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest);
@@ -32,7 +32,7 @@ pub mod step {
     }
 }
 
-/// Of an element at an instant.
+/// Fields of an element at an instant.
 pub mod element {
     use crate::solver::solution::ElementRecord;
     use crate::table::{Field, Unit};
@@ -80,14 +80,14 @@ pub mod element {
     /// 1 where the element bends, 0 where it is a membrane.
     pub const BENDING: Field<ElementRecord> =
         Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
-    /// Of a sheet with voids.
+    /// Void volume fraction \[–\].
     pub const POROSITY: Field<ElementRecord> = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
-    /// Of a sheet whose temperature is given.
+    /// Temperature \[°C\].
     pub const TEMPERATURE: Field<ElementRecord> =
         Field::new("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS);
 }
 
-/// Of the way that a place takes through the plane of strains: true strains of the mid-surface.
+/// True strains of the mid-surface along a strain path.
 pub mod path {
     use crate::table::{Column, Unit};
 

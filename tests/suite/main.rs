@@ -86,5 +86,4 @@ mod verify_swift;
 mod verify_variants;
 mod voids;
 mod vtu;
-mod written_files;
 mod yield_condition;

@@ -1,6 +1,6 @@
 //! Tables in memory, and CSV files that are read.
 
-use stampflow::table::{Axis, Column, Csv, CsvError, Table, Unit};
+use stampflow::table::{Axis, Column, Csv, CsvError, Unit};
 
 /// Rows that a file may have at most, as `stampflow::case::files` has it.
 const MOST: usize = 100_000;
@@ -30,19 +30,6 @@ fn a_shared_axis_carries_the_common_words() {
     assert_eq!(Axis::shared(&[&a]).text(), a.axis().text());
     let (c, d) = (column("c", "Thickness", Unit::Mm), column("d", "Draw-in", Unit::Mm));
     assert_eq!(Axis::shared(&[&c, &d]).text(), "Thickness, Draw-in [mm]");
-}
-
-#[test]
-#[should_panic(expected = "different units")]
-fn different_units_cannot_share_an_axis() {
-    Axis::shared(&[&column("a", "A", Unit::N), &column("b", "B", Unit::Mm)]);
-}
-
-#[test]
-fn columns_are_found() {
-    let table = Table::new(vec![column("a", "A", Unit::N), column("b", "B", Unit::Mm)]);
-    assert_eq!(table.rows(), 2);
-    assert_eq!(table.column("b").label, "B");
 }
 
 fn read(text: &str) -> Result<Csv, CsvError> {
