@@ -36,10 +36,6 @@ pub struct Output {
 }
 
 impl Output {
-    pub(super) const fn new(file: &'static str, about: &'static str, make: Make) -> Self {
-        Self { file, about, make, family: None }
-    }
-
     pub(super) const fn family(self, is_one: fn(&str, &str) -> bool) -> Self {
         Self { family: Some(is_one), ..self }
     }
@@ -77,4 +73,16 @@ impl Output {
     pub fn stem(&self) -> &'static str {
         Format::stem(self.file).unwrap_or(self.file)
     }
+}
+
+pub(super) const fn output(file: &'static str, about: &'static str, make: Make) -> Output {
+    Output { file, about, make, family: None }
+}
+
+pub(super) const fn table(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Table>) -> Output {
+    output(file, about, Make::Table(make))
+}
+
+pub(super) const fn plot(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Chart>) -> Output {
+    output(file, about, Make::Plot(make))
 }

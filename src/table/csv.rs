@@ -79,7 +79,11 @@ impl Csv {
             let row = row?;
             let (numbers, columns) = (row.fields.len(), header.fields.len());
             if numbers > columns {
-                return Err(CsvError::new(row.line, format!("{numbers} numbers stand under {columns} columns"), DECIMALS));
+                return Err(CsvError::new(
+                    row.line,
+                    format!("{numbers} numbers stand under {columns} columns"),
+                    DECIMALS,
+                ));
             }
             if rows.len() == MOST {
                 return Err(CsvError::new(row.line, format!("there are more than {MOST} rows"), "thin them out"));
@@ -169,7 +173,8 @@ impl Record {
         let mut names = self.fields.iter().flat_map(|field| field.split(separators)).map(str::trim);
         let is_name = |text: &str| text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let has_unit = |text: &str| Unit::of_header(text).is_ok();
-        let has_numbers = || first.is_some_and(|row| row.fields.iter().flat_map(|f| f.split(separators)).any(is_number));
+        let has_numbers =
+            || first.is_some_and(|row| row.fields.iter().flat_map(|f| f.split(separators)).any(is_number));
         if !names.clone().all(is_name) || !names.any(has_unit) && !has_numbers() {
             // Of a file that is something else a message shows one word only.
             let text: String = self.fields.iter().collect();

@@ -3,7 +3,7 @@
 use super::{Summary, largest};
 use crate::model::{Grading, Iteration, Model, Norm, Theory};
 use crate::solver::solution::{Effort, StageSolution, StepRecord};
-use crate::units::{Amount, joined};
+use crate::units::Amount;
 
 impl Summary {
     /// Contact, mesh, method and effort.
@@ -59,34 +59,26 @@ fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
 fn mesh(model: &Model) -> String {
     let blank = &model.blank;
     let theory = match blank.theory {
-        Theory::Bending => format!("{n} bending elements, {layers} layers", n = blank.elements, layers = blank.layers),
-        Theory::Membrane => format!("{n} membrane elements", n = blank.elements),
-        Theory::Selective => format!(
-            "{n} elements, bending with {layers} layers where t/R is above {ratio}",
-            n = blank.elements,
-            layers = blank.layers,
-            ratio = Amount::number(model.settings.bend_ratio)
-        ),
+        Theory::Membrane => "membrane".to_owned(),
+        Theory::Bending => format!("bending, {} layers", blank.layers),
+        Theory::Selective => {
+            format!("bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
+        }
     };
-    let grading = match blank.grading {
-        Grading::Uniform => "uniform",
-        Grading::Radii | Grading::Divided { .. } => "graded where the tools' radii ask for it",
-    };
-    joined([theory, grading.into()], ", ")
+    let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
+    format!("{} elements, {theory}, {grading}", blank.elements)
 }
 
 fn corrector(model: &Model) -> String {
-    let settings = &model.settings;
-    let matrix = match settings.iteration {
-        Iteration::PrimalDual => "primal-dual Newton matrix",
-        Iteration::Newton => "Newton matrix",
-        Iteration::Secant => "secant matrix",
+    let matrix = match model.settings.iteration {
+        Iteration::PrimalDual => "primal-dual Newton",
+        Iteration::Newton => "Newton",
+        Iteration::Secant => "secant",
     };
-    let tolerance = Amount::norm(settings.tolerance);
-    let norm = match settings.norm {
-        Norm::Velocity => format!("velocity norm below {tolerance}"),
-        Norm::Residual => format!("residual norm below {tolerance}"),
-        Norm::Both => format!("velocity and residual norm below {tolerance}"),
+    let norm = match model.settings.norm {
+        Norm::Velocity => "velocity",
+        Norm::Residual => "residual",
+        Norm::Both => "velocity and residual",
     };
-    joined([matrix.into(), norm], ", ")
+    format!("{matrix} matrix, {norm} norm below {}", Amount::norm(model.settings.tolerance))
 }
