@@ -263,8 +263,8 @@ mod tests {
         let text = |name: &PathBuf| fs::read_to_string(root.join(name)).unwrap_or_default();
         let mut names: Vec<_> =
             entries(root, 9).unwrap().iter().map(|name| format!("{}={}", name.display(), text(name))).collect();
-        found.sort();
-        found
+        names.sort();
+        names
     }
 
     /// Trust: each state is what a killed run leaves at one step of `replace`; `2` are complete new results.

@@ -52,11 +52,7 @@ pub const OUTPUTS: &[Output] = &[
         pressure_cycle::of,
     ),
     plot("pressure_cycle.png", "the same, and the height of the dome", crate::plot::pressure_cycle::plot),
-    plot(
-        "thickness.png",
-        "thickness over the blank at every kept frame, and over the part",
-        thickness::thickness,
-    ),
+    plot("thickness.png", "thickness over the blank at every kept frame, and over the part", thickness::thickness),
     plot("porosity.png", "porosity over the blank, of a sheet with voids", thickness::porosity),
     plot("temperature.png", "temperature over the blank, where it is given", thickness::temperature),
     plot("strains.png", "strains over the blank at the last frame", strains::plot),
