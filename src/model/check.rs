@@ -1,29 +1,30 @@
-//! What may be solved: [`Model::check`] and [`Stage::check`] are the border between what is asked for and the solver.
+//! Validation of models and stages before they are solved.
 //!
-//! Laws are checked by what they answer at a few places, so that a new law needs nothing here.
+//! Laws are checked by their values at a few places, so that a new law needs nothing here.
 
-use super::error::{Checked, agree, count, curve, excludes, finite, needs, not_negative, positive, rising, within};
-use super::{
-    Blank, Edge, Friction, Gas, Heat, Mode, Model, ModelError, Motion, Pressure, Role, Settings, Stage, Theory, Tool,
+use super::error::{
+    Checked, agree, check, count, curve, excludes, finite, needs, not_negative, positive, rising, within,
 };
+use super::{Blank, Edge, Friction, Gas, Heat, Mode, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
 use crate::contact::friction::Sliding;
 use crate::material::Material;
 use std::ops::RangeInclusive;
 
-/// Strains at which a hardening law is asked \[–\].
+/// Strains at which hardening laws are checked \[–\].
 const STRAINS: [f64; 6] = [0.0, 1e-4, 1e-2, 0.1, 1.0, 5.0];
-/// Strain rates at which a rate law is asked \[1/s\].
+/// Strain rates at which rate laws are checked \[1/s\].
 const RATES: [f64; 4] = [1e-6, 1e-3, 1.0, 1e3];
-/// Contact pressures at which a friction law is asked \[MPa\].
+/// Contact pressures at which friction laws are checked \[MPa\].
 const PRESSURES: [f64; 3] = [1e-2, 1.0, 1e3];
-/// Most elements, and most points through their thickness.
+/// Allowed numbers of elements, and of points through the thickness.
 const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
 const POINTS: RangeInclusive<usize> = 2..=1000;
+
 impl Model {
-    /// Whether the solver can take the model: every number finite and in its range, every part there that another needs.
+    /// Checks that every number is finite and in its range, and that every needed part is there.
     ///
     /// # Errors
-    /// The first value that is not, with its bounds.
+    /// The first invalid value, with its bounds.
     pub fn check(&self) -> Checked {
         self.blank.check()?;
         self.material.check()?;
@@ -40,7 +41,6 @@ impl Model {
         self.settings.check()
     }
 
-    /// Elasticity where it is asked for, and nothing that one of the modes cannot do.
     fn check_mode(&self) -> Checked {
         let material = &self.material;
         let shifts = material.chaboche.iter().any(|law| law.modulus != 0.0);
@@ -55,9 +55,8 @@ impl Model {
 
     fn check_tools(&self) -> Checked {
         for (i, tool) in self.tools.iter().enumerate() {
-            if self.tools[..i].iter().any(|other| other.role == tool.role) {
-                return Err(ModelError::Twice { what: tool.role.name().into() });
-            }
+            let twice = self.tools[..i].iter().any(|other| other.role == tool.role);
+            check(!twice, tool.role.name(), || "is given more than once".into())?;
             tool.check()?;
             if matches!(tool.motion, Motion::Pressed(_) | Motion::Gap(_)) {
                 needs(tool.role.name(), tool.role == Role::Holder, "the role of a holder")?;
@@ -78,25 +77,20 @@ impl Model {
 
     fn check_gas(&self) -> Checked {
         for (i, gas) in self.gas.iter().enumerate() {
-            if self.gas[..i].iter().any(|other| other.face == gas.face) {
-                return Err(ModelError::Twice { what: "gas on one face".into() });
-            }
+            let twice = self.gas[..i].iter().any(|other| other.face == gas.face);
+            check(!twice, "gas on one face", || "is given more than once".into())?;
             gas.check(&format!("gas.{i}"))?;
         }
-        if self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count() > 1 {
-            return Err(ModelError::Twice { what: "gas that holds a strain rate".into() });
-        }
-        Ok(())
+        let held = self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count();
+        check(held < 2, "gas that holds a strain rate", || "is given more than once".into())
     }
 
-    /// Something that acts on the sheet.
     fn check_action(&self) -> Checked {
         let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
         let acts = pulled || !self.tools.is_empty() || !self.gas.is_empty() || self.release.is_some();
-        if acts { Ok(()) } else { Err(ModelError::Idle) }
+        check(acts, "tools", || "are missing: there is no gas, no pulled edge and no release that acts either".into())
     }
 
-    /// Travel, speed, duration, schedule and frames, which say the same run.
     fn check_motion(&self) -> Checked {
         positive("duration", self.duration)?;
         positive("speed", self.speed)?;
@@ -115,9 +109,9 @@ impl Model {
             agree("last travel of the schedule", last.1, "travel", self.travel)?;
             rising("travels of the schedule", 0.0, schedule.points()[1..].iter().map(|point| point.1))?;
         }
-        let last = self.frames.last().ok_or(ModelError::Empty { what: "frames" })?;
+        check(!self.frames.is_empty(), "frames", || "is empty".into())?;
         rising("frames", 0.0, self.frames.iter().copied())?;
-        agree("last of the frames", *last, "duration", self.duration)
+        agree("last of the frames", self.frames[self.frames.len() - 1], "duration", self.duration)
     }
 
     fn check_stop(&self) -> Checked {
@@ -128,7 +122,7 @@ impl Model {
 }
 
 impl Stage {
-    /// As [`Model::check`], and whether the stage can go on with the sheet of the one before.
+    /// As [`Model::check`], and that the stage can continue with the sheet of the one before.
     ///
     /// # Errors
     /// As [`Model::check`].
@@ -262,10 +256,10 @@ impl Heat {
 }
 
 impl Settings {
-    /// Whether every parameter is in its range and the steps in their order.
+    /// Checks that every parameter is in its range and the steps in their order.
     ///
     /// # Errors
-    /// The first that is not; `what` is its key behind `settings.`.
+    /// The first invalid parameter; `what` is its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
         self.facets.map_or(Ok(()), |facets| count("settings.facets", facets, 1..=1000))?;
@@ -286,7 +280,6 @@ impl Settings {
     }
 }
 
-/// Friction that holds the sheet back, and no more than a multiple of the pressure.
 fn slides(what: &str, law: &Friction) -> Checked {
     not_negative(what, law.largest_coefficient())?;
     if let Friction::Tresca(law) = law {

@@ -1,137 +1,71 @@
-//! Why a model cannot be solved, and the checks of single values that say so.
+//! Errors of models that cannot be solved, and the checks of single values.
 
 use crate::numerics::PiecewiseLinear;
 use std::ops::RangeInclusive;
 
-/// Difference between two numbers that must agree, over the larger one \[–\].
+/// Largest relative difference of two numbers that must agree \[–\].
 const SAME: f64 = 1e-6;
 
-/// Why a model cannot be solved: which value, what it is and what it may be.
+/// Reason why a model cannot be solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ModelError {
-    /// A number lies outside of its range.
+    /// A number lies outside its range.
     #[error("`{what}` must lie between {least:?} and {most:?}, found {value:?}")]
     Range {
         /// Path of the value in the model.
         what: String,
-        /// What was found.
+        /// Found value.
         value: f64,
-        /// The least that is allowed.
+        /// Lower bound.
         least: f64,
-        /// The most that is allowed.
+        /// Upper bound.
         most: f64,
     },
-    /// A whole number lies outside of its range.
+    /// A whole number lies outside its range.
     #[error("`{what}` must lie between {least} and {most}, found {value}")]
     Count {
         /// Path of the value in the model.
         what: String,
-        /// What was found.
+        /// Found value.
         value: usize,
-        /// The least that is allowed.
+        /// Lower bound.
         least: usize,
-        /// The most that is allowed.
+        /// Upper bound.
         most: usize,
     },
-    /// A number that must be positive is not, or is not finite.
-    #[error("`{what}` must be positive and finite, found {value:?}")]
-    NotPositive {
+    /// A value is missing, infinite, or contradicts another.
+    #[error("`{what}` {problem}")]
+    Invalid {
         /// Path of the value in the model.
         what: String,
-        /// What was found.
-        value: f64,
-    },
-    /// A number is negative or not finite.
-    #[error("`{what}` must be zero or positive and finite, found {value:?}")]
-    Negative {
-        /// Path of the value in the model.
-        what: String,
-        /// What was found.
-        value: f64,
-    },
-    /// A number is not finite.
-    #[error("`{what}` must be finite, found {value:?}")]
-    NotFinite {
-        /// Path of the value in the model.
-        what: String,
-        /// What was found.
-        value: f64,
-    },
-    /// A list does not rise.
-    #[error("`{what}` must rise from entry to entry, found {value:?} after {before:?}")]
-    NotRising {
-        /// Path of the value in the model.
-        what: String,
-        /// The entry before, or the bound that the first entry must exceed.
-        before: f64,
-        /// The entry that is not above it.
-        value: f64,
-    },
-    /// Two numbers that say the same differ.
-    #[error("`{what}` is {value:?} and must agree with `{other}`, {wanted:?}")]
-    Differs {
-        /// Path of the value in the model.
-        what: String,
-        /// What was found.
-        value: f64,
-        /// Path of the other value.
-        other: &'static str,
-        /// What follows from the other value.
-        wanted: f64,
-    },
-    /// A list that needs an entry has none.
-    #[error("`{what}` is empty")]
-    Empty {
-        /// Path of the value in the model.
-        what: &'static str,
-    },
-    /// A value is given without one that it needs.
-    #[error("`{what}` needs `{other}`")]
-    Needs {
-        /// Path of the value in the model.
-        what: String,
-        /// What is missing.
-        other: String,
-    },
-    /// Two things are given that cannot be together.
-    #[error("`{what}` and `{other}` exclude each other")]
-    Excludes {
-        /// Path of the value in the model.
-        what: &'static str,
-        /// The other one.
-        other: &'static str,
-    },
-    /// Nothing acts on the sheet: no place of it is in equilibrium rather than another.
-    #[error("nothing acts on the sheet: there is no tool, no gas, no pulled edge and no release")]
-    Idle,
-    /// There are two of which there may be one.
-    #[error("there is more than one {what}")]
-    Twice {
-        /// What there is more than one of.
-        what: String,
+        /// Condition that is not met, and the found value.
+        problem: String,
     },
 }
 
 pub(super) type Checked = Result<(), ModelError>;
 
+/// An error unless a condition holds.
+pub(super) fn check(holds: bool, what: &str, problem: impl FnOnce() -> String) -> Checked {
+    if holds { Ok(()) } else { Err(ModelError::Invalid { what: what.into(), problem: problem() }) }
+}
+
 pub(super) fn finite(what: &str, value: f64) -> Checked {
-    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { what: what.into(), value }) }
+    check(value.is_finite(), what, || format!("must be finite, found {value:?}"))
 }
 
 pub(super) fn positive(what: &str, value: f64) -> Checked {
-    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::NotPositive { what: what.into(), value }) }
+    check(value > 0.0 && value.is_finite(), what, || format!("must be positive and finite, found {value:?}"))
 }
 
 pub(super) fn not_negative(what: &str, value: f64) -> Checked {
-    if value >= 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::Negative { what: what.into(), value }) }
+    check(value >= 0.0 && value.is_finite(), what, || format!("must be zero or positive and finite, found {value:?}"))
 }
 
 /// A number from `least` to `most`, both included.
 pub(super) fn within(what: &str, value: f64, least: f64, most: f64) -> Checked {
-    if (least..=most).contains(&value) {
-        return Ok(());
-    }
-    Err(ModelError::Range { what: what.into(), value, least, most })
+    let inside = (least..=most).contains(&value);
+    if inside { Ok(()) } else { Err(ModelError::Range { what: what.into(), value, least, most }) }
 }
 
 pub(super) fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
@@ -143,30 +77,26 @@ pub(super) fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> C
 pub(super) fn rising(what: &str, mut before: f64, values: impl Iterator<Item = f64>) -> Checked {
     for value in values {
         finite(what, value)?;
-        if value <= before {
-            return Err(ModelError::NotRising { what: what.into(), before, value });
-        }
+        check(value > before, what, || format!("must rise from entry to entry, found {value:?} after {before:?}"))?;
         before = value;
     }
     Ok(())
 }
 
-/// Finite places and values that pass `check`; that the places rise is the curve's own promise.
-pub(super) fn curve(what: &str, curve: &PiecewiseLinear, check: fn(&str, f64) -> Checked) -> Checked {
-    curve.points().iter().try_for_each(|(x, value)| finite(what, *x).and_then(|()| check(what, *value)))
+/// A curve with finite arguments and values that pass `valid`.
+pub(super) fn curve(what: &str, curve: &PiecewiseLinear, valid: fn(&str, f64) -> Checked) -> Checked {
+    curve.points().iter().try_for_each(|(x, value)| finite(what, *x).and_then(|()| valid(what, *value)))
 }
 
-pub(super) fn agree(what: &str, value: f64, other: &'static str, wanted: f64) -> Checked {
-    if (value - wanted).abs() <= SAME * value.abs().max(wanted.abs()) {
-        return Ok(());
-    }
-    Err(ModelError::Differs { what: what.into(), value, other, wanted })
+pub(super) fn agree(what: &str, value: f64, other: &str, wanted: f64) -> Checked {
+    let same = (value - wanted).abs() <= SAME * value.abs().max(wanted.abs());
+    check(same, what, || format!("is {value:?} and must agree with `{other}`, {wanted:?}"))
 }
 
 pub(super) fn needs(what: &str, given: bool, other: &str) -> Checked {
-    if given { Ok(()) } else { Err(ModelError::Needs { what: what.into(), other: other.into() }) }
+    check(given, what, || format!("needs `{other}`"))
 }
 
-pub(super) fn excludes(both: bool, what: &'static str, other: &'static str) -> Checked {
-    if both { Err(ModelError::Excludes { what, other }) } else { Ok(()) }
+pub(super) fn excludes(both: bool, what: &str, other: &str) -> Checked {
+    check(!both, what, || format!("and `{other}` exclude each other"))
 }

@@ -1,13 +1,13 @@
-//! What of the part the forces, works and heat of a run are of, and the units that follow.
+//! Extent of the part that forces, work and heat refer to, and their units.
 
 use super::Geometry;
 use crate::units::Amount;
 use crate::units::Unit;
 
-/// What forces, works and heat are of: always of the whole section, both halves of a plane one.
+/// Extent of the part: always the whole section, both halves of a plane one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// The whole ring.
+    /// Whole ring.
     Ring,
     /// Both halves of a plane section, per mm of its depth.
     PerDepth,
@@ -16,7 +16,7 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// Of a geometry, and the depth of a plane section \[mm\] where it is known.
+    /// Extent by the geometry, and the depth of a plane section \[mm\] if known.
     pub fn of(geometry: Geometry, depth: Option<f64>) -> Self {
         match (geometry, depth) {
             (Geometry::Axisymmetric, _) => Self::Ring,
@@ -25,8 +25,7 @@ impl Extent {
         }
     }
 
-    /// How many times what is solved, the ring or one half per mm of depth, the whole is \[–, or mm\]: here alone the second
-    /// half and the depth enter.
+    /// Factor from the solved part, the ring or one half per mm of depth, to the whole \[–, or mm\].
     pub fn times(self) -> f64 {
         match self {
             Self::Ring => 1.0,
@@ -35,7 +34,7 @@ impl Extent {
         }
     }
 
-    /// The section.
+    /// Geometry of the section.
     pub fn geometry(self) -> Geometry {
         match self {
             Self::Ring => Geometry::Axisymmetric,
@@ -43,8 +42,7 @@ impl Extent {
         }
     }
 
-    /// Area of a flat sheet up to the distance `r` from the axis, or from the symmetry plane on both sides of it \[mm², or mm
-    /// per mm of depth\].
+    /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
     pub fn area(self, r: f64) -> f64 {
         self.times() * self.geometry().area(r)
     }
@@ -54,7 +52,7 @@ impl Extent {
         if self == Self::PerDepth { Unit::NPerMm } else { Unit::N }
     }
 
-    /// Unit in which work and heat are written, after [`JOULES`](crate::table::JOULES).
+    /// Unit of work and heat in tables, after [`JOULES`](crate::table::JOULES).
     pub fn energy_unit(self) -> Unit {
         if self == Self::PerDepth { Unit::JoulePerMm } else { Unit::Joule }
     }

@@ -1,23 +1,23 @@
-//! The sheet's temperature and what changes it.
+//! Temperature and heat transfer of the sheet.
 
 use super::Role;
 use crate::numerics::PiecewiseLinear;
 
-/// The sheet's temperature and what changes it.
+/// Initial temperature and heat transfer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heat {
     /// Initial temperature over the distance from the axis or symmetry plane \[K over mm\].
     pub initial: PiecewiseLinear,
-    /// `None` where the temperature stays what it is.
+    /// Heat transfer; `None` at constant temperature.
     pub flow: Option<HeatFlow>,
 }
 
-/// What changes the temperature, which is the same through the thickness.
+/// Heat transfer of the sheet, at uniform temperature through the thickness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeatFlow {
-    /// ρ c: density times specific heat \[MPa/K\].
+    /// Density times specific heat, ρ c \[MPa/K\].
     pub capacity: f64,
-    /// β: share of the plastic work that becomes heat \[–\].
+    /// Share β of the plastic work that becomes heat \[–\].
     pub plastic_share: f64,
     /// Conductivity along the sheet \[N/(s K), which is W/(m K)\]; 0 without.
     pub conductivity: f64,
@@ -28,9 +28,9 @@ pub struct HeatFlow {
 /// Heat transfer between a tool and the sheet where they touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolHeat {
-    /// Which tool.
+    /// Role of the tool.
     pub role: Role,
-    /// The tool's temperature, which stays \[K\].
+    /// Constant temperature of the tool \[K\].
     pub temperature: f64,
     /// Heat-transfer coefficient h \[N/(mm s K)\].
     pub transfer: f64,

@@ -1,12 +1,9 @@
-//! What loads the sheet beside the tools: draw beads and gas.
+//! Draw beads and gas.
 
 use super::Geometry;
 use crate::numerics::PiecewiseLinear;
 
-/// A draw bead as a line restraint on the flange.
-///
-/// It pulls the sheet back with a force per length of its line while the sheet passes it, and the force that closes it
-/// is taken from the holder's.
+/// Draw bead: line restraint on the flange whose closing force is taken from the holder's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bead {
     /// Distance of its line from the axis or the symmetry plane \[mm\].
@@ -27,18 +24,18 @@ impl Bead {
     }
 }
 
-/// Gas or oil pressure on a face of the sheet; it stays normal to the sheet and acts on its current area.
+/// Gas or oil pressure on a face, normal to the current sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gas {
-    /// The face that it presses on.
+    /// Face under pressure.
     pub face: Face,
-    /// The pressure, or what decides it.
+    /// Pressure or its control.
     pub pressure: Pressure,
-    /// It acts on what lies closer to the axis or symmetry plane than this seal \[mm\].
+    /// Distance of the seal from the axis or symmetry plane \[mm\]; the gas acts inside.
     pub within: f64,
 }
 
-/// Which face of the sheet.
+/// Face of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
     /// The punch's side: pressure pushes along the punch travel.
@@ -48,7 +45,7 @@ pub enum Face {
 }
 
 impl Face {
-    /// Which way pressure on it pushes: +1 along the punch travel, −1 against it.
+    /// Direction of pressure: +1 along the punch travel, −1 against it.
     pub fn sign(self) -> f64 {
         match self {
             Face::Lower => 1.0,
@@ -57,17 +54,17 @@ impl Face {
     }
 }
 
-/// What decides a gas pressure.
+/// Given or controlled gas pressure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pressure {
-    /// Given over time \[MPa over s\].
+    /// Pressure over time \[MPa over s\].
     OverTime(PiecewiseLinear),
-    /// As much as holds a strain rate; an unknown of its own.
+    /// Unknown pressure that holds a strain rate.
     Rate(RateControl),
 }
 
 impl Pressure {
-    /// The pressure at a time where it is given \[MPa\].
+    /// Given pressure at a time \[MPa\].
     pub fn given(&self, time: f64) -> Option<f64> {
         match self {
             Self::OverTime(history) => Some(history.at(time)),
@@ -88,28 +85,26 @@ impl From<f64> for Pressure {
     }
 }
 
-/// Superplastic forming: the pressure that makes the sheet's strain rate, by the norm ‖ε̄̇‖ = (Σ V ε̄̇^q/Σ V)^(1/q), the
-/// target in every step.
+/// Superplastic forming: pressure that holds the norm ‖ε̄̇‖ = (Σ V ε̄̇^q/Σ V)^(1/q) at a target in every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateControl {
     /// Target of the norm \[1/s\].
     pub target: f64,
-    /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
+    /// Exponent q \[–\]: 1 is the mean over the volume, a large one the fastest place.
     pub exponent: f64,
-    /// Largest pressure that the press gives \[MPa\]; infinite where nothing is said.
+    /// Largest pressure \[MPa\]; infinite without limit.
     pub max_pressure: f64,
-    /// Fastest rise of the pressure \[MPa/s\]; infinite where nothing is said.
+    /// Fastest rise of the pressure \[MPa/s\]; infinite without limit.
     pub max_rise: f64,
 }
 
 impl RateControl {
-    /// A target and a norm, and a press that gives any pressure.
+    /// Control without limits of the press.
     pub fn new(target: f64, exponent: f64) -> Self {
         Self { target, exponent, max_pressure: f64::INFINITY, max_rise: f64::INFINITY }
     }
 
-    /// What the pressure may come to at the end of a step of `dt` \[s\] that it begins with `before` \[MPa\], and which cap
-    /// says so; `None` where there is no cap.
+    /// Largest pressure at the end of a step of `dt` \[s\] from `before` \[MPa\], and its cap; `None` without a cap.
     pub fn cap(&self, before: f64, dt: f64) -> Option<(f64, PressureCap)> {
         let risen = before + self.max_rise * dt;
         let (cap, which) = if self.max_pressure <= risen {
@@ -121,11 +116,11 @@ impl RateControl {
     }
 }
 
-/// What the press cannot go beyond.
+/// Limit of the press.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PressureCap {
-    /// Its largest pressure.
+    /// Largest pressure.
     Largest,
-    /// Its fastest rise of the pressure.
+    /// Fastest rise of the pressure.
     Rise,
 }

@@ -1,16 +1,15 @@
-//! Where the nodes start: along the flat blank from the axis outward.
+//! Mesh of the flat blank from the axis outward.
 
 use crate::model::{Edge, Geometry, Grading, Model, Role};
 use std::f64::consts::FRAC_PI_2;
 
-/// Elements per 90° of a tool's corner that the graded mesh aims at: fewer, and the load ticks as nodes pass the lip.
+/// Elements per 90° of a tool's corner: with fewer the load oscillates as nodes pass the lip.
 pub const PER_QUARTER: f64 = 12.0;
 
-/// A coarse element is at most this many times a fine one.
+/// Largest ratio of element sizes \[–\].
 const LARGEST_RATIO: f64 = 3.0;
 
-/// How far the sheet outside the die's shoulder comes in at most, over the punch's travel \[–\]: a strip's wall is as high as
-/// the travel; a disc comes in less, for its flange gets smaller and its wall higher.
+/// Largest draw-in over the punch's travel \[–\].
 fn drawn_in(geometry: Geometry) -> f64 {
     match geometry {
         Geometry::Axisymmetric => 0.6,
@@ -18,7 +17,7 @@ fn drawn_in(geometry: Geometry) -> f64 {
     }
 }
 
-/// A part of the blank that meets a corner, and the element size wanted there \[mm\].
+/// Part of the blank that meets a corner, and its element size \[mm\].
 struct Zone {
     from: f64,
     to: f64,
@@ -34,7 +33,7 @@ pub fn nodes(model: &Model) -> Vec<f64> {
     }
 }
 
-/// Nodes of `n` elements in the place of as many as there are, as if each were divided into equal parts.
+/// Divides or joins elements to `n`.
 fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
     let elements = nodes.len() - 1;
     let at = |i: usize| {
@@ -45,7 +44,7 @@ fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
     (0..=n).map(at).collect()
 }
 
-/// `n` elements, small enough for every zone.
+/// Nodes of `n` elements, graded by the zones.
 fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     let length = model.blank.length;
     let uniform = |i: usize| length * i as f64 / n as f64;
@@ -94,7 +93,7 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     nodes
 }
 
-/// The parts of the blank that go over the punch's corner and over the die's shoulder.
+/// Parts of the blank that go over corners of punch and die.
 fn zones(model: &Model) -> Vec<Zone> {
     let length = model.blank.length;
     let mut zones = Vec::new();

@@ -1,4 +1,4 @@
-//! What is to be solved, in mm, N, s and MPa: a [`Model`] is one forming operation, a [`Stage`] a model and how it begins.
+//! Forming problems in mm, N, s and MPa: a [`Model`] is one operation, a [`Stage`] a model with its beginning.
 
 mod blank;
 mod check;
@@ -36,9 +36,9 @@ use crate::numerics::PiecewiseLinear;
 /// A validated forming problem in solver units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
-    /// Shown above plots and reports.
+    /// Title of plots and reports.
     pub title: String,
-    /// Declared assumptions, shown wherever results are shown.
+    /// Declared assumptions, shown with results.
     pub notes: Vec<String>,
     /// Axisymmetric or plane strain.
     pub geometry: Geometry,
@@ -46,70 +46,68 @@ pub struct Model {
     pub depth: Option<f64>,
     /// The sheet before forming.
     pub blank: Blank,
-    /// What the sheet is made of.
+    /// Metal of the sheet.
     pub material: Material,
-    /// At most one tool of each role.
+    /// Tools, at most one of each role.
     pub tools: Vec<Tool>,
     /// Line restraints across the flange.
     pub beads: Vec<Bead>,
-    /// At most one on each face.
+    /// Gas, at most one on each face.
     pub gas: Vec<Gas>,
-    /// `None` for a sheet at room temperature throughout.
+    /// Temperatures; `None` at room temperature throughout.
     pub heat: Option<Heat>,
-    /// Punch travel of the whole run \[mm\], in a later stage the longest path of a tool; 0 where none is driven.
+    /// Punch travel of the run, in a later stage the longest path of a tool \[mm\]; 0 without a driven tool.
     pub travel: f64,
     /// Punch travel over time \[mm over s\], rising from 0 at 0 to the whole travel; `None` at a constant speed.
     pub schedule: Option<PiecewiseLinear>,
-    /// Punch speed, the mean one where it changes; without a punch, the speed that counts as that of the process \[mm/s\].
+    /// Mean punch speed \[mm/s\]; without a punch, the reference speed.
     pub speed: f64,
-    /// Time that the run takes \[s\].
+    /// Duration of the run \[s\].
     pub duration: f64,
-    /// Whether its times are those of a press: a speed, a motion or a duration is given, or something in the model feels the
-    /// rate. Else they follow from a speed that stands for any, and no reader is told them.
+    /// True if times are those of a press: a speed, motion or duration is given, or something depends on the rate.
     pub timed: bool,
     /// Times at which the state is kept \[s\], rising, the last one equal to `duration`.
     pub frames: Vec<f64>,
-    /// What ends the run before its full travel.
+    /// Rules that end the run before its full travel.
     pub stop: StopRules,
-    /// How the problem is solved.
+    /// Numerical parameters.
     pub settings: Settings,
-    /// How the metal answers to strain.
+    /// Constitutive mode.
     pub mode: Mode,
-    /// `None` while the tools act.
+    /// Release of the tools; `None` while they act.
     pub release: Option<Release>,
-    /// The forming limit that the strains are held against; with one, their paths are kept.
+    /// Forming limit curve; with one, strain paths are kept.
     pub forming_limit: Option<Curve>,
 }
 
 impl Model {
-    /// What its forces and works are of.
+    /// Extent of the part that forces and work refer to.
     pub fn extent(&self) -> Extent {
         Extent::of(self.geometry, self.depth)
     }
 
-    /// The tool of a role, where there is one.
+    /// Tool of a role.
     pub fn tool(&self, role: Role) -> Option<&Tool> {
         self.tools.iter().find(|t| t.role == role)
     }
 
-    /// The elasticity that the sheet has in its mode: none by the flow law.
+    /// Elasticity in the model's mode; `None` by the flow law.
     pub fn elasticity(&self) -> Option<Elastic> {
         self.material.elastic.filter(|_| self.mode != Mode::Flow)
     }
 
-    /// Elastic energy per volume that a stress stores \[MPa\]; the flow law stores none.
+    /// Elastic energy per volume \[MPa\]; 0 by the flow law.
     pub fn stored(&self, stress: Triple) -> f64 {
         self.elasticity().map_or(0.0, |elastic| elastic.energy(stress))
     }
 
-    /// Cauchy's stress of one per initial volume \[MPa\]; by the flow law they are the same.
+    /// Cauchy stress of a stress per initial volume \[MPa\]; the same by the flow law.
     pub fn cauchy(&self, stress: Triple) -> Triple {
         let volume = self.elasticity().map_or(1.0, |elastic| elastic.volume_strain(stress).exp());
         stress.map(|stress| stress / volume)
     }
 
-    /// Whether the tools may leave the sheet: they go ways of their own, or stand and nothing else drives the sheet, as in
-    /// later stages.
+    /// True if the tools may leave the sheet: they follow paths of their own, or nothing drives the sheet.
     pub fn may_be_left(&self) -> bool {
         let goes_own_way = |tool: &Tool| matches!(tool.motion, Motion::Path(_));
         let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
@@ -117,12 +115,12 @@ impl Model {
         self.tools.iter().any(goes_own_way) || !(driven || self.release.is_some())
     }
 
-    /// The strain rate that a gas pressure holds, where one does.
+    /// Strain rate held by a gas pressure.
     pub fn rate_control(&self) -> Option<&RateControl> {
         self.held_gas().map(|(_, control)| control)
     }
 
-    /// The gas whose pressure holds a strain rate, and how.
+    /// Gas whose pressure holds a strain rate.
     pub fn held_gas(&self) -> Option<(&Gas, &RateControl)> {
         self.gas.iter().find_map(|gas| match &gas.pressure {
             Pressure::Rate(control) => Some((gas, control)),
@@ -130,8 +128,7 @@ impl Model {
         })
     }
 
-    /// Sets another punch travel \[mm\] at the same speed, or along the same history, whose last speed goes on where it is
-    /// too short; the state is kept at its end only.
+    /// Sets the punch travel \[mm\] at the same speed or schedule, extended at its last speed; keeps a frame at the end only.
     pub fn drive_to(&mut self, travel: f64) {
         self.travel = travel;
         if let Some(schedule) = &mut self.schedule {
@@ -152,7 +149,7 @@ impl Model {
         }
     }
 
-    /// Share of the run that is done at a time \[–\]: of its travel, or of its time where there is no travel.
+    /// Progress of the run at a time \[–\]: share of its travel, or of its time without travel.
     pub fn progress(&self, time: f64) -> f64 {
         if self.travel > 0.0 { self.travel_at(time) / self.travel } else { time / self.duration }
     }
@@ -165,9 +162,8 @@ impl Model {
         }
     }
 
-    /// Process time of the part of the run from `time` on that takes `dt` \[s\] by the clock: how long it would take at the
-    /// mean speed \[s\]. Lengths of steps are measured in it, so that a punch that changes its speed goes equal ways in
-    /// equal steps.
+    /// Process time of the clock interval `dt` from `time` on: its duration at the mean speed \[s\]. Steps are measured in it, so
+    /// that equal steps are equal travels.
     pub fn process_time(&self, time: f64, dt: f64) -> f64 {
         match &self.schedule {
             Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,
@@ -175,7 +171,7 @@ impl Model {
         }
     }
 
-    /// Time by the clock \[s\] of the part from `time` on that has this process time \[s\].
+    /// Clock interval from `time` on of this process time \[s\].
     pub fn clock_time(&self, time: f64, process_time: f64) -> f64 {
         match &self.schedule {
             Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * process_time / self.duration) - time,
@@ -183,7 +179,7 @@ impl Model {
         }
     }
 
-    /// Time after `time` at which the punch next changes its speed \[s\]; infinite where it does not.
+    /// Next time at which the punch changes its speed \[s\]; infinite if never.
     pub fn next_change(&self, time: f64) -> f64 {
         let changes = self.schedule.iter().flat_map(|schedule| schedule.points());
         let after = time + 1e-12 * self.duration;

@@ -1,8 +1,8 @@
-//! The words that shops have for the tools, in English, German and French: layers of drawings and keys of case files.
+//! Names of the tools in English, German and French, for layers of drawings and keys of case files.
 
 use super::Role;
 
-/// What each tool is called, in small letters without accents and separators; longer words contain shorter ones of the same tool.
+/// Names of each tool in small letters without accents and separators.
 const WORDS: [(Role, &[&str]); 3] = [
     (Role::Punch, &["punch", "stempel", "patrize", "poincon"]),
     (Role::Die, &["die", "matrix", "drawring", "matrize", "ziehring", "gesenk", "matrice"]),
@@ -23,26 +23,25 @@ const WORDS: [(Role, &[&str]); 3] = [
     ),
 ];
 
-/// Common words that go before another and leave the tool what it is: `blank holder`, `Ziehstempel`.
+/// Prefixes that do not change the tool: `blank holder`, `Ziehstempel`.
 const BEFORE: [&str; 6] = ["blank", "draw", "drawing", "forming", "zieh", "blech"];
 
-/// Tools that a section does not have, though a tool's word is in theirs: what stands against the punch, what carries a tool.
+/// Names of other tools that contain a tool's name.
 const OTHERS: [&str; 7] =
     ["gegenhalter", "gegenstempel", "counterpunch", "counterholder", "contrepoincon", "stempelhalter", "portepoincon"];
 
-/// Words up to this length are looked for at the ends of a text's words only \[letters\]: "Radien" is no die.
+/// Length up to which names are searched at the ends of words only: "Radien" is no die.
 const SHORT: usize = 3;
 
 impl Role {
-    /// The tool that a whole word or phrase means: `binder`, `Blank holder`, `Ziehstempel`, `serre-flan`. Case, accents and
-    /// separators do not count.
+    /// Tool of a whole word or phrase, without case, accents and separators: `binder`, `Ziehstempel`, `serre-flan`.
     pub fn from_word(word: &str) -> Option<Self> {
         let word: String = letters(word).concat();
         let means = |word: &str| WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(role, _)| *role);
         means(&word).or_else(|| BEFORE.iter().find_map(|before| means(word.strip_prefix(before)?)))
     }
 
-    /// The tools that a text names somewhere, in the order of [`ALL`](Self::ALL): `upper punch`, `OP20_PUNCH`, `Matrize 1`.
+    /// Tools that a text names, in the order of [`ALL`](Self::ALL): `upper punch`, `OP20_PUNCH`, `Matrize 1`.
     pub fn named_in(text: &str) -> Vec<Self> {
         let words = letters(text);
         let mut whole = words.concat();
@@ -59,7 +58,7 @@ impl Role {
     }
 }
 
-/// The words of a text: runs of small letters without accents; a capital after a small letter begins another.
+/// Words of a text in small letters without accents; a capital after a small letter begins another.
 fn letters(text: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut after_small = false;
@@ -98,45 +97,32 @@ fn add_plain(word: &mut String, c: char) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Role::{Die, Holder, Punch};
 
     /// Trust: the words of the trade, written out by hand.
     #[test]
     fn a_word_means_its_tool_in_three_languages() {
-        let said = |words: &[&str], role| {
-            for word in words {
-                assert_eq!(Role::from_word(word), Some(role), "{word}");
-            }
-        };
-        said(&["punch", "PUNCH", "Stempel", "Ziehstempel", "draw punch", "Poinçon", "poinc\u{327}on"], Role::Punch);
-        said(&["die", "matrix", "draw ring", "draw_die", "Matrize", "Ziehring", "matrice"], Role::Die);
-        said(&["holder", "binder", "blank holder", "blank_holder", "Blankholder", "blank-holder"], Role::Holder);
-        said(&["Niederhalter", "Blechhalter", "Blech-Niederhalter", "serre-flan", "serre-tôle"], Role::Holder);
-        for word in ["", "blank", "Gegenhalter", "punch holder", "ring", "died", "punches 2"] {
-            assert_eq!(Role::from_word(word), None, "{word}");
+        for (words, role) in [
+            ("punch, PUNCH, Stempel, Ziehstempel, draw punch, Poinçon, poinc\u{327}on", Some(Punch)),
+            ("die, matrix, draw ring, draw_die, Matrize, Ziehring, matrice", Some(Die)),
+            ("holder, binder, blank holder, blank_holder, Blech-Niederhalter, serre-flan, serre-tôle", Some(Holder)),
+            ("blank, Gegenhalter, punch holder, ring, died, punches 2", None),
+        ] {
+            words.split(", ").for_each(|word| assert_eq!(Role::from_word(word), role, "{word}"));
         }
     }
 
     #[test]
     fn a_text_names_the_tools_whose_words_it_holds() {
-        use Role::{Die, Holder, Punch};
-        for (text, roles) in [
-            ("OP20_PUNCH", &[Punch][..]),
-            ("upper punch", &[Punch]),
-            ("LowerDie2", &[Die]),
-            ("lowerdie", &[Die]),
-            ("OP10 - Ziehstempel unten", &[Punch]),
-            ("SERRE FLAN", &[Holder]),
-            ("Blank holder 1", &[Holder]),
+        for (texts, roles) in [
+            ("OP20_PUNCH, upper punch, OP10 - Ziehstempel unten", &[Punch][..]),
+            ("LowerDie2, lowerdie", &[Die]),
+            ("SERRE FLAN, Blank holder 1", &[Holder]),
             ("punch and die", &[Punch, Die]),
             ("die holder", &[Die, Holder]),
-            // What stands against the punch or carries it is no tool of a section.
-            ("Gegenhalter", &[]),
-            ("counter-punch", &[]),
-            ("Stempelhalter", &[]),
-            ("Radien", &[]),
-            ("centre line", &[]),
+            ("Gegenhalter, counter-punch, Stempelhalter, Radien, centre line", &[]),
         ] {
-            assert_eq!(Role::named_in(text), roles, "{text}");
+            texts.split(", ").for_each(|text| assert_eq!(Role::named_in(text), roles, "{text}"));
         }
     }
 }

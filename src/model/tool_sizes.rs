@@ -1,26 +1,24 @@
-//! Sizes read off a tool's section, however it was drawn.
+//! Sizes of tools measured on their sections.
 
 use super::{Geometry, Role, Tool};
 use crate::geometry::{Piece, Point, Segment};
 use crate::numerics::bisect;
 
-/// Smallest and largest r of a tool \[mm\].
+/// Smallest and largest distance of a tool from the axis \[mm\].
 pub fn extent(tool: &Tool) -> (f64, f64) {
     let points = tool.profile.polyline(0.01);
     points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
 }
 
-/// Points of an arc that are looked at are this far apart [rad].
+/// Sampling of arcs \[rad\] and number of parts of a line.
 const FINE: f64 = 0.005;
-/// Parts of a line that are looked at.
 const PARTS: usize = 8;
 
-/// Rounded coordinates may miss by this \[mm\].
+/// Rounding of coordinates \[mm\].
 const ROUNDED: f64 = 1e-6;
 
-/// Largest r of a punch down to `depth` behind its foremost point \[mm\]: at the full travel, what has passed the flat
-/// sheet's lower face and makes the part's mouth. A rounding counts as a whole, so that a straight-walled punch has its wall
-/// from the start; a cone has less than its [`extent`] until all of it has passed.
+/// Largest r of a punch down to `depth` behind its foremost point \[mm\]: the mouth of the part at this travel. A rounding counts
+/// as a whole, so that a straight-walled punch has its wall from the start.
 pub fn mouth(punch: &Tool, depth: f64) -> f64 {
     let pieces = punch.profile.pieces();
     let top = punch.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
@@ -40,12 +38,12 @@ pub fn mouth(punch: &Tool, depth: f64) -> f64 {
     passed.fold(cut, f64::max)
 }
 
-/// Whether a punch is wider behind what goes through the flat sheet on its travel \[mm\].
+/// True if a punch is wider behind the part that goes through the flat sheet on its travel \[mm\].
 pub fn widens(punch: &Tool, travel: f64) -> bool {
     mouth(punch, travel) < extent(punch).1 - ROUNDED
 }
 
-/// What a distance from the axis or symmetry plane is called, as a size of a part.
+/// Name of a distance from the axis or symmetry plane.
 pub fn across(geometry: Geometry) -> &'static str {
     match geometry {
         Geometry::Axisymmetric => "radius",
@@ -58,16 +56,16 @@ pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
 }
 
-/// How close two tools are.
+/// Distance of two tools.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap {
-    /// Smallest signed distance [mm], negative where one is inside the other.
+    /// Smallest signed distance \[mm\], negative where they overlap.
     pub distance: f64,
-    /// Where, as tools are placed [mm].
+    /// Closest place, as tools are placed \[mm\].
     pub at: Point,
 }
 
-/// The gap between two tools when the punch has gone up by `travel` [mm].
+/// Gap between two tools at a travel of the punch \[mm\].
 pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
     let up = |tool: &Tool| if tool.role == Role::Punch { travel } else { 0.0 };
     let shift = Point::new(0.0, up(a) - up(b));
@@ -75,15 +73,15 @@ pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
     Gap { distance, at: at + Point::new(0.0, up(b)) }
 }
 
-/// How far the punch goes before it is closer than `least` to another tool \[mm\], up to `most`, where it is.
+/// Travel of the punch at which it is closer than `least` to another tool \[mm\], at most `most`.
 pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
     let is_stuck = |travel: f64| gap(punch, other, travel).distance < least;
     let [free, _] = bisect(0.0, most, 30, |travel| !is_stuck(travel));
     free
 }
 
-/// Where the die's shoulder ends and its flat begins [mm]: at the innermost line on the level of its outermost one, so that
-/// the groove of a bead is no shoulder; of a die without a throat or without such lines where its last corner ends.
+/// Radius where the die's shoulder ends \[mm\]: at the innermost line on the level of its outermost one, so that the groove of a
+/// bead is no shoulder; else where its last corner ends.
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {
     let level = flat_level(die);
     let at_level = flats(die).filter(|flat| level.is_some_and(|level| (flat.to.y - level).abs() < ROUNDED));
@@ -96,7 +94,7 @@ pub(crate) fn flat_level(tool: &Tool) -> Option<f64> {
     flats(tool).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x))).map(|flat| flat.to.y)
 }
 
-/// The lines of a section that lie flat, in order.
+/// Flat lines of a section in order.
 fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
     tool.profile.pieces().iter().filter_map(|piece| match piece {
         Piece::Segment(line) if (line.to.y - line.from.y).abs() < ROUNDED => Some(*line),
