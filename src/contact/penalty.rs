@@ -2,9 +2,8 @@
 
 /// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
-/// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over. The 3 puts the
-/// pressures of forming, which are k δ/20 rather than k δ, at a gap of nothing: the sheet neither stands off nor sinks in by
-/// more than δ or two, and δ may be as large as smooth load curves need.
+/// Smoothing halves the iterations of the bare ramp. The 3 puts the pressures of forming, k δ/20, at a gap of zero: the sheet neither
+/// stands off nor sinks in by more than δ or two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalty {
     /// k \[N/mm³\].

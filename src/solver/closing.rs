@@ -23,7 +23,7 @@ pub fn closing_way(model: &Model) -> Option<f64> {
         Motion::Pressed(press) if !press.is_idle() => model.blank.thickness,
         _ => return None,
     };
-    let way = distance_blocks::rise(&holder.profile, &die.profile, apart);
+    let way = distance_blocks::travel_until(&holder.profile, &die.profile, apart);
     let (distance, at) = holder.profile.distance_to(&die.profile, Point::new(0.0, way));
     let meets = distance < (1.0 + LIES) * apart && at.x < model.blank.length;
     let held = !matches!(model.blank.edge, Edge::Pulled { .. });

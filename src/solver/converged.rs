@@ -1,4 +1,4 @@
-//! A step in equilibrium, and the state that it leads to.
+//! Converged steps and the states after them.
 
 use super::corrector::Outcome;
 use super::elastic_volume;
@@ -14,7 +14,7 @@ use crate::model::{Edge, Mode, Theory};
 use crate::numerics::Grid;
 use crate::solver::state::{MaterialPoint, State};
 
-/// A step in equilibrium.
+/// Converged step.
 pub(super) struct Converged<'a> {
     pub step: &'a Step<'a>,
     pub trial: &'a Trial,
@@ -23,19 +23,19 @@ pub(super) struct Converged<'a> {
 }
 
 impl<'a> Converged<'a> {
-    /// A step that has come to equilibrium by its norms.
+    /// Completes a step in equilibrium.
     pub fn new(step: &'a Step, trial: &'a mut Trial, evaluation: &'a mut Evaluation, outcome: Outcome) -> Self {
         settle(step, trial, evaluation);
         contact::measure_far(step, trial, evaluation);
         Self { step, trial, evaluation, outcome }
     }
 
-    /// Largest equivalent strain that the step adds at a thickness point \[–\].
+    /// Largest equivalent strain increment at a thickness point \[–\].
     pub fn strain_increment(&self) -> f64 {
         self.evaluation.updates.iter().map(|update| update.increment).fold(0.0, f64::max)
     }
 
-    /// The state at the end of the step, at the temperatures of its start.
+    /// State at the end of the step, at the temperatures of its start.
     pub fn advanced(&self) -> State {
         let Self { step, trial, evaluation, .. } = self;
         let Step { model, state, dt, .. } = **step;
@@ -98,9 +98,8 @@ impl<'a> Converged<'a> {
         next
     }
 
-    /// Velocities at the end of the step, on a straight line through the means of this step and the one before, which hold
-    /// for their middles. Further ahead than that the changes of contact would be drawn out too; elastoplastic metal, whose
-    /// stress remembers the way, keeps the mean.
+    /// Velocities extrapolated linearly to the end of the step from the means of this and the last one; elastoplastic metal keeps
+    /// the mean.
     fn end_velocity(&self, mean: &[Node]) -> Vec<Node> {
         let Step { model, state, dt, speed_ratio, number, .. } = *self.step;
         if model.mode != Mode::Flow || number == 1 {
@@ -112,15 +111,14 @@ impl<'a> Converged<'a> {
     }
 }
 
-/// After a step has come to equilibrium: the points of membranes take what their one point found, and fibres that nothing
-/// resists turn with the sheet, so that an element that bends later starts with its fibres upright.
+/// Copies the result of a membrane to all its points, and turns free fibres with the sheet, so that later bending starts upright.
 fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
     if step.model.blank.theory != Theory::Selective {
         return;
     }
     for e in step.membranes() {
         let (iterate, update) = (trial.iterates[(e, 0)], evaluation.updates[(e, 0)]);
-        for k in 1..step.process.rule.len() {
+        for k in 1..step.context.rule.len() {
             trial.iterates[(e, k)] = iterate;
         }
         evaluation.updates.row_mut(e).fill(update);

@@ -1,8 +1,8 @@
-//! The implicit corrector: iterates with H until the step is in equilibrium (Sosnowski 1994, equation 9).
+//! Implicit corrector: iterates with H until equilibrium (Sosnowski 1994, equation 9).
 
 use super::equilibrium::evaluate;
 use super::evaluation::{Evaluation, Linearisation};
-use super::process::Process;
+use super::run_context::RunContext;
 use super::step::Step;
 use super::trial::Trial;
 use super::{Iterate, Observer, Start};
@@ -11,48 +11,45 @@ use crate::solver::solution::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;
-/// The same while the tools are taken away: long thin walls swing far.
+/// Largest move during a release, over the thickness \[–\].
 const LARGEST_SWING: f64 = 5.0;
 /// Largest turn of a fibre in one iteration \[rad\].
 const LARGEST_TURN: f64 = 0.3;
-/// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
+/// Largest residual accepted with the velocity norm \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
-/// Residual over the largest force below which what is left of the velocities' error is foreseen from how it fell, and not
-/// waited for \[–\]: forces of all shipped cases then agree with those of one more iteration within 1e-6.
+/// Residual below which the remaining velocity error is extrapolated \[–\]: forces then agree within 1e-6.
 const SETTLED_RESIDUAL: f64 = 1e-3;
-/// Mean move of a node, over the sheet thickness, below which a step counts as standing still \[–\]: the velocity norm is
-/// then that of this move, for no increment is small against nothing.
+/// Least reference move of a node in the velocity norm, over the thickness \[–\].
 const STILL: f64 = 1e-6;
-/// Share by which a pressure may miss or exceed the cap that it sits on \[–\]: its equation is linear, so this is round-off.
+/// Accepted relative distance of a pressure from its cap \[–\].
 const CAP: f64 = 1e-10;
-/// The secant matrix converges linearly and gets this many times the iterations.
+/// Factor on the iterations of the secant matrix, which converges linearly.
 const SECANT_PATIENCE: usize = 10;
 
-/// How many times the usual iterations a matrix may take.
+/// Factor on the iterations of a matrix.
 pub(super) fn patience(matrix: Iteration) -> usize {
     if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 }
 }
 
-/// How a try of a step went.
+/// Outcome of a try of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome {
     pub converged: bool,
-    /// Whether the observer wanted to stop.
+    /// True if the observer ended the run.
     pub interrupted: bool,
     pub iterations: usize,
-    /// Times that the corrector was gone through: 1, and one more for every round of the augmented Lagrangian.
+    /// Passes of the corrector: 1 and the rounds of the augmented Lagrangian.
     pub rounds: usize,
-    /// Of the last increment, where it was taken whole: else nothing is known of how far the answer is.
+    /// Norm of the last increment; infinite unless taken whole.
     pub velocity_norm: f64,
-    /// The same of any last increment; 0 where none was needed.
+    /// Norm of the last increment, whole or not; 0 without one.
     pub increment: f64,
-    /// What the increments yet to come would add up to, if they went on falling as the last two did \[–\].
+    /// Extrapolated sum of the increments to come \[–\].
     pub velocity_left: f64,
     pub residual_norm: f64,
 }
 
 impl Outcome {
-    /// Of a try that has not begun.
     pub const BEGUN: Self = Self {
         converged: false,
         interrupted: false,
@@ -64,7 +61,7 @@ impl Outcome {
         residual_norm: f64::INFINITY,
     };
 
-    /// Notes an increment of the velocities, taken whole or not.
+    /// Records an increment of the velocities.
     fn moved(&mut self, increment: f64, whole: bool) {
         self.increment = increment;
         let norm = if whole { increment } else { f64::INFINITY };
@@ -74,7 +71,7 @@ impl Outcome {
         self.velocity_norm = norm;
     }
 
-    /// Whether the next evaluation is the last by what the velocities say, where it is they that are asked.
+    /// True if the next evaluation is expected to be the last by the velocity norm.
     fn foresees_end(&self, model: &Model) -> bool {
         let settings = &model.settings;
         settings.norm == Norm::Velocity && self.velocity_norm.min(self.velocity_left) <= settings.tolerance
@@ -101,7 +98,7 @@ pub(super) fn correct(
     let mut outcome = Outcome::BEGUN;
     let searches = model.mode != Mode::Flow && trial.kept.is_none();
     loop {
-        // The last evaluation needs no matrix; where the forces disagree that it is the last it is made again.
+        // The last evaluation needs no matrix; it is repeated with one if it was not the last.
         let foreseen = trial.kept.is_none() && outcome.foresees_end(model);
         if !judge(step, trial, matrix, foreseen, evaluation, &mut outcome)
             || (foreseen && !outcome.converged && !judge(step, trial, matrix, false, evaluation, &mut outcome))
@@ -111,13 +108,13 @@ pub(super) fn correct(
         observe(step, pass, trial, evaluation, &outcome, observer);
         let looks_back = searches && (1..most).contains(&outcome.iterations);
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
-            trial.advance(step.process, -back);
+            trial.advance(step.context, -back);
             outcome.iterations += 1;
             outcome.moved(velocity_norm(model, trial, back), false);
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
-            outcome.converged &= !has_negative_pressure(step.process, trial);
+            outcome.converged &= !has_negative_pressure(step.context, trial);
             return outcome;
         }
         if observer.wants_to_stop() {
@@ -125,9 +122,9 @@ pub(super) fn correct(
             return outcome;
         }
         outcome.iterations += 1;
-        let share = allowed_share(step.process, trial);
+        let share = allowed_share(step.context, trial);
         trial.line.go(share);
-        trial.advance(step.process, share);
+        trial.advance(step.context, share);
         // A capped increment says nothing of how far the answer still is.
         outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
     }
@@ -162,7 +159,7 @@ fn observe(
     observer.iteration(&record, &iterate);
 }
 
-/// Evaluates a trial and notes how far it is from equilibrium; `false` when an element has collapsed.
+/// Evaluates a trial and its convergence; `false` when an element has collapsed.
 fn judge(
     step: &Step,
     trial: &mut Trial,
@@ -180,7 +177,7 @@ fn judge(
     sound
 }
 
-/// Whether the norms that the settings ask for are small.
+/// True if the requested norms are small.
 fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
     let small = |norm: f64| norm <= model.settings.tolerance;
     let settled = outcome.residual_norm <= SETTLED_RESIDUAL && small(outcome.velocity_left);
@@ -194,20 +191,20 @@ fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bo
 }
 
 /// True if a strain-rate-controlled gas pressure came out negative: the sheet bulges to the wrong side.
-fn has_negative_pressure(process: &Process, trial: &Trial) -> bool {
-    process.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
+fn has_negative_pressure(context: &RunContext, trial: &Trial) -> bool {
+    context.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
-/// The share of the direction that moves nothing too far.
-fn allowed_share(process: &Process, trial: &Trial) -> f64 {
-    let (model, line) = (process.model, &trial.line);
+/// Share of the direction that moves nothing too far.
+fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
+    let (model, line) = (context.model, &trial.line);
     let t = model.blank.thickness;
     let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
     let mut share: f64 = 1.0;
     for d in &line.direction {
         share = share.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
     }
-    for k in process.tools.iter().filter_map(|tool| tool.shared) {
+    for k in context.tools.iter().filter_map(|tool| tool.shared) {
         share = share.min(LARGEST_MOVE * t / line.shared[k].abs());
     }
     share

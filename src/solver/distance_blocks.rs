@@ -13,11 +13,15 @@ const LAST_RISE: f64 = 1e-6;
 /// \[mm\]; `None` without a holder.
 pub(super) fn block_height(model: &Model) -> Option<f64> {
     let (holder, apart) = (model.tool(Role::Holder)?, APART * model.blank.thickness);
-    Some(model.tool(Role::Die).map_or(model.blank.thickness - apart, |die| rise(&holder.profile, &die.profile, apart)))
+    Some(
+        model
+            .tool(Role::Die)
+            .map_or(model.blank.thickness - apart, |die| travel_until(&holder.profile, &die.profile, apart)),
+    )
 }
 
 /// Move of a holder at which its closest place is so far from the die \[mm\].
-pub(super) fn rise(holder: &Profile, die: &Profile, apart: f64) -> f64 {
+pub(super) fn travel_until(holder: &Profile, die: &Profile, apart: f64) -> f64 {
     let heights = |profile: &Profile| {
         let points = profile.polyline(0.01);
         let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
@@ -49,7 +53,7 @@ mod tests {
     }
 
     fn height(holder: &Profile, die: &Profile) -> f64 {
-        rise(holder, die, APART * T)
+        travel_until(holder, die, APART * T)
     }
 
     /// Trust: plain subtraction where flat lies under flat; nothing of a sleeve within the throat comes near the wall.

@@ -15,7 +15,7 @@ use crate::solver::state::State;
 /// Corrects the thickness of `next` by the volume strain of its stress.
 pub(super) fn follow(elastic: Elastic, step: &Step, evaluation: &Evaluation, next: &mut State) {
     for (e, updates) in evaluation.updates.rows().enumerate() {
-        let points = updates.iter().zip(&step.process.rule);
+        let points = updates.iter().zip(&step.context.rule);
         let volume: f64 = points.map(|(update, at)| at.weight * elastic.volume_strain(update.stress)).sum();
         next.thickness[e] *= (volume - next.dilation[e]).exp();
         next.dilation[e] = volume;

@@ -33,7 +33,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     }
     let left = |time: f64| 1.0 - time / model.duration;
     let fading = 0.5 * (left(state.time) + left(step.end()));
-    for (force, u) in step.process.unloading.iter().zip(&trial.moves) {
+    for (force, u) in step.context.unloading.iter().zip(&trial.moves) {
         done.external += fading * force.dot(&Vector3::from(*u));
     }
     let cutoff = step.cutoff(trial.softening);
@@ -41,7 +41,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     let mut plastic_of = vec![0.0; now.thickness.len()];
     for (e, (updates, points)) in now.updates.rows().zip(state.points.rows()).enumerate() {
         let (shrinks, volume) = (1.0 / step.growth[e], step.volume[e]);
-        for (k, ((update, point), at)) in updates.iter().zip(points).zip(&step.process.rule).enumerate() {
+        for (k, ((update, point), at)) in updates.iter().zip(points).zip(&step.context.rule).enumerate() {
             // Work per volume of the step's end; a porous sheet began with less of it.
             let strain = trial.strain(e, k);
             let [s, t, shear] = point.stress;

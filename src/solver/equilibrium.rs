@@ -60,7 +60,7 @@ fn measure_residual(step: &Step, largest_force: f64, out: &mut Evaluation) {
     let (worst, residual) = residuals.fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
     out.worst_node = worst;
     out.residual_norm = match largest_force > 0.0 {
-        true => residual / largest_force.max(step.process.least_force),
+        true => residual / largest_force.max(step.context.least_force),
         // A sheet that all tools have left is at rest; one that none has reached yet says nothing.
         false if step.model.may_be_left() => 0.0,
         false => f64::INFINITY,

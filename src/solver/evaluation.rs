@@ -1,8 +1,8 @@
-//! What follows from a step and a trial of it: residual, matrix, stress, contacts.
+//! Evaluation of a trial: residual, matrix, stress, contacts.
 
-use super::contact_tangent::{ContactTangent, Near, Place};
-use super::process::{Process, references};
-use super::step::rise;
+use super::contact_force_tangent::{ContactCandidate, ContactForceTangent, ContactPosition};
+use super::run_context::{RunContext, references};
+use super::step::half_thickness_difference;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::Vector6;
@@ -16,29 +16,28 @@ use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
 use nalgebra::Vector3;
 
-/// Pressure over that of touching above which a point counts as in contact \[–\].
+/// Least pressure of a point in contact, over that of touching \[–\].
 const LIGHT: f64 = 0.01;
 
-/// How an iteration linearises the equilibrium.
+/// Linearisation of an iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linearisation {
     pub matrix: Iteration,
-    /// Whether the residual alone is asked for, and the matrix may stay empty.
+    /// True if the matrix is not needed.
     pub residual_alone: bool,
-    /// Counts from 0.
     pub iteration: usize,
-    /// Of the last iteration \[–\].
+    /// Velocity norm of the last iteration \[–\].
     pub velocity_norm: f64,
 }
 
-/// One point of the sheet against one tool at the end of the step under trial; forces are zero when it is out of reach.
+/// Contact of a point with a tool; forces are zero out of reach.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Contact {
-    /// Gap between the tool and the sheet's face \[mm\]; infinite until measured when far away.
+    /// Gap between the tool and the sheet's face \[mm\]; infinite if not measured.
     pub gap: f64,
-    /// By how much more than the gap a face has closed up in the step, as its force sees it \[mm\].
+    /// Move of the face by thinning in the step beyond the gap \[mm\].
     pub closing: f64,
-    /// Normal force and friction \[N, or N/mm\], and the slip that goes with it \[mm\].
+    /// Normal force and friction \[N, or N/mm\], and slip \[mm\].
     pub normal: f64,
     pub tangential: f64,
     pub slip: f64,
@@ -49,42 +48,42 @@ pub(super) struct Contact {
 }
 
 impl Contact {
-    /// A point far away that nothing presses.
+    /// Point far away.
     pub fn free() -> Self {
         Self { gap: f64::INFINITY, ..Self::default() }
     }
 
-    /// Whether the tool presses at all, however lightly.
+    /// True if the tool presses.
     pub fn is_active(&self, penalty: &Penalty) -> bool {
         self.pressure.value > LIGHT * penalty.at_touch()
     }
 
-    /// Whether the sheet lies on the tool, pressed or not.
+    /// True if the sheet lies on the tool.
     pub fn lies_on(&self, penalty: &Penalty) -> bool {
         self.gap < penalty.lying()
     }
 }
 
-/// Force of a bead on the sheet along r \[N, or N/mm\], and the sheet's slip through it in the step \[mm\].
+/// Force of a bead along r \[N, or N/mm\], and slip through it in the step \[mm\].
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BeadForce {
     pub force: f64,
     pub slip: f64,
 }
 
-/// How a pressure that holds a strain rate stands.
+/// State of a strain-rate-controlled pressure.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct HeldRate {
     /// Norm of the strain rate over its target \[–\].
     pub norm: f64,
-    /// The cap that the pressure sits on, and by what share it misses or exceeds it \[–\].
+    /// Active cap, and the relative distance from it \[–\].
     pub on_cap: Option<PressureCap>,
     pub beyond_cap: f64,
 }
 
-/// All that goes with a trial: a function of the step and the trial. Allocated once for a run.
+/// Evaluation of a trial; allocated once for a run.
 pub(super) struct Evaluation {
-    /// H, and −r on its right-hand side: ready for δx = −H⁻¹ r.
+    /// H with −r on its right-hand side.
     pub system: System,
     pub nodes: Vec<Node>,
     /// Elements by thickness points.
@@ -96,11 +95,11 @@ pub(super) struct Evaluation {
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
-    /// The contact points, and what all tools do to them.
-    pub places: Vec<Place>,
-    pub contact_tangents: Vec<ContactTangent>,
-    /// The contact points within reach of the tool that was looked at last.
-    pub near: Vec<Near>,
+    /// Positions of the contact points.
+    pub contact_positions: Vec<ContactPosition>,
+    pub contact_tangents: Vec<ContactForceTangent>,
+    /// Contact points within reach of the last tool.
+    pub near: Vec<ContactCandidate>,
     /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
@@ -111,40 +110,39 @@ pub(super) struct Evaluation {
     /// Force of the gas on every node \[N, or N/mm\].
     pub gas_force: Vec<Point>,
     pub held_rate: HeldRate,
-    /// What of the holder's force its distance blocks bear \[N, or N/mm\].
+    /// Force of the holder on its distance blocks \[N, or N/mm\].
     pub block_force: f64,
-    /// Residual of the edge before boundary conditions: the reaction where a freedom is held.
+    /// Residual of the edge before boundary conditions: its reaction.
     pub edge_reaction: Vector3<f64>,
-    /// Largest nodal residual over the largest internal or contact force of a node or the least that counts, and the node
-    /// where it sits.
+    /// Largest nodal residual over the largest nodal force, at least the least force, and its node.
     pub residual_norm: f64,
     pub worst_node: usize,
 }
 
-/// The largest force in the plane of the section \[N, or N/mm\].
+/// Largest force in the plane of the section \[N, or N/mm\].
 pub(super) fn largest(forces: &[Vector3<f64>]) -> f64 {
     forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max)
 }
 
 impl Evaluation {
-    /// What a state begins with: its pressures, and what they push with; friction has to set in anew.
-    pub fn new(process: &Process, state: &State) -> Self {
+    /// Evaluation of a state at rest: contact pressures without friction.
+    pub fn new(context: &RunContext, state: &State) -> Self {
         let (n, elements) = (state.nodes.len(), state.thickness.len());
         let mut start = Self {
-            system: System::new(n, process.shared),
+            system: System::new(n, context.shared),
             nodes: state.nodes.clone(),
-            updates: Grid::new(elements, process.rule.len(), StressUpdate::default()),
+            updates: Grid::new(elements, context.rule.len(), StressUpdate::default()),
             thickness: state.thickness.clone(),
             thickness_rows: vec![Vector6::zeros(); elements],
             membrane_increment: vec![[0.0; 2]; elements],
-            membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
-            places: vec![Place::default(); state.contact_points()],
-            contact_tangents: vec![ContactTangent::default(); state.contact_points()],
+            membrane_rows: vec![[[0.0; 4]; 2]; if context.holds_rate() { elements } else { 0 }],
+            contact_positions: vec![ContactPosition::default(); state.contact_points()],
+            contact_tangents: vec![ContactForceTangent::default(); state.contact_points()],
             near: Vec::with_capacity(state.contact_points()),
-            contacts: Grid::new(process.tools.len(), state.contact_points(), Contact::free()),
-            tool_force: vec![Point::zeros(); process.tools.len()],
+            contacts: Grid::new(context.tools.len(), state.contact_points(), Contact::free()),
+            tool_force: vec![Point::zeros(); context.tools.len()],
             active_contacts: 0,
-            bead_force: vec![BeadForce::default(); process.model.beads.len()],
+            bead_force: vec![BeadForce::default(); context.model.beads.len()],
             gas_force: vec![Point::zeros(); n],
             held_rate: HeldRate::default(),
             block_force: 0.0,
@@ -152,14 +150,15 @@ impl Evaluation {
             residual_norm: 0.0,
             worst_node: 0,
         };
-        let references: Vec<Reference> = references(process.model, state, &state.bends).collect();
+        let references: Vec<Reference> = references(context.model, state, &state.bends).collect();
         let areas: Vec<f64> = references.iter().flat_map(Reference::contact_areas).collect();
-        let rise = rise(&references, &state.thickness);
-        for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+        let rise = half_thickness_difference(&references, &state.thickness);
+        for (j, tool) in context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let (e, k) = (i / STATIONS, i % STATIONS);
                 let station = &stations(state.bends[e])[k];
-                let place = Place::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
+                let place =
+                    ContactPosition::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
                 let closest = tool.profile.closest(place.position - state.tools[j]);
                 contact.gap = place.gap(closest.distance);
                 let pressure = state.pressure[(j, i)];
@@ -179,14 +178,14 @@ impl Evaluation {
         self.thickness[i / STATIONS]
     }
 
-    /// A tool that lets go: what its springs stored is lost.
+    /// Removes the forces of a tool that lets go.
     pub fn release(&mut self, tool: usize) {
         for contact in self.contacts.row_mut(tool) {
             (contact.normal, contact.tangential) = (0.0, 0.0);
         }
     }
 
-    /// Largest penetration of an element over its thickness \[–\]: what the contact method lets through.
+    /// Largest penetration of an element over its thickness \[–\].
     pub fn penetration(&self) -> f64 {
         let rows = self.contacts.rows().map(|row| row.chunks_exact(STATIONS).zip(&self.thickness));
         let deep = rows.flatten().filter_map(|(contacts, thickness)| Some(-mean_gap(contacts)? / thickness));
@@ -194,7 +193,7 @@ impl Evaluation {
     }
 }
 
-/// Gap of an element, the mean of its points' by their pressures \[mm\]; `None` where nothing presses.
+/// Pressure-weighted mean gap of an element \[mm\]; `None` without pressure.
 pub(super) fn mean_gap(contacts: &[Contact]) -> Option<f64> {
     let pressed = contacts.iter().filter(|contact| contact.pressure.value > 0.0);
     let (sum, weight) = pressed.fold((0.0, 0.0), |(sum, weight), contact| {

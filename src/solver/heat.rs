@@ -96,7 +96,7 @@ impl<'a> HeatSolver<'a> {
         for &(j, tool) in &self.tools {
             for e in 0..n {
                 for point in STATIONS * e..STATIONS * (e + 1) {
-                    if evaluation.contacts[(j, point)].lies_on(&step.process.penalty) {
+                    if evaluation.contacts[(j, point)].lies_on(&step.context.penalty) {
                         let exchanged = step.dt * tool.transfer * step.areas[point];
                         self.exchange[e][0] += exchanged;
                         self.exchange[e][1] += exchanged * tool.temperature;

@@ -20,7 +20,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
     for e in 0..next.ironed.len() {
         if is_between_walls(converged, e) {
             next.ironed[e] += (step.state.thickness[e] / next.thickness[e]).ln();
-            for (j, tool) in step.process.tools.iter().enumerate() {
+            for (j, tool) in step.context.tools.iter().enumerate() {
                 for contact in &evaluation.contacts.row(j)[STATIONS * e..STATIONS * (e + 1)] {
                     record.ironing_pressure = record.ironing_pressure.max(contact.pressure.value);
                     if tool.role == Role::Die {
@@ -40,7 +40,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
 /// True if two tools of given position press both faces of an element at one contact point.
 fn is_between_walls(converged: &Converged, e: usize) -> bool {
     let Converged { step, evaluation, .. } = converged;
-    let tools = &step.process.tools;
+    let tools = &step.context.tools;
     let updates = evaluation.updates.row(e);
     let least = PRESSED * updates.iter().map(|update| update.yield_stress).sum::<f64>() / updates.len() as f64;
     let pressing = |i: usize| {

@@ -53,8 +53,8 @@ impl Iterate<'_> {
 
     /// Contact points under pressure, tool by tool.
     pub fn contacts(&self) -> impl Iterator<Item = IterateContact> {
-        let (step, penalty) = (self.step, &self.step.process.penalty);
-        let pairs = self.evaluation.contacts.rows().flat_map(|row| row.iter().zip(&self.evaluation.places));
+        let (step, penalty) = (self.step, &self.step.context.penalty);
+        let pairs = self.evaluation.contacts.rows().flat_map(|row| row.iter().zip(&self.evaluation.contact_positions));
         pairs.filter(move |(contact, _)| contact.is_active(penalty)).map(move |(contact, place)| IterateContact {
             position: place.position.into(),
             force: (contact.facing * contact.normal + turned(contact.facing) * contact.tangential).into(),

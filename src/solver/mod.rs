@@ -1,9 +1,9 @@
-//! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
+//! Solver of the flow approach: explicit predictor, implicit corrector.
 
 mod augmented_lagrangian;
 mod budget;
 mod closing;
-mod contact_tangent;
+mod contact_force_tangent;
 mod converged;
 mod corrector;
 mod distance_blocks;
@@ -18,10 +18,10 @@ mod iterate;
 mod line_search;
 mod no_equilibrium;
 mod observer;
-mod places;
 mod porosity;
-mod process;
+mod restraints;
 mod retry;
+mod run_context;
 mod selective_bending;
 mod single_step;
 pub mod solution;
@@ -46,7 +46,7 @@ use converged::Converged;
 use evaluation::Evaluation;
 use heat::HeatSolver;
 use no_equilibrium::{creeping, no_equilibrium};
-use process::Process;
+use run_context::RunContext;
 use std::mem::swap;
 use step::Step;
 use termination::Termination;
@@ -60,12 +60,11 @@ pub use retry::Start;
 pub use single_step::try_step;
 pub use stages::{enter, run, solve};
 
-/// As [`run`], from a given state.
+/// Solves a model from a given state.
 pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> StageSolution {
-    let mut process = Process::new(model, &state);
-    let mut trial = Trial::new(&process, &state);
-    // Of the step that is tried, and of the one before it.
-    let (mut evaluation, mut before) = (Evaluation::new(&process, &state), Evaluation::new(&process, &state));
+    let mut context = RunContext::new(model, &state);
+    let mut trial = Trial::new(&context, &state);
+    let (mut evaluation, mut before) = (Evaluation::new(&context, &state), Evaluation::new(&context, &state));
     let mut heat = HeatSolver::new(model, &state);
     let mut termination = Termination::new(model, &state);
     let mut control = StepControl::new(model, termination.closes_at(model));
@@ -77,7 +76,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut budget = Budget::new(model);
     let mut rejected = 0;
-    // The node that is farthest from equilibrium in the last try that came to none.
+    // Node with the largest residual of the last failed try.
     let mut worst = None;
 
     observer.state(model, &state);
@@ -86,7 +85,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             run.stop = interrupted(&state);
             break;
         }
-        let step = Step::new(&process, &state, dt, last.step + 1);
+        let step = Step::new(&context, &state, dt, last.step + 1);
         if !budget.spend(model.progress(state.time)) {
             let necking = termination.necking(model, &state);
             run.stop = necking.unwrap_or_else(|| creeping(&step, &before, worst, &run.steps, budget.tries()));
@@ -103,7 +102,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
                 worst = Some(evaluation.worst_node);
                 let necking = termination.necking(model, &state);
                 if necking.is_none() && control.reject() {
-                    // Where the velocities change abruptly a straight line says nothing of them.
+                    // No extrapolation of velocities that change abruptly.
                     state.end_velocity.clone_from(&state.velocity);
                     continue;
                 }
@@ -134,7 +133,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         run.steps.push(record);
         last = record;
         swap(&mut before, &mut evaluation);
-        if let Some(tool) = process.release(&next) {
+        if let Some(tool) = context.release(&next) {
             next.release(tool);
             before.release(tool);
         }
@@ -152,13 +151,13 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     }
     run.effort.abandoned = rejected;
     if model.release.is_none() {
-        run.left_at = process.left_at();
+        run.left_at = context.left_at();
     }
     run.end = state;
     run
 }
 
-/// The state that a converged step leads to, with its porosity and temperatures, and its record.
+/// State after a converged step, with porosity and temperatures, and its record.
 fn advance(
     before: &Evaluation,
     converged: &Converged,
@@ -171,7 +170,7 @@ fn advance(
     let mut record = step_record::record(converged, before, &next, work, rejected);
     ironing::add(converged, &mut next, &mut record);
     if converged.step.model.material.gtn.is_some() {
-        (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
+        (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.context.rule);
     }
     if let Some(heat) = heat {
         record.heat = heat.advance(converged, &plastic, &mut next);

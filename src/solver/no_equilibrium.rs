@@ -65,7 +65,7 @@ fn named(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord
 fn mechanism(step: &Step, i: usize) -> Option<Stop> {
     let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
-    let tools = || step.process.tools.iter().filter(|tool| !tool.is_absent());
+    let tools = || step.context.tools.iter().filter(|tool| !tool.is_absent());
     let rubs = tools().any(|tool| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
     let held = model.blank.edge != Edge::Free
         || !(model.beads.is_empty() && model.gas.is_empty())
@@ -124,7 +124,7 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
     let neck = neck(model, state, None);
     let points = STATIONS * (i.max(1) - 1)..STATIONS * (i + 1).min(state.thickness.len());
     let touches = |j: usize| points.clone().any(|point| evaluation.contacts[(j, point)].normal > 0.0);
-    let touching = step.process.tools.iter().enumerate().find(|(j, _)| touches(*j));
+    let touching = step.context.tools.iter().enumerate().find(|(j, _)| touches(*j));
     let at_edge = i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free;
     let first = "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)";
     let (s0, left, ironed) = (Amount::place(neck.s0), Amount::share(neck.share), Amount::share(last.ironing));

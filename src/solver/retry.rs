@@ -1,4 +1,4 @@
-//! From which starts a step is tried before it is halved.
+//! Starts from which a step is tried before it is halved.
 
 use super::augmented_lagrangian;
 use super::converged::Converged;
@@ -61,14 +61,14 @@ impl Start {
     }
 }
 
-/// Factors on the cut-off for a softened start, the first for one that does without steps.
+/// Factors on the cut-off of softened starts, the first for a single one.
 const SOFTENING: [f64; 3] = [30.0, 10.0, 3.0];
 /// Iterations of a secant start.
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
 const MOST_ROUNDS: usize = 40;
 
-/// Tries a step from start to start until one brings it to equilibrium; counts in `rejected` the tries that did not.
+/// Tries a step from each start until one converges; counts the others in `rejected`.
 pub(super) fn solve<'s>(
     step: &'s Step<'s>,
     trial: &'s mut Trial,
@@ -91,7 +91,7 @@ pub(super) fn solve<'s>(
     Err(last.unwrap_or(Outcome::BEGUN))
 }
 
-/// One try of a step.
+/// Tries a step from one start.
 fn attempt(
     step: &Step,
     trial: &mut Trial,

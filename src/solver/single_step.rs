@@ -2,8 +2,8 @@
 
 use super::evaluation::Evaluation;
 use super::observer::Observer;
-use super::process::Process;
 use super::retry;
+use super::run_context::RunContext;
 use super::step::Step;
 use super::trial::Trial;
 use crate::model::Model;
@@ -15,12 +15,12 @@ use crate::solver::state::State;
 /// before.
 pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: &mut dyn Observer) -> Option<State> {
     let mut state = state.clone();
-    let mut process = Process::new(model, &state);
-    while let Some(tool) = process.release(&state) {
+    let mut context = RunContext::new(model, &state);
+    while let Some(tool) = context.release(&state) {
         state.release(tool);
     }
-    let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
-    let step = Step::new(&process, &state, dt, number);
+    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
+    let step = Step::new(&context, &state, dt, number);
     let solved = retry::solve(&step, &mut trial, &mut evaluation, &mut 0, observer);
     solved.ok().map(|(_, converged)| converged.advanced())
 }

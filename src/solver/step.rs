@@ -1,4 +1,4 @@
-//! A step: what is given, and what follows from that alone.
+//! Data of a step that all its iterations share.
 //!
 //! ```text
 //! Step::new(process, state, Δt)                     everything that the iterations of a step share, computed once
@@ -8,8 +8,8 @@
 //! Converged::advanced() -> State                    the next state; a step that failed is dropped
 //! ```
 
-use super::places::{BeadPlace, Seal};
-use super::process::{Process, references};
+use super::restraints::{BeadPosition, Seal};
+use super::run_context::{RunContext, references};
 use super::selective_bending::rotating;
 use crate::element::kinematics::Reference;
 use crate::material::Surroundings;
@@ -21,62 +21,59 @@ use crate::numerics::Grid;
 use crate::solver::state::nonlocal_average::NonlocalAverage;
 use crate::solver::state::{MaterialPoint, State};
 
-/// m of the resistance to flowing faster than the surroundings \[–\]: declared. Sheets with n = 0.02 in elements down to a
-/// sixteenth of a thickness do not alternate with it, with less than half of it they do; forces change by 0.02 %.
+/// Exponent m of the resistance to flowing faster than the surroundings \[–\]: half of it lets sheets with n = 0.02 alternate.
 const EXPONENT: f64 = 0.005;
-/// Increment below which rates are not told apart, over the cut-off \[–\].
+/// Floor of increments over the cut-off \[–\].
 const FLOOR: f64 = 100.0;
-/// A point counts as cut off when its strain increment is below this many cut-offs \[–\].
+/// Strain increment of a cut-off point over the cut-off \[–\].
 pub(super) const CUT_OFF_ZONE: f64 = 10.0;
 
-/// What is given of a step, and what follows from that alone.
+/// Data of a step that all its iterations share.
 pub(super) struct Step<'a> {
-    pub process: &'a Process<'a>,
+    pub context: &'a RunContext<'a>,
     pub model: &'a Model,
-    /// Where it starts.
+    /// State at the start.
     pub state: &'a State,
-    /// How long it takes by the clock, and at the mean speed of the process \[s\].
+    /// Clock and process time \[s\].
     pub dt: f64,
     pub process_time: f64,
-    /// Its number, from 1.
+    /// Number, from 1.
     pub number: usize,
-    /// Punch speed over that of the step before \[–\]: where it changes, the sheet's velocities change alike.
+    /// Punch speed over that of the step before \[–\].
     pub speed_ratio: f64,
-    /// Slip over which friction sets in \[mm\].
+    /// Regularisation of the slip \[mm\].
     pub slip_scale: f64,
-    /// Which elements bend, and at which nodes an element resists their rotation.
+    /// Flags of bending elements, and of nodes with resisted rotation.
     pub bends: Vec<bool>,
     pub rotates: Vec<bool>,
     pub references: Vec<Reference>,
-    /// Area that belongs to each contact point \[mm², or mm per mm of depth\].
+    /// Area of each contact point \[mm², or mm per mm of depth\].
     pub areas: Vec<f64>,
-    /// By how much each element's second node is thicker than its middle \[mm\], as the step begins: the faces of
-    /// neighbours meet.
-    pub rise: Vec<f64>,
-    /// Areas of each element's lower and upper face over that of its mid-surface \[–\], as the step begins.
+    /// Half the thickness difference between an element's ends at the start \[mm\]; keeps faces continuous.
+    pub half_thickness_difference: Vec<f64>,
+    /// Areas of the lower and upper face over that of the mid-surface at the start \[–\].
     pub faces: Vec<[f64; 2]>,
-    /// Shear yield stress of the elements \[MPa\]; zero where no friction law asks for it.
+    /// Shear yield stress of the elements \[MPa\]; zero if no friction law depends on it.
     pub shear_yield: Vec<f64>,
-    /// Elements by thickness points, as the flow law and as the elastoplastic law finds them; one of the two is empty.
+    /// Points of the flow law or of the elastoplastic law; the other is empty.
     pub flow_points: Grid<PointState>,
     pub elastoplastic_points: Grid<Carried>,
-    /// Thickness of the section at each element as the step begins \[mm\].
+    /// Section thickness of each element at the start \[mm\].
     pub section: Vec<f64>,
-    /// Volume of each element at that thickness that the step reckons with \[mm³, or mm² in plane strain\], and its growth in
-    /// the step.
+    /// Volume of each element at that thickness \[mm³, or mm² in plane strain\], and its growth in the step.
     pub volume: Vec<f64>,
     pub growth: Vec<f64>,
-    /// Where the model's beads hold the sheet, and where the seals of its gases cut it.
-    pub beads: Vec<Option<BeadPlace>>,
+    /// Positions of beads and seals.
+    pub beads: Vec<Option<BeadPosition>>,
     pub seals: Vec<Seal>,
 }
 
 impl<'a> Step<'a> {
-    /// A step of `dt` \[s\] from `state`, the `number`-th of its run.
-    pub fn new(process: &'a Process<'a>, state: &'a State, dt: f64, number: usize) -> Self {
-        let model = process.model;
+    /// Prepares the `number`-th step of a run, `dt` \[s\] from `state`.
+    pub fn new(context: &'a RunContext<'a>, state: &'a State, dt: f64, number: usize) -> Self {
+        let model = context.model;
         let process_time = model.process_time(state.time, dt);
-        let bends = process.selection.bending(model, state, &process.rule);
+        let bends = context.selection.bending(model, state, &context.rule);
         let references: Vec<Reference> = references(model, state, &bends).collect();
         let neighbourhood = NonlocalAverage::new(model, state);
         let section = neighbourhood.section_thickness(&state.thickness);
@@ -87,17 +84,17 @@ impl<'a> Step<'a> {
         for (volume, (section, thickness)) in volume.iter_mut().zip(section.iter().zip(&state.thickness)) {
             *volume *= section / thickness;
         }
-        let around = surroundings(process, state, process_time, &neighbourhood);
+        let around = surroundings(context, state, process_time, &neighbourhood);
         let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
         let speed_ratio =
             if before > 0.0 { (model.travel_at(state.time + dt) - state.travel) / (before * dt) } else { 1.0 };
-        let asks = process.tools.iter().any(|tool| tool.friction.needs_shear_yield());
+        let asks = context.tools.iter().any(|tool| tool.friction.needs_shear_yield());
         let (flow_points, elastoplastic_points) = match model.mode {
-            Mode::Flow => (flow_points(process, state, dt, speed_ratio, &around, &bends), Grid::default()),
+            Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around, &bends), Grid::default()),
             _ => (Grid::default(), elastoplastic_points(model, state, dt, &around)),
         };
         Self {
-            process,
+            context,
             model,
             state,
             dt,
@@ -107,22 +104,22 @@ impl<'a> Step<'a> {
             slip_scale: slip_speed(model) * process_time,
             rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
-            rise: rise(&references, &state.thickness),
+            half_thickness_difference: half_thickness_difference(&references, &state.thickness),
             faces: faces(&references, state),
             references,
             bends,
-            shear_yield: if asks { shear_yield(process, state) } else { vec![0.0; state.thickness.len()] },
+            shear_yield: if asks { shear_yield(context, state) } else { vec![0.0; state.thickness.len()] },
             flow_points,
             elastoplastic_points,
             section,
             volume,
             growth,
-            beads: model.beads.iter().map(|bead| BeadPlace::find(bead, model, state)).collect(),
+            beads: model.beads.iter().map(|bead| BeadPosition::find(bead, model, state)).collect(),
             seals: model.gas.iter().map(|gas| Seal::find(state, gas.within)).collect(),
         }
     }
 
-    /// Δε₀ of the step \[–\], times `softening`.
+    /// Cut-off Δε₀ of the step times `softening` \[–\].
     pub fn cutoff(&self, softening: f64) -> f64 {
         let share = self.process_time / (Settings::CUTOFF_STEP * self.model.duration);
         softening * self.model.settings.cutoff_strain * share
@@ -138,22 +135,19 @@ impl<'a> Step<'a> {
         self.model.travel_at(self.end())
     }
 
-    /// Elements that are membranes, of a sheet with several thickness points.
+    /// Membranes of a sheet with several thickness points.
     pub fn membranes(&self) -> impl Iterator<Item = usize> {
-        let layered = self.process.rule.len() > 1;
+        let layered = self.context.rule.len() > 1;
         (0..self.bends.len()).filter(move |&e| layered && !self.bends[e])
     }
 }
 
-/// v₀ of friction \[mm/s\]: a share of the speed of the process, which is at least that of one thickness in the whole run. A
-/// stage of less travel than that hardly slides anywhere: a share of its own speed would make friction a cliff.
+/// Regularisation speed v₀ of friction \[mm/s\]: a share of the process speed, which is at least one thickness per run.
 fn slip_speed(model: &Model) -> f64 {
     model.settings.slip_speed * model.speed.max(model.blank.thickness / model.duration)
 }
 
-/// Volume of each element at the end of a step of `dt` \[s\] \[mm³, or mm² in plane strain\] and its growth \[–\], foreseen
-/// from the last rates like the porosity itself: they stay while the corrector goes, and the step is second order in its
-/// length.
+/// Extrapolated volume of each element after `dt` \[s\] \[mm³, or mm² in plane strain\], and its growth \[–\].
 fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
     let elements = state.volume.iter().zip(state.dilation.iter().zip(&state.dilation_rate));
     let volumes = elements.map(|(volume, (dilation, rate))| {
@@ -163,10 +157,9 @@ fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
     volumes.unzip()
 }
 
-/// What flows around each thickness point: the mean over its element's neighbourhood of the last rates of the points at the
-/// same place in the thickness. What stood still, and elements longer than their neighbourhood, hold nothing back.
-fn surroundings(process: &Process, state: &State, time: f64, near: &NonlocalAverage) -> Grid<Surroundings> {
-    let model = process.model;
+/// Flow around each thickness point: nonlocal mean of the last rates of the points at the same depth.
+fn surroundings(context: &RunContext, state: &State, time: f64, near: &NonlocalAverage) -> Grid<Surroundings> {
+    let model = context.model;
     let floor = FLOOR * model.settings.cutoff_strain * time / (Settings::CUTOFF_STEP * model.duration);
     let mut around = Grid::new(state.thickness.len(), state.points.columns(), Surroundings::default());
     for k in 0..state.points.columns() {
@@ -183,17 +176,17 @@ fn surroundings(process: &Process, state: &State, time: f64, near: &NonlocalAver
     around
 }
 
-/// The flow law's points; of a membrane the mean of its points. Where the sheet flows steadily they follow the last step.
+/// Points of the flow law, means for membranes; steady flow is extrapolated from the last step.
 fn flow_points(
-    process: &Process,
+    context: &RunContext,
     state: &State,
     dt: f64,
     speed_ratio: f64,
     around: &Grid<Surroundings>,
     bends: &[bool],
 ) -> Grid<PointState> {
-    let (rule, columns) = (&process.rule, state.points.columns());
-    let (voids, criterion) = (process.model.material.gtn.as_ref(), process.model.material.yield_criterion);
+    let (rule, columns) = (&context.rule, state.points.columns());
+    let (voids, criterion) = (context.model.material.gtn.as_ref(), context.model.material.yield_criterion);
     let rows = state.points.rows().zip(around.rows()).enumerate();
     let point_states = rows.flat_map(|(e, (row, around))| {
         let temperature = state.foreseen_temperature(e, dt);
@@ -212,11 +205,9 @@ fn flow_points(
             row.fill(PointState { strain, porosity, ..row[columns / 2] });
         }
         if state.steady[e] && state.bends[e] == *bends {
-            // Both steps by the clock of this one.
             let weight = dt / (dt + state.last_step / speed_ratio);
             let lasts = state.points.row(e);
             let expected = |rate: Triple| rate.map(|rate| speed_ratio * rate * dt);
-            // Strain goes straight through the thickness.
             let (first, last) = (expected(lasts[0].strain_rate), expected(lasts[columns - 1].strain_rate));
             let height = rule[columns - 1].xi - rule[0].xi;
             for ((point, before), at) in row.iter_mut().zip(lasts).zip(rule) {
@@ -243,8 +234,8 @@ fn elastoplastic_points(model: &Model, state: &State, dt: f64, around: &Grid<Sur
     Grid::from_values(columns, points)
 }
 
-/// Half of what the thickness of an element grows by along it, by its neighbours' thicknesses \[mm\].
-pub(super) fn rise(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
+/// Half the thickness difference between each element's ends, by its neighbours' thicknesses \[mm\].
+pub(super) fn half_thickness_difference(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
     let last = thickness.len() - 1;
     let along = |e: usize| {
         let (before, after) = (e.max(1) - 1, (e + 1).min(last));
@@ -260,17 +251,17 @@ fn faces(references: &[Reference], state: &State) -> Vec<[f64; 2]> {
     elements.map(|(reference, (pair, thickness))| reference.faces(pair[1][2] - pair[0][2], *thickness)).collect()
 }
 
-/// k = σ_y/√3 at the mean strain through the thickness of each element \[MPa\].
-fn shear_yield(process: &Process, state: &State) -> Vec<f64> {
+/// Shear yield stress σ_y/√3 at the mean strain of each element \[MPa\].
+fn shear_yield(context: &RunContext, state: &State) -> Vec<f64> {
     let elements = state.points.rows().zip(&state.temperature);
     let shear_yield = elements.map(|(points, temperature)| {
-        let strain: f64 = points.iter().zip(&process.rule).map(|(p, at)| at.weight * p.strain).sum();
-        process.model.material.yield_stress(strain, *temperature) / 3f64.sqrt()
+        let strain: f64 = points.iter().zip(&context.rule).map(|(p, at)| at.weight * p.strain).sum();
+        context.model.material.yield_stress(strain, *temperature) / 3f64.sqrt()
     });
     shear_yield.collect()
 }
 
-/// The law of elastoplastic metal in a step of `duration` \[s\].
+/// Elastoplastic law of a step of `duration` \[s\].
 pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
     let material = &model.material;
     ElastoplasticLaw {

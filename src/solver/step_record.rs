@@ -2,7 +2,7 @@
 
 use super::converged::Converged;
 use super::evaluation::Evaluation;
-use super::places::Seal;
+use super::restraints::Seal;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Role};
@@ -64,11 +64,11 @@ pub(super) fn record(
 /// Changes of contact, share of sticking points, share of the holder's force on the rim.
 fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     let Converged { step, evaluation, .. } = converged;
-    let (model, penalty) = (step.model, &step.process.penalty);
+    let (model, penalty) = (step.model, &step.context.penalty);
     let rim = model.blank.length - StepRecord::RIM * model.blank.thickness;
     let (mut touching, mut sticking, mut contact_changes) = (0_usize, 0_usize, 0_usize);
     let (mut held, mut on_rim) = (0.0, 0.0);
-    for (j, tool) in step.process.tools.iter().enumerate() {
+    for (j, tool) in step.context.tools.iter().enumerate() {
         for (i, (now, then)) in evaluation.contacts.row(j).iter().zip(before.contacts.row(j)).enumerate() {
             let active = now.is_active(penalty);
             contact_changes += usize::from(active != then.is_active(penalty));
@@ -110,10 +110,10 @@ fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
     let seal = Seal::find(step.state, within);
-    let tools = step.process.tools.iter().enumerate();
+    let tools = step.context.tools.iter().enumerate();
     let forming: Vec<usize> =
         tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();
-    let lying = step.process.penalty.lying();
+    let lying = step.context.penalty.lying();
     // Distance from lying on the nearest tool, extrapolated from the contact points to the element's ends.
     let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {

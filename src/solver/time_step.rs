@@ -131,7 +131,7 @@ impl<'a> StepControl<'a> {
 fn approach(before: &Evaluation, converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let mut soonest = f64::INFINITY;
-    for (j, _) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+    for (j, _) in step.context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         let pairs = before.contacts.row(j).iter().zip(evaluation.contacts.row(j)).enumerate();
         for (i, (before, now)) in pairs.filter(|(_, (_, now))| now.normal == 0.0) {
             let closing = (before.gap - now.gap) / step.dt;

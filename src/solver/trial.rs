@@ -1,7 +1,7 @@
-//! The unknowns of an iteration, and what one iteration remembers for the next.
+//! Unknowns of a step, and memory between its iterations.
 
 use super::line_search::LineSearch;
-use super::process::Process;
+use super::run_context::RunContext;
 use super::step::Step;
 use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
@@ -13,27 +13,27 @@ use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
 
-/// What a pair of tool and contact point remembers of its last evaluation.
+/// Memory of a pair of tool and contact point between evaluations.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactMemory {
-    /// Where the point was last measured against the tool, in the tool's frame, and how far away it was \[mm\].
+    /// Last measured position in the tool's frame, and its distance \[mm\].
     pub position: Point,
     pub distance: f64,
-    /// The piece of the tool that is closest to it.
+    /// Closest piece of the tool.
     pub nearest: Nearest,
-    /// Pressure carried from iteration to iteration \[MPa\].
+    /// Carried pressure \[MPa\].
     pub carried: f64,
-    /// Gap \[mm\], pressure \[MPa\] and slope, from which the carried pressure follows.
+    /// Last gap \[mm\], pressure \[MPa\] and slope.
     pub gap: f64,
     pub pressure: ValueAndSlope,
-    /// The augmented Lagrangian's shift λ ≤ 0, and the gap in its last round \[mm\].
+    /// Shift λ ≤ 0 of the augmented Lagrangian, and the gap in its last round \[mm\].
     pub shift: f64,
     pub round_gap: f64,
 }
 
-/// The unknowns at the end of a step, and what the iterations remember of each other. Allocated once for a run.
+/// Unknowns at the end of a step, and memory between iterations; allocated once for a run.
 pub(super) struct Trial {
-    /// Moves of the nodes in the step, the velocities times its duration.
+    /// Moves of the nodes in the step \[mm, rad\].
     pub moves: Vec<Node>,
     /// Displacement of each tool (away from the axis, along z) from where it is drawn \[mm\].
     pub tools: Vec<Point>,
@@ -41,39 +41,39 @@ pub(super) struct Trial {
     pub gas: Vec<f64>,
     /// Elements by thickness points: what the flow law remembers.
     pub iterates: Grid<Iterate>,
-    /// What the elastoplastic law remembers in its place; the answers of a step are the first guesses of the next.
+    /// Iterates of the elastoplastic law; those of a step are the first guesses of the next.
     pub elastoplastic: Grid<PointMemory>,
     /// Tools by contact points.
     pub contacts: Grid<ContactMemory>,
-    /// Factor ≥ 1 on the cut-off while a hard step looks for a start \[–\].
+    /// Factor ≥ 1 on the cut-off in softened starts \[–\].
     pub softening: f64,
     pub line: LineSearch,
-    /// The stiffness that an unloading keeps through an increment.
+    /// Constant stiffness of an unloading increment.
     pub kept: Option<System>,
 }
 
 impl Trial {
-    /// Room for the trials of a run that begins with `state`.
-    pub fn new(process: &Process, state: &State) -> Self {
-        let (model, n) = (process.model, state.nodes.len());
+    /// Allocates for a run that begins with `state`.
+    pub fn new(context: &RunContext, state: &State) -> Self {
+        let (model, n) = (context.model, state.nodes.len());
         let constant = model.release.is_some_and(|release| release.stiffness == ReleaseStiffness::Constant);
         let elastoplastic = if model.mode == Mode::Flow { 0 } else { state.thickness.len() };
         Self {
             moves: vec![[0.0; 3]; n],
             tools: state.tools.clone(),
             gas: state.gas.clone(),
-            iterates: Grid::new(state.thickness.len(), process.rule.len(), Iterate::default()),
-            elastoplastic: Grid::new(elastoplastic, process.rule.len(), PointMemory::default()),
-            contacts: Grid::new(process.tools.len(), state.contact_points(), ContactMemory::default()),
+            iterates: Grid::new(state.thickness.len(), context.rule.len(), Iterate::default()),
+            elastoplastic: Grid::new(elastoplastic, context.rule.len(), PointMemory::default()),
+            contacts: Grid::new(context.tools.len(), state.contact_points(), ContactMemory::default()),
             softening: 1.0,
             line: LineSearch::new(n),
-            kept: constant.then(|| System::new(n, process.shared)),
+            kept: constant.then(|| System::new(n, context.shared)),
         }
     }
 
-    /// Takes a first guess of a step: moves at the velocities of the last step's end or from rest, prescribed motions imposed.
+    /// Predicts a step: extrapolated velocities or rest, with prescribed motions.
     pub fn predict(&mut self, step: &Step, from_rest: bool) {
-        let Step { process, model, state, dt, .. } = *step;
+        let Step { context, model, state, dt, .. } = *step;
         let pairs = state.pressure.iter().zip(state.shift.iter());
         for (memory, (pressure, shift)) in self.contacts.iter_mut().zip(pairs) {
             (memory.carried, memory.shift) = (*pressure, *shift);
@@ -82,7 +82,7 @@ impl Trial {
             *pressure = gas.pressure.given(step.end()).unwrap_or(*before);
         }
         // A held strain rate has no meaning at rest.
-        let holds_rate = process.holds_rate();
+        let holds_rate = context.holds_rate();
         let share = if from_rest && !holds_rate { 0.0 } else { step.speed_ratio * dt };
         for (u, velocity) in self.moves.iter_mut().zip(&state.end_velocity) {
             *u = velocity.map(|velocity| share * velocity);
@@ -98,7 +98,7 @@ impl Trial {
         }
         self.moves[0][0] = 0.0;
         let progress = model.progress(step.end()) - model.progress(state.time);
-        for (j, tool) in process.tools.iter().enumerate() {
+        for (j, tool) in context.tools.iter().enumerate() {
             let moved = match tool.motion {
                 Motion::Fixed | Motion::Gap(_) => Point::zeros(),
                 Motion::Travel => Point::new(0.0, step.travel() - state.travel),
@@ -117,12 +117,11 @@ impl Trial {
         self.average(step);
     }
 
-    /// First iterates of membranes: the mean of their points', without the transverse shear, which they do not feel. Nodes
-    /// that nothing turns wait for the end of the step.
+    /// First iterates of membranes: means of their points without transverse shear; free rotations are zero.
     fn average(&mut self, step: &Step) {
         for e in step.membranes() {
             let mut carried = [0.0; 3];
-            for (point, at) in step.state.points.row(e).iter().zip(&step.process.rule) {
+            for (point, at) in step.state.points.row(e).iter().zip(&step.context.rule) {
                 carried[0] += at.weight * point.carried[0];
                 carried[1] += at.weight * point.carried[1];
             }
@@ -135,19 +134,19 @@ impl Trial {
         }
     }
 
-    /// Goes a share of the direction of the iteration.
-    pub fn advance(&mut self, process: &Process, share: f64) {
+    /// Moves a share along the direction of the iteration.
+    pub fn advance(&mut self, context: &RunContext, share: f64) {
         for (u, d) in self.moves.iter_mut().zip(&self.line.direction) {
             for k in 0..3 {
                 u[k] += share * d[k];
             }
         }
-        for (displacement, tool) in self.tools.iter_mut().zip(&process.tools) {
+        for (displacement, tool) in self.tools.iter_mut().zip(&context.tools) {
             if let Some(k) = tool.shared {
                 displacement.y += share * self.line.shared[k];
             }
         }
-        for (pressure, shared) in self.gas.iter_mut().zip(&process.gas_shared) {
+        for (pressure, shared) in self.gas.iter_mut().zip(&context.gas_shared) {
             if let Some(k) = shared {
                 *pressure += share * self.line.shared[*k];
             }
@@ -160,7 +159,7 @@ impl Trial {
     }
 }
 
-/// A shallow dome that strains at about the rate that is held: where the first step starts from.
+/// Shallow dome at about the held strain rate, as a start of the first step.
 fn guess_dome(step: &Step, moves: &mut [Node]) {
     let Some((gas, control)) = step.model.held_gas() else { return };
     let a = gas.within.min(step.model.blank.length);

@@ -1,8 +1,7 @@
-//! Friction laws: one law, one file, as [`law`](crate::material::law) says.
+//! Friction laws, one per file.
 //!
-//! Every law gives the friction stress τ that opposes sliding, from the contact pressure p, the slip s of the step
-//! relative to the tool and the step's duration. All are regularised alike: a node that should stick creeps instead,
-//! slower than a stated sliding speed v₀, so that the law does not depend on the step.
+//! A law gives the friction stress τ from the contact pressure p, the slip s of the step and its duration. All are regularised
+//! by a sliding speed v₀, so that the law does not depend on the step.
 //!
 //! ```text
 //! φ(s) = s/√(s² + s₀²),  s₀ = v₀ Δt          τ(p, s) = (a stress that the law gives) · φ(s)
@@ -20,7 +19,7 @@ mod tresca;
 use crate::contact::penalty::ValueAndSlope;
 use crate::material::law::{Law, family};
 
-/// What a law looks at.
+/// Contact pressure and slip of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sliding {
     /// Contact pressure p ≥ 0 \[MPa\].
@@ -37,7 +36,7 @@ pub struct Sliding {
 
 /// Friction stress against the slip, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drag {
+pub struct FrictionStress {
     /// τ \[MPa\].
     pub value: f64,
     /// ∂τ/∂p \[–\].
@@ -54,15 +53,15 @@ pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
     ValueAndSlope { value: slip * inverse, slope: inverse * inverse * inverse * (scale * scale) }
 }
 
-/// What a friction law says beside its parameters.
+/// Friction law.
 trait FrictionLaw: Law {
-    /// The friction stress and its derivatives.
-    fn at(&self, sliding: &Sliding) -> Drag;
+    /// Friction stress and its derivatives.
+    fn at(&self, sliding: &Sliding) -> FrictionStress;
 
     /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
     fn largest_coefficient(&self) -> f64;
 
-    /// Whether the law asks for the sheet's shear yield stress.
+    /// True if the law depends on the shear yield stress.
     fn needs_shear_yield(&self) -> bool {
         false
     }
@@ -71,8 +70,8 @@ trait FrictionLaw: Law {
 family! {
     /// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.
     pub enum Friction: FrictionLaw;
-    /// The friction stress and its derivatives.
-    fn at(sliding: &Sliding) -> Drag;
+    /// Friction stress and its derivatives.
+    fn at(sliding: &Sliding) -> FrictionStress;
     [coulomb: Coulomb, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }"]
     pressure_dependent: PressureDependent,
     stribeck: Stribeck,
@@ -89,7 +88,7 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
-    /// Whether the law asks for the sheet's shear yield stress.
+    /// True if the law depends on the shear yield stress.
     pub fn needs_shear_yield(&self) -> bool {
         self.law().needs_shear_yield()
     }
@@ -132,18 +131,15 @@ mod tests {
             }
         }
 
-        /// Friction only ever takes power, is odd in the slip and stays below the law's largest coefficient.
+        /// Friction takes power, is odd in the slip and stays below the law's largest coefficient.
         #[test]
         fn friction_opposes_sliding(at in sliding()) {
             for (name, law) in Friction::examples() {
-                let drag = law.at(&at);
-                prop_assert!(drag.value * at.slip >= 0.0, "{name}");
-                prop_assert_eq!(law.at(&Sliding { slip: -at.slip, ..at }).value, -drag.value);
+                let stress = law.at(&at).value;
+                prop_assert!(stress * at.slip >= 0.0, "{name}");
+                prop_assert_eq!(law.at(&Sliding { slip: -at.slip, ..at }).value, -stress);
                 let viscous = if let Friction::Stribeck(s) = law { s.viscous * at.slip.abs() / at.duration } else { 0.0 };
-                prop_assert!(drag.value.abs() <= (law.largest_coefficient() + viscous) * at.pressure * (1.0 + 1e-12), "{name}");
-                if let Friction::Tresca(tresca) = law {
-                    prop_assert!(drag.value.abs() <= tresca.factor * at.shear_yield);
-                }
+                prop_assert!(stress.abs() <= (law.largest_coefficient() + viscous) * at.pressure * (1.0 + 1e-12), "{name}");
             }
         }
     }

@@ -4,7 +4,7 @@
 //! τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1). Below a hundredth of p₀ the coefficient levels off, so that it stays finite
 //! where the pressure sets in: p is replaced there by √(p² + (0.01 p₀)²).
 
-use super::{Drag, FrictionLaw, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;
 
 /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
@@ -46,13 +46,13 @@ impl Law for PressureDependent {
 
 impl FrictionLaw for PressureDependent {
     #[inline]
-    fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> FrictionStress {
         let phi = direction(at.slip, at.scale);
         let q = at.pressure / self.reference;
         let square = q * q + Self::LIGHT * Self::LIGHT;
         let mu = self.coefficient * square.powf(0.5 * (self.exponent - 1.0));
         let by_pressure = mu * (1.0 + (self.exponent - 1.0) * q * q / square);
-        Drag {
+        FrictionStress {
             value: mu * at.pressure * phi.value,
             by_pressure: by_pressure * phi.value,
             by_slip: mu * at.pressure * phi.slope,

@@ -1,7 +1,7 @@
 //! Friction whose coefficient depends on the sliding speed v = s/Δt, in Stribeck's form:
 //! τ = p \[(μ_k + (μ_s − μ_k) exp(−(v/v_s)²)) φ(s) + c v\].
 
-use super::{Drag, FrictionLaw, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;
 
 /// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
@@ -51,7 +51,7 @@ impl Law for Stribeck {
 
 impl FrictionLaw for Stribeck {
     #[inline]
-    fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> FrictionStress {
         let phi = direction(at.slip, at.scale);
         let v = at.slip / at.duration;
         let x = v / self.speed;
@@ -59,7 +59,7 @@ impl FrictionLaw for Stribeck {
         let mu = self.sliding + drop;
         let mu_by_slip = -2.0 * x * drop / (self.speed * at.duration);
         let value = mu * phi.value + self.viscous * v;
-        Drag {
+        FrictionStress {
             value: at.pressure * value,
             by_pressure: value,
             by_slip: at.pressure * (mu * phi.slope + mu_by_slip * phi.value + self.viscous / at.duration),

@@ -3,7 +3,7 @@
 //! τ = m k tanh(μ p/(m k)) φ(s): Coulomb's law under light pressure, never more than the share m of the sheet's shear yield
 //! stress k = σ_y/√3, which is that of the start of the step.
 
-use super::{Drag, FrictionLaw, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;
 
 /// Friction stress of at most a share of the sheet's shear yield stress k.
@@ -45,14 +45,14 @@ impl Law for Tresca {
 
 impl FrictionLaw for Tresca {
     #[inline]
-    fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> FrictionStress {
         let phi = direction(at.slip, at.scale);
         let limit = self.factor * at.shear_yield;
         if limit <= 0.0 {
-            return Drag::default();
+            return FrictionStress::default();
         }
         let share = (self.coefficient * at.pressure / limit).tanh();
-        Drag {
+        FrictionStress {
             value: limit * share * phi.value,
             by_pressure: self.coefficient * (1.0 - share * share) * phi.value,
             by_slip: limit * share * phi.slope,

@@ -9,7 +9,7 @@ use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
 use crate::model::{Face, Gas, Model, Motion, Role, Settings, Tool};
 use crate::numerics::bisect;
-use crate::solver::process::Process;
+use crate::solver::run_context::RunContext;
 use crate::solver::state::State;
 use crate::solver::test_model::bare;
 use std::f64::consts::LN_2;
@@ -70,9 +70,9 @@ const GROWTH: f64 = 1e-5;
 /// Force along the normal on a node half-way, and the pressure on its face \[MPa\], as the shell grows.
 fn on_a_node(model: &Model) -> (f64, f64) {
     let state = curved(model);
-    let process = Process::new(model, &state);
-    let step = Step::new(&process, &state, 0.01, 2);
-    let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
+    let context = RunContext::new(model, &state);
+    let step = Step::new(&context, &state, 0.01, 2);
+    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
     trial.predict(&step, true);
     for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
         *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
@@ -142,9 +142,9 @@ fn the_matrix_is_symmetric_without_friction() {
     for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
         let model = shell(geometry, 2.0, By::Contact, RADIUS - 1.0 + 0.003, 0.0);
         let state = curved(&model);
-        let process = Process::new(&model, &state);
-        let step = Step::new(&process, &state, 0.01, 2);
-        let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
+        let context = RunContext::new(&model, &state);
+        let step = Step::new(&context, &state, 0.01, 2);
+        let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
         trial.predict(&step, true);
         for (i, (u, x)) in trial.moves.iter_mut().zip(&state.nodes).enumerate() {
             let wave = (i as f64 * 1.7).sin();
@@ -174,13 +174,13 @@ fn a_flat_tool_presses_a_flat_sheet_evenly_on_any_mesh() {
     }
     let state = State::flat(&model, s0);
     let state = State { tools: vec![Point::zeros()], ..state };
-    let process = Process::new(&model, &state);
-    let step = Step::new(&process, &state, 0.01, 2);
-    let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
+    let context = RunContext::new(&model, &state);
+    let step = Step::new(&context, &state, 0.01, 2);
+    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
     trial.predict(&step, true);
     assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
-    let pressure = process.penalty.at(0.0).value;
-    assert!(pressure > 0.0 && pressure < LN_2 * process.penalty.stiffness * process.penalty.smoothing);
+    let pressure = context.penalty.at(0.0).value;
+    assert!(pressure > 0.0 && pressure < LN_2 * context.penalty.stiffness * context.penalty.smoothing);
     for contact in evaluation.contacts.iter() {
         assert!((contact.pressure.value - pressure).abs() < 1e-9 * pressure);
     }

@@ -7,7 +7,7 @@ use crate::material::{Elastic, Gtn, Hill48, Rate, ThermalLaw};
 use crate::model::{
     Bead, Face, Gas, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role, Tool, mesh,
 };
-use crate::solver::process::Process;
+use crate::solver::run_context::RunContext;
 use crate::solver::state::State;
 use crate::solver::test_model::bare;
 use nalgebra::Vector3;
@@ -103,10 +103,10 @@ fn matrix_of_an_elastoplastic_sheet_is_the_derivative_of_the_residual() {
 }
 
 fn check(model: &Model, state: &State) {
-    let process = Process::new(model, state);
-    let mut trial = Trial::new(&process, state);
-    let mut evaluation = Evaluation::new(&process, state);
-    let step = Step::new(&process, state, 0.05, 2);
+    let context = RunContext::new(model, state);
+    let mut trial = Trial::new(&context, state);
+    let mut evaluation = Evaluation::new(&context, state);
+    let step = Step::new(&context, state, 0.05, 2);
     trial.predict(&step, false);
     for (i, x) in trial.moves.iter_mut().enumerate() {
         let wave = (i as f64 * 1.7).sin();
@@ -170,7 +170,7 @@ fn check(model: &Model, state: &State) {
         let difference = -(plus[i] - minus[i]) / (2.0 * h);
         assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
     }
-    let held = process.gas_shared[0].map(|k| (k, trial.gas[0]));
+    let held = context.gas_shared[0].map(|k| (k, trial.gas[0]));
     if let Some((k, p)) = held {
         trial.tools[tool].y = z;
         let h = 1e-6;
@@ -199,12 +199,12 @@ fn a_gap_far_away_is_the_one_that_contact_would_see() {
     let run = crate::solver::run(&model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     let state = run.end;
-    let process = Process::new(&model, &state);
-    let step = Step::new(&process, &state, 0.05, 2);
-    let largest = step.rise.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
+    let context = RunContext::new(&model, &state);
+    let step = Step::new(&context, &state, 0.05, 2);
+    let largest = step.half_thickness_difference.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
     assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
     let gaps = |far: f64, measure: fn(&Step, &mut Trial, &mut Evaluation)| {
-        let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
+        let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
         trial.predict(&step, false);
         trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
         assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));

@@ -1,17 +1,17 @@
-//! Draw beads across the flange: a line restraint against the sheet's move, regularised like friction.
+//! Draw beads: line restraints across the flange, regularised like friction.
 
 use crate::contact::friction::direction;
 use crate::solver::evaluation::{BeadForce, Evaluation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
-/// What the beads take from the holder's force to stay closed \[N, or N/mm\].
+/// Closing force of the beads, taken from the holder's \[N, or N/mm\].
 pub fn closing_force(step: &Step) -> f64 {
     let beads = step.beads.iter().zip(&step.model.beads);
     beads.map(|(place, bead)| place.map_or(0.0, |place| place.length * bead.closing)).sum()
 }
 
-/// The beads' forces and their matrix.
+/// Adds the forces of the beads and their matrix.
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let system = &mut out.system;
     for (acting, (place, bead)) in out.bead_force.iter_mut().zip(step.beads.iter().zip(&step.model.beads)) {

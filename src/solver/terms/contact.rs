@@ -1,37 +1,35 @@
-//! Contact of the sheet with its tools: which point of the sheet touches which tool, with what pressure, and what that adds.
+//! Contact of the sheet with its tools.
 //!
-//! Contact acts at points inside the elements ([`Station`]), on the sheet's face, with the element's own thickness:
+//! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face:
 //!
 //! ```text
 //! g = d(x(ξ)) − t/2,   t = t₀ exp(−Δε_s − Δε_θ)
 //! δW = F·δx(ξ) + Q δt,   Q = −N/2,   δt = −t (δε_s + δε_θ)
 //! ```
 //!
-//! The second part is a force N t/2 on the membrane strains: the stress that equilibrium sees in the plane of the sheet is
-//! lower by p/2, which is the mean normal stress −p/2 of a sheet pressed on one face in the plane-stress flow law. Between
-//! two walls both parts add up to −p: the sheet is ironed. Without friction F and Q are the gradient of one potential, and
-//! the matrix is symmetric.
+//! Q acts as a force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2. Without friction
+//! F and Q are the gradient of one potential, and the matrix is symmetric.
 
 mod assembly;
 
 use crate::contact::penalty::ValueAndSlope;
-use crate::contact::{ContactPoint, Touch};
+use crate::contact::{ContactLaw, ContactPoint};
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
-use crate::solver::contact_tangent::{ContactTangent, Near, Place, slope};
+use crate::solver::contact_force_tangent::{ContactCandidate, ContactForceTangent, ContactPosition, slope};
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
-/// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
+/// Adds contact and friction of all tools; returns the largest force on a point.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
-    out.contact_tangents.fill(ContactTangent::default());
+    out.contact_tangents.fill(ContactForceTangent::default());
     out.active_contacts = 0;
     let mut largest: f64 = 0.0;
-    for j in 0..step.process.tools.len() {
-        if step.process.tools[j].is_absent() {
+    for j in 0..step.context.tools.len() {
+        if step.context.tools[j].is_absent() {
             out.tool_force[j] = Point::zeros();
             out.contacts.row_mut(j).fill(Contact::free());
         } else {
@@ -43,9 +41,15 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 }
 
 fn locate(step: &Step, out: &mut Evaluation) {
-    for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
+    for (e, places) in out.contact_positions.chunks_exact_mut(STATIONS).enumerate() {
         for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
-            *place = Place::new(station, &out.nodes[e], &out.nodes[e + 1], out.thickness[e], step.rise[e]);
+            *place = ContactPosition::new(
+                station,
+                &out.nodes[e],
+                &out.nodes[e + 1],
+                out.thickness[e],
+                step.half_thickness_difference[e],
+            );
         }
     }
 }
@@ -53,14 +57,18 @@ fn locate(step: &Step, out: &mut Evaluation) {
 /// Forces of tool `j` on the points of the sheet; returns the largest.
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     gather(step, trial, at, j, out);
-    let (process, tool) = (step.process, &step.process.tools[j]);
-    let touch =
-        Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
+    let (context, tool) = (step.context, &step.context.tools[j]);
+    let law = ContactLaw {
+        penalty: &context.penalty,
+        friction: &tool.friction,
+        slip_scale: step.slip_scale,
+        duration: step.dt,
+    };
     let (contacts, memories) = (out.contacts.row_mut(j), trial.contacts.row_mut(j));
     let (mut largest, mut whole): (f64, Point) = (0.0, Point::zeros());
-    for Near { index: i, point, by_thickness } in &out.near {
-        let force = touch.force(point);
-        let (e, tangent) = (i / STATIONS, ContactTangent::new(&force, *by_thickness));
+    for ContactCandidate { index: i, point, by_thickness } in &out.near {
+        let force = law.force(point);
+        let (e, tangent) = (i / STATIONS, ContactForceTangent::new(&force, *by_thickness));
         let contact = &mut contacts[*i];
         (contact.normal, contact.tangential, contact.slip) = (force.normal, force.tangential, force.slip);
         (contact.pressure, memories[*i].pressure) = (force.pressure, force.pressure);
@@ -81,17 +89,17 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
     largest
 }
 
-/// Measures the points that tool `j` may reach, and leaves the others free.
+/// Measures the gaps of the points that tool `j` may reach.
 fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) {
-    let Step { process, state, .. } = *step;
-    let (tool, displacement) = (&process.tools[j], trial.tools[j]);
+    let Step { context, state, .. } = *step;
+    let (tool, displacement) = (&context.tools[j], trial.tools[j]);
     let moved = displacement - state.tools[j];
-    let reach = process.penalty.reach();
+    let reach = context.penalty.reach();
     let memories = trial.contacts.row_mut(j).iter_mut().zip(state.pressure.row(j));
-    let points = out.contacts.row_mut(j).iter_mut().zip(memories).zip(&out.places);
+    let points = out.contacts.row_mut(j).iter_mut().zip(memories).zip(&out.contact_positions);
     out.near.clear();
     for (i, ((contact, (memory, pressure)), place)) in points.enumerate() {
-        let Place { position: x, thickness } = *place;
+        let ContactPosition { position: x, thickness } = *place;
         let position = x - displacement;
         // A distance changes no faster than the point moves: far away it need not be measured again.
         let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && *pressure == 0.0;
@@ -112,7 +120,7 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
         // A tool above the sheet faces down: its normal crosses the element from left to right.
         let above = closest.normal.y * (b[0] - a[0]) < closest.normal.x * (b[1] - a[1]);
         let face = step.faces[e][usize::from(above)];
-        // Half the thickness that goes in the step goes with a force on the face, by the ratio of the areas.
+        // Thinning in the step moves the face by half of it, over the ratio of the areas.
         let share = 1.0 / face;
         let going = (share - 1.0) * (out.thickness[e] - state.thickness[e]);
         let gap = closest.distance - 0.5 * (thickness + going);
@@ -125,10 +133,10 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
         let station = &stations(step.bends[e])[k];
         let relative = x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved;
         let point = ContactPoint {
-            facing: closest.normal.into(),
+            facing: closest.normal,
             curvature: closest.curvature,
             gap,
-            relative: relative.into(),
+            relative,
             area: step.areas[i] * face,
             carried: memory.carried,
             shift,
@@ -137,14 +145,14 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
         *contact =
             Contact { gap: gap + 0.5 * going, closing: 0.5 * going, facing: closest.normal, ..Contact::default() };
         memory.gap = gap;
-        out.near.push(Near { index: i, point, by_thickness: -0.5 * share });
+        out.near.push(ContactCandidate { index: i, point, by_thickness: -0.5 * share });
     }
 }
 
-/// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.
+/// Measures the gaps that the iterations did not need, for the length of the next step and the contact share.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
-    for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
-        let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
+    for (j, tool) in step.context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+        let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.contact_positions);
         for ((contact, memory), place) in pairs.filter(|((contact, _), _)| contact.gap.is_infinite()) {
             let position = place.position - trial.tools[j];
             let moved = (position - memory.position).norm();

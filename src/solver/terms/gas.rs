@@ -1,4 +1,4 @@
-//! Gas pressure on the faces of the sheet, given over time or as much as holds a strain rate.
+//! Gas pressure on the faces of the sheet, given over time or controlled by a strain rate.
 
 use crate::geometry::Point;
 use crate::material::flow::Metric;
@@ -9,8 +9,7 @@ use crate::solver::trial::Trial;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// Gas pressure at the end of the step on the current area, normal to the current meridian; returns the largest force on a
-/// node.
+/// Adds the gas pressure on the current sheet; returns the largest force on a node.
 ///
 /// ```text
 /// f = p ∫ N n dA,  n l = (−Δz, Δr): exact on straight elements; 2π r inside the integral when axisymmetric
@@ -21,7 +20,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) -> f64 {
         for e in 0..out.thickness.len() {
             let inside = seal.inside(e);
             if inside > 0.0 {
-                let (side, shared) = (gas.face.sign() * inside, step.process.gas_shared[k]);
+                let (side, shared) = (gas.face.sign() * inside, step.context.gas_shared[k]);
                 press_element(step.model.geometry, e, side, trial.gas[k], shared, out);
             }
         }
@@ -29,8 +28,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) -> f64 {
     out.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max)
 }
 
-/// `gas` \[MPa\] on one side (1 or −1, times the share inside the seal) of element `e`; `column` is its index where it is
-/// an unknown.
+/// Adds the pressure `gas` \[MPa\] on element `e`; `side` is ±1 times the share inside the seal, `column` the index of an unknown.
 fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Option<usize>, out: &mut Evaluation) {
     let pressure = side * gas;
     let [a, b] = [out.nodes[e], out.nodes[e + 1]];
@@ -70,16 +68,14 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
     }
 }
 
-/// The equations of pressures that hold a strain rate: max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0, of which the larger
-/// one is solved (semi-smooth): either the rate is at its target, or it is below and the pressure on its cap.
-///
-/// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
+/// Adds the equations of controlled pressures, max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0 (semi-smooth), with the regularised Δε̄ of
+/// the mid-surface.
 pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
-    let Step { process, model, state, dt, .. } = *step;
+    let Step { context, model, state, dt, .. } = *step;
     let criterion = &model.material.yield_criterion;
     let cutoff = step.cutoff(trial.softening);
     for (k, gas) in model.gas.iter().enumerate() {
-        let (Some(row), Pressure::Rate(control)) = (process.gas_shared[k], &gas.pressure) else { continue };
+        let (Some(row), Pressure::Rate(control)) = (context.gas_shared[k], &gas.pressure) else { continue };
         let (q, wanted) = (control.exponent, control.target * dt);
         let total: f64 = state.volume.iter().sum();
         // In units of the target, so that large powers stay in range.

@@ -53,7 +53,7 @@ fn add_elements<L: PointLaw>(
     out: &mut Evaluation,
 ) -> bool {
     let section = Section {
-        rule: &step.process.rule,
+        rule: &step.context.rule,
         slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0),
         forces_alone: at.residual_alone,
     };
@@ -91,7 +91,7 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
         for (area, station) in areas.iter().zip(stations(step.bends[e])) {
             for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
-                let stiffness = STABILISATION * step.process.penalty.stiffness * area * share;
+                let stiffness = STABILISATION * step.context.penalty.stiffness * area * share;
                 out.system.rhs[i].y -= stiffness * trial.moves[i][1];
                 out.system.diagonal[i][(1, 1)] += stiffness;
             }

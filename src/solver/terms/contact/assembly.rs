@@ -2,7 +2,7 @@
 
 use crate::element::kinematics::Matrix6;
 use crate::element::surface::{STATIONS, stations, thickness_second};
-use crate::solver::contact_tangent::{ContactTangent, slope};
+use crate::solver::contact_force_tangent::{ContactForceTangent, slope};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::Step;
 
@@ -10,7 +10,7 @@ use crate::solver::step::Step;
 pub fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     for e in 0..step.bends.len() {
         let tangents = &out.contact_tangents[STATIONS * e..STATIONS * (e + 1)];
-        if !tangents.iter().any(ContactTangent::acts) {
+        if !tangents.iter().any(ContactForceTangent::acts) {
             continue;
         }
         let (mut matrix, mut squeeze) = (Matrix6::zeros(), 0.0);

@@ -1,4 +1,4 @@
-//! A contact point, and what tools do to it and through it to its element.
+//! Contact points and the tangent of their forces.
 
 use crate::contact::{ContactForce, ContactPoint};
 use crate::element::surface::Station;
@@ -7,33 +7,31 @@ use crate::geometry::Point;
 use crate::numerics::block_tridiagonal::System;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-/// A contact point: where it is \[mm\], and how thick the sheet is there \[mm\].
+/// Position of a contact point \[mm\], and the thickness of the sheet there \[mm\].
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Place {
+pub(super) struct ContactPosition {
     pub position: Point,
     pub thickness: f64,
 }
 
-impl Place {
-    /// Of a station of the element between nodes `a` and `b`; its second node is thicker than its middle by `rise`.
+impl ContactPosition {
+    /// Position of a station of the element between nodes `a` and `b`; `rise` is half its thickness difference.
     pub fn new(station: &Station, a: &Node, b: &Node, thickness: f64, rise: f64) -> Self {
         Self { position: station.position(a, b), thickness: thickness + station.xi * rise }
     }
 
-    /// Gap between the sheet's face here and a tool at this distance from the mid-surface \[mm\].
+    /// Gap of a tool at this distance from the mid-surface \[mm\].
     pub fn gap(&self, distance: f64) -> f64 {
         distance - 0.5 * self.thickness
     }
 }
 
-/// A contact point within reach of a tool.
+/// Contact point within reach of a tool.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Near {
-    /// Its number.
+pub(super) struct ContactCandidate {
     pub index: usize,
-    /// As the tool sees it.
     pub point: ContactPoint,
-    /// By how much its gap goes with the thickness \[–\].
+    /// Derivative of the gap by the thickness \[–\].
     pub by_thickness: f64,
 }
 
@@ -45,36 +43,27 @@ pub(super) struct Near {
 /// Q = h N,        ∂Q/∂x = h ∂N/∂g n,                              ∂Q/∂t = h² ∂N/∂g
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ContactTangent {
+pub(super) struct ContactForceTangent {
     /// F_r, F_z, Q \[N, or N/mm\].
     pub force: Vector3<f64>,
     /// Derivatives of these forces (rows) by r, z, t (columns).
     pub matrix: Matrix3<f64>,
 }
 
-impl ContactTangent {
+impl ContactForceTangent {
     /// Tangent of a force whose gap changes with the thickness by `by_thickness`, h.
-    pub fn new(touch: &ContactForce, by_thickness: f64) -> Self {
-        let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
-        let (on_tau, on_n) = (touch.drag_by_slip * touch.slip_turn + touch.normal * c, touch.tangential * c);
-        let by_gap = [0, 1].map(|d| n[d] * touch.by_gap + tau[d] * touch.drag_by_gap);
-        let by_move = [0, 1].map(|d| tau[d] * on_tau - n[d] * on_n);
-        let [rr, rz, zr, zz] = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(i, j)| by_gap[i] * n[j] + by_move[i] * tau[j]);
-        let ([r, z], on_gap) = (touch.force(), h * touch.by_gap);
-        Self {
-            force: Vector3::new(r, z, h * touch.normal),
-            matrix: Matrix3::new(
-                rr,
-                rz,
-                h * by_gap[0],
-                zr,
-                zz,
-                h * by_gap[1],
-                on_gap * n[0],
-                on_gap * n[1],
-                h * on_gap,
-            ),
-        }
+    pub fn new(contact: &ContactForce, by_thickness: f64) -> Self {
+        let (n, tau, c, h) = (contact.facing, contact.along(), contact.curvature, by_thickness);
+        let by_gap = n * contact.by_gap + tau * contact.friction_by_gap;
+        let on_tau = contact.friction_by_slip * contact.slip_turn + contact.normal * c;
+        let by_position = by_gap * n.transpose() + (tau * on_tau - n * (contact.tangential * c)) * tau.transpose();
+        let (force, on_gap) = (contact.force(), h * contact.by_gap);
+        let mut matrix = Matrix3::zeros();
+        matrix.fixed_view_mut::<2, 2>(0, 0).copy_from(&by_position);
+        matrix.fixed_view_mut::<2, 1>(0, 2).copy_from(&(by_gap * h));
+        matrix.fixed_view_mut::<1, 2>(2, 0).copy_from(&(n * on_gap).transpose());
+        matrix[(2, 2)] = h * on_gap;
+        Self { force: Vector3::new(force.x, force.y, h * contact.normal), matrix }
     }
 
     /// True if a tool acts here.

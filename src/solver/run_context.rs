@@ -1,7 +1,7 @@
-//! What stays the same through a run: the rigid tools, the thickness points, the shared unknowns, the forces that fade.
+//! Constant data of a run: tools, thickness points, shared unknowns, fading forces.
 
 use super::distance_blocks;
-use super::places::Grip;
+use super::restraints::Grip;
 use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
@@ -15,58 +15,56 @@ use crate::solver::state::State;
 use crate::solver::state::nonlocal_average::NonlocalAverage;
 use nalgebra::Vector3;
 
-/// Share of the force across the sheet that makes it flow, below which a residual is not measured against the forces that
-/// act \[–\]: those of a sheet that nothing bends yet are round-off, and no residual is small against that. The least force
-/// that forms, bending over a hundred thicknesses, is ten times as large.
+/// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;
-/// Strain at which the metal's strength is asked for it \[–\].
+/// Strain of the yield stress in it \[–\].
 const STRENGTH_AT: f64 = 0.01;
 
-/// A tool as the solver uses it.
+/// Tool in a run.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveTool {
     pub role: Role,
     pub profile: Profile,
     pub friction: Friction,
     pub motion: Motion,
-    /// Index among the shared unknowns, for a tool whose position is one.
+    /// Index among the shared unknowns, if its position is one.
     pub shared: Option<usize>,
-    /// Least distance of its section from the axis or symmetry plane, as drawn \[mm\].
+    /// Least r of its section as drawn \[mm\].
     pub inner: f64,
-    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part and stands still from then on.
+    /// Travel at which the sheet left the tool for good \[mm\]; it stands still from then on.
     pub released: Option<f64>,
 }
 
 impl ActiveTool {
-    /// Whether the tool takes no part: the sheet has left it, or it is a holder without force.
+    /// True if the sheet has left it, or it is a holder without force.
     pub fn is_absent(&self) -> bool {
         self.released.is_some() || (matches!(self.motion, Motion::Pressed(_)) && self.shared.is_none())
     }
 }
 
-/// A model made ready to be solved.
-pub(super) struct Process<'a> {
+/// Constant data of a run.
+pub(super) struct RunContext<'a> {
     pub model: &'a Model,
-    /// In the model's order.
+    /// Tools in the model's order.
     pub tools: Vec<ActiveTool>,
     /// Thickness points of an element that bends.
     pub rule: Vec<ThicknessPoint>,
-    /// Index of each gas pressure among the shared unknowns, where it is one.
+    /// Index of each gas pressure among the shared unknowns, if it is one.
     pub gas_shared: Vec<Option<usize>>,
     /// Number of shared unknowns.
     pub shared: usize,
     pub penalty: Penalty,
-    /// Force of a node that the residual is measured against at least \[N, or N/mm\].
+    /// Least reference force of the residual \[N, or N/mm\].
     pub least_force: f64,
-    /// Move of the holder at which it stands on its distance blocks \[mm\], relative to the die; none without a holder.
+    /// Move of the holder relative to the die at which it stands on its blocks \[mm\].
     pub blocks: Option<f64>,
-    /// Nodal forces that held the sheet before its tools were taken away \[N, N mm\]; empty while they act.
+    /// Nodal forces before the tools were taken away \[N, N mm\]; empty while they act.
     pub unloading: Vec<Vector3<f64>>,
     pub selection: Selection,
 }
 
-impl<'a> Process<'a> {
-    /// A run of `model` that begins with `state`.
+impl<'a> RunContext<'a> {
+    /// Prepares a run of `model` from `state`.
     pub fn new(model: &'a Model, state: &State) -> Self {
         let mut shared = 0;
         let mut index = |unknown: bool| {
@@ -111,13 +109,12 @@ impl<'a> Process<'a> {
         }
     }
 
-    /// Whether a gas pressure holds a strain rate.
+    /// True if a gas pressure holds a strain rate.
     pub fn holds_rate(&self) -> bool {
         self.gas_shared.iter().any(Option::is_some)
     }
 
-    /// Takes a pressed tool away once the sheet has run out from under it, as its force has come to nothing (see
-    /// [`Grip`]). Returns that tool.
+    /// Releases a pressed tool once the sheet has run out from under it; returns its index.
     pub fn release(&mut self, state: &State) -> Option<usize> {
         let lost = self.tools.iter().enumerate().position(|(j, tool)| {
             !tool.is_absent()
@@ -128,7 +125,7 @@ impl<'a> Process<'a> {
         Some(lost)
     }
 
-    /// Travel at which the sheet left each tool \[mm\]; `None` of those that it has not left.
+    /// Travel at which the sheet left each tool \[mm\].
     pub fn left_at(&self) -> Vec<Option<f64>> {
         self.tools.iter().map(|tool| tool.released).collect()
     }
@@ -139,7 +136,7 @@ fn strength(model: &Model) -> f64 {
     model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
 }
 
-/// Elements of a sheet in their reference configuration, each bending or not.
+/// Elements in their reference configuration.
 pub(super) fn references<'a>(
     model: &'a Model,
     state: &'a State,
@@ -152,7 +149,7 @@ pub(super) fn references<'a>(
         .map(|(pair, &bends)| Reference::new(model.geometry, model.blank.theory.of_element(bends), pair[0], pair[1]))
 }
 
-/// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
+/// Nodal forces in equilibrium with the stress of the sheet \[N, N mm\].
 fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); state.nodes.len()];
     let section = NonlocalAverage::new(model, state).section_thickness(&state.thickness);

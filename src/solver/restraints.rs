@@ -48,14 +48,14 @@ impl Grip {
 
 /// Element that a bead acts on, and the shares of its nodes.
 #[derive(Clone, Copy, Debug)]
-pub struct BeadPlace {
+pub struct BeadPosition {
     pub element: usize,
     pub weights: [f64; 2],
     /// Length of the line times the share of the bead that still holds the sheet \[mm, or – per depth\].
     pub length: f64,
 }
 
-impl BeadPlace {
+impl BeadPosition {
     /// Finds the bead on the sheet; `None` when the sheet has left it.
     pub fn find(bead: &Bead, model: &Model, state: &State) -> Option<Self> {
         let nodes = &state.nodes;
