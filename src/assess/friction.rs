@@ -1,7 +1,7 @@
 //! Friction: known or assumed.
 
 use super::{Finding, Light, run::Run};
-use crate::model::{Model, Tool};
+use crate::model::{Friction, Model, Tool};
 use crate::units::Amount;
 use std::ops::RangeInclusive;
 
@@ -13,7 +13,7 @@ const TRIED: f64 = 0.02;
 /// Coefficient above that of dry steel.
 pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), *USUAL.end());
-    (friction > dry && !tool.friction.needs_shear_yield()).then(|| {
+    (friction > dry && !matches!(tool.friction, Friction::Tresca(_))).then(|| {
         let limit = Amount::number(dry);
         let text = format!("the {}'s friction of {{}} is above that of dry steel, {limit}", tool.role.name());
         Finding::warning("dry_friction", "Friction", text)

@@ -22,17 +22,16 @@ pub struct ValueAndSlope {
 }
 
 impl Penalty {
-    /// Where tool and sheet just touch, −ln(p/(k δ)).
+    /// Shift of the law in δ: −ln(p/(k δ)) at touch.
     const TOUCH: f64 = 3.0;
 
-    /// Beyond this many δ the pressure, below k δ exp(−30), is nothing.
+    /// Gap in δ beyond which the pressure, below k δ exp(−30), is zero.
     const REACH: f64 = 30.0 - Self::TOUCH;
 
-    /// Gap, in δ, at which tools wait before the first step: p is then k δ/150.
+    /// Gap in δ at which tools wait before the first step, with p = k δ/150.
     pub const WAITING: f64 = 5.0 - Self::TOUCH;
 
-    /// Gap, in δ, up to which a sheet lies on a tool: lightly pressed sheet, as gas presses it, stands off by some δ; p is
-    /// then k δ/22 000, hundredths of a MPa.
+    /// Gap in δ up to which a sheet, as pressed by gas, lies on a tool, with p = k δ/22 000.
     const LYING: f64 = 10.0 - Self::TOUCH;
 
     /// Gap up to which a sheet lies on a tool \[mm\].
@@ -40,7 +39,7 @@ impl Penalty {
         Self::LYING * self.smoothing
     }
 
-    /// Gap beyond which the pressure is nothing \[mm\].
+    /// Gap beyond which the pressure is zero \[mm\].
     #[inline]
     pub fn reach(&self) -> f64 {
         Self::REACH * self.smoothing
@@ -52,7 +51,7 @@ impl Penalty {
         self.stiffness * self.smoothing * (-Self::TOUCH).exp().ln_1p()
     }
 
-    /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; nothing out of reach.
+    /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; zero out of reach.
     #[inline]
     pub fn at(&self, gap: f64) -> ValueAndSlope {
         if gap > self.reach() {
@@ -69,9 +68,8 @@ impl Penalty {
 
     /// Pressure as [`Self::at`], with the slope of the chord to the gap where the law gives the pressure `carried` \[MPa\].
     ///
-    /// Newton's method creeps along the exponential foot of the law, one δ an iteration. The chord to a pressure that
-    /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the
-    /// pressure itself, and so the result, is the law's.
+    /// Newton's method moves along the exponential foot of the law by one δ an iteration; the primal-dual chord reaches the
+    /// carried pressure at once and leaves the pressure itself unchanged.
     #[inline]
     pub fn towards(&self, gap: f64, carried: f64) -> ValueAndSlope {
         let here = self.at(gap);

@@ -141,7 +141,7 @@ impl Profile {
         self.seen_from(x, self.nearest(x).piece)
     }
 
-    /// As [`Self::closest`], for a point that has `moved` \[mm\] since `known`, which is updated.
+    /// [`Self::closest`] for a point that has `moved` \[mm\] since `known`, which is updated.
     pub fn closest_after(&self, x: Point, moved: f64, known: &mut Nearest) -> Closest {
         *known = if known.is_after(moved) { Nearest { room: known.room - moved, ..*known } } else { self.nearest(x) };
         self.seen_from(x, known.piece)

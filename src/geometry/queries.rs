@@ -79,7 +79,7 @@ impl Profile {
         self.distance_by(other, shift, 0.02, 1)
     }
 
-    /// As [`Self::distance_to`], with arcs sampled every `step` \[rad\] and lines in `parts`.
+    /// [`Self::distance_to`] with arcs sampled every `step` \[rad\] and lines in `parts`.
     pub fn distance_by(&self, other: &Self, shift: Point, step: f64, parts: usize) -> (f64, Point) {
         let points = |of: &Self| -> Vec<Point> {
             let along = |piece: &Piece| match piece {

@@ -19,13 +19,13 @@ pub struct Blank {
     pub theory: Theory,
     /// Points through the thickness (1 when the theory is membrane).
     pub layers: usize,
-    /// What they stand for.
+    /// Integration rule of the points.
     pub rule: ThicknessRule,
     /// How the outer edge is held.
     pub edge: Edge,
 }
 
-/// What the points through the thickness stand for; the stages of a sheet have one rule.
+/// Integration rule through the thickness, the same in all stages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ThicknessRule {
     /// Equal parts of the thickness: for the flow law, whose stress jumps where bending turns the flow about.
@@ -55,8 +55,7 @@ pub enum Grading {
     /// Smaller elements where the sheet meets the tools' radii.
     #[default]
     Radii,
-    /// As `Radii` with so many elements, which are then divided, or put together, to as many as the blank has: so that the
-    /// meshes of a refinement are alike, which no case file asks for.
+    /// Mesh of `Radii` with another number of elements, divided or joined: similar meshes for refinement, not in case files.
     #[serde(skip)]
     Divided {
         /// Elements of the mesh that is divided.

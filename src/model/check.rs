@@ -122,7 +122,7 @@ impl Model {
 }
 
 impl Stage {
-    /// As [`Model::check`], and that the stage can continue with the sheet of the one before.
+    /// Checks the model, and that the stage can continue with the sheet of the one before.
     ///
     /// # Errors
     /// As [`Model::check`].

@@ -1,6 +1,6 @@
-//! How the metal answers to strain, and how the tools let go of it.
+//! Constitutive mode, and release of the tools.
 
-/// How the metal answers to strain.
+/// Constitutive mode of the metal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[derive(schemars::JsonSchema)]
@@ -30,14 +30,14 @@ pub enum Mode {
     Elastic,
 }
 
-/// Tools are taken away: the forces of contact become equal external loads that fade to zero over the run.
+/// Release of the tools: contact forces become external loads that fade to zero over the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Release {
-    /// The stiffness that it iterates with.
+    /// Stiffness of the iterations.
     pub stiffness: ReleaseStiffness,
 }
 
-/// Which stiffness a release iterates with.
+/// Stiffness of the iterations of a release.
 // Sosnowski (1994), equations 10 to 13.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -46,6 +46,6 @@ pub enum ReleaseStiffness {
     /// Formed anew in every iteration, with the geometric stiffness.
     #[default]
     Updated,
-    /// The one at the start of each increment.
+    /// Stiffness at the start of each increment.
     Constant,
 }

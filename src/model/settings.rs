@@ -12,7 +12,7 @@ pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
     #[schemars(example = &"primal_dual", extend("default" = "primal_dual"))]
     pub iteration: Iteration,
-    /// What must be small for a step to be accepted; "velocity" when not given.
+    /// Norm that must be small for a step to be accepted; "velocity" when not given.
     #[schemars(example = &"velocity", extend("default" = "velocity"))]
     pub norm: Norm,
     /// Accepted value of the norm; 1e-5 when not given.
@@ -57,7 +57,7 @@ pub struct Settings {
     pub facets: Option<usize>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: bool,
-    /// What keeps tools out of the sheet; "penalty" when not given.
+    /// Method that keeps tools out of the sheet; "penalty" when not given.
     #[schemars(example = &"penalty", extend("default" = "penalty"))]
     pub contact: ContactMethod,
     /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
@@ -115,7 +115,7 @@ pub enum Norm {
     Both,
 }
 
-/// What keeps tools out of the sheet.
+/// Method that keeps tools out of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[derive(schemars::JsonSchema)]

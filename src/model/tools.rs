@@ -17,7 +17,7 @@ pub struct Tool {
     pub motion: Motion,
 }
 
-/// Which tool.
+/// Role of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[derive(schemars::JsonSchema)]

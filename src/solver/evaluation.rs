@@ -88,7 +88,7 @@ pub(super) struct Evaluation {
     pub nodes: Vec<Node>,
     /// Elements by thickness points.
     pub updates: Grid<StressUpdate>,
-    /// Of each element \[mm\], and its derivative by r₁+r₂, r₂−r₁, z₂−z₁.
+    /// Thickness of each element \[mm\], and its derivatives.
     pub thickness: Vec<f64>,
     pub thickness_rows: Vec<Vector6>,
     /// Membrane strains Δε_s, Δε_θ of each element \[–\].

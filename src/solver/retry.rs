@@ -22,7 +22,7 @@ pub enum Start {
     Secant,
     /// Solution with a many times larger cut-off, itself started from rest.
     Softened,
-    /// As `Softened`, reducing the cut-off in steps: for a sheet at rest nearly everywhere, as after a trim.
+    /// Softened start that reduces the cut-off in steps: for a sheet at rest nearly everywhere, as after a trim.
     SoftenedInSteps,
 }
 

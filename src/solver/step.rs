@@ -1,12 +1,4 @@
 //! Data of a step that all its iterations share.
-//!
-//! ```text
-//! Step::new(process, state, Δt)                     everything that the iterations of a step share, computed once
-//! Trial::predict(step, ..)                          the unknowns, and what the iterations remember of each other
-//! equilibrium::evaluate(step, trial, ..)            the Evaluation, residual and matrix: a function of both
-//! retry::solve(step, ..) -> Converged               what a step in equilibrium is
-//! Converged::advanced() -> State                    the next state; a step that failed is dropped
-//! ```
 
 use super::restraints::{BeadPosition, Seal};
 use super::run_context::{RunContext, references};
@@ -53,7 +45,7 @@ pub(super) struct Step<'a> {
     pub half_thickness_difference: Vec<f64>,
     /// Areas of the lower and upper face over that of the mid-surface at the start \[–\].
     pub faces: Vec<[f64; 2]>,
-    /// Shear yield stress of the elements \[MPa\]; zero if no friction law depends on it.
+    /// Shear yield stress of the elements \[MPa\].
     pub shear_yield: Vec<f64>,
     /// Points of the flow law or of the elastoplastic law; the other is empty.
     pub flow_points: Grid<PointState>,
@@ -88,7 +80,6 @@ impl<'a> Step<'a> {
         let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
         let speed_ratio =
             if before > 0.0 { (model.travel_at(state.time + dt) - state.travel) / (before * dt) } else { 1.0 };
-        let asks = context.tools.iter().any(|tool| tool.friction.needs_shear_yield());
         let (flow_points, elastoplastic_points) = match model.mode {
             Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around, &bends), Grid::default()),
             _ => (Grid::default(), elastoplastic_points(model, state, dt, &around)),
@@ -108,7 +99,7 @@ impl<'a> Step<'a> {
             faces: faces(&references, state),
             references,
             bends,
-            shear_yield: if asks { shear_yield(context, state) } else { vec![0.0; state.thickness.len()] },
+            shear_yield: shear_yield(context, state),
             flow_points,
             elastoplastic_points,
             section,

@@ -60,11 +60,6 @@ trait FrictionLaw: Law {
 
     /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
     fn largest_coefficient(&self) -> f64;
-
-    /// True if the law depends on the shear yield stress.
-    fn needs_shear_yield(&self) -> bool {
-        false
-    }
 }
 
 family! {
@@ -88,11 +83,6 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
-    /// True if the law depends on the shear yield stress.
-    pub fn needs_shear_yield(&self) -> bool {
-        self.law().needs_shear_yield()
-    }
-
     /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
     pub fn largest_coefficient(&self) -> f64 {
         self.law().largest_coefficient()

@@ -59,7 +59,6 @@ impl FrictionLaw for PressureDependent {
         }
     }
 
-    /// That without pressure.
     fn largest_coefficient(&self) -> f64 {
         self.coefficient * Self::LIGHT.powf(self.exponent - 1.0)
     }

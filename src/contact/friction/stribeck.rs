@@ -12,11 +12,11 @@ use crate::material::law::prelude::*;
 #[serde(deny_unknown_fields)]
 #[derive(schemars::JsonSchema)]
 pub struct Stribeck {
-    /// Of the slowest sliding, 0 to 1.
+    /// Coefficient of the slowest sliding, 0 to 1.
     #[serde(with = "As::<Fraction>")]
     #[schemars(example = 0.15)]
     pub at_rest: f64,
-    /// Of fast sliding, 0 to 1.
+    /// Coefficient of fast sliding, 0 to 1.
     #[serde(with = "As::<Fraction>")]
     #[schemars(example = 0.05)]
     pub sliding: f64,

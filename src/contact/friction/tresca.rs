@@ -62,8 +62,4 @@ impl FrictionLaw for Tresca {
     fn largest_coefficient(&self) -> f64 {
         self.coefficient
     }
-
-    fn needs_shear_yield(&self) -> bool {
-        true
-    }
 }

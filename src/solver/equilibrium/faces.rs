@@ -22,7 +22,7 @@ const ELEMENTS: usize = 160;
 /// Angle from the pole to the edge \[rad\].
 const SWEEP: f64 = 1.2;
 
-/// What presses the shell from inside.
+/// Load on the inside of the shell.
 #[derive(Clone, Copy)]
 enum By {
     Contact,

@@ -50,7 +50,7 @@ pub enum Stop {
         /// Initial distance of that place from the axis \[mm\].
         s0: f64,
     },
-    /// Nothing holds a strip of membranes.
+    /// A strip of membranes has no restraint.
     Mechanism {
         /// Punch travel there \[mm\].
         travel: f64,
@@ -244,7 +244,7 @@ impl fmt::Display for Stop {
             Stop::DrawnThrough { travel, wished: true } => {
                 write!(
                     f,
-                    "drawn through: at {} of travel the rim has left the die's shoulder: strip the cup",
+                    "drawn through: at {} of travel the rim has left the die's shoulder: strip it off the punch",
                     mm(travel)
                 )
             }
