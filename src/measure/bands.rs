@@ -66,18 +66,13 @@ impl Band {
     }
 
     /// Name with its preposition: `on the punch radius`.
-    pub fn at(self) -> &'static str {
-        match self {
-            Band::Bottom => "in the bottom",
-            Band::Dome => "on the dome",
-            Band::PunchRadius => "on the punch radius",
-            Band::Wall => "in the wall",
-            Band::Unsupported => "in the unsupported stretch",
-            Band::DieCorner => "in the die corner",
-            Band::DieRadius => "on the die radius",
-            Band::HolderRadius => "on the holder radius",
-            Band::Flange => "in the flange",
-        }
+    pub fn at(self) -> String {
+        let preposition = match self {
+            Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
+            Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
+        };
+        let stretch = if self == Band::Unsupported { " stretch" } else { "" };
+        format!("{preposition} the {}{stretch}", self.name())
     }
 }
 
@@ -110,7 +105,7 @@ pub struct PartPlace {
 impl std::fmt::Display for PartPlace {
     /// `in the wall, next to the punch radius`
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        f.write_str(self.band.at())?;
+        f.write_str(&self.band.at())?;
         self.next_to.map_or(Ok(()), |other| write!(f, ", next to the {}", other.name()))
     }
 }

@@ -28,14 +28,12 @@ mod events;
 mod fit;
 mod meridian;
 mod moment;
-mod part;
 mod ring;
 mod shape_measure;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::{MomentError, moment_error};
-pub use part::{part_height, thickest};
 pub use ring::{CutRing, Ring, RingTest};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
@@ -165,6 +163,19 @@ fn wall(meridian: &Meridian) -> Option<Range<usize>> {
 /// Outermost leg, if behind a bend that brought the sheet back.
 fn flange(meridian: &Meridian) -> Option<Range<usize>> {
     meridian.leg(|legs| legs.last().filter(|(_, sense)| *sense > 0).map(|(nodes, _)| nodes.clone()))
+}
+
+/// Overall height of a part along the punch travel \[mm\]: range of the mid-surface and half the thickness of its middle.
+pub fn part_height(frame: &Frame) -> Option<f64> {
+    let z = || frame.nodes.iter().map(|node| node.z);
+    let (low, high) = (z().reduce(f64::min)?, z().reduce(f64::max)?);
+    Some(high - low + 0.5 * frame.nodes.first()?.thickness)
+}
+
+/// Thickness and initial distance from the axis of the thickest element \[mm\].
+pub fn thickest(frame: &Frame) -> Option<(f64, f64)> {
+    let thickest = frame.elements.iter().max_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
+    Some((thickest.thickness, thickest.s0))
 }
 
 /// Named place of the sheet.

@@ -1,18 +1,21 @@
 //! Converged steps and the states after them.
 
 use super::corrector::Outcome;
-use super::elastic_volume;
 use super::evaluation::Evaluation;
-use super::porosity;
-use super::steady;
 use super::step::Step;
 use super::terms::contact;
 use super::trial::Trial;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
+use crate::material::{Elastic, Gtn};
 use crate::model::{Edge, Mode, Theory};
 use crate::numerics::Grid;
 use crate::solver::state::{MaterialPoint, State};
+
+/// Largest relative change of the strain rate in steady flow \[–\].
+const STEADY: f64 = 0.6;
+/// Least strain increment of flow, in cut-offs \[–\].
+const FLOWING: f64 = 10.0;
 
 /// Converged step.
 pub(super) struct Converged<'a> {
@@ -88,12 +91,12 @@ impl<'a> Converged<'a> {
             gas: trial.gas.clone(),
             s0: state.s0.clone(),
         };
-        steady::judge(step, evaluation, &mut next);
+        mark_steady(step, evaluation, &mut next);
         if let Some(elastic) = model.elasticity() {
-            elastic_volume::follow(elastic, step, evaluation, &mut next);
+            correct_elastic_volume(elastic, step, evaluation, &mut next);
         }
         if let Some(voids) = &model.material.gtn {
-            porosity::grow(voids, step, trial, evaluation, &mut next);
+            grow_voids(voids, step, trial, evaluation, &mut next);
         }
         next
     }
@@ -134,5 +137,58 @@ fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
             trial.moves[i][2] = 0.5 * (turns[i - 1] + turns[i.min(last - 1)]);
             evaluation.nodes[i][2] = step.state.nodes[i][2] + trial.moves[i][2];
         }
+    }
+}
+
+/// Marks in `next` the elements whose thickness points all flow steadily.
+fn mark_steady(step: &Step, evaluation: &Evaluation, next: &mut State) {
+    if step.model.mode != Mode::Flow {
+        return;
+    }
+    let metal = &step.model.material.yield_criterion;
+    let least = FLOWING * step.cutoff(1.0);
+    let rows = next.points.rows().zip(step.state.points.rows()).zip(evaluation.updates.rows());
+    for (steady, ((now, before), updates)) in next.steady.iter_mut().zip(rows) {
+        *steady = now.iter().zip(before).zip(updates).all(|((now, before), update)| {
+            let (rate, last) = (now.strain_rate, before.strain_rate.map(|rate| step.speed_ratio * rate));
+            let change = metal.equivalent_increment([rate[0] - last[0], rate[1] - last[1], rate[2] - last[2]]);
+            update.increment > least && change < STEADY * metal.equivalent_increment(rate)
+        });
+    }
+}
+
+/// Corrects the thickness of `next` by the elastic volume strain of its stress.
+///
+/// ```text
+/// t = t₀ exp(−ε_s − ε_θ + ln J),   ln J = (1 − 2ν)(τ_s + τ_θ)/E, the mean through the thickness
+/// ```
+///
+/// Within a step t goes with the ln J of its start, and the virtual work of contact leaves δ ln J out. The pressure of tools,
+/// 3(1 − 2ν) p/2E, is neglected. A sheet formed by the flow law takes the volume of its stress in the first elastic step.
+fn correct_elastic_volume(elastic: Elastic, step: &Step, evaluation: &Evaluation, next: &mut State) {
+    for (e, updates) in evaluation.updates.rows().enumerate() {
+        let points = updates.iter().zip(&step.context.rule);
+        let volume: f64 = points.map(|(update, at)| at.weight * elastic.volume_strain(update.stress)).sum();
+        next.thickness[e] *= (volume - next.dilation[e]).exp();
+        next.dilation[e] = volume;
+    }
+}
+
+/// Integrates the porosity of every thickness point, and corrects strain and thickness of `next` by it.
+fn grow_voids(voids: &Gtn, step: &Step, trial: &Trial, evaluation: &Evaluation, next: &mut State) {
+    let metal = step.model.material.yield_criterion.quadratic();
+    for (e, points) in next.points.rows_mut().enumerate() {
+        let mut volume = 0.0;
+        for (k, (point, at)) in points.iter_mut().zip(&step.context.rule).enumerate() {
+            let before = point.strain - evaluation.updates[(e, k)].increment;
+            let now = voids.evolve(metal, point.porosity, before, trial.iterates[(e, k)].strain());
+            point.porosity_rate = (now.porosity - point.porosity) / step.dt;
+            point.porosity = now.porosity;
+            point.strain = now.strain;
+            volume += at.weight * now.volume;
+        }
+        next.thickness[e] *= volume.exp() / step.growth[e];
+        next.dilation[e] += volume;
+        next.dilation_rate[e] = volume / step.dt;
     }
 }

@@ -5,10 +5,12 @@ use super::converged::Converged;
 use super::corrector::{Outcome, Pass, correct, patience};
 use super::evaluation::Evaluation;
 use super::observer::Observer;
+use super::run_context::RunContext;
 use super::step::Step;
 use super::trial::Trial;
-use crate::model::{ContactMethod, Iteration};
+use crate::model::{ContactMethod, Iteration, Model};
 use crate::solver::solution::Effort;
+use crate::solver::state::State;
 
 /// Starting point of the corrector; when one fails the next is tried before the step is halved.
 ///
@@ -137,4 +139,20 @@ fn attempt(
         }
     }
     Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
+}
+
+/// Solves the `number`-th step of a run by itself, `dt` \[s\] long; returns the state after it where one start converges.
+///
+/// The iterations are those of the run, but for the first guesses of elastoplastic points, which a run takes from the step
+/// before.
+pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: &mut dyn Observer) -> Option<State> {
+    let mut state = state.clone();
+    let mut context = RunContext::new(model, &state);
+    while let Some(tool) = context.release(&state) {
+        state.release(tool);
+    }
+    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
+    let step = Step::new(&context, &state, dt, number);
+    let solved = solve(&step, &mut trial, &mut evaluation, &mut 0, observer);
+    solved.ok().map(|(_, converged)| converged.advanced())
 }
