@@ -25,7 +25,7 @@ from one coarser run. A report of an earlier run is replaced; any other file is 
 
 Examples:
   stampflow report cases/quickstart.toml
-  stampflow report cup.toml -o cup_report.html --set report.part=Cup --set report.number=4711
+  stampflow report cup.toml -o cup_report.html --set 'report={part=\"Cup\", number=\"4711\"}'
   stampflow report cases/quickstart.toml --also friction=0.12
 
 Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early, 130 interrupted, 1 anything else";

@@ -1,7 +1,7 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
 use stampflow::assess::{self, Light, check};
-use stampflow::author::templates::{TEMPLATES, find, list, rules};
+use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::model::{Mode, Motion, Role};
