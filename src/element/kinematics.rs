@@ -130,7 +130,7 @@ impl Reference {
         })
     }
 
-    /// The same element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
+    /// The element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
     /// the axis.
     ///
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10

@@ -6,10 +6,9 @@ pub mod surface;
 
 use std::str::FromStr;
 
-/// Which section is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+/// Kind of section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Geometry {
     /// Body of revolution.
     Axisymmetric,
@@ -18,7 +17,7 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// As a case file has it.
+    /// Key in case files.
     pub fn key(self) -> &'static str {
         match self {
             Self::Axisymmetric => "axisymmetric",
@@ -37,9 +36,8 @@ impl FromStr for Geometry {
 }
 
 /// Shell theory.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Theory {
     /// Membrane, bending and transverse shear.
     #[default]

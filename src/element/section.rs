@@ -59,7 +59,7 @@ pub fn forces(
     for (i, at) in rule.iter().enumerate() {
         s += resultants(0.5 * thickness * at.xi, volume * at.weight, stress(i));
     }
-    current.strain_displacement().tr_mul(&s)
+    current.strain_displacement().transpose() * s
 }
 
 /// Resultants of a stress at ζ that acts on the volume `v`.
@@ -129,12 +129,12 @@ impl Section<'_> {
             integrand.updates[i] = update;
         }
         let b = current.strain_displacement();
-        let force = b.tr_mul(&s);
+        let force = b.transpose() * s;
         if self.forces_alone {
             return Internal { force, matrix: None };
         }
         c.fill_upper_triangle_with_lower_triangle();
-        let mut matrix = b.tr_mul(&(c * b)) + current.geometric_stiffness(&s);
+        let mut matrix = b.transpose() * (c * b) + current.geometric_stiffness(&s);
         if !current.bends() {
             matrix += current.transverse_stiffness((self.slack_tension * volume * yield_stress - s[EPS_S]).max(0.0));
         }

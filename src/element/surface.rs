@@ -25,7 +25,7 @@ pub struct Station {
     pub shape: [f64; 2],
     /// ⅛(1−ξ²).
     bow: f64,
-    /// By how much its share of the area exceeds a half, over (r₂−r₁)/r \[–\].
+    /// Excess of its share of the area over a half, over (r₂−r₁)/r \[–\].
     pub skew: f64,
 }
 

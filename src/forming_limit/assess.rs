@@ -50,7 +50,7 @@ impl Judged {
     }
 }
 
-/// Where and when an element first came to the curve.
+/// Place and time at which an element first reached the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
     /// Time, between two steps in proportion to the margin \[s\].
@@ -65,7 +65,7 @@ pub struct Reached {
     pub major: f64,
 }
 
-/// What a run makes of a forming limit.
+/// Assessment of a run by a forming limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     /// From the axis outward.

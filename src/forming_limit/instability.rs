@@ -1,4 +1,4 @@
-//! Where a force stops rising: the common ground of the closed forms.
+//! Maximum force: the common ground of the closed forms.
 //!
 //! A sheet that is strained in proportion is stable while its hardening outruns its loss of section,
 //!
@@ -26,7 +26,7 @@ pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LimitError> {
     Hardened::new(sheet, None).limit(1.0)
 }
 
-/// What of a sheet's hardening was looked at in search of one limit, for the next.
+/// Bracket of the hardening curve in the search of one limit, for the next.
 pub(super) struct Hardened<'a> {
     sheet: &'a Sheet<'a>,
     /// Exponent of a power law in place of the sheet's own \[–\].

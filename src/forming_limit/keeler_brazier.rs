@@ -20,9 +20,8 @@ use crate::units::{Amount, Digits, joined};
 ///
 /// Valid for mild and conventional high-strength steel up to 3.1 mm, not for aluminium; n counts as 0.21 at most.
 /// Source: S. P. Keeler, W. G. Brazier, Micro Alloying 75 (1977) 517–530 (not read; as AHSS Insights and programs quote it).
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct KeelerBrazier {
     /// Hardening exponent; `None` takes the uniform strain of the sheet's law \[–\].
     #[serde(skip)]

@@ -32,9 +32,8 @@ const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
 ///
 /// Valid for straight strain paths; by Hill's condition with r̄ below 1 it ends in plane strain: beyond it is too high.
 /// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct MarciniakKuczynski {
     /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
     #[serde(default = "imperfection", with = "As::<Fraction>")]

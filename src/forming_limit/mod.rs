@@ -38,9 +38,9 @@ use crate::units::Amount;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct LimitError {
-    /// What is wrong.
+    /// Cause.
     pub message: String,
-    /// What to try.
+    /// Remedy.
     pub help: String,
 }
 
@@ -53,7 +53,7 @@ impl LimitError {
 /// The sheet that a curve is for.
 #[derive(Clone, Copy, Debug)]
 pub struct Sheet<'a> {
-    /// What it is made of.
+    /// Its material.
     pub material: &'a Material,
     /// Initial thickness \[mm\].
     pub thickness: f64,
@@ -68,7 +68,7 @@ impl Sheet<'_> {
     }
 }
 
-/// Where a curve comes from.
+/// Origin of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
     /// Measured.
@@ -98,7 +98,7 @@ impl Kind {
         }
     }
 
-    /// What its curve is called.
+    /// Name of its curve.
     fn name(&self) -> &'static str {
         match self {
             Self::Points(_) => "Points",
@@ -131,9 +131,9 @@ pub struct Curve {
     ends: bool,
     /// Minor and major logarithmic strain \[–\], the minor rising.
     points: Vec<[f64; 2]>,
-    /// What it is called.
+    /// Name.
     pub name: &'static str,
-    /// Where its numbers come from and what was assumed, in sentences.
+    /// Origin of its numbers and assumptions, in sentences.
     pub notes: Vec<String>,
 }
 

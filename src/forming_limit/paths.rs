@@ -21,7 +21,7 @@ pub struct Paths {
     pub s0: Vec<f64>,
     /// The kept instants, rising in time.
     pub instants: Vec<Instant>,
-    /// As [`Self::stride`] says, and how many instants were given.
+    /// Stride of [`Self::stride`], and number of instants so far.
     stride: usize,
     given: usize,
 }

@@ -3,9 +3,8 @@
 use super::{Curve, Kind, LimitError, Sheet};
 
 /// Strains of a measured curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Strain {
     /// True strain.
     #[serde(alias = "true")]

@@ -15,9 +15,8 @@ use super::FlowStress;
 use crate::material::law::prelude::*;
 
 /// A back-stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct BackStress {
     /// C: its first slope over the plastic strain \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
@@ -30,7 +29,7 @@ pub struct BackStress {
 }
 
 impl BackStress {
-    /// What it adds to the stress of tension at a plastic strain, and its slope: C/γ (1 − exp(−γ ε̄)) and C exp(−γ ε̄) \[MPa\].
+    /// Its share of the stress of tension at a plastic strain, and its slope: C/γ (1 − exp(−γ ε̄)) and C exp(−γ ε̄) \[MPa\].
     pub fn in_tension(&self, strain: f64) -> FlowStress {
         let Self { modulus, dynamic_recovery } = *self;
         let come = -(-dynamic_recovery * strain).exp_m1();

@@ -36,9 +36,8 @@ pub use super::yield_condition::{
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Iteration {
     /// Newton's matrix with an independently carried stress.
     PrimalDual,
@@ -48,7 +47,7 @@ pub enum Iteration {
     Secant,
 }
 
-/// What is the same for every thickness point in an iteration.
+/// Law of all thickness points in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowLaw<'a> {
     /// σ_y(ε̄), slow and cold.
@@ -168,7 +167,7 @@ impl Iterate {
     /// w ← σ + C δ(Δε), scaled back to √(wᵀA⁻¹w) = σ_y when beyond it
     /// ```
     ///
-    /// Where bending reverses the flow within the point's part of the thickness the stress jumps: a single point would
+    /// If bending reverses the flow within the point's part of the thickness the stress jumps: a single point would
     /// stick to the jump and bear any tension without stretching. With k the strain of bending over half the part, the
     /// root mean square of the strain over it
     ///

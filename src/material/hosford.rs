@@ -52,7 +52,7 @@ pub struct Hosford {
     inverse_weight: f64,
 }
 
-/// What the curve φ is at the stress (1, x), the larger one first.
+/// Place on the curve φ, of the stress (1, x) with the larger component first.
 pub(super) struct Place {
     /// x, the smaller stress over the larger one \[–\].
     pub ratio: f64,
@@ -64,7 +64,7 @@ pub(super) struct Place {
     pub bend: f64,
 }
 
-/// What the inner root finds: x, x'(β) or the chord that stands for it, and 1/φ².
+/// Inner root: x, x'(β) or the chord that stands for it, and 1/φ².
 struct Root {
     ratio: f64,
     rate: f64,
@@ -157,7 +157,7 @@ impl Hosford {
         if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
     }
 
-    /// Of an increment, without its shear; the matrix is the chord to the carried stress `w` where there is one.
+    /// Metric of an increment without its shear; the matrix is the chord to the carried stress `w` where there is one.
     #[inline]
     fn plane(&self, [s, t]: [f64; 2], w: Option<[f64; 2]>) -> Plane {
         let swapped = t.abs() > s.abs();
@@ -237,7 +237,7 @@ impl YieldCondition for Hosford {
         self.with_shear(e, None)
     }
 
-    /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
+    /// On a flat part of the curve the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
     /// side to side. The chord to the strain of the carried stress is right where that stress is, and where the strain is.
     #[inline]
     fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {

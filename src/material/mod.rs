@@ -1,4 +1,4 @@
-//! What the sheet is made of: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, and the laws
+//! The sheet's material: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, and the laws
 //! that give the stress at a point.
 
 pub mod chaboche;

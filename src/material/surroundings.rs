@@ -9,7 +9,7 @@
 
 use super::FlowStress;
 
-/// What a thickness point knows of its surroundings.
+/// Rate sensitivity of a thickness point to its surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surroundings {
     /// m; 0 where nothing holds the point back \[–\].
@@ -48,14 +48,10 @@ mod tests {
         yielding
     }
 
+    /// Trust: the formula; ten times the rate is 2.3 exponents less the share of the floor.
     #[test]
-    fn what_flows_like_its_surroundings_is_not_held() {
+    fn faster_flow_is_resisted_and_slower_flow_helped() {
         assert_relative_eq!(held(AROUND.increment).stress, 305.0, max_relative = 1e-15);
-    }
-
-    /// Trust: ten times the rate is 2.3 exponents; the floor of a twentieth of the increment takes a little of it.
-    #[test]
-    fn what_flows_faster_is_held_back_and_what_flows_slower_helped() {
         assert_relative_eq!(held(0.1).stress, 350.0 * (1.0 + 0.005 * (0.1005_f64 / 0.0105).ln()), max_relative = 1e-15);
         assert!(held(0.001).stress < 300.5);
     }

@@ -1,4 +1,4 @@
-//! Which yield condition a sheet has, and what a designer's formulas ask of it.
+//! The yield condition of a sheet without voids.
 
 use super::yield_condition::{Metric, Triple, YieldCondition};
 use super::{Hill48, Hosford};
@@ -68,7 +68,7 @@ impl YieldCriterion {
         by_condition!(self, condition => condition.equivalent_increment(e))
     }
 
-    /// The same of a part of the thickness over which the increment goes evenly from `e` − `k` to `e` + `k`: its root mean
+    /// Equivalent increment of a part of the thickness over which it goes evenly from `e` − `k` to `e` + `k`: its root mean
     /// square \[–\].
     pub fn equivalent_across(&self, e: Triple, k: [f64; 2]) -> f64 {
         by_condition!(self, condition => condition.layer(e, k, None).square.sqrt())

@@ -12,10 +12,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// What is fitted.
+/// A fitted parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
-    /// Where to begin.
+    /// Start value.
     pub start: f64,
     /// Least value; where it is the largest too, the parameter stays.
     pub low: f64,
@@ -25,7 +25,7 @@ pub struct Parameter {
     pub step: f64,
 }
 
-/// What is to become small.
+/// Residuals of a fit.
 pub trait Residuals {
     /// Residuals at some points, as many at each; `None` where there are none. Empty where no more are wanted.
     fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>>;
@@ -161,7 +161,7 @@ fn jacobian_at(parameters: &[Parameter], residuals: &dyn Residuals, best: &Minim
 }
 
 impl Parameter {
-    /// What a change of it is measured by.
+    /// Scale of a change.
     fn size(&self, value: f64) -> f64 {
         value.abs().max(1e-3 * (self.high - self.low).min(1.0)).max(f64::MIN_POSITIVE)
     }
@@ -201,7 +201,7 @@ impl Minimum {
         (0..all.nrows()).all(|i| all[(i, i)] >= 0.0 && all[(i, i)].is_finite()).then_some(all)
     }
 
-    /// Which parameters move: those that are not given, nor pushed out of their bounds.
+    /// Free parameters: neither fixed nor pushed out of their bounds.
     fn free_of(&self, parameters: &[Parameter]) -> Vec<bool> {
         let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals));
         let is_free = |(j, p): (usize, &Parameter)| {

@@ -36,7 +36,7 @@ impl PiecewiseLinear {
         interpolated(&self.points, x)
     }
 
-    /// Where a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
+    /// Place at which a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
     pub fn reaches(&self, value: f64) -> f64 {
         let after = self.points.partition_point(|p| p.1 < value);
         if after == 0 {
@@ -57,7 +57,7 @@ impl PiecewiseLinear {
         (v1 - v0) / (x1 - x0)
     }
 
-    /// The same up to where the rising value comes to `value`, the last line drawn out as far as it takes.
+    /// Integral up to the place where the rising value comes to `value`, the last line extended as needed.
     pub fn up_to(&self, value: f64) -> Self {
         let kept = self.points.partition_point(|p| p.1 < value).min(self.points.len() - 1).max(1);
         let mut points = self.points[..kept].to_vec();

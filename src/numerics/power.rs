@@ -11,7 +11,7 @@ pub struct Power {
 }
 
 impl Power {
-    /// Of an exponent of 2 to 1000.
+    /// Power with an exponent of 2 to 1000.
     pub fn new(exponent: f64) -> Self {
         let whole = (exponent.fract() == 0.0).then_some(exponent as i32);
         let square_roots = whole.filter(|a| a.count_ones() == 1).map(i32::trailing_zeros);

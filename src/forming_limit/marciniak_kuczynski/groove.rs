@@ -25,7 +25,7 @@ const PULLED: f64 = 0.1;
 const TOLERANCE: f64 = 1e-11;
 const ITERATIONS: usize = 40;
 
-/// Where the equations lost their solution before the groove was necking.
+/// The equations lost their solution before the groove was necking.
 #[derive(Clone, Copy, Debug)]
 pub struct Failure {
     /// Equivalent strain of the sheet \[–\], and strain rate of the groove over that of the sheet.
@@ -57,7 +57,7 @@ struct Strained {
     rate: [f64; 2],
 }
 
-/// What the sheet asks of the groove in a step.
+/// Demand of the sheet on the groove in a step.
 struct Demand {
     /// Δε_tt.
     along: f64,
@@ -141,7 +141,7 @@ impl<'a> Groove<'a> {
         None
     }
 
-    /// What is missing of the sheet's forces in the groove, over the force across it \[–\].
+    /// Missing part of the sheet's forces in the groove, over the force across it \[–\].
     fn residual(&self, now: &Strained, demand: &Demand, [across, shear]: [f64; 2]) -> Option<[f64; 2]> {
         let (increment, [pull, slip]) = self.plane.turned(across, demand.along, shear);
         if increment.is_nan() || increment <= 0.0 {

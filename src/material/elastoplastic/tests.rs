@@ -40,7 +40,7 @@ fn start(law: &ElastoplasticLaw) -> Carried {
 const INCREMENTS: [Triple; 5] =
     [[1e-2, -5e-3, 0.0], [3e-3, 0.0, 1e-3], [-2e-3, -2e-3, 4e-4], [-4e-2, 1e-2, -2e-3], [2.5e-3, 3e-3, -5e-3]];
 
-/// What a law of [`for_every_law`] is made of.
+/// Ingredients of a law of [`for_every_law`].
 #[derive(Debug)]
 struct Setting {
     name: &'static str,

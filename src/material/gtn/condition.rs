@@ -47,7 +47,7 @@ pub struct GtnCondition {
     c: f64,
 }
 
-/// Where the maximum is: normalised stresses, D and the parts of the strain increment.
+/// Place of the maximum: normalised stresses, D and the parts of the strain increment.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     m: f64,
@@ -108,7 +108,7 @@ impl GtnCondition {
         self.share * self.place(e).dissipation
     }
 
-    /// What an increment does to the metal around the voids and to the volume: Δε̄ and the volume strain \[–\].
+    /// Δε̄ of the metal around the voids and the volume strain of an increment \[–\].
     pub(super) fn strains(&self, e: Triple) -> [f64; 2] {
         let place = self.place(e);
         // Normality: ε_kk = λ 3 g with λ = 1/2κ.

@@ -32,9 +32,8 @@ const LARGEST: f64 = 0.99;
 /// Valid for small, spread-out voids under tension; without shear it says little about compression.
 /// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), nucleation C. C. Chu, A. Needleman
 /// (1980) (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Gtn {
     /// Initial porosity f₀, below 0.3.
     #[serde(with = "As::<Fraction>")]
@@ -59,9 +58,8 @@ pub struct Gtn {
 }
 
 /// Strain-controlled nucleation, spread normally.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Nucleation {
     /// Porosity f_N that all particles make.
     #[serde(with = "As::<Fraction>")]
@@ -78,9 +76,8 @@ pub struct Nucleation {
 }
 
 /// Faster loss of strength from a critical porosity on.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Coalescence {
     /// f_c.
     #[serde(with = "As::<Fraction>")]
@@ -96,7 +93,7 @@ fn tvergaard() -> f64 {
     1.5
 }
 
-/// What the voids come to \[–\].
+/// Voids and strains after an increment \[–\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evolution {
     /// f.

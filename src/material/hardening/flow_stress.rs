@@ -1,4 +1,4 @@
-//! What every hardening law says: the yield stress, its slope, and how far both are known.
+//! Interface of the hardening laws: the yield stress, its slope, and the range of both.
 
 use crate::material::law::{Law, LawError, require};
 use crate::units::rounded;
@@ -12,7 +12,7 @@ pub struct FlowStress {
     pub slope: f64,
 }
 
-/// What a hardening law says beside its parameters.
+/// Interface of a hardening law.
 pub(super) trait HardeningLaw: Law {
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
     fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress;

@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 /// Valid for metals whose hardening comes to an end at large strains, such as aluminium and deep-drawing steel; just beyond
 /// yield its slope is infinite for an exponent below 1, a chord over 1e-6 takes its place.
 /// Source: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98 (not read; the form is in common use).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct HockettSherby {
     /// σ₀ at the start of yield \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
@@ -33,16 +32,7 @@ pub struct HockettSherby {
     exponent: f64,
 }
 
-impl HockettSherby {
-    /// `initial` σ₀ > 0 and `saturation` σ_s ≥ σ₀ \[MPa\], `rate` N ≥ 0 \[–\], `exponent` 0 < p ≤ 1.
-    ///
-    /// # Errors
-    /// When a parameter is out of range.
-    pub fn new(initial: f64, saturation: f64, rate: f64, exponent: f64) -> Result<Self, LawError> {
-        let mut law = Self { initial, saturation, rate, exponent };
-        law.prepare(None).map(|()| law)
-    }
-}
+constructor!(HockettSherby { initial, saturation, rate, exponent });
 
 impl Law for HockettSherby {
     fn examples() -> Vec<Self> {

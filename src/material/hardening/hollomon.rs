@@ -10,9 +10,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid beyond a strain of some per cent; at yield it says little.
 /// Source: J. H. Hollomon, Tensile deformation, Trans. AIME 162 (1945) 268–290.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Hollomon {
     /// K, the stress at a strain of 1 \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]

@@ -7,9 +7,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
 /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Ludwik {
     /// Yield stress σ₀ \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
@@ -25,16 +24,7 @@ pub struct Ludwik {
     n: f64,
 }
 
-impl Ludwik {
-    /// `initial` yield stress σ₀ > 0 \[MPa\], `k` ≥ 0 \[MPa\], 0 < n ≤ 1.
-    ///
-    /// # Errors
-    /// When a parameter is out of range.
-    pub fn new(initial: f64, k: f64, n: f64) -> Result<Self, LawError> {
-        let mut law = Self { initial, k, n };
-        law.prepare(None).map(|()| law)
-    }
-}
+constructor!(Ludwik { initial, k, n });
 
 impl Law for Ludwik {
     fn examples() -> Vec<Self> {

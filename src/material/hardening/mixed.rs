@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 /// Valid where each of both was fitted to the same test: the weight says how far beyond its end hardening goes on. With an
 /// exponent below 1 the second is Hockett and Sherby's.
 /// Source: in common use for sheet; no first author is known.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Mixed {
     /// Share of Swift's law, 0 to 1.
     #[serde(with = "As::<Fraction>")]

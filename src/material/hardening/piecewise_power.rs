@@ -15,18 +15,16 @@ use crate::material::law::prelude::*;
 ///
 /// Valid where the branches were fitted; they must meet within 0.5 %.
 /// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct PiecewisePower {
     /// In order of strain.
     branches: Vec<Branch>,
 }
 
 /// One branch; it must meet the next one.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Branch {
     /// Strain where the branch ends; left out in the last one.
     #[serde(default = "without_end", with = "As::<Positive<Number>>")]

@@ -7,9 +7,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid up to large strains for most steels; it hardens without end.
 /// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Swift {
     /// K, the stress at a total strain of 1 \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
@@ -25,16 +24,7 @@ pub struct Swift {
     offset: f64,
 }
 
-impl Swift {
-    /// `k` \[MPa\], exponent `n` (0 ≤ n ≤ 1), offset strain `offset` > 0.
-    ///
-    /// # Errors
-    /// When a parameter is out of range.
-    pub fn new(k: f64, n: f64, offset: f64) -> Result<Self, LawError> {
-        let mut law = Self { k, n, offset };
-        law.prepare(None).map(|()| law)
-    }
-}
+constructor!(Swift { k, n, offset });
 
 impl Law for Swift {
     fn examples() -> Vec<Self> {

@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
 /// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 #[schemars(extend("dependentRequired" = { "strain": ["stress"], "stress": ["strain"] }))]
 pub struct Table {
     /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
@@ -22,7 +21,7 @@ pub struct Table {
     strain: Option<Vec<NonNegative<Number>>>,
     /// Stresses, when not given as `points`.
     stress: Option<Vec<Positive<Stress>>>,
-    /// What the law does beyond the last point: a choice that has to be made.
+    /// Extrapolation beyond the last point: a choice that has to be made.
     #[schemars(example = &"slope")]
     extrapolation: Extrapolation,
     /// Takes the place of the points that were read.

@@ -9,9 +9,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid for metals whose hardening comes to an end, such as aluminium.
 /// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Voce {
     /// Yield stress σ₀ \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
@@ -31,16 +30,7 @@ pub struct Voce {
     exponent: f64,
 }
 
-impl Voce {
-    /// `initial` σ₀ > 0 and `saturation` σ_s ≥ σ₀ \[MPa\], `rate` b ≥ 0 \[–\], `exponent` m (0 < m ≤ 1).
-    ///
-    /// # Errors
-    /// When a parameter is out of range.
-    pub fn new(initial: f64, saturation: f64, rate: f64, exponent: f64) -> Result<Self, LawError> {
-        let mut law = Self { initial, saturation, rate, exponent };
-        law.prepare(None).map(|()| law)
-    }
-}
+constructor!(Voce { initial, saturation, rate, exponent });
 
 impl Law for Voce {
     fn examples() -> Vec<Self> {

@@ -15,7 +15,7 @@ const MOST: usize = 60;
 
 /// A step of the inner root.
 struct Halley {
-    /// What is to vanish, the part of it that goes with 1 + β, and the step towards that.
+    /// Residual, its part that goes with 1 + β, and the step towards its root.
     value: f64,
     between: f64,
     step: f64,

@@ -1,4 +1,4 @@
-//! What all laws share, of whatever family: hardening, rate, thermal softening, friction.
+//! Common ground of all laws: hardening, rate, thermal softening, friction.
 //!
 //! A law is one file: a struct of its parameters, whose documentation says equation, range of validity and source. The
 //! struct is its own text form: plain numbers in the solver's units, read with units by [`As`](crate::units::As). From it
@@ -15,18 +15,18 @@ pub use named::{Named, OfNumber, Readable};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct LawError {
-    /// What is wrong.
+    /// Cause.
     pub message: String,
     /// The key that is wrong, as a path inside the law's table, entries by index from 0; empty for the whole law.
     pub key: String,
-    /// What to do about it.
+    /// Remedy.
     pub help: &'static str,
 }
 
-/// What a law's file uses.
+/// Imports of a law's file.
 pub(crate) mod prelude {
     pub use super::{Law, LawError};
-    pub(crate) use super::{require, require_or};
+    pub(crate) use super::{constructor, require, require_or};
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};
 
@@ -36,12 +36,29 @@ pub(crate) mod prelude {
     }
 }
 
+/// Gives a law its `new`, by its parameters in the solver's units.
+macro_rules! constructor {
+    ($law:ident { $($parameter:ident),+ }) => {
+        impl $law {
+            /// Law with these parameters, in MPa and 1.
+            ///
+            /// # Errors
+            /// When they do not go together.
+            pub fn new($($parameter: f64),+) -> Result<Self, LawError> {
+                let mut law = Self { $($parameter),+ };
+                law.prepare(None).map(|()| law)
+            }
+        }
+    };
+}
+pub(crate) use constructor;
+
 /// An error at `key` unless `ok`.
 pub(crate) fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
     require_or(key, ok, "check the constants and their units", message)
 }
 
-/// The same with what to do about it.
+/// An error at `key` with a remedy unless `ok`.
 pub(crate) fn require_or(
     key: &str,
     ok: bool,
@@ -51,7 +68,7 @@ pub(crate) fn require_or(
     if ok { Ok(()) } else { Err(LawError { message: message(), key: key.to_owned(), help }) }
 }
 
-/// What every law has.
+/// Interface of all laws.
 pub trait Law {
     /// The law with numbers in common use: for tests and lists that must hold for all laws.
     fn examples() -> Vec<Self>
@@ -73,12 +90,12 @@ pub trait Law {
 
 /// Laws of one kind, of which a case names one. Made by `family!`.
 pub trait Family: Sized {
-    /// What it is called in the schema.
+    /// Name in the schema.
     const TITLE: &'static str;
     /// The laws that a case can name, in the order of the family.
     const NAMES: &'static [&'static str];
 
-    /// What a case calls the law.
+    /// Key of the law in case files.
     fn name(&self) -> &'static str;
 
     /// The law as it was read, made ready for use: see [`Law::prepare`].

@@ -12,9 +12,9 @@ pub type OfNumber<F> = (fn(f64) -> F, &'static str);
 
 /// A family that a case can name a law of.
 pub trait Readable: Family {
-    /// What the family is, in words.
+    /// Description of the family.
     const ABOUT: &'static str;
-    /// Where the family has one.
+    /// Law of a plain number, if the family has one.
     const NUMBER: Option<OfNumber<Self>>;
 
     /// Reads the parameters of the law with this index.
@@ -27,7 +27,7 @@ pub trait Readable: Family {
     fn schemas(generator: &mut SchemaGenerator) -> Vec<Schema>;
 }
 
-/// What a case says of a family: `{ swift = { k = "520 MPa", … } }`, and whether that is one law.
+/// A family as a case writes it: `{ swift = { k = "520 MPa", … } }`, and whether that is one law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Named<F> {
     law: Option<F>,

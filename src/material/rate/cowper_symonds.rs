@@ -8,9 +8,8 @@ use crate::material::law::prelude::*;
 /// Valid for the strong rate dependence of mild steel at press speeds and beyond.
 /// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
 /// 9 (1966) 243–377 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct CowperSymonds {
     /// C \[1/s\].
     #[serde(with = "As::<Positive<StrainRate>>")]

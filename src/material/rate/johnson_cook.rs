@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 /// Valid above the reference rate, for a weak dependence.
 /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
 /// read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct JohnsonCook {
     /// C.
     #[serde(with = "As::<Positive<Number>>")]

@@ -16,7 +16,7 @@ pub struct Factor {
     pub slope: f64,
 }
 
-/// What a rate law says beside its parameters.
+/// Interface of a rate law.
 trait RateLaw: Law {
     /// g and dg/dε̄̇ at the equivalent strain rate `rate` > 0 \[1/s\].
     fn at(&self, rate: f64) -> Factor;

@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 /// Valid over the two or three decades of the rate that m was measured in.
 /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Superplasticity in an Al-Zn alloy, Trans. ASM 57
 /// (1964) 980–990 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct PowerRate {
     /// m, 0 to 1.
     #[serde(with = "As::<Fraction>")]

@@ -11,9 +11,8 @@ const GAS_CONSTANT: f64 = 8_314.462_618;
 ///
 /// Valid for hot metal, above half its absolute melting point.
 /// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Arrhenius {
     /// Activation energy Q \[N mm/mol\].
     #[serde(with = "As::<Positive<Energy>>")]

@@ -7,9 +7,8 @@ use crate::material::law::prelude::*;
 ///
 /// Valid in the range of temperatures that the coefficient was fitted to: 0.001 to 0.005 /K in warm forming.
 /// Source: in common use for warm forming.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Exponential {
     /// Share of the strength lost per kelvin \[1/K\].
     #[serde(with = "As::<Positive<PerKelvin>>")]

@@ -3,7 +3,7 @@
 use super::{TemperatureLaw, celsius};
 use crate::material::law::prelude::*;
 
-/// What is left at the melting point, where the law has no stress \[–\].
+/// Least factor, near the melting point \[–\].
 const LEAST: f64 = 1e-3;
 
 /// 1 − ((T − reference)/(melting − reference))^exponent; 1 below the reference.
@@ -11,9 +11,8 @@ const LEAST: f64 = 1e-3;
 /// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
 /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
 /// read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Melting {
     /// Temperature at which the hardening law was measured \[K\].
     #[serde(with = "As::<Positive<Temperature>>")]

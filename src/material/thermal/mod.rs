@@ -8,7 +8,7 @@ mod johnson_cook;
 use crate::material::law::{Law, family};
 use crate::units::{ZERO_CELSIUS, rounded};
 
-/// What a law of the temperature says beside its parameters.
+/// Interface of a law of the temperature.
 trait TemperatureLaw: Law {
     /// h at a temperature \[K\].
     fn at(&self, temperature: f64) -> f64;

@@ -16,11 +16,11 @@ pub fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
         let (mut matrix, mut squeeze) = (Matrix6::zeros(), 0.0);
         for (tangent, station) in tangents.iter().zip(stations(step.bends[e])) {
             let g = slope(station, &out.nodes[e], &out.nodes[e + 1], &out.thickness_rows[e]);
-            let force = g.tr_mul(&tangent.force);
+            let force = g.transpose() * tangent.force;
             out.system.rhs[e] += force.fixed_rows::<3>(0);
             out.system.rhs[e + 1] += force.fixed_rows::<3>(3);
             if !at.residual_alone {
-                matrix += g.tr_mul(&(tangent.matrix * g)) + station.second([tangent.force.x, tangent.force.y]);
+                matrix += g.transpose() * (tangent.matrix * g) + station.second([tangent.force.x, tangent.force.y]);
                 squeeze += tangent.force.z;
             }
         }
