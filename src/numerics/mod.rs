@@ -8,11 +8,8 @@ pub mod lobatto;
 pub mod midpoint_rule;
 mod piecewise_linear;
 mod power;
-pub mod profile;
-mod student;
 
 pub use bisection::bisect;
 pub use grid::Grid;
 pub use piecewise_linear::{PiecewiseLinear, interpolated};
 pub use power::Power;
-pub use student::student;

@@ -146,7 +146,7 @@ fn hosfords_return_with_exponent_two_is_hills() {
                 let (found, tangent) = hosford.respond(&start(&hosford), &mut trial, e, [0.0; 2]);
                 assert_relative_eq!(found.increment, expected.increment, max_relative = 1e-10);
                 for i in 0..3 {
-                    assert_relative_eq!(found.stress[i], expected[i], epsilon = 1e-12 * 1e3);
+                    assert_relative_eq!(found.stress[i], expected.stress[i], epsilon = 1e-12 * 1e3);
                 }
                 for i in 0..6 {
                     assert_relative_eq!(tangent.own[i], expected_tangent.own[i], epsilon = 1e-9 * STEEL.young);
