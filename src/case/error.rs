@@ -1,4 +1,4 @@
-//! What is wrong with a case file, where, and what to write instead.
+//! Errors of case files: key, place and remedy.
 
 use crate::case::files::{FileError, visible};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// What a message quotes at most, in characters: a slip of the keyboard, not the whole of a long text.
+/// Longest quote in a message \[characters\].
 const LONGEST: usize = 300;
 
 /// A line of the file longer than this is not shown \[bytes\].
@@ -59,7 +59,7 @@ impl CaseError {
         Self::bare(what, error.remedy("give the path of a case file, such as cases/quickstart.toml"))
     }
 
-    /// What to do about it.
+    /// Remedy.
     pub fn remedy(&self) -> Option<&str> {
         self.help.as_deref()
     }
@@ -93,7 +93,7 @@ impl CaseError {
         self.visible().drawn(colours)
     }
 
-    /// The same error without control characters, in its words and in the text around the place.
+    /// Error without control characters, in its message and in the text around the place.
     fn visible(&self) -> Self {
         let text = self.source_code.inner();
         // An end of a line is left whole: what stands before its second character has none.
@@ -124,7 +124,7 @@ impl CaseError {
         text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
     }
 
-    /// Whether the line or its neighbours, which are shown with it, are too long to be read.
+    /// True if the line or its neighbours, which are shown with it, are too long to be read.
     fn is_long_around(&self, line: usize) -> bool {
         self.source_code.inner().lines().skip(line.saturating_sub(2)).take(3).any(|text| text.len() > LONGEST_LINE)
     }

@@ -1,4 +1,4 @@
-//! Where the text of a case and other files come from: the disk, or a list in memory where there is none.
+//! Files that a case needs: on the disk, or in memory.
 //!
 //! | what is read | at most |
 //! |---|---|
@@ -6,7 +6,7 @@
 //! | CSV of a profile, a temperature or a reference, `sources.toml` | [`CSV`] = 10 MB, 100 000 rows of 10 kB, 2000 points of a profile |
 //! | drawing | `import::LARGEST` = 50 MB, 200 000 entities, a million points, 5000 lines and arcs of a tool |
 //!
-//! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
+//! Larger files are refused before they are read, and so are pipes and devices, which may never end.
 
 #[cfg(feature = "app")]
 mod hash;
@@ -36,16 +36,16 @@ pub trait Files {
     fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError>;
 }
 
-/// Why a file is not read.
+/// Reason why a file is not read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FileError {
-    /// Nothing has this name.
+    /// No file of this name.
     #[error("there is no such file")]
     Missing,
     /// A folder has this name.
     #[error("it is a folder")]
     Folder,
-    /// What has this name is no file of bytes.
+    /// Pipe or device.
     #[error("it is a pipe or a device, not a file")]
     Special,
     /// It is larger than may be read.
@@ -63,7 +63,7 @@ pub enum FileError {
 }
 
 impl FileError {
-    /// What to do about it; `otherwise` where it says nothing itself.
+    /// Remedy; `otherwise` if the error has none.
     pub fn remedy(&self, otherwise: &str) -> String {
         match self {
             Self::NotText => "save it as UTF-8: in Excel as \"CSV UTF-8\", in Notepad by its choice of encoding".into(),
@@ -83,7 +83,7 @@ impl dyn Files + '_ {
     /// The whole of a text file.
     ///
     /// # Errors
-    /// As [`Files::read`], and when it is not UTF-8.
+    /// Those of [`Files::read`], and when it is not UTF-8.
     pub fn text(&self, path: &Path, limit: usize) -> Result<String, FileError> {
         String::from_utf8(self.read(path, limit)?).map_err(|_| FileError::NotText)
     }

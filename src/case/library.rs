@@ -24,30 +24,30 @@ use lookup::Found;
 /// A material of the library.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// What a case calls it.
+    /// Name in a case.
     pub name: &'static str,
     /// One line that says what sheet it is.
     pub title: String,
     /// Author, year and place of the numbers.
     pub source: String,
-    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
+    /// Grade of `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
     /// assumed.
     pub grade: String,
     /// Under which terms the numbers may be used.
     pub licence: String,
-    /// Of the sheet that the numbers are of, where the source says it.
+    /// Thickness of the sheet that the numbers are of.
     pub thickness: Option<String>,
     /// The grades that it stands for, where there are any.
     pub stands_for: Option<StandsFor>,
-    /// How much sheets of its class scatter, where a standard says it.
+    /// Scatter of its class by a standard.
     pub class: Option<Class>,
-    /// What a user should know of the numbers.
+    /// Remarks on the numbers.
     pub notes: Vec<String>,
-    /// What the laws are fitted to, where the library has it.
+    /// Points that the laws are fitted to.
     pub measured: Option<Measured>,
     /// The material as a case would have it.
     pub material: Material,
-    /// The same of a case in the elasto-viscoplastic mode, where it has back-stresses there.
+    /// Material of the elasto-viscoplastic mode, if it has back-stresses there.
     pub elastoplastic: Option<Material>,
     /// Its measured forming limit; `None` where there is none.
     pub measured_limit: Option<Curve>,

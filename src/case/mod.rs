@@ -58,31 +58,31 @@ pub struct Case {
     pub name: String,
     /// The file as it was named.
     pub path: PathBuf,
-    /// That file and those that it names, each as it was looked up: nothing may be written over them.
+    /// Paths of that file and of those that it names: nothing may be written over them.
     pub inputs: Vec<PathBuf>,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
     /// `key=value` settings that replaced what the file says.
     pub overrides: Vec<String>,
-    /// What is solved, one operation after another on the same sheet; never empty.
+    /// Operations on the same sheet, one after another; never empty.
     pub stages: Vec<Stage>,
-    /// What the first stage is compared with.
+    /// References of the first stage.
     pub compare: Vec<Spec>,
     /// The rating of the press.
     pub press: Press,
-    /// What heads its reports.
+    /// Title block of its reports.
     pub title_block: TitleBlock,
     /// The part's tolerances.
     pub springback: Springback,
-    /// Where its numbers come from.
+    /// Sources of its numbers.
     pub sources: Sources,
     /// The sheet's r-values by direction; `None` where the case has their mean alone, or nothing.
     pub r_values: Option<RValues>,
-    /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
+    /// Notes on assumptions and changes while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,
 }
 
-/// What the press can give; `None` where the case does not say.
+/// Rating of the press; `None` if the case has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Press {
     /// Largest force, of the whole section as [`Extent`](crate::model::Extent) has it \[N, or N/mm of depth\].

@@ -9,7 +9,7 @@ use std::time::Duration;
 /// A solved case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// What was solved.
+    /// Solved case.
     pub case: Case,
     /// The stages that were run, in order: up to the first that did not come to its end.
     pub stages: Vec<StageSolution>,
@@ -21,7 +21,7 @@ impl Case {
     /// Reads a case file as it stands.
     ///
     /// # Errors
-    /// As [`load`](super::load).
+    /// Those of [`load`](super::load).
     pub fn load(path: impl AsRef<Path>) -> Result<Self, CaseError> {
         super::load(path, &[])
     }
@@ -32,7 +32,7 @@ impl Case {
         Solution { case: self, stages, wall: None }
     }
 
-    /// What stage `i`, counted from 0, is called in folders and headings: `1-draw`; `None` in a case of one stage.
+    /// Label of stage `i`, counted from 0, in folders and headings: `1-draw`; `None` in a case of one stage.
     pub fn stage_label(&self, i: usize) -> Option<String> {
         let name = self.stage_names().nth(i).filter(|_| self.stages.len() > 1)?;
         Some(format!("{}-{name}", i + 1))
@@ -40,7 +40,7 @@ impl Case {
 }
 
 impl Solution {
-    /// Whether every stage was run and came to its end.
+    /// True if every stage was run and came to its end.
     pub fn is_complete(&self) -> bool {
         self.stages.len() == self.case.stages.len() && self.stages.iter().all(|stage| stage.stop.is_complete())
     }

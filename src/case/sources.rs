@@ -1,18 +1,17 @@
-//! Where the numbers of a case come from, as it says itself.
+//! Sources of the numbers of a case.
 
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::units::parse;
 
-/// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
-/// the run does not depend on it.
+/// Sources of the numbers of a case: how they were measured, or author and year; the run does not depend on them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sources {
-    /// Of the friction of all tools.
+    /// Source of the friction of all tools.
     pub friction: Option<String>,
-    /// Of the material, by its name in the library where the case names one.
+    /// Source of the material's numbers.
     pub material: Option<String>,
-    /// Where hardening and r̄ come from, where that is two sheets.
+    /// Sheets of hardening and r̄, if they are two.
     pub sheets: Option<Sheets>,
     /// Thickness of the sheet that the material's numbers are of.
     pub thickness: Option<Thickness>,
@@ -23,16 +22,16 @@ pub struct Sources {
 pub struct Sheets {
     /// The sheet of the library.
     pub library: String,
-    /// Where the case has the other numbers from, if it says so.
+    /// Source of the case's own numbers.
     pub case: Option<String>,
-    /// Whether the hardening is the case's, and r̄ the library's; else the other way round.
+    /// True if the hardening is the case's and r̄ the library's; else the reverse.
     pub own_hardening: bool,
     /// r̄ \[–\].
     pub anisotropy: f64,
 }
 
 impl Sheets {
-    /// Of a case that names a sheet of the library and says itself what it says; `None` where both are of one sheet.
+    /// Sheets of a case that names one of the library; `None` if both numbers are of one sheet.
     pub(super) fn of(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
         let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
         (own_hardening != own.anisotropy.is_some()).then(|| Self {
@@ -44,10 +43,10 @@ impl Sheets {
     }
 }
 
-/// What a case takes from the library.
+/// Provenance of the numbers that a case takes from the library.
 #[derive(Debug, Default)]
 pub(super) struct Taken {
-    /// Where hardening and r̄ come from, where that is two sheets.
+    /// Sheets of hardening and r̄, if they are two.
     pub sheets: Option<Sheets>,
     /// The sheet's thickness, where its source says it.
     pub thickness: Option<Thickness>,
@@ -78,7 +77,7 @@ fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
     overrides.iter().filter_map(|written| written.split_once('=')).map(|(path, _)| path.trim())
 }
 
-/// What is said of a measured forming limit that stays with another sheet.
+/// Note on a measured forming limit that stays with another sheet.
 pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<String> {
     let measured = file.forming_limit.as_ref().is_some_and(|limit| limit.points.is_some());
     let stays = measured && !keys(overrides).any(|path| path.starts_with("forming_limit"));
@@ -98,12 +97,12 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
     }
 }
 
-/// What the file says, a named material completed.
+/// Sources of a case whose named material is completed.
 ///
 /// # Errors
 /// When a source is written and says nothing.
 pub(super) fn of(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sources, CaseError> {
-    let said = |given: &Option<String>, path: &str| match given {
+    let checked = |given: &Option<String>, path: &str| match given {
         Some(text) if text.trim().is_empty() => {
             let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";
             Err(source.error(path, "`source` says nothing", help))
@@ -111,8 +110,8 @@ pub(super) fn of(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sourc
         given => Ok(given.clone()),
     };
     Ok(Sources {
-        friction: said(&file.friction.source, "friction.source")?,
-        material: said(&file.material.source, "material.source")?,
+        friction: checked(&file.friction.source, "friction.source")?,
+        material: checked(&file.material.source, "material.source")?,
         sheets: taken.sheets,
         thickness: taken.thickness,
     })

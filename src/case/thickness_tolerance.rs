@@ -1,4 +1,4 @@
-//! How far the thickness of sheet may be from what was ordered, by its standard.
+//! Thickness tolerances of sheet by standards.
 
 /// A standard of tolerances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl Standard {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::En10131, Self::En485];
 
-    /// What it is called.
+    /// Name of the standard.
     pub fn name(self) -> &'static str {
         match self {
             Self::En10131 => "EN 10131",
@@ -63,7 +63,7 @@ impl Standard {
         }
     }
 
-    /// Where its numbers come from.
+    /// Source of its numbers.
     pub fn source(self) -> &'static str {
         match self {
             Self::En10131 => {

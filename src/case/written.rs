@@ -1,4 +1,4 @@
-//! What the text of a case has at a key, for those who change it.
+//! Values in the text of a case, for studies that change them.
 
 use super::{Case, library, overrides};
 use toml_edit::{DocumentMut, Item, TableLike, Value};

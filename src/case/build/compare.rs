@@ -1,7 +1,7 @@
 //! `[[compare]]`.
 
 use super::lines::Named;
-use super::values::given;
+use super::values::keys_present;
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::files::{self, FileError};
 use crate::case::{CaseError, source::Source};
@@ -109,10 +109,10 @@ impl Entry<'_> {
         foreign: [(&'static str, bool); N],
         missing: [(&'static str, bool); M],
     ) -> Result<(), CaseError> {
-        for key in given(foreign) {
+        for key in keys_present(foreign) {
             self.require(false, key, format!("`{key}` does not apply here"), help)?;
         }
-        let missing: Vec<String> = given(missing).into_iter().map(|key| format!("`{key}`")).collect();
+        let missing: Vec<String> = keys_present(missing).into_iter().map(|key| format!("`{key}`")).collect();
         let what = format!("{} missing in [[compare]] number {}", missing.join(" and "), self.i + 1);
         self.require(missing.is_empty(), "", what, help)
     }

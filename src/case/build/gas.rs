@@ -2,7 +2,7 @@
 
 use super::holder::history;
 use super::tools::Sheet;
-use super::values::given;
+use super::values::keys_present;
 use crate::case::file::{self, Given};
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::{extent, shoulder_end};
@@ -44,7 +44,7 @@ pub(super) fn convert(file: &file::Gas, tools: &[Tool], sheet: &Sheet, source: &
 /// Pressure over time or for a strain rate; without a punch one pressure is raised over the `duration` \[s\].
 fn pressure(face: &file::GasFace, key: &str, duration: Option<f64>, source: &Source) -> Result<Pressure, CaseError> {
     let path = |name: &str| format!("gas.{key}.{name}");
-    let for_rate = given([
+    let for_rate = keys_present([
         ("max_pressure", face.max_pressure.is_some()),
         ("max_pressure_rate", face.max_pressure_rate.is_some()),
         ("norm", face.norm.is_some()),

@@ -1,7 +1,7 @@
 //! `[heat]`: initial temperature of the flat sheet, and heat flow.
 
 use super::lines::Named;
-use super::values::given;
+use super::values::keys_present;
 use crate::case::file::{self, InitialTemperature};
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::extent;
@@ -37,7 +37,7 @@ fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<Hea
         (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
         (None, Some(_)) => return Err(source.missing("heat", "density")),
         (None, None) => {
-            let others = given([
+            let others = keys_present([
                 ("plastic_share", file.plastic_share.is_some()),
                 ("conductivity", file.conductivity.is_some()),
                 ("punch", file.punch.is_some()),

@@ -1,7 +1,7 @@
 //! Holder's force and draw beads.
 
 use super::tools::Sheet;
-use super::values::{given, radius_of};
+use super::values::{keys_present, radius_of};
 use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
@@ -21,7 +21,7 @@ pub(super) fn motion(
     sheet: &Sheet,
     source: &Source,
 ) -> Result<Motion, CaseError> {
-    let ways = given([
+    let ways = keys_present([
         ("force", holder.force.is_some()),
         ("pressure", holder.pressure.is_some()),
         ("gap", holder.gap.is_some()),

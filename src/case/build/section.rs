@@ -4,7 +4,7 @@ use super::counter::Counter;
 use super::drawn::{Drawn, Origin};
 use super::points;
 use super::tools::ToolContext;
-use super::values::given;
+use super::values::keys_present;
 use crate::case::file::{ProfileStep, Section, SectionTable, Turn};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Arc, Piece, Point, Profile, Segment};
@@ -46,7 +46,7 @@ pub(super) fn convert(section: &Section, role: Role, context: &ToolContext) -> R
 
 /// Checks that a table asks for one thing, with only the keys that belong to it.
 fn check_keys(table: &SectionTable, path: &str, source: &Source) -> Result<(), CaseError> {
-    let written = given([
+    let written = keys_present([
         ("file", table.file.is_some()),
         ("fillet", table.fillet.is_some()),
         ("offset_of", table.offset_of.is_some()),

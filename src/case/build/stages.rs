@@ -2,7 +2,7 @@
 
 use super::friction::{self, Frictions};
 use super::tools::{Sheet, ToolContext};
-use super::values::{count, given, radius_of};
+use super::values::{count, keys_present, radius_of};
 use super::{holder, limits, material};
 use crate::case::file::{self, CaseFile, Given};
 use crate::case::{CaseError, source::Source};
@@ -163,7 +163,7 @@ impl StageContext<'_> {
             path: path(t.axial, t.aside),
             shaped: t.hemispherical.is_some() || t.flat.is_some() || t.crowned.is_some() || t.profile.is_some(),
             friction: t.friction,
-            stray: given([
+            stray: keys_present([
                 ("travel", t.travel.is_some()),
                 ("speed", t.speed.is_some()),
                 ("motion", t.motion.is_some()),
@@ -181,7 +181,7 @@ impl StageContext<'_> {
             path: path(t.axial, t.aside),
             shaped: t.inner_radius.or(t.inner_diameter).or(t.inner_half_width).is_some() || t.profile.is_some(),
             friction: t.friction,
-            stray: given([
+            stray: keys_present([
                 ("pressure", t.pressure.is_some()),
                 ("gap", t.gap.is_some()),
                 ("spring", t.spring.is_some()),

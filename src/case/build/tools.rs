@@ -1,7 +1,7 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
 use super::friction::{self, Frictions};
-use super::values::{Key, given, radius_of};
+use super::values::{Key, keys_present, radius_of};
 use super::{holder, section};
 use crate::case::file::{self, Section};
 use crate::case::{CaseError, source::Source};
@@ -69,7 +69,7 @@ impl ToolContext<'_> {
     }
 
     fn punch(&self, punch: &file::Punch) -> Result<Profile, CaseError> {
-        let shapes = given([
+        let shapes = keys_present([
             ("hemispherical", punch.hemispherical.is_some()),
             ("flat", punch.flat.is_some()),
             ("crowned", punch.crowned.is_some()),
@@ -152,7 +152,7 @@ impl ToolContext<'_> {
 
     fn size(&self, path: &str, value: f64) -> Result<f64, CaseError> {
         let key = path.rsplit('.').next().unwrap_or(path);
-        let what = format!("`{key}` must be at least {SMALLEST} mm from the axis, found {value:e} mm");
+        let what = format!("`{key}` is too small: {value:e} mm, at least {SMALLEST} mm");
         let help = "check the unit; thin-shell theory wants radii above five thicknesses";
         self.source.require(value >= SMALLEST, path, what, help)?;
         Ok(value)
@@ -201,7 +201,7 @@ pub(super) fn convert(context: &ToolContext, frictions: &Frictions) -> Result<Ve
 
 /// Given keys that only tools of later stages have.
 fn later_keys(tools: &file::Tools) -> Vec<(Role, Vec<&'static str>)> {
-    let keys = |axial: bool, aside: bool| given([("move", axial), ("aside", aside)]);
+    let keys = |axial: bool, aside: bool| keys_present([("move", axial), ("aside", aside)]);
     let punch = tools.punch.iter().map(|t| (Role::Punch, keys(t.axial.is_some(), t.aside.is_some())));
     let die = tools.die.iter().map(|t| (Role::Die, keys(t.axial.is_some(), t.aside.is_some())));
     let holder = tools.holder.iter().map(|t| (Role::Holder, keys(t.axial.is_some(), t.aside.is_some())));

@@ -56,7 +56,7 @@ pub(super) fn count(
 }
 
 /// Names of the given ones of some keys.
-pub(super) fn given<const N: usize>(keys: [(&'static str, bool); N]) -> Vec<&'static str> {
+pub(super) fn keys_present<const N: usize>(keys: [(&'static str, bool); N]) -> Vec<&'static str> {
     keys.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
 }
 

@@ -62,7 +62,7 @@ pub struct Stage {
     pub frames: Option<i64>,
 }
 
-/// Whether the tools are taken away, and the stiffness of the iterations.
+/// Release of the tools: the stiffness of its iterations, or none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Release(pub Option<ReleaseStiffness>);
 

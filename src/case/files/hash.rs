@@ -1,4 +1,4 @@
-//! What tells texts and files apart.
+//! SHA-256 hashes of texts and files.
 
 use sha2::{Digest, Sha256};
 

@@ -1,18 +1,18 @@
-//! How much sheets of a class scatter, by the standard that the class is delivered to: declared, never measured on a coil.
+//! Scatter of a class of sheets by its delivery standard: declared, never measured on a coil.
 
 use crate::case::thickness_tolerance::Standard;
 use crate::units::{Dimensioned, Stress};
 use serde::{Deserialize, Deserializer, de::Error};
 
-/// How much sheets of a class scatter.
+/// Scatter of a class of sheets.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Class {
     strength: Option<[Stress; 2]>,
-    /// What its thickness keeps to.
+    /// Standard of its thickness tolerance.
     #[serde(default, deserialize_with = "standard")]
     pub thickness: Option<Standard>,
-    /// Where the range of its strength is from, and whether that was read.
+    /// Source of the range of its strength.
     pub source: String,
 }
 

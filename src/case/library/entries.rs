@@ -27,7 +27,7 @@ pub(super) const TEXTS: [(&str, &str); 14] = [
     ("woo-1968", include_str!("woo-1968.toml")),
 ];
 
-/// What a file of the library says.
+/// File of the library.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct EntryFile {
@@ -66,13 +66,13 @@ impl EntryFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StandsFor {
-    /// As standards and mills call them, the usual one first.
+    /// Names of standards and mills, the usual one first.
     pub grades: Vec<String>,
-    /// Why it may: a source, or what is declared.
+    /// Reason: a source, or a declaration.
     pub because: String,
 }
 
-/// What the text of an entry says.
+/// Parses the text of an entry.
 pub(super) fn read(name: &str, text: &str) -> Result<EntryFile, CaseError> {
     let wrong = |what: &str| CaseError::bare(format!("{name}: {what}"), "mend the library".into());
     toml::from_str(text).map_err(|error: toml::de::Error| wrong(error.message()))

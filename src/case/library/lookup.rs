@@ -11,11 +11,11 @@ pub(super) struct Found {
     /// Its file, as text and as read.
     pub text: &'static str,
     pub file: EntryFile,
-    /// Why this one, where the word is not its name.
+    /// Reason of the choice, if the word is not its name.
     pub note: Option<String>,
 }
 
-/// What names no sheet: what is wrong, and what to write.
+/// Error of a word that names no sheet, with a remedy.
 pub(super) struct Unknown {
     pub what: String,
     pub help: String,

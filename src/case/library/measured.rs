@@ -1,5 +1,4 @@
-//! What a sheet's laws are fitted to: points of a tension test with their scatter, tests at other rates; and how far the laws
-//! are from them.
+//! Measured points that a sheet's laws are fitted to, tests at other rates, and the misfit of the laws.
 
 use crate::material::Material;
 use crate::units::{Dimensioned, Number, StrainRate, Stress};
@@ -9,7 +8,7 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Measured {
-    /// What was measured, on how many specimens, and what the scatter is.
+    /// Test, number of specimens and meaning of the scatter.
     pub of: String,
     rate: StrainRate,
     points: Vec<(Number, Stress, Stress)>,
@@ -21,7 +20,7 @@ pub struct Measured {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rates {
-    /// What was measured, and where.
+    /// Test and its source.
     pub of: String,
     tests: Vec<RateTest>,
 }
@@ -45,7 +44,7 @@ pub struct Point {
     pub scatter: f64,
 }
 
-/// How far a law is from the points that it is fitted to.
+/// Misfit of a law to its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// Points.
@@ -61,7 +60,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Of places, each with law less point.
+    /// Misfit of places, each with law less point.
     fn of(misses: &[(f64, f64)]) -> Option<Self> {
         let &(at, largest) = misses.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
         let square = misses.iter().map(|(_, miss)| miss * miss).sum::<f64>() / misses.len() as f64;
@@ -86,19 +85,19 @@ impl Measured {
         })
     }
 
-    /// Of every point its strain, and by how much the hardening law at the points' rate lies above it \[MPa\].
+    /// Strain of every point, and the hardening law at the points' rate less the point \[MPa\].
     pub fn misses(&self, material: &Material) -> Vec<(f64, f64)> {
         let factor = rate_factor(material, self.rate());
         let miss = |point: Point| (point.strain, factor * material.hardening.at(point.strain).stress - point.stress);
         self.points().map(miss).collect()
     }
 
-    /// How far the hardening law is from the points.
+    /// Misfit of the hardening law.
     pub fn fit(&self, material: &Material) -> Option<Fit> {
         Fit::of(&self.misses(material))
     }
 
-    /// How far the rate law's ratios are from those of the tests.
+    /// Misfit of the rate law's ratios to those of the tests.
     pub fn rate_fit(&self, material: &Material) -> Option<Fit> {
         let rates = self.rates.as_ref()?;
         let miss = |(rate, ratio): (f64, f64)| (rate, rates.law(material, rate) - ratio);
@@ -112,7 +111,7 @@ impl Rates {
         self.tests.iter().map(|test| test.rate.value())
     }
 
-    /// Of every test but the first: its rate \[1/s\] and its stress over the first test's at the same strain \[–\].
+    /// Rates \[1/s\] of all tests but the first, each with its stress over the first test's at the same strain \[–\].
     pub fn ratios(&self) -> Vec<(f64, f64)> {
         let Some((first, others)) = self.tests.split_first() else { return Vec::new() };
         let of = |test: &RateTest| {
@@ -123,7 +122,7 @@ impl Rates {
         others.iter().flat_map(of).collect()
     }
 
-    /// The same ratio by the sheet's rate law, at any rate \[1/s\].
+    /// Ratio by the sheet's rate law at any rate \[1/s\].
     pub fn law(&self, material: &Material, rate: f64) -> f64 {
         let first = self.rates().next().unwrap_or(rate);
         rate_factor(material, rate) / rate_factor(material, first)

@@ -1,4 +1,4 @@
-//! What a tension test of a sheet would show, computed from its law.
+//! Results of a tension test of a sheet, computed from its law.
 
 use super::Entry;
 
