@@ -1,14 +1,9 @@
-//! The built-in materials: one file of `library/` each, every number with its source.
+//! Built-in materials: one file of `library/` each, every number with its source.
 
-mod class;
 mod entries;
 mod lookup;
-mod measured;
-mod strength;
 
-pub use class::Class;
-pub use entries::StandsFor;
-pub use measured::{Fit, Measured, Point, Rates};
+pub use entries::{Class, StandsFor};
 
 use super::file::{Anisotropy, CaseFile, FormingLimit};
 use super::files::Folder;
@@ -21,59 +16,76 @@ use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
 use lookup::Found;
 
-/// A material of the library.
+/// Plastic strain of the proof stress \[–\].
+const PROOF: f64 = 0.002;
+
+/// Material of the library.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Name in a case.
     pub name: &'static str,
-    /// One line that says what sheet it is.
+    /// Description in one line.
     pub title: String,
     /// Author, year and place of the numbers.
     pub source: String,
     /// Grade of `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
     /// assumed.
     pub grade: String,
-    /// Under which terms the numbers may be used.
+    /// Terms of use of the numbers.
     pub licence: String,
     /// Thickness of the sheet that the numbers are of.
     pub thickness: Option<String>,
-    /// The grades that it stands for, where there are any.
+    /// Grades that it stands for.
     pub stands_for: Option<StandsFor>,
     /// Scatter of its class by a standard.
     pub class: Option<Class>,
     /// Remarks on the numbers.
     pub notes: Vec<String>,
-    /// Points that the laws are fitted to.
-    pub measured: Option<Measured>,
-    /// The material as a case would have it.
+    /// Material of a case.
     pub material: Material,
     /// Material of the elasto-viscoplastic mode, if it has back-stresses there.
     pub elastoplastic: Option<Material>,
-    /// Its measured forming limit; `None` where there is none.
+    /// Measured forming limit.
     pub measured_limit: Option<Curve>,
-    /// Its `[material]` table, to paste into a case.
+    /// `[material]` table, to paste into a case.
     pub text: &'static str,
 }
 
 impl Entry {
-    /// Uniform strain of the hardening law, n of a power law; `None` where the law has no load maximum \[–\].
+    /// Uniform strain of the hardening law, n of a power law; `None` if the law has no load maximum \[–\].
     pub fn n(&self) -> Option<f64> {
         uniform_strain(&self.sheet()).ok()
     }
 
-    /// The forming limit by Hill and Swift, computed from the law. `None` where the law
-    /// has no load maximum.
+    /// Forming limit by Hill and Swift, computed from the law; `None` if the law has no load maximum.
     pub fn forming_limit(&self) -> Option<Curve> {
         Kind::Hill(Hill { n: None }).curve(&self.sheet()).ok()
     }
 
-    /// The sheet at room temperature.
+    /// Sheet at room temperature.
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }
     }
+
+    /// Proof stress: the law's stress at 0.2 % of plastic strain \[MPa\].
+    pub fn proof_stress(&self) -> f64 {
+        self.material.hardening.at(PROOF).stress
+    }
+
+    /// Tensile strength: force over the initial section at Considère's load maximum \[MPa\]; `None` if the law has none.
+    pub fn tensile_strength(&self) -> Option<f64> {
+        let strain = self.n()?;
+        Some(self.material.hardening.at(strain).stress * (-strain).exp())
+    }
+
+    /// Uniform elongation, the change of length over the initial one at Considère's load maximum \[–\]; `None` if the law
+    /// has none.
+    pub fn uniform_elongation(&self) -> Option<f64> {
+        Some(self.n()?.exp_m1())
+    }
 }
 
-/// Every material, by name.
+/// Returns every material, by name.
 ///
 /// # Errors
 /// Never with the shipped library, whose entries are tested.
@@ -81,12 +93,12 @@ pub fn materials() -> Result<Vec<Entry>, CaseError> {
     TEXTS.iter().map(|(name, text)| entry(name, text)).collect()
 }
 
-/// The names of all materials.
+/// Returns the names of all materials.
 pub fn names() -> impl Iterator<Item = &'static str> {
     TEXTS.iter().map(|(name, _)| *name)
 }
 
-/// The material of a name, of a grade that it stands for, or whose name alone begins so.
+/// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
 ///
 /// # Errors
 /// When there is none or more than one; the error proposes the nearest.
@@ -95,7 +107,7 @@ pub fn material(name: &str) -> Result<Entry, CaseError> {
     entry(name, text)
 }
 
-/// Fills what a case leaves open of the material that it names.
+/// Fills the keys that a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, CaseError> {
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
     let Found { name, file: found, note, .. } =
@@ -103,19 +115,20 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let elastoplastic = found.elastoplastic();
     let EntryFile { material: known, thickness, forming_limit, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
-    let from = format!("material {name}: {origin}");
-    note.into_iter().chain([from]).chain(measured_limit(name, forming_limit, file)).for_each(|note| source.note(note));
+    note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
+    measured_limit(name, forming_limit, file, source);
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
-    let mut replaced = Vec::new();
-    let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
-    keep("young and poisson", own.young.is_some() || own.poisson.is_some());
-    keep("anisotropy", own.anisotropy.is_some());
-    keep("yield_condition", own.yield_condition.is_some());
-    keep("rate", own.rate.is_some());
-    keep("softening", own.softening.is_some());
-    keep("hardening", own_hardening);
-    let sheets = Sheets::of(name, own_hardening, own, &known);
+    let replaced = [
+        ("young and poisson", own.young.is_some() || own.poisson.is_some()),
+        ("anisotropy", own.anisotropy.is_some()),
+        ("yield_condition", own.yield_condition.is_some()),
+        ("rate", own.rate.is_some()),
+        ("softening", own.softening.is_some()),
+        ("hardening", own_hardening),
+    ];
+    let replaced: Vec<&str> = replaced.iter().filter(|(_, own)| *own).map(|(key, _)| *key).collect();
+    let sheets = Sheets::new(name, own_hardening, own, &known);
     if own.young.is_none() && own.poisson.is_none() {
         (own.young, own.poisson) = (known.young, known.poisson);
     }
@@ -127,9 +140,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
         if let Some(shifting) = elastoplastic.filter(|_| shifts) {
             (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
-            source.note(format!(
-                "material {name}: with its back-stresses, and the hardening that they leave of its yield stress"
-            ));
+            source.note(format!("material {name}: with its back-stresses, and the hardening without them"));
         } else {
             own.hardening = known.hardening;
         }
@@ -137,62 +148,45 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
-        source.note(format!(
-            "material {name}: {keys} as this case has it, not as its source",
-            keys = replaced.join(", ")
-        ));
+        source.note(format!("material {name}: {} as this case has it, not as its source", replaced.join(", ")));
     }
-    // Of another law the sheet's thickness says nothing.
-    let thickness = thickness.filter(|_| !own_hardening).and_then(|words| Thickness::read(name, &words));
+    // The sheet's thickness belongs to its own law only.
+    let thickness = thickness.filter(|_| !own_hardening).and_then(|range| Thickness::parse(name, &range));
     Ok(Taken { sheets, thickness })
 }
 
-/// Puts the measured points of a sheet of the library where a case asks for them, and says so.
-fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Option<String> {
-    let asked = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none())?;
-    let FormingLimit { points, strain, .. } = known?;
-    (asked.points, asked.strain, asked.measured) = (points, asked.strain.or(strain), None);
-    Some(format!("forming limit: the measured points of {name}"))
+/// Puts the measured points of a sheet of the library where a case asks for them.
+fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile, source: &Source) {
+    let limit = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none());
+    if let Some((limit, known)) = limit.zip(known) {
+        (limit.points, limit.strain, limit.measured) = (known.points, limit.strain.or(known.strain), None);
+        source.note(format!("forming limit: the measured points of {name}"));
+    }
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let file = read(name, text)?;
-    let written = Source::parse(name, text, Folder::default())?;
-    let material = build::material(&file.material, &written)?;
-    let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &written)).transpose()?;
-    let EntryFile {
-        title,
-        grade,
-        licence,
-        thickness,
-        stands_for,
-        scatter,
-        mut notes,
-        measured,
-        material: said,
-        forming_limit,
-        ..
-    } = file;
-    let source = said.source.unwrap_or_default();
-    let r_values = said.anisotropy.and_then(Anisotropy::directions);
-    notes.extend(r_values.map(|r| build::mean_of(r).to_string()));
+    let source = Source::parse(name, text, Folder::default())?;
+    let material = build::material(&file.material, &source)?;
+    let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &source)).transpose()?;
+    let EntryFile { title, grade, licence, thickness, stands_for, scatter, mut notes, .. } = file;
+    let r_values = file.material.anisotropy.and_then(Anisotropy::directions);
+    notes.extend(r_values.map(build::mean_of));
     let sheet = Sheet { material: &material, thickness: 1.0, temperature: ROOM_TEMPERATURE };
-    let measured_limit = forming_limit.map(|limit| build::measured(&limit, &sheet, &written)).transpose()?;
-    let table = text.find("[material").map_or("", |at| &text[at..]);
+    let measured_limit = file.forming_limit.map(|limit| build::measured(&limit, &sheet, &source)).transpose()?;
     Ok(Entry {
         name,
         title,
-        source,
+        source: file.material.source.unwrap_or_default(),
         grade,
         licence,
         thickness,
         stands_for,
         class: scatter,
         notes,
-        measured,
         material,
         elastoplastic,
         measured_limit,
-        text: table,
+        text: text.find("[material").map_or("", |at| &text[at..]),
     })
 }

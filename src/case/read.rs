@@ -62,7 +62,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let compare = build::compare(&file, &source)?;
     let press = build::press(&file, &source)?;
     let springback = build::springback(&file, &source)?;
-    let sources = sources::of(&file, taken, &source)?;
+    let sources = sources::sources(&file, taken, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
     Ok(Case {

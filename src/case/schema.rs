@@ -50,7 +50,7 @@ fn alternatives(node: &Value) -> impl Iterator<Item = &Value> {
 /// Schema of a key of a table or of an entry of an array, in the first alternative that has it.
 fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
     let own = if is_index(segment) { node.get("items") } else { node.get("properties").and_then(|p| p.get(segment)) };
-    let referred = || reference(node).and_then(|definition| property(definition, segment));
+    let referred = || reference(node).and_then(|node| property(node, segment));
     own.or_else(referred).or_else(|| alternatives(node).find_map(|choice| property(choice, segment)))
 }
 

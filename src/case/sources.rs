@@ -32,7 +32,7 @@ pub struct Sheets {
 
 impl Sheets {
     /// Sheets of a case that names one of the library; `None` if both numbers are of one sheet.
-    pub(super) fn of(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
+    pub(super) fn new(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
         let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
         (own_hardening != own.anisotropy.is_some()).then(|| Self {
             library: name.to_owned(),
@@ -63,8 +63,8 @@ pub struct Thickness {
 
 impl Thickness {
     /// Reads `0.8 mm` or `0.67 to 0.712 mm`.
-    pub(super) fn read(name: &str, words: &str) -> Option<Self> {
-        let (low, high) = words.split_once(" to ").unwrap_or((words, words));
+    pub(super) fn parse(name: &str, range: &str) -> Option<Self> {
+        let (low, high) = range.split_once(" to ").unwrap_or((range, range));
         let unit = high.trim().rsplit_once(' ')?.1;
         let low = if low.contains(unit) { low.to_owned() } else { format!("{low} {unit}") };
         let range = [parse(&low).ok()?.value, parse(high).ok()?.value];
@@ -101,7 +101,7 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
 ///
 /// # Errors
 /// When a source is written and says nothing.
-pub(super) fn of(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sources, CaseError> {
+pub(super) fn sources(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sources, CaseError> {
     let checked = |given: &Option<String>, path: &str| match given {
         Some(text) if text.trim().is_empty() => {
             let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";

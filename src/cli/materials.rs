@@ -8,7 +8,7 @@ use super::suggested::Suggested;
 use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Map, Value};
-use stampflow::case::library::{self, Class, Entry, Fit};
+use stampflow::case::library::{self, Class, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::results::{Chart, flow_curve, png, write};
 use std::path::PathBuf;
@@ -36,7 +36,7 @@ pub struct Args {
     /// Material to show: its name, a grade that it stands for, or the beginning of one
     #[arg(value_parser = Suggested::SHEETS, hide_possible_values = true)]
     name: Option<String>,
-    /// Also draw its flow curve, measured points and forming limits
+    /// Also draw its flow curve and forming limits
     #[arg(long, value_name = "FILE.png", requires = "name")]
     plot: Option<PathBuf>,
     #[command(flatten)]
@@ -138,26 +138,13 @@ fn scatter(class: &Class) -> String {
     strength.into_iter().chain(thickness).collect::<Vec<_>>().join("; ")
 }
 
-/// Range and residuals of the fits, and back-stresses, where they are known.
+/// Range of the fit, and back-stresses, if they are known.
 fn fits(entry: &Entry) -> Vec<(&'static str, String)> {
-    let Entry { material, measured, elastoplastic, .. } = entry;
+    let Entry { material, elastoplastic, .. } = entry;
     let mut rows = Vec::new();
     rows.extend(
         material.fitted_up_to.map(|end| ("fitted", format!("up to a true strain of {end}; a run beyond says so"))),
     );
-    let measured = measured.as_ref();
-    if let Some((measured, fit)) = measured.and_then(|m| Some((m, m.fit(material)?))) {
-        let Fit { points, rms, largest, at, range: [from, to] } = fit;
-        let scatter = measured.points().map(|point| point.scatter).fold(0.0, f64::max);
-        let fit = format!("{points} points from a strain of {from} to {to}: law less point {rms:.1} MPa rms");
-        let worst = format!("{largest:+.1} MPa at most, at {at}; their scatter is {scatter:.1} MPa at most");
-        rows.push(("measured", format!("{fit}, {worst}. {}", measured.of)));
-    }
-    if let Some((rates, fit)) = measured.and_then(|m| Some((m.rates.as_ref()?, m.rate_fit(material)?))) {
-        let Fit { points, rms, largest, at, range: [from, to] } = fit;
-        let fit = format!("{points} ratios from {from} to {to} /s: law less ratio {rms:.3} rms");
-        rows.push(("rates", format!("{fit}, {largest:+.3} at most, at {at} /s. {}", rates.of)));
-    }
     rows.extend(elastoplastic.as_ref().map(|law| {
         let terms = law.chaboche.iter().map(|term| format!("C {} MPa, γ {}", term.modulus, term.dynamic_recovery));
         let terms: Vec<String> = terms.collect();
@@ -179,8 +166,6 @@ fn as_json(entry: &Entry) -> Value {
 fn chart(entry: &Entry) -> Chart {
     let (imperfection, strain_rate) = (MarciniakKuczynski::IMPERFECTION, MarciniakKuczynski::STRAIN_RATE);
     let mut notes = vec![format!("Source: {}.", entry.source)];
-    let residuals = fits(entry).into_iter().filter(|(label, _)| ["measured", "rates"].contains(label));
-    notes.extend(residuals.map(|(label, fit)| format!("Fit, {label}: {}.", fit.trim_end_matches('.'))));
     notes.extend(entry.notes.iter().cloned());
     let mut limits: Vec<Curve> = entry.measured_limit.iter().cloned().collect();
     let groove = Kind::MarciniakKuczynski(MarciniakKuczynski { imperfection, strain_rate });
@@ -194,5 +179,5 @@ fn chart(entry: &Entry) -> Chart {
         }
     }
     let title = format!("{}: {}", entry.name, entry.title);
-    flow_curve::chart(&title, &entry.material, entry.measured.as_ref(), &limits, notes)
+    flow_curve::chart(&title, &entry.material, &limits, notes)
 }

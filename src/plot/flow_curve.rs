@@ -2,8 +2,6 @@
 
 use super::chart::{Chart, Panel, Series, Style};
 use super::forming_diagram::StrainMeasure;
-use super::palette::BLACK;
-use crate::case::library::{Measured, Rates};
 use crate::forming_limit::Curve;
 use crate::material::Material;
 use crate::table::{Axis, Unit};
@@ -15,14 +13,8 @@ const POINTS: usize = 200;
 const RATES: usize = 3;
 
 /// Yield stress over the equivalent plastic strain, limit curves below.
-pub fn chart(
-    title: &str,
-    material: &Material,
-    measured: Option<&Measured>,
-    limits: &[Curve],
-    notes: Vec<String>,
-) -> Chart {
-    let mut panels = vec![over_strain(material, measured)];
+pub fn chart(title: &str, material: &Material, limits: &[Curve], notes: Vec<String>) -> Chart {
+    let mut panels = vec![over_strain(material)];
     if !limits.is_empty() {
         let [x, y] = StrainMeasure { is_engineering: false }.axes();
         let series = limits.iter().enumerate().map(|(i, limit)| {
@@ -36,36 +28,20 @@ pub fn chart(
 }
 
 /// Flow curve at rates that were tested and are a decade apart or more, thin beyond the range of the fit.
-fn over_strain(material: &Material, measured: Option<&Measured>) -> Panel {
+fn over_strain(material: &Material) -> Panel {
     let drawn = material.hardening.valid_up_to().unwrap_or(LARGEST);
     let end = material.measured_up_to().unwrap_or(drawn).min(drawn);
-    let factor = |rate: f64| material.rate.map_or(1.0, |law| law.at(rate).value);
-    let curve = |factor: f64, from: f64, to: f64| -> Vec<(f64, f64)> {
+    let curve = |from: f64, to: f64| -> Vec<(f64, f64)> {
         (0..=POINTS)
             .map(|i| from + (to - from) * i as f64 / POINTS as f64)
-            .map(|strain| (strain, factor * material.hardening.at(strain).stress))
+            .map(|strain| (strain, material.hardening.at(strain).stress))
             .collect()
     };
-    let tested = measured.map(Measured::rate);
-    let tested_factor = tested.map_or(1.0, factor);
-    let at = tested.map_or(String::new(), |rate| format!(", {rate} /s"));
-    let law = format!("{}{at}", material.hardening.describe());
-    let mut series = vec![Series::new(law, curve(tested_factor, 0.0, end), Style::curve(0))];
+    let law = material.hardening.describe();
+    let mut series = vec![Series::new(law, curve(0.0, end), Style::curve(0))];
     if end < drawn {
-        let beyond = curve(tested_factor, end, drawn);
+        let beyond = curve(end, drawn);
         series.push(Series::new("Beyond the measured range", beyond, Style::curve(0).faint()));
-    }
-    let mut rates: Vec<f64> = tested.into_iter().collect();
-    for rate in measured.and_then(|m| m.rates.as_ref()).into_iter().flat_map(Rates::rates) {
-        if rates.last().is_some_and(|last| rate >= 10.0 * last) {
-            let points = curve(factor(rate), 0.0, end);
-            series.push(Series::new(format!("At {rate} /s"), points, Style::curve(rates.len())));
-            rates.push(rate);
-        }
-    }
-    if let Some(measured) = measured {
-        let points = measured.points().map(|p| (p.strain, p.stress)).collect();
-        series.push(Series::new("Measured", points, Style::Dots { color: BLACK }));
     }
     let strain = Axis::named("Equivalent plastic strain", Unit::None);
     Panel::fit(strain, Axis::named("Yield stress", Unit::MPa), 260.0, 10.0).with(series)

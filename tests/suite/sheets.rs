@@ -6,8 +6,9 @@ use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, Case, library};
 use stampflow::material::hardening::{Ludwik, Swift};
 use stampflow::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
-use stampflow::material::{Hardening, Material, Rate};
+use stampflow::material::{Hardening, Rate};
 use stampflow::solve;
+use stampflow::units;
 
 fn entry(name: &str) -> library::Entry {
     library::material(name).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)))
@@ -18,11 +19,29 @@ fn parsed(material: &str) -> Case {
     case::parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)))
 }
 
-/// The points of the 304L bar, and how far a hardening law and a rate law are from them.
+/// Root mean square of law less point of the 304L bar: of the hardening law [MPa], and of the rate law's ratios [–].
 fn bar(hardening: Hardening, rate: Rate) -> [f64; 2] {
-    let material = Material { rate: Some(rate), ..Material::plain(hardening) };
-    let measured = entry("aisi304l-bar").measured.expect("points");
-    [measured.fit(&material), measured.rate_fit(&material)].map(|fit| fit.expect("points").rms)
+    let text: toml::Table = include_str!("../../src/case/library/aisi304l-bar.toml").parse().expect("TOML");
+    let value = |value: &toml::Value| match value {
+        toml::Value::String(text) => units::parse(text).expect("a quantity").value,
+        number => number.as_float().expect("a number"),
+    };
+    let list = |value: &toml::Value| value.as_array().expect("a list").clone();
+    let factor = |at: f64| rate.at(at).value;
+    let rms = |misses: Vec<f64>| (misses.iter().map(|miss| miss * miss).sum::<f64>() / misses.len() as f64).sqrt();
+    let measured = &text["measured"];
+    let tested = value(&measured["rate"]);
+    let miss = |point: &toml::Value| factor(tested) * hardening.at(value(&point[0])).stress - value(&point[1]);
+    let of_points = rms(list(&measured["points"]).iter().map(miss).collect());
+    let tests = list(&measured["rates"]["tests"]);
+    let (first, others) = tests.split_first().expect("tests");
+    let misses = others.iter().flat_map(|test| {
+        let law = factor(value(&test["rate"])) / factor(value(&first["rate"]));
+        let (stresses, slow) = (list(&test["stress"]), list(&first["stress"]));
+        let ratios: Vec<f64> = stresses.iter().zip(&slow).map(|(fast, slow)| value(fast) / value(slow)).collect();
+        ratios.into_iter().map(move |ratio| law - ratio)
+    });
+    [of_points, rms(misses.collect())]
 }
 
 /// Trust: at a least square any parameter that is moved makes the residual larger; what the library rounds off of a parameter

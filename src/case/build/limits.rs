@@ -33,17 +33,21 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
         let what = format!("`{key}` has {length} entries, more than {most}");
         source.require(length <= most, &format!("{path}.{most}"), what, "leave out what is not needed")
     };
-    list("tools.beads", tools.beads.len(), 20)?;
-    list("notes", file.notes.len(), 50)?;
-    list("compare", file.compare.len(), 50)?;
-    list("output.frames", file.output.frames.as_ref().map_or(0, Vec::len), 1000)?;
     let limit = file.forming_limit.as_ref().and_then(|limit| limit.points.as_ref());
-    list("forming_limit.points", limit.map_or(0, Vec::len), 1000)?;
-    let motion = tools.punch.as_ref().and_then(|punch| punch.motion.as_ref());
-    list("tools.punch.motion", motion.map_or(0, Vec::len), 1000)?;
-    list("tools.punch.profile", steps(tools.punch.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
-    list("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
-    list("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000)?;
+    let (punch, die, holder) = (tools.punch.as_ref(), tools.die.as_ref(), tools.holder.as_ref());
+    for (path, length, most) in [
+        ("tools.beads", tools.beads.len(), 20),
+        ("notes", file.notes.len(), 50),
+        ("compare", file.compare.len(), 50),
+        ("output.frames", file.output.frames.as_ref().map_or(0, Vec::len), 1000),
+        ("forming_limit.points", limit.map_or(0, Vec::len), 1000),
+        ("tools.punch.motion", punch.and_then(|t| t.motion.as_ref()).map_or(0, Vec::len), 1000),
+        ("tools.punch.profile", steps(punch.and_then(|t| t.profile.as_ref())), 2000),
+        ("tools.die.profile", steps(die.and_then(|t| t.profile.as_ref())), 2000),
+        ("tools.holder.profile", steps(holder.and_then(|t| t.profile.as_ref())), 2000),
+    ] {
+        list(path, length, most)?;
+    }
     let text = |path: &str, text: &str, most: usize| {
         let length = text.chars().count();
         let what = format!("`{path}` has {length} characters, more than {most}");
@@ -57,10 +61,11 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
         let path = |key: &str| format!("compare.{i}.{key}");
         list(&path("band"), c.band.as_ref().map_or(0, Vec::len), 20)?;
         text(&path("reason"), &c.reason, TEXT)?;
-        for (key, name) in [("reference", Some(&c.reference)), ("x", c.x.as_ref()), ("y", c.y.as_ref())] {
+        for (key, name) in
+            [("reference", Some(&c.reference)), ("x", c.x.as_ref()), ("y", c.y.as_ref()), ("error", c.error.as_ref())]
+        {
             text(&path(key), name.map_or("", String::as_str), NAME)?;
         }
-        text(&path("error"), c.error.as_deref().unwrap_or(""), NAME)?;
         for (k, name) in c.band.iter().flatten().enumerate() {
             text(&path(&format!("band.{k}")), name, NAME)?;
         }
@@ -79,50 +84,33 @@ pub(super) fn frames_key(stage: usize, source: &Source) -> String {
 
 /// Checks the memory of a run, all stages together.
 pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
-    let kept: Vec<Kept> = stages.iter().enumerate().flat_map(|(i, stage)| kept(stage, frames_key(i, source))).collect();
-    let total: usize = kept.iter().map(|kept| kept.bytes).sum();
-    // The first of equal ones.
-    let Some(largest) = kept.iter().rev().max_by_key(|kept| kept.bytes) else { return Ok(()) };
+    let (mut total, mut largest) = (0, (0, String::new(), String::new(), ""));
+    for (i, Stage { name, model, .. }) in stages.iter().enumerate() {
+        let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
+        // Every frame is landed on, and no step is longer than the longest.
+        let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
+        let with_path = if model.forming_limit.is_some() { elements } else { 0 };
+        let of_frames = frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>());
+        let of_points = elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>());
+        let of_paths = steps.min(Paths::MOST) * with_path * size_of::<[f64; 2]>();
+        let of_steps = steps * size_of::<StepRecord>() + of_paths;
+        let through = format!("{points} points through the thickness of {elements} elements");
+        let records = [
+            (of_frames, frames_key(i, source), format!("{frames} frames of {elements} elements"), "keep fewer frames"),
+            (of_points, "blank.layers".into(), through, "take fewer points"),
+            (of_steps, "solver.max_step".into(), format!("{steps} steps or more"), "take longer steps"),
+        ];
+        for (bytes, key, what, help) in records {
+            total += bytes;
+            if bytes > largest.0 {
+                largest = (bytes, key, format!("stage `{name}` keeps {what}"), help);
+            }
+        }
+    }
     let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
-    let n = stages.len();
-    let what = format!("the run's stages ({n}) fill {gigabytes:.2} GB, more than {most:.2} GB: {}", largest.what);
-    source.require(total <= MEMORY, &largest.key, what, largest.help)
-}
-
-/// Part of the records that a stage keeps until the run has ended.
-struct Kept {
-    bytes: usize,
-    /// Key that it grows with.
-    key: String,
-    what: String,
-    help: &'static str,
-}
-
-fn kept(Stage { name, model, .. }: &Stage, frames_key: String) -> [Kept; 3] {
-    let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
-    // Every frame is landed on, and no step is longer than the longest.
-    let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
-    let with_path = if model.forming_limit.is_some() { elements } else { 0 };
-    [
-        Kept {
-            bytes: frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
-            key: frames_key,
-            what: format!("stage `{name}` keeps {frames} frames of {elements} elements"),
-            help: "keep fewer frames in every stage, or take fewer elements",
-        },
-        Kept {
-            bytes: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
-            key: "blank.layers".into(),
-            what: format!("stage `{name}` keeps {points} points through the thickness of {elements} elements"),
-            help: "take fewer points, or fewer elements",
-        },
-        Kept {
-            bytes: steps * size_of::<StepRecord>() + steps.min(Paths::MOST) * with_path * size_of::<[f64; 2]>(),
-            key: "solver.max_step".into(),
-            what: format!("stage `{name}` keeps {steps} steps or more, and the strains of {with_path} elements"),
-            help: "take longer steps, or fewer elements",
-        },
-    ]
+    let (_, key, records, help) = largest;
+    let what = format!("the stages ({}) fill {gigabytes:.2} GB, more than {most:.2} GB: {records}", stages.len());
+    source.require(total <= MEMORY, &key, what, format!("{help}, or fewer elements"))
 }
 
 /// Checks the rows and chords that follow from a model.

@@ -6,7 +6,7 @@ use super::values::{count, keys_present, radius_of};
 use super::{holder, limits, material};
 use crate::case::file::{self, CaseFile, Given};
 use crate::case::{CaseError, source::Source};
-use crate::geometry::Point;
+use crate::geometry::{Point, Profile};
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, rounded};
@@ -154,38 +154,19 @@ impl StageContext<'_> {
     /// Tools of the table, in the order of their roles.
     fn tools(&self) -> Vec<WrittenTool> {
         let file::Stage { punch, die, holder, .. } = self.written;
-        let path = |axial: Option<Length>, radial: Option<Length>| {
-            let mm = |length: Option<Length>| length.map_or(0.0, Dimensioned::value);
-            (axial.is_some() || radial.is_some()).then(|| Point::new(mm(radial), mm(axial)))
+        let mm = |length: Option<Length>| length.map_or(0.0, Dimensioned::value);
+        let tool = |role, axial: Option<Length>, aside: Option<Length>, shaped, friction, stray| {
+            let path = axial.or(aside).map(|_| Point::new(mm(aside), mm(axial)));
+            WrittenTool { role, path, shaped, friction, stray }
         };
-        let punch = punch.as_ref().map(|t| WrittenTool {
-            role: Role::Punch,
-            path: path(t.axial, t.aside),
-            shaped: t.hemispherical.is_some() || t.flat.is_some() || t.crowned.is_some() || t.profile.is_some(),
-            friction: t.friction,
-            stray: keys_present([
-                ("travel", t.travel.is_some()),
-                ("speed", t.speed.is_some()),
-                ("motion", t.motion.is_some()),
-            ]),
+        let punch = punch.as_ref().map(|t| {
+            let stray = [("travel", t.travel.is_some()), ("speed", t.speed.is_some()), ("motion", t.motion.is_some())];
+            tool(Role::Punch, t.axial, t.aside, t.is_shaped(), t.friction, keys_present(stray))
         });
-        let die = die.as_ref().map(|t| WrittenTool {
-            role: Role::Die,
-            path: path(t.axial, t.aside),
-            shaped: t.throat.or(t.throat_diameter).or(t.shoulder).is_some() || t.profile.is_some(),
-            friction: t.friction,
-            stray: Vec::new(),
-        });
-        let holder = holder.as_ref().map(|t| WrittenTool {
-            role: Role::Holder,
-            path: path(t.axial, t.aside),
-            shaped: t.inner_radius.or(t.inner_diameter).or(t.inner_half_width).is_some() || t.profile.is_some(),
-            friction: t.friction,
-            stray: keys_present([
-                ("pressure", t.pressure.is_some()),
-                ("gap", t.gap.is_some()),
-                ("spring", t.spring.is_some()),
-            ]),
+        let die = die.as_ref().map(|t| tool(Role::Die, t.axial, t.aside, t.is_shaped(), t.friction, Vec::new()));
+        let holder = holder.as_ref().map(|t| {
+            let stray = [("pressure", t.pressure.is_some()), ("gap", t.gap.is_some()), ("spring", t.spring.is_some())];
+            tool(Role::Holder, t.axial, t.aside, t.is_shaped(), t.friction, keys_present(stray))
         });
         [punch, die, holder].into_iter().flatten().collect()
     }
@@ -248,18 +229,12 @@ impl StageContext<'_> {
     }
 
     /// Section of a new tool, which may be made from one that stands.
-    fn new_profile(
-        &self,
-        role: Role,
-        standing: &[Tool],
-        travel: f64,
-    ) -> Result<Option<crate::geometry::Profile>, CaseError> {
+    fn new_profile(&self, role: Role, standing: &[Tool], travel: f64) -> Result<Option<Profile>, CaseError> {
         let file::Stage { punch, die, holder, .. } = self.written.clone();
-        let shaped = |role: Role| self.tools().iter().any(|tool| tool.role == role && tool.shaped);
         let written = &file::Tools {
-            punch: punch.filter(|_| shaped(Role::Punch)),
-            die: die.filter(|_| shaped(Role::Die)),
-            holder: holder.filter(|_| shaped(Role::Holder)),
+            punch: punch.filter(file::Punch::is_shaped),
+            die: die.filter(file::Die::is_shaped),
+            holder: holder.filter(file::Holder::is_shaped),
             beads: Vec::new(),
         };
         let sheet = Sheet::new(&self.before.blank, self.before.extent());

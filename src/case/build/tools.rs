@@ -173,15 +173,18 @@ impl ToolContext<'_> {
 pub(super) fn convert(context: &ToolContext, frictions: &Frictions) -> Result<Vec<Tool>, CaseError> {
     let source = context.source;
     let mut tools: Vec<Tool> = Vec::new();
-    for (role, stray) in later_keys(context.written) {
-        if let Some(key) = stray.first() {
-            let what = format!("`{key}` is for tools of later stages");
-            return Err(source.error(
-                &format!("tools.{}.{key}", role.name()),
-                what,
-                "drop it, or move it to [[stages]]",
-            ));
-        }
+    let file::Tools { punch, die, holder, .. } = context.written;
+    let moved = [
+        ("punch", punch.as_ref().map(|t| (t.axial, t.aside))),
+        ("die", die.as_ref().map(|t| (t.axial, t.aside))),
+        ("holder", holder.as_ref().map(|t| (t.axial, t.aside))),
+    ];
+    for (tool, moves) in moved {
+        let (axial, aside) = moves.unwrap_or_default();
+        let key = if axial.is_some() { "move" } else { "aside" };
+        let what = format!("`{key}` is for tools of later stages");
+        let help = "drop it, or move it to [[stages]]";
+        source.require(axial.or(aside).is_none(), &format!("tools.{tool}.{key}"), what, help)?;
     }
     for role in Role::ALL {
         let die = tools.iter().find(|tool| tool.role == Role::Die);
@@ -197,13 +200,4 @@ pub(super) fn convert(context: &ToolContext, frictions: &Frictions) -> Result<Ve
         tools.push(Tool { role, profile, friction: friction::law(role, frictions, source)?, motion });
     }
     Ok(tools)
-}
-
-/// Given keys that only tools of later stages have.
-fn later_keys(tools: &file::Tools) -> Vec<(Role, Vec<&'static str>)> {
-    let keys = |axial: bool, aside: bool| keys_present([("move", axial), ("aside", aside)]);
-    let punch = tools.punch.iter().map(|t| (Role::Punch, keys(t.axial.is_some(), t.aside.is_some())));
-    let die = tools.die.iter().map(|t| (Role::Die, keys(t.axial.is_some(), t.aside.is_some())));
-    let holder = tools.holder.iter().map(|t| (Role::Holder, keys(t.axial.is_some(), t.aside.is_some())));
-    punch.chain(die).chain(holder).collect()
 }

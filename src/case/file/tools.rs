@@ -93,6 +93,27 @@ pub struct Punch {
     pub aside: Option<Length>,
 }
 
+impl Punch {
+    /// True if it has a shape, which in a later stage makes it a new tool.
+    pub fn is_shaped(&self) -> bool {
+        self.hemispherical.is_some() || self.flat.is_some() || self.crowned.is_some() || self.profile.is_some()
+    }
+}
+
+impl Die {
+    /// True if it has a shape, which in a later stage makes it a new tool.
+    pub fn is_shaped(&self) -> bool {
+        self.throat.or(self.throat_diameter).or(self.shoulder).is_some() || self.profile.is_some()
+    }
+}
+
+impl Holder {
+    /// True if it has a shape, which in a later stage makes it a new tool.
+    pub fn is_shaped(&self) -> bool {
+        self.inner_radius.or(self.inner_diameter).or(self.inner_half_width).is_some() || self.profile.is_some()
+    }
+}
+
 /// Spherical nose (plane strain: cylindrical).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

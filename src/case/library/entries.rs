@@ -1,13 +1,14 @@
-//! The files of the library.
+//! Files of the library.
 
-use super::class::Class;
-use super::measured::Measured;
 use crate::case::CaseError;
 use crate::case::file;
+use crate::case::thickness_tolerance::Standard;
 use crate::material::law::Named;
 use crate::material::{BackStress, Hardening};
 use crate::model::Mode;
-use serde::Deserialize;
+use crate::units::{Dimensioned, Stress};
+use serde::de::{Error as _, IgnoredAny};
+use serde::{Deserialize, Deserializer};
 
 /// Name and text of every entry, by name.
 pub(super) const TEXTS: [(&str, &str); 14] = [
@@ -38,7 +39,9 @@ pub(super) struct EntryFile {
     pub stands_for: Option<StandsFor>,
     pub scatter: Option<Class>,
     pub notes: Vec<String>,
-    pub measured: Option<Measured>,
+    /// Points of the fits, for the tests.
+    #[serde(default, rename = "measured")]
+    _measured: IgnoredAny,
     pub elastoplastic: Option<Shifting>,
     pub material: file::Material,
     /// Measured points.
@@ -54,7 +57,7 @@ pub(super) struct Shifting {
 }
 
 impl EntryFile {
-    /// The material of the elasto-viscoplastic mode, where it is another one.
+    /// Material of the elasto-viscoplastic mode, where it is another one.
     pub fn elastoplastic(&self) -> Option<file::Material> {
         let Shifting { kinematic, hardening } = self.elastoplastic.clone()?;
         let mode = Some(Mode::ElastoViscoplastic);
@@ -62,7 +65,37 @@ impl EntryFile {
     }
 }
 
-/// The grades of standards that a sheet may be taken for.
+/// Scatter of a class of sheets by its delivery standard: declared, never measured on a coil.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Class {
+    strength: Option<[Stress; 2]>,
+    /// Standard of its thickness tolerance.
+    #[serde(default, deserialize_with = "standard")]
+    pub thickness: Option<Standard>,
+    /// Source of the range of its strength.
+    pub source: String,
+}
+
+impl Class {
+    /// Least and largest tensile strength that the standard allows \[MPa\].
+    pub fn strength(&self) -> Option<[f64; 2]> {
+        self.strength.map(|ends| ends.map(Stress::value))
+    }
+
+    /// Half of that range over its middle \[–\].
+    pub fn strength_share(&self) -> Option<f64> {
+        self.strength().map(|[low, high]| (high - low) / (high + low))
+    }
+}
+
+fn standard<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Standard>, D::Error> {
+    let name = String::deserialize(from)?;
+    let known = Standard::ALL.into_iter().find(|standard| standard.name() == name);
+    known.map(Some).ok_or_else(|| D::Error::custom(format!("no table of tolerances for {name}")))
+}
+
+/// Grades of standards that a sheet may be taken for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StandsFor {
