@@ -10,7 +10,8 @@ use anyhow::Result;
 use serde_json::{Map, Value};
 use stampflow::case::library::{self, Class, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
-use stampflow::results::{Chart, flow_curve, png, write};
+use stampflow::plot::{Chart, flow_curve, png};
+use stampflow::results::write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\

@@ -1,7 +1,7 @@
 //! Options that several verbs have.
 
 use super::suggested::Suggested;
-use stampflow::results::{Captions, Format, Pictures};
+use stampflow::plot::{Captions, Format, Pictures};
 use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
 use std::ops::RangeInclusive;
 

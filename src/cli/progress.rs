@@ -6,7 +6,7 @@ use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use stampflow::case::files::visible;
 use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
-use stampflow::results::FrameRecorder;
+use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::study::verify as verification;

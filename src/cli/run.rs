@@ -13,10 +13,10 @@ use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
+use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
 use stampflow::results::{
-    Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict,
-    write,
+    OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict, write,
 };
 use std::ops::Add;
 use std::path::{Path, PathBuf};

@@ -28,7 +28,7 @@ impl Reference<'_> {
         let at = self.csv.column(header).ok_or_else(|| CompareError::Column {
             path: path(),
             column: header.to_owned(),
-            found: self.csv.found(),
+            found: self.csv.names(),
         })?;
         let (unit, factor) = match self.csv.unit(at) {
             // The name of a plain number ends in no unit.

@@ -1,5 +1,6 @@
 //! Results on disk: tables, the summary, and the folder that holds them; [`OUTPUTS`] lists every file.
 
+mod comparisons;
 pub(crate) mod csv;
 mod error_bars;
 mod file;
@@ -7,7 +8,6 @@ mod folder;
 pub mod forming_limit;
 pub mod load_travel;
 mod output;
-mod overlay;
 pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
@@ -20,17 +20,14 @@ pub mod verification;
 pub mod vtk;
 mod write;
 
-pub use crate::plot::{
-    Captions, Chart, Dimension, Extra, Format, FrameRecorder, Mark, PAPER, Pictures, Size, StageView, animation,
-    dimensioned, flow_curve, png, sketch, svg,
-};
+use crate::plot::{Chart, Extra, Format, FrameRecorder, Pictures, StageView, animation};
 use crate::plot::{forming_diagram, part, shapes, strains, thickness};
+pub use comparisons::comparisons;
 pub use csv::csv;
 pub use file::{WriteError, can_write, write};
 pub use folder::{IsOurs, ResultFolder};
 pub use output::{Files, Make, Output};
 use output::{output, plot, table};
-pub use overlay::comparisons;
 pub use run::{Results, verdict};
 pub use summary::{CaseSummary, Figure, Summary};
 pub use write::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
@@ -83,10 +80,10 @@ pub const OUTPUTS: &[Output] = &[
     ),
     output(
         "compare_*.png, csv",
-        "overlay and differences for every reference the case is compared with",
-        Make::OfCase(overlay::files),
+        "comparisons and differences for every reference the case is compared with",
+        Make::OfCase(comparisons::files),
     )
-    .family(overlay::is_comparison),
+    .family(comparisons::is_comparison),
     output(
         error_bars::FILE,
         "with --error-bars, or quick ones with --report: every number and curve with its bar",

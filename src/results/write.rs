@@ -1,6 +1,6 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
-use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
+use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, comparisons, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
@@ -66,7 +66,7 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 /// # Errors
 /// If the folder cannot be opened.
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
-    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| overlay::is_comparison("", name)))
+    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| comparisons::is_comparison("", name)))
 }
 
 /// Refuses files with names of results in a folder without a summary or a list of stages of a run.
@@ -136,7 +136,7 @@ impl Results<'_> {
     /// # Errors
     /// If a file cannot be written, or the folder not committed.
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
-        overlay::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
+        comparisons::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()
     }
 }

@@ -49,7 +49,7 @@ impl MeasuredCurve {
         };
         let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
         let (quantity, x, y) = found
-            .ok_or_else(|| StudyError::new(format!("{data} is no curve of a run; it has {}", csv.found()), EXAMPLE))?;
+            .ok_or_else(|| StudyError::new(format!("{data} is no curve of a run; it has {}", csv.names()), EXAMPLE))?;
         let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
         let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
         Ok(Self::new(data.path().to_owned(), spec, last_frame(csv)))

@@ -128,7 +128,7 @@ impl Csv {
     }
 
     /// Names of all columns, for a message.
-    pub fn found(&self) -> String {
+    pub fn names(&self) -> String {
         self.header.fields.iter().collect::<Vec<_>>().join(", ").chars().take(10 * LONGEST).collect()
     }
 

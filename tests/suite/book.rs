@@ -14,7 +14,7 @@
 //! `UPDATE=1` writes the lines and the pictures anew.
 
 use regex::Regex;
-use stampflow::results::{Chart, png};
+use stampflow::plot::{Chart, png};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

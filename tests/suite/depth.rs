@@ -3,7 +3,8 @@
 
 use stampflow::assess::{self, check};
 use stampflow::case::{Solution, parse};
-use stampflow::results::{StageView, Summary, load_travel};
+use stampflow::plot::StageView;
+use stampflow::results::{Summary, load_travel};
 use stampflow::table::Unit;
 
 const STRIP: &str = include_str!("../../cases/strip_draw.toml");

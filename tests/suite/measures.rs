@@ -3,7 +3,8 @@
 use crate::common::{pixels::pixels, shipped};
 use stampflow::measure::{Band, Shape, Stretch, bands, moment_error, place_on_part, places};
 use stampflow::model::{Geometry, Model, Release};
-use stampflow::results::{OUTPUTS, StageView, write};
+use stampflow::plot::StageView;
+use stampflow::results::{OUTPUTS, write};
 use stampflow::solver::solution::{Frame, StageSolution};
 use std::fs;
 use std::path::{Path, PathBuf};

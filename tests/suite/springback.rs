@@ -4,7 +4,8 @@ use stampflow::assess::{self, Finding, Light};
 use stampflow::author::templates::find;
 use stampflow::case::{Case, Solution, parse};
 use stampflow::measure::{Change, Shape, changes};
-use stampflow::results::{StageView, Summary};
+use stampflow::plot::StageView;
+use stampflow::results::Summary;
 
 /// The steel strip of the template, bent to this angle under the tools \[°\], with more at the end of its case.
 fn v_bend(angle: f64, more: &str) -> Case {

@@ -5,7 +5,7 @@ use crate::common::surfalex::{chart, fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
 use stampflow::case::{self, library};
-use stampflow::results::Chart;
+use stampflow::plot::Chart;
 
 const DOCUMENT: &str = include_str!("../../docs/surfalex_limit.md");
 

@@ -2,7 +2,8 @@
 
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
-use stampflow::results::{OUTPUTS, StageView, Summary};
+use stampflow::plot::StageView;
+use stampflow::results::{OUTPUTS, Summary};
 use stampflow::solver;
 use stampflow::solver::solution::StageSolution;
 

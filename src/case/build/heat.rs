@@ -82,7 +82,7 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Piec
 fn by_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
     let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
     let missing = |name: &str| {
-        let what = format!("there is no column {name}; found {}", csv.found());
+        let what = format!("there is no column {name}; found {}", csv.names());
         lines.error(csv.header.line, what, EXAMPLE)
     };
     let place = csv.header.fields.iter().enumerate().find_map(|(i, field)| match csv.unit(i) {

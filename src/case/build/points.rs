@@ -146,7 +146,7 @@ fn header(csv: &Csv, text: &Lines, geometry: Geometry) -> Result<Columns, CaseEr
         }
     }
     let missing = |name: &str| {
-        let what = format!("there is no column for {name}; found {}", csv.found());
+        let what = format!("there is no column for {name}; found {}", csv.names());
         fail(what, &format!("name it {name}_mm"))
     };
     let r = r.ok_or_else(|| missing(first_coordinate(geometry)))?;

@@ -2,7 +2,8 @@
 
 use super::Summary;
 use crate::case::Solution;
-use crate::results::{Results, StageView, stages};
+use crate::plot::StageView;
+use crate::results::{Results, stages};
 use serde::{Serialize, Serializer};
 use std::fmt;
 

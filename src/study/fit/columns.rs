@@ -66,7 +66,7 @@ impl Columns {
             _ => {
                 let what = format!(
                     "{file} has no columns of strain and stress, nor of elongation and force; it has {}",
-                    csv.found()
+                    csv.names()
                 );
                 return Err(StudyError::new(what, EXAMPLE));
             }

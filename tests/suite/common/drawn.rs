@@ -10,7 +10,7 @@ use stampflow::model::{
     Role, Settings, StopRules, Theory, ThicknessRule, Tool,
 };
 use stampflow::numerics::lobatto;
-use stampflow::results::StageView;
+use stampflow::plot::StageView;
 use stampflow::solver::solution::{
     ElementRecord, Energy, Frame, NodeRecord, PointRecord, StageSolution, StepRecord, ThroughThickness,
 };

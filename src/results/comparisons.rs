@@ -8,7 +8,7 @@ use crate::compare::{
 };
 use crate::plot::chart::Panel;
 use crate::plot::comparison::{band_panel, curve_panels};
-use crate::units::rounded;
+use crate::units::{joined, rounded};
 
 impl Solution {
     /// Comparisons with the results of the first stage and with the ring of the last.
@@ -57,16 +57,12 @@ fn is_quantity(name: &str) -> bool {
 
 /// Picture of a comparison; `None` without data.
 pub(crate) fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
-    let (panels, mut notes) = match (&comparison.spec.against, &comparison.found) {
-        (Against::Curve(spec), Found::Points(points)) => {
-            (curve(comparison, spec, points), notes_on_points(comparison, spec, points))
-        }
-        (Against::Band(spec), Found::Band(found)) => {
-            (vec![band(comparison, spec, found)], notes_on_band(comparison, spec, found))
-        }
+    let panels = match (&comparison.spec.against, &comparison.found) {
+        (Against::Curve(spec), Found::Points(points)) => curve(comparison, spec, points),
+        (Against::Band(spec), Found::Band(found)) => vec![band(comparison, spec, found)],
         _ => return None,
     };
-    notes.extend(view.notes());
+    let notes = notes(comparison).into_iter().chain(view.notes()).collect();
     Some(Chart::new(view.titled("computed and reference"), panels, notes))
 }
 
@@ -106,52 +102,31 @@ fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Panel {
     band_panel(comparison.axes().into(), curve.clone(), compared, measured, widened)
 }
 
-fn origin(comparison: &Comparison, columns: &str) -> Vec<String> {
+/// Source, tolerance and largest difference of a comparison.
+fn notes(comparison: &Comparison) -> Vec<String> {
     let Comparison { spec, source, .. } = comparison;
     let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
     let from = source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
     let demonstration = spec.demonstration.then(|| "A demonstration, not a validation.".to_owned());
-    demonstration.into_iter().chain([format!("Reference: {file}, {columns}: {from}.")]).collect()
-}
-
-fn notes_on_points(comparison: &Comparison, spec: &CurveSpec, points: &Points) -> Vec<String> {
-    let reason = comparison.spec.reason.trim_end_matches('.');
-    let mut notes = origin(comparison, &format!("column {}", spec.y));
-    notes.push(format!("Tolerance {}: {reason}.", comparison.accepted()));
-    if let (Some(point), Some(worst)) = (points.worst(), comparison.worst()) {
-        notes.push(format!("Largest difference {worst} at {}.", comparison.place(point)));
-    }
-    let judged = points.judged().count();
-    let missed = points.judged().filter(|p| p.computed.is_none()).count();
-    if missed > 0 {
-        notes.push(format!("{missed} of {judged} reference points were not reached."));
-    }
-    if let Some((low, high)) = spec.range {
-        notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
-    }
-    let differences = points.0.iter().filter_map(|p| p.difference());
-    let beyond: Vec<f64> = differences.filter(|d| d.abs() > largest_drawn(&points.0, spec)).collect();
-    if let Some(most) = beyond.iter().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
-        let (count, most) = (beyond.len(), 100.0 * most);
-        notes.push(format!("{count} points lie beyond the scale of the difference, up to {most:+.0} %."));
-    }
-    if spec.quantity == Quantity::Travel {
-        notes.push("The travel is the first at which the force is reached, before its peak.".to_owned());
-    }
-    notes
-}
-
-fn notes_on_band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Vec<String> {
-    let columns = if spec.columns.len() == 1 { "column" } else { "columns" };
-    let mut notes = origin(comparison, &format!("{columns} {}", spec.columns.join(", ")));
-    notes.push(match (band.computed, comparison.worst()) {
-        (Some(computed), Some(worst)) => {
-            let widened = if band.accepted == band.measured { "" } else { ", errors of measurement included" };
-            let (computed, accepted) = (comparison.text(computed), comparison.accepted());
-            format!("Computed {computed}: {worst}; the reference is {accepted}{widened}.")
+    let (columns, text) = match (&spec.against, &comparison.found) {
+        (Against::Curve(curve), Found::Points(points)) => {
+            let judged = points.judged().count();
+            let missed = points.judged().filter(|point| point.computed.is_none()).count();
+            let missed = format!("{missed} of {judged} reference points were not reached");
+            let worst = points.worst().zip(comparison.worst());
+            let worst =
+                worst.map(|(point, worst)| format!("largest difference {worst} at {}", comparison.place(point)));
+            (curve.y.clone(), joined([worst.unwrap_or_default(), missed], "; "))
         }
-        _ => "The run ended before the value that is compared.".to_owned(),
-    });
-    notes.push(format!("Remark: {}.", comparison.spec.reason.trim_end_matches('.')));
-    notes
+        (Against::Band(band), Found::Band(found)) => {
+            let computed = found.computed.zip(comparison.worst());
+            let text = computed.map(|(computed, worst)| format!("computed {}: {worst}", comparison.text(computed)));
+            (band.columns.join(", "), text.unwrap_or_else(|| "the run ended before the compared value".to_owned()))
+        }
+        (against, _) => (against.name().to_owned(), String::new()),
+    };
+    let reference = format!("Reference: {file}, {columns}: {from}.");
+    let judgement = format!("Accepted: {}; {text}.", comparison.accepted());
+    let reason = format!("Reason: {}.", spec.reason.trim_end_matches('.'));
+    demonstration.into_iter().chain([reference, judgement, reason]).collect()
 }
