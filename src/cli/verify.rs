@@ -149,7 +149,7 @@ impl Told<'_> {
         self.verification.bars.iter().filter(told).map(row).collect()
     }
 
-    /// What was done, and in what time.
+    /// Number of runs and their time.
     fn effort(&self) -> String {
         let finer = self.verification.outcomes.len() - 1;
         format!("{finer} finer runs, {time}", time = Amount::time(self.seconds))

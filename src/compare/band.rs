@@ -10,7 +10,7 @@ use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 use crate::units::{four_digits, without_zeros};
 
-/// What is compared with a band.
+/// Quantity that is compared with a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BandQuantity {
     /// Diameter at the blank's edge at the end; in plane strain the width between both edges.
@@ -25,14 +25,14 @@ pub enum BandQuantity {
     PeakForce,
     /// Travel at the largest punch force, once the force has fallen from it: the index of a cupping test.
     PeakTravel,
-    /// By how much a ring of the released cup's wall opens when it is slit.
+    /// Opening of a slit ring of the released cup's wall.
     RingOpening,
 }
 
 /// A comparison with the interval that measured values span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandSpec {
-    /// What is compared.
+    /// Compared quantity.
     pub quantity: BandQuantity,
     /// Headers of the columns whose values, all rows of them, span the band.
     pub columns: Vec<String>,
@@ -52,22 +52,19 @@ pub struct Interval {
 /// Measured and computed intervals, in solver units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// What the reference's values span.
+    /// Interval of the reference's values.
     pub measured: Interval,
-    /// The same, each value with its error: where computed values must lie.
+    /// Interval with the errors of measurement, in which computed values must lie.
     pub accepted: Interval,
-    /// What the computed values span; one value for a quantity that has no more. `None` without a whole run.
+    /// Interval of the computed values; `None` without a whole run.
     pub computed: Option<Interval>,
 }
 
-/// Which of the computed values are compared.
 enum Of {
     All,
     Last,
     Largest,
-    /// Where the abscissa is largest.
     Peak,
-    /// That of the ring which is asked for.
     Ring,
 }
 
@@ -128,7 +125,7 @@ impl BandQuantity {
         }
     }
 
-    /// Which values are compared, in words that follow "reference" or "computed".
+    /// Compared values, in words that follow "reference" or "computed".
     pub fn which(self) -> &'static str {
         match self.of() {
             Of::All => "least and largest",

@@ -11,10 +11,10 @@ use crate::table::{Axis, Column, Table, Unit};
 use crate::units::rounded;
 use crate::units::{Amount, Digits};
 
-/// Of a value in a table of many comparisons: no reference is known better.
+/// Digits of a value in a table of many comparisons.
 const DIGITS: usize = 3;
 
-/// What was found beside the reference.
+/// Result beside the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Found {
     /// The reference file is not there.
@@ -28,11 +28,11 @@ pub enum Found {
 /// The outcome of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// What was asked for.
+    /// Request of the case.
     pub spec: Spec,
-    /// Where the reference comes from, if its folder says so.
+    /// Source of the reference, if its folder names one.
     pub source: Option<Source>,
-    /// What was found beside the reference.
+    /// Result beside the reference.
     pub found: Found,
     /// The computed curve that the compared values were taken from.
     pub curve: Vec<(f64, f64)>,
@@ -54,7 +54,7 @@ impl Comparison {
         if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
     }
 
-    /// Where a point is, in words: `punch travel = 12.5 mm`.
+    /// Place of a point in words: `punch travel = 12.5 mm`.
     pub fn place(&self, point: &Point) -> String {
         let x = (1e3 * point.x).round() / 1e3;
         let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
@@ -70,7 +70,7 @@ impl Comparison {
         }
     }
 
-    /// What is accepted: `5 %` of a curve, `467.3 to 468.5 mm`.
+    /// Accepted range: `5 %` of a curve, `467.3 to 468.5 mm`.
     pub fn accepted(&self) -> String {
         match (&self.spec.against, &self.found) {
             (Against::Curve(curve), _) => format!("{} %", rounded(100.0 * curve.tolerance)),
@@ -104,7 +104,7 @@ impl Comparison {
         }
     }
 
-    /// What that value is held against, in a form: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
+    /// Target of that value: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
     pub fn target(&self) -> Option<String> {
         match (&self.spec.against, &self.found) {
             (Against::Curve(curve), Found::Points(points)) => points.worst().map(|point| {
@@ -143,7 +143,7 @@ impl Comparison {
         interval.text(self.y.unit)
     }
 
-    /// What was found, in numbers; no rows without data.
+    /// Result as a table; no rows without data.
     pub fn table(&self) -> Table {
         match &self.found {
             Found::NoData => Table::new(vec![]),

@@ -1,4 +1,4 @@
-//! What a stage offers for comparison.
+//! Computed values of a stage for comparison.
 
 use crate::forming_limit::Paths;
 use crate::measure::RingTest;
@@ -7,10 +7,10 @@ use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::path;
 use crate::table::{Column, Field};
 
-/// What a stage offers for comparison.
+/// Computed values of a stage for comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Computed<'a> {
-    /// What the section stands for, and what its forces are of.
+    /// Extent of the section, which its forces refer to.
     pub extent: Extent,
     /// Length of the undeformed blank from the axis or symmetry plane \[mm\].
     pub length: f64,
@@ -22,12 +22,12 @@ pub struct Computed<'a> {
     pub paths: Option<&'a Paths>,
     /// Whether the stage came to its end.
     pub complete: bool,
-    /// Of the ring that is cut from the case's part.
+    /// Test of the ring that is cut from the part.
     pub ring: Option<&'a RingTest>,
 }
 
 impl<'a> Computed<'a> {
-    /// What a solved stage offers.
+    /// Values of a solved stage.
     pub fn of(stage: &'a StageSolution) -> Self {
         Self {
             steps: &stage.steps,
@@ -38,7 +38,7 @@ impl<'a> Computed<'a> {
         }
     }
 
-    /// Nothing yet, to find out whether references fit before anything is solved.
+    /// No values, to check references before anything is solved.
     pub fn nothing(model: &Model) -> Self {
         let (extent, length) = (model.extent(), model.blank.length);
         Self { extent, length, steps: &[], elements: &[], paths: None, complete: true, ring: None }

@@ -9,7 +9,7 @@ use crate::table::{Column, Csv, Table, Unit};
 use crate::units::four_digits;
 use std::path::Path;
 
-/// What is compared along a curve.
+/// Quantity that is compared along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Punch force at equal travel.
@@ -29,7 +29,7 @@ pub enum Quantity {
 /// A comparison along a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveSpec {
-    /// What is compared.
+    /// Compared quantity.
     pub quantity: Quantity,
     /// Header of the column to compare at.
     pub x: String,

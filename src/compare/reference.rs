@@ -10,7 +10,7 @@ pub(super) const NOTHING: f64 = 1e-9;
 /// A column of a reference file in solver units; `None` where a row has no value.
 pub(super) struct Values {
     pub values: Vec<Option<f64>>,
-    /// What converts the file's unit to the solver's.
+    /// Factor from the file's unit to the solver's.
     pub factor: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Where reference curves come from: `sources.toml` in their folder, one table per file name.
+//! Sources of reference curves: `sources.toml` in their folder, one table per file name.
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

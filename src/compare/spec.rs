@@ -1,4 +1,4 @@
-//! What a case asks to be compared, and with which reference.
+//! Comparisons that a case requests.
 
 use super::band::BandSpec;
 use super::computed::Computed;
@@ -15,9 +15,9 @@ use std::path::PathBuf;
 pub struct Spec {
     /// CSV file of the reference, units at the end of its headers.
     pub reference: PathBuf,
-    /// What stands in it; `None` where it is optional and not there.
+    /// Its contents; `None` if it is optional and missing.
     pub data: Option<Data>,
-    /// What is compared with it.
+    /// Quantity and tolerance.
     pub against: Against,
     /// Why the tolerance or the band is what it is, or what a difference comes from.
     pub reason: String,
@@ -27,12 +27,12 @@ pub struct Spec {
     pub demonstration: bool,
 }
 
-/// What a reference file holds.
+/// Contents of a reference file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
     /// Its rows.
     pub csv: Csv,
-    /// Where it comes from, if its folder says so.
+    /// Source, if its folder names one.
     pub source: Option<Source>,
 }
 
@@ -46,7 +46,7 @@ pub enum Against {
 }
 
 impl Spec {
-    /// What stands in the reference file; `None` where it is optional and not there.
+    /// Contents of the reference file; `None` if it is optional and missing.
     ///
     /// # Errors
     /// When it is not there and not optional.

@@ -24,7 +24,7 @@ impl Verdict {
         }
     }
 
-    /// As a reader is told it, in a language of his own: `inside`, `outside`.
+    /// Word for readers: `inside`, `outside`.
     pub fn told(self) -> &'static str {
         match self {
             Self::In => "inside",

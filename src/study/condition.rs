@@ -17,7 +17,7 @@ use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
 /// A condition on a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    /// As it was written.
+    /// Text as written.
     pub text: String,
     terms: Vec<Term>,
 }

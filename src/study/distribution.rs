@@ -17,7 +17,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 /// Least probability between the limits of a normal distribution: less is a mistake in its numbers.
 const LEAST: f64 = 1e-4;
 
-/// How a number scatters, in the unit of its key.
+/// Probability distribution of a number, in the unit of its key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
     /// Alike likely between two ends.
@@ -44,7 +44,7 @@ pub struct WrittenDistribution {
     shape: Shape,
     /// Unit behind its numbers; empty where there is none.
     unit: String,
-    /// As it was typed.
+    /// Text as written.
     text: String,
 }
 
@@ -64,7 +64,7 @@ enum Limits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Width {
     Absolute(f64),
-    /// Of the middle \[–\].
+    /// Share of the middle \[–\].
     Relative(f64),
 }
 
@@ -249,7 +249,7 @@ impl Reader<'_> {
         if low < high { Ok((low, high)) } else { Err(self.wrong(&format!("has no width from {low} to {high}"))) }
     }
 
-    /// What stands before and behind ±.
+    /// Middle and width around ±.
     fn about(&self, text: &str, units: &mut Vec<String>) -> Result<(Option<f64>, Width), StudyError> {
         let (middle, width) = text.split_once('±').ok_or_else(|| self.wrong("has no ± and no .."))?;
         let middle = match middle.trim() {

@@ -8,9 +8,9 @@ pub enum StudyError {
     /// The request or a file of the study is wrong.
     #[error("{what}\n  help: {help}")]
     Request {
-        /// What is wrong.
+        /// Mistake.
         what: String,
-        /// What to write.
+        /// Remedy.
         help: String,
     },
     /// The case that it varies is wrong.

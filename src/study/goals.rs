@@ -13,7 +13,7 @@ use crate::units::significant;
 pub struct Goal {
     /// Name on the command line.
     pub name: &'static str,
-    /// What it finds.
+    /// Result in one line.
     pub about: &'static str,
     request: fn(&Case) -> Result<GoalRequest, StudyError>,
 }

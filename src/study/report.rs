@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 pub struct StudyReport {
     /// The result in one sentence.
     pub headline: String,
-    /// What to know about it, a sentence each.
+    /// Notes on it, a sentence each.
     pub notes: Vec<String>,
     /// Tables.
     pub tables: Vec<ReportTable>,
@@ -49,7 +49,7 @@ impl ReportTable {
         Self { name, columns: columns.iter().map(|column| (*column).to_owned()).collect(), rows: Vec::new() }
     }
 
-    /// As CSV: a number without its unit, which stands in a column behind it.
+    /// Formats CSV; the unit of a number stands in a column behind it.
     pub fn csv(&self) -> Vec<u8> {
         let has_unit: Vec<bool> = (0..self.columns.len())
             .map(|i| self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_)))))

@@ -48,7 +48,7 @@ impl Response {
 pub struct Run {
     /// Position in the study, from 0.
     pub index: u64,
-    /// As in [`Design::values`].
+    /// Values of the variables, see [`Design::values`].
     pub values: Vec<String>,
     /// Hash of all inputs; empty if the design is no case.
     pub inputs: String,

@@ -62,7 +62,7 @@ pub enum EventKind {
 /// A light and its probability.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// What has the light.
+    /// Object that has the light.
     pub kind: EventKind,
     /// Red or amber.
     pub light: Light,
@@ -89,7 +89,7 @@ impl Scatter {
     /// Reads a case or study file; `vary` replaces the study's own variables.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Those of [`new`](Self::new).
     pub fn load(
         path: &Path,
         set: Vec<String>,

@@ -99,7 +99,7 @@ impl Sweep {
     /// Varies a case by `KEY=VALUES` texts.
     ///
     /// # Errors
-    /// As [`load`](Self::load).
+    /// Those of [`load`](Self::load).
     pub fn new(base: BaseCase, vary: &[String], one_at_a_time: bool) -> Result<Self, StudyError> {
         let axes = vary.iter().map(|text| Axis::read(text, &base)).collect::<Result<Vec<_>, _>>()?;
         if axes.is_empty() {

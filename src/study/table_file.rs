@@ -101,7 +101,7 @@ impl TableFile {
         fs::rename(&self.part, &self.path)
     }
 
-    /// Where the rows are while some are missing.
+    /// Path of the rows while some are missing.
     pub fn part(&self) -> &Path {
         &self.part
     }

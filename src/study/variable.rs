@@ -47,7 +47,7 @@ pub struct SearchRange {
     pub count: Option<usize>,
     /// Even differences or even ratios.
     pub spacing: Spacing,
-    /// Where a fit begins, if given.
+    /// Start of a fit, if given.
     pub start: Option<f64>,
 }
 

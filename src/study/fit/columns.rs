@@ -3,7 +3,7 @@
 use crate::study::StudyError;
 use crate::table::{Csv, Unit};
 
-/// What strains and stresses are related to.
+/// Strain and stress measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
     /// To the size at the beginning.
@@ -14,12 +14,12 @@ pub(super) enum Measure {
     Plastic,
 }
 
-/// Where a quantity stands.
+/// Column of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub column: usize,
     pub measure: Measure,
-    /// Of the file's unit to the solver's.
+    /// Factor from the file's unit to the solver's.
     pub factor: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What follows from a tension test: its elastic line, its yield stress, where it necks, and stress over plastic strain.
+//! Reduction of a tension test: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::tension::{Tension, TensionRow};
 use crate::study::StudyError;
@@ -35,9 +35,9 @@ pub struct FlowCurve {
     pub strength: f64,
     /// Plastic strain at the largest force, where the force falls thereafter \[–\].
     pub uniform: Option<f64>,
-    /// What laws are fitted to.
+    /// Points that laws are fitted to.
     pub points: Vec<FlowPoint>,
-    /// What lies beyond or before, to be shown.
+    /// Points beyond or before, drawn only.
     pub others: Vec<FlowPoint>,
     /// r, width over thickness strain, and its standard error, where the width was measured \[–\].
     pub r: Option<(f64, f64)>,
@@ -54,7 +54,7 @@ pub struct FlowPoint {
     pub scatter: Option<f64>,
 }
 
-/// Where the elastic line is fitted, over the stress at 1 % of strain: between seating and yield \[–\].
+/// Stress range of the elastic line over the stress at 1 % strain: between seating and yield \[–\].
 const ELASTIC: [f64; 2] = [0.1, 0.4];
 /// Fewest points of an elastic line.
 const LINE: usize = 4;

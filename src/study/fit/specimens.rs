@@ -16,9 +16,9 @@ pub struct Tests {
     pub section: Option<f64>,
     /// Gauge length, for elongations \[mm\].
     pub gauge: Option<f64>,
-    /// Of each test, or none \[1/s\].
+    /// Strain rate of each test, or none \[1/s\].
     pub rate: Vec<f64>,
-    /// Of each test to that of rolling, or none \[°\].
+    /// Direction of each test to the rolling direction, or none \[°\].
     pub direction: Vec<f64>,
 }
 

@@ -28,7 +28,6 @@ pub(super) struct TensionRow {
     pub width: Option<f64>,
 }
 
-/// What to write.
 const EXAMPLE: &str =
     "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
 /// Fewest rows of a test.
@@ -48,10 +47,10 @@ impl Tension {
         Self::of(&csv, &data.to_string(), section, gauge)
     }
 
-    /// The same of a text.
+    /// Reads a test from a text.
     ///
     /// # Errors
-    /// As [`load`](Self::load).
+    /// Those of [`load`](Self::load).
     pub fn read(text: &str, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
         let csv = Csv::read(text, "the test", EXAMPLE).map_err(|error| csv_error(name, &error))?;
         Self::of(&csv, name, section, gauge)

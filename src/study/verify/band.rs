@@ -9,10 +9,10 @@ use crate::numerics::interpolated;
 /// by chance, and the error is that of the places around.
 const REACH: f64 = 0.04;
 
-/// What lies around a curve of the run as it is.
+/// Error band around a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
-    /// Where, rising: travel or initial distance from the axis \[mm\].
+    /// Rising travel or initial distance from the axis \[mm\].
     pub x: Vec<f64>,
     /// The lower side, in the curve's unit.
     pub low: Vec<f64>,

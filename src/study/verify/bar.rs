@@ -16,18 +16,18 @@ pub struct Bar {
     pub half: Option<f64>,
     /// Why there is none; else empty.
     pub why: String,
-    /// What it is made of, the largest first.
+    /// Contributions, the largest first.
     pub parts: Vec<Part>,
 }
 
-/// What one direction gives to an error bar.
+/// Contribution of one direction to an error bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// What was refined.
+    /// Refined direction.
     pub direction: Direction,
     /// The error by it.
     pub estimate: Estimate,
-    /// Of the whole bar, 1 for all of it \[–\].
+    /// Share of the whole bar \[–\].
     pub share: f64,
 }
 
@@ -68,7 +68,7 @@ impl Bar {
         self.half.filter(|half| *half > 0.0)
     }
 
-    /// As it is told with a number of its own.
+    /// Error bar for a result number.
     pub fn told(&self) -> ErrorBar {
         match self.half {
             None => ErrorBar::Missing(self.why.clone()),
@@ -76,7 +76,7 @@ impl Bar {
         }
     }
 
-    /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
+    /// Contributions, or the reason why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
     /// extrapolated.
     pub fn made_of(&self) -> String {
         match self.half {

@@ -1,4 +1,4 @@
-//! What is refined, and how.
+//! Directions of refinement.
 
 use crate::model::{Blank, Grading, Model, Stage};
 use crate::units::Amount;
@@ -61,7 +61,7 @@ impl Direction {
         }
     }
 
-    /// What a run has, so many `times` finer: `4 times the elements`.
+    /// Refinement in words: `4 times the elements`.
     pub fn told(self, times: f64) -> String {
         let n = Amount::number(times);
         match self {
@@ -86,7 +86,7 @@ impl Direction {
         }
     }
 
-    /// What a run costs so many `times` finer, over what it costs as it is \[–\].
+    /// Cost of a refined run over that of the run as it is \[–\].
     pub fn cost(self, times: f64) -> f64 {
         match self {
             Self::Elements | Self::Points | Self::Steps => times,
@@ -135,7 +135,6 @@ fn divide(blank: &mut Blank, times: f64) {
     blank.elements = scaled(blank.elements, times, LEAST_ELEMENTS);
 }
 
-/// So many `times` as many, but no fewer than `least`, or than there are.
 fn scaled(count: usize, times: f64, least: usize) -> usize {
     ((count as f64 * times).round() as usize).max(least.min(count))
 }

@@ -7,10 +7,10 @@ const SPREAD: f64 = 3.0;
 /// An observed order is believed from the formal one over this to the formal one times this.
 const BELIEVED: f64 = 2.0;
 
-/// What the error of a number is in one direction.
+/// Error of a number by one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// Not less than the difference from the truth, hopefully; in the number's unit.
+    /// Estimated upper bound of the discretisation error, in the number's unit.
     pub error: f64,
     /// Observed order of convergence, where the differences keep their sign \[–\].
     pub order: Option<f64>,

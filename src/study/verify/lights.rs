@@ -8,9 +8,9 @@ use crate::units::{Digits, Limits, Sense};
 /// A light that a bar reaches beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// Of the row of the verdict.
+    /// Row of the verdict.
     pub key: &'static str,
-    /// What the light is with the bar.
+    /// Light with the error bar.
     pub light: Light,
     /// How, in a few words.
     pub clause: String,
@@ -25,7 +25,7 @@ impl Moved {
         Self { key: finding.key, light: Light::Amber, clause, sentence }
     }
 
-    /// What to do about a light that is amber for its bar alone.
+    /// Advice for a row that is amber by its error bar alone.
     pub(super) fn advice(&self) -> String {
         match self.key {
             RUN => "take the worse end as the true one, or refine until all runs end alike",

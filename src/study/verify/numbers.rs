@@ -12,9 +12,9 @@ use crate::units::{Amount, Digits};
 pub enum Of {
     /// One of the [`Answer`]'s.
     Answer,
-    /// Of the part or the press, beside the answer's.
+    /// Number of the part or the press.
     Part,
-    /// What a row of the verdict judges.
+    /// Number of a row of the verdict.
     Verdict,
 }
 
@@ -99,7 +99,7 @@ fn is_held_by_a_force(case: &Case) -> bool {
     holder.is_some_and(|holder| matches!(&holder.motion, Motion::Pressed(press) if press.stiffness == 0.0))
 }
 
-/// Where the punch presses hardest, and what it does half-way; how far a run came that ended early.
+/// Travel of the largest force, force at half travel, and travel of a run that ended early.
 fn of_the_press(stages: &[StageSolution]) -> Vec<Number> {
     let mut numbers = Vec::new();
     if let Some((i, peak)) = largest_force(stages) {

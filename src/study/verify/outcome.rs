@@ -1,4 +1,4 @@
-//! What is kept of each of the runs of a verification.
+//! Numbers, curves and end of a run.
 
 use super::direction::Direction;
 use super::numbers::{Number, numbers};
@@ -8,12 +8,12 @@ use crate::model::mesh;
 use crate::numerics::interpolated;
 use crate::solver::solution::{StageSolution, Stop};
 
-/// What is kept of a run.
+/// Numbers, curves and end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// What was refined; `None` of the run as it is.
+    /// Refined direction; `None` for the run as it is.
     pub direction: Option<Direction>,
-    /// So many times finer \[–\]; below 1 coarser.
+    /// Refinement factor \[–\]; below 1 coarser.
     pub times: f64,
     /// How it ended.
     pub end: End,
@@ -26,7 +26,7 @@ pub struct Outcome {
     /// Share of the forming limit that is used \[%\] over the initial distance from the axis \[mm\], of the stage that comes
     /// nearest to it; empty without a limit.
     pub used: Vec<(f64, f64)>,
-    /// Of the flat blank's elements, over its thickness \[–\].
+    /// Shortest element over the sheet thickness \[–\].
     pub shortest: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct End {
     pub stages: usize,
     /// Why the last of them ended, in a few words.
     pub kind: &'static str,
-    /// As a sentence.
+    /// Reason as a sentence.
     pub why: String,
     /// Whether it came to the end that was asked for.
     pub complete: bool,
@@ -64,12 +64,12 @@ impl End {
 }
 
 impl Outcome {
-    /// Of a run that was refined in a direction so many `times`; of the run as it is without.
+    /// Outcome of a solution, refined in a direction by a factor.
     pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
         Self::found(solution, refined, &after_one_of_many(&solution.case, &solution.stages))
     }
 
-    /// The same of what was [found](after_one_of_many) on it.
+    /// Outcome with known [findings](after_one_of_many).
     pub fn found(solution: &Solution, refined: Option<(Direction, f64)>, findings: &[Finding]) -> Self {
         let Solution { case, stages, .. } = solution;
         let load =

@@ -8,14 +8,14 @@ use super::verify::{Verification, Watch, solved, tolerance};
 use crate::case::Solution;
 use crate::units::Unit;
 
-/// Of everything that is refined, so many times as fine \[–\]: half.
+/// Refinement factor of the coarser run \[–\].
 const COARSER: f64 = 0.5;
 
 /// Error over the difference to the coarser run \[–\]. With the first order it would be 1; but what is coarser in all
 /// directions at once has errors that cancel by chance: of 60 random dies, 19 numbers in 20 keep within five times.
 const FACTOR: f64 = 5.0;
 
-/// What a bar is at least, for where they cancel: of the number \[–\], of one in percent \[%\], and of a place in elements or steps,
+/// Least bar, because errors may cancel: of the number \[–\], of one in percent \[%\], and of a place in elements or steps,
 /// likewise measured.
 const LEAST: f64 = 3e-3;
 const LEAST_PERCENT: f64 = 1.5;

@@ -1,4 +1,4 @@
-//! What is told of the runs of a verification: whatever is no small error.
+//! Sentences on runs of a verification.
 
 use super::direction::Direction;
 use super::numbers::Number;
@@ -10,12 +10,10 @@ use crate::units::{Amount, joined};
 /// thickness for (Saint-Venant).
 const SHELL_LENGTH: f64 = 1.0;
 
-/// Of a number that some run of a direction has not.
 pub(super) fn not_everywhere(direction: Direction) -> String {
     format!("not found in every run ({direction})", direction = direction.label())
 }
 
-/// Of a number that jumps from one level to the next.
 pub(super) fn jumps(number: &Number, [from, to]: [f64; 2], finer: String) -> String {
     let at = |value: f64| {
         let mut amount = number.amount;
@@ -25,27 +23,22 @@ pub(super) fn jumps(number: &Number, [from, to]: [f64; 2], finer: String) -> Str
     format!("jumps from {from} to {to} with {finer}", from = at(from), to = at(to))
 }
 
-/// Of the number where runs end otherwise.
 pub(super) fn ends_differ() -> String {
     "other runs end otherwise".into()
 }
 
-/// Of a number that no refinement moves.
 pub(super) fn unmoved() -> String {
     "no refinement moves it".into()
 }
 
-/// Of runs that the user ended.
 pub(super) fn interrupted() -> String {
     "interrupted by the user".into()
 }
 
-/// Of a direction in which no finer run came to its end.
 pub(super) fn no_finer(direction: Direction) -> String {
     format!("no run with finer {direction} came to its end", direction = direction.label())
 }
 
-/// Of a run that the numerics ended.
 pub(super) fn lost(outcome: &Outcome) -> Option<String> {
     let direction = outcome.direction?;
     Some(format!(
@@ -55,7 +48,6 @@ pub(super) fn lost(outcome: &Outcome) -> Option<String> {
     ))
 }
 
-/// Of a run that ended otherwise.
 pub(super) fn ended_otherwise(base: &Outcome, outcome: &Outcome) -> Option<String> {
     let direction = outcome.direction?;
     Some(format!(
@@ -66,7 +58,6 @@ pub(super) fn ended_otherwise(base: &Outcome, outcome: &Outcome) -> Option<Strin
     ))
 }
 
-/// Of a run that would take too long.
 pub(super) fn left_out((direction, times): (Direction, f64), seconds: f64) -> String {
     format!(
         "left out, for it would take some {time}: {finer}",
@@ -75,7 +66,6 @@ pub(super) fn left_out((direction, times): (Direction, f64), seconds: f64) -> St
     )
 }
 
-/// Of finer runs whose elements are shorter than what a shell resolves, the run as it is among them where it has such.
 pub(super) fn below_shell_length(base: &Outcome, outcomes: &[Outcome]) -> Option<String> {
     let is_short = |outcome: &&Outcome| outcome.shortest < SHELL_LENGTH;
     outcomes.iter().find(|outcome| outcome.times > 1.0 && is_short(outcome))?;

@@ -30,16 +30,16 @@ pub fn answered(solution: &Solution, verification: Option<&Verification>) -> (An
     (answer, findings)
 }
 
-/// What is told of the bars of all numbers together.
+/// Error bars of all numbers, for files.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Told {
-    /// What the bars are from.
+    /// Source of the bars.
     pub method: String,
     /// Runs beside the one as it is.
     pub runs: usize,
     /// See [`Verification::sentences`].
     pub told: Vec<String>,
-    /// Of the part and the press; the verdict has its own.
+    /// Numbers of the part and the press; the verdict has its own.
     pub numbers: Vec<ToldNumber>,
 }
 
@@ -53,11 +53,11 @@ pub struct ToldNumber {
     /// How far it can be trusted.
     #[serde(flatten)]
     pub bar: ErrorBar,
-    /// As at the end of a header.
+    /// Unit as at the end of a header.
     pub unit: &'static str,
     /// Number and bar, with its unit, for people.
     pub told: String,
-    /// What the bar is made of.
+    /// Contributions to the bar.
     pub made_of: String,
 }
 
@@ -120,7 +120,7 @@ impl Verification {
         self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(own)?.moves()
     }
 
-    /// What the bars are from, in a few words.
+    /// Source of the bars in a few words.
     pub fn method(&self) -> String {
         let runs = self.outcomes.len() - 1;
         match self.outcomes.iter().any(|run| run.direction == Some(Direction::Together)) {

@@ -1,4 +1,4 @@
-//! What becomes of runs that are made up: their numbers, their ends and what is told of them.
+//! Verification of made-up runs.
 
 use super::*;
 use crate::assess::{Finding, Kind, Light, When};

@@ -176,7 +176,7 @@ impl Verification {
         Self { bars, told, outcomes: all, load, thickness }
     }
 
-    /// Of a run that was not verified to its end: no bars, and why.
+    /// Verification without bars, and the reason.
     pub(super) fn without(base: Outcome, why: &str) -> Self {
         let bars = base.numbers.iter().map(|number| Bar::none(number.clone(), why.to_owned())).collect();
         Self { bars, told: Vec::new(), outcomes: vec![base], load: None, thickness: None }
