@@ -1,4 +1,4 @@
-//! The table of a study while it is written: `.study.csv.part`, renamed to `study.csv` when the last row is there.
+//! The table of a study while it is written: `.study.csv.rows`, renamed to `study.csv` when the last row is there.
 //!
 //! A killed run may leave one incomplete last row, which resuming removes.
 
@@ -39,7 +39,7 @@ impl TableFile {
     pub fn open(path: &Path, runs: &RunTable, earlier: Earlier) -> Result<Self, StudyError> {
         let shown = path.display();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let part = path.with_file_name(format!(".{name}.part"));
+        let part = path.with_file_name(format!(".{name}.rows"));
         let unwritable = |error: io::Error| {
             StudyError::new(format!("cannot write {shown}: {error}"), "choose another place with --out")
         };

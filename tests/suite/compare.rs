@@ -218,7 +218,7 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
     };
     let fallen = of(&history());
     assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));
-    assert_eq!(fallen.target().as_deref(), Some("9.50–10.5\u{a0}mm"));
+    assert_eq!(fallen.target().as_deref(), Some("9.50–10.5 mm"));
     assert_eq!(of(&history()[..8]).verdict, Verdict::NotReached);
 }
 

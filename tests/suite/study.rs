@@ -141,19 +141,19 @@ fn a_killed_study_is_resumed_to_the_same_bytes() {
     fs::create_dir(dir.path().join("b")).unwrap();
     let rows: Vec<usize> = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(i, _)| i + 1).collect();
     for end in [rows[2] + 30, rows[0], 20] {
-        fs::write(dir.path().join("b/.study.csv.part"), &whole[..end]).unwrap();
+        fs::write(dir.path().join("b/.study.csv.rows"), &whole[..end]).unwrap();
         let refused = swept(dir.path(), &["--out", "b"]);
         assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("--resume"));
         let done = swept(dir.path(), &["--out", "b", "--resume"]);
         assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
         assert!(
             fs::read(dir.path().join("b/study.csv")).unwrap() == whole
-                && !dir.path().join("b/.study.csv.part").exists()
+                && !dir.path().join("b/.study.csv.rows").exists()
         );
         fs::remove_file(dir.path().join("b/study.csv")).unwrap();
     }
     // Rows of another study are refused, and so is a file that is no table.
-    fs::write(dir.path().join("b/.study.csv.part"), &whole[..rows[2]]).unwrap();
+    fs::write(dir.path().join("b/.study.csv.rows"), &whole[..rows[2]]).unwrap();
     let other = call(dir.path(), &["sweep", "cases/cup.toml", "--vary", "friction=0.1,0.2", "--out", "b", "--resume"]);
     assert!(other.status.code() == Some(2) && text(&other.stderr).contains("another study"), "{}", text(&other.stderr));
     fs::write(dir.path().join("b/study.csv"), "mine\n").unwrap();
