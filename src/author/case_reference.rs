@@ -34,7 +34,12 @@ type Inner = Vec<(String, &'static Value)>;
 impl Reference {
     fn section(&mut self, path: &str, node: &'static Value) {
         let heading = if path.is_empty() { "The file's own keys".to_owned() } else { format!("`{path}`") };
-        let _ = write!(self.text, "\n## {heading}\n\n{}\n", str_of(node, "description"));
+        let _ = write!(self.text, "\n## {heading}\n");
+        self.body(path, node);
+    }
+
+    fn body(&mut self, path: &str, node: &'static Value) {
+        let _ = write!(self.text, "\n{}\n", str_of(node, "description"));
         let mut inner = Inner::new();
         for form in alternatives(node) {
             let kind = self.kind(form, path, &mut inner);
@@ -43,8 +48,10 @@ impl Reference {
         for table in alternatives(node).chain([node]).filter(|table| table["properties"].is_object()) {
             self.keys(table, path, &mut inner);
         }
-        for (path, node) in inner {
-            self.section(&path, node);
+        // Tools are described where the first stage has them.
+        inner.sort_by_key(|(path, _)| path == "stages");
+        for (deeper, node) in inner {
+            if deeper == path { self.body(path, node) } else { self.section(&deeper, node) }
         }
     }
 

@@ -4,6 +4,7 @@ use super::HolderForce;
 use crate::measure::Ring;
 use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Number, Positive, Ratio};
 use schemars::JsonSchema;
+use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
 /// Rating of the press, as on its data sheet.
@@ -38,8 +39,18 @@ pub struct TitleBlock {
     #[schemars(example = &"Ito Tools Ltd")]
     pub company: Option<String>,
     /// Day of the report; the program looks at no clock.
+    #[serde(default, deserialize_with = "text_or_date")]
     #[schemars(example = &"2026-11-22")]
     pub date: Option<String>,
+}
+
+/// Deserializes text, or a TOML date as text.
+fn text_or_date<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
+    match toml::Value::deserialize(from)? {
+        toml::Value::String(text) => Ok(Some(text)),
+        toml::Value::Datetime(date) => Ok(Some(date.to_string())),
+        other => Err(D::Error::custom(format!("found {}, wanted text in quotes", other.type_str()))),
+    }
 }
 
 impl TitleBlock {

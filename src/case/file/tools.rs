@@ -43,6 +43,7 @@ pub struct Tools {
 /// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["at"] }, { "required": ["diameter"] }]))]
 pub struct Bead {
     /// Distance of its line from the axis or symmetry plane.
     #[schemars(example = "70 mm")]
@@ -117,6 +118,7 @@ impl Holder {
 /// Spherical nose (plane strain: cylindrical).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["radius"] }, { "required": ["diameter"] }]))]
 pub struct Hemispherical {
     /// Radius of the nose and of the wall.
     #[schemars(example = "25.4 mm")]
