@@ -8,7 +8,7 @@ use super::say::{Shown, say, say_json, warn};
 use super::table::{Cell, Tone, table_of, wrapped};
 use anyhow::Context;
 use serde::Serialize;
-use stampflow::results::write;
+use stampflow::results::ResultFolder;
 use stampflow::study::verify::Watch;
 use stampflow::study::{
     self, Earlier, Evaluated, Evaluation, ReportTable, RunTable, Shard, Study, StudyError, StudyReport, TableFile,
@@ -79,7 +79,7 @@ impl StudyOptions {
         self.threads.count().or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1)
     }
 
-    /// Writes charts and tables; prints the report.
+    /// Writes charts, tables and other files as one set; prints the report.
     pub fn present<T: Serialize>(
         &self,
         report: &StudyReport,
@@ -87,18 +87,31 @@ impl StudyOptions {
         files: Vec<(String, Vec<u8>)>,
         extra: &T,
     ) -> anyhow::Result<Code> {
+        let written = self.write(report, dir, files)?;
+        self.print(report, dir, &written, extra)
+    }
+
+    fn write(&self, report: &StudyReport, dir: &Path, files: Vec<(String, Vec<u8>)>) -> anyhow::Result<Vec<PathBuf>> {
         let pictures = self.pictures.pictures();
         let charts = report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart));
         let tables = report.tables.iter().filter(|table| !table.rows.is_empty());
         let tables = tables.map(|table| (format!("{}.csv", table.name), table.csv()));
-        let mut written = Vec::new();
+        let mut folder = ResultFolder::open(dir, |_, _| false)?;
         for (name, bytes) in files.into_iter().chain(tables).chain(charts) {
-            let path = dir.join(name);
-            write(&path, &bytes)?;
-            written.push(path);
+            folder.write(name, &bytes)?;
         }
+        Ok(folder.commit()?)
+    }
+
+    fn print<T: Serialize>(
+        &self,
+        report: &StudyReport,
+        dir: &Path,
+        files: &[PathBuf],
+        extra: &T,
+    ) -> anyhow::Result<Code> {
         if self.json.json {
-            say_json(&ReportJson { report, extra, files: &written })?;
+            say_json(&ReportJson { report, extra, files })?;
         } else {
             say(screen(report) + wrapped(&format!("\n{}", dir.display())))?;
         }
@@ -173,8 +186,8 @@ pub fn run(
         warn(format!("{} runs are in {part}; --resume goes on with the others", runs.runs.len()));
         return Ok(None);
     }
-    table.finish().with_context(|| format!("cannot write {}", path.display()))?;
     if own != Shard::WHOLE {
+        table.finish().with_context(|| format!("cannot write {}", path.display()))?;
         let told = format!("{} runs in {}; `stampflow merge` joins the shards", runs.runs.len(), path.display());
         say(wrapped(&told))?;
         return Ok(None);
@@ -182,7 +195,10 @@ pub fn run(
     let report = study.report(&runs);
     let wall_s = start.elapsed().as_secs_f64();
     let summary = Summary { designs: runs.runs.len(), lights: runs.lights(), file: path, wall_s };
-    let code = options.present(&report, &dir, Vec::new(), &summary)?;
+    let rows = std::fs::read(table.part()).with_context(|| format!("cannot read {}", table.part().display()))?;
+    let written = options.write(&report, &dir, vec![(own.file(stem), rows)])?;
+    table.discard();
+    let code = options.print(&report, &dir, &written, &summary)?;
     Ok(Some((runs, report, dir, code)))
 }
 

@@ -101,6 +101,11 @@ impl TableFile {
         fs::rename(&self.part, &self.path)
     }
 
+    /// Removes the rows once they are in the folder of the results.
+    pub fn discard(self) {
+        let _ = fs::remove_file(&self.part);
+    }
+
     /// Path of the rows while some are missing.
     pub fn part(&self) -> &Path {
         &self.part

@@ -42,27 +42,6 @@ fn the_declared_rust_version_is_what_code_and_dependencies_need() {
     assert_eq!(declared, Some(needed.0), "rust-version in Cargo.toml, and what {} needs", needed.1);
 }
 
-/// Trust: the manifest. Each table of features has all of them, each feature one row, and `.ci/run` builds each.
-#[test]
-fn every_feature_is_explained_and_built_on_its_own() {
-    let read = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).expect("shipped");
-    let manifest: toml::Table = read("Cargo.toml").parse().expect("TOML");
-    let mut features: BTreeSet<&str> =
-        manifest["features"].as_table().expect("features").keys().map(String::as_str).collect();
-    assert!(features.remove("default"));
-    for page in ["docs/install.md", "src/lib.rs"] {
-        let text = read(page);
-        let head = text.split("| feature |").nth(1).unwrap_or_else(|| panic!("{page} has no table of features"));
-        let rows = head.lines().map(|line| line.trim_start_matches("//! ")).take_while(|line| line.contains('|'));
-        let names = rows.filter_map(|row| row.strip_prefix("| `")?.split_once('`')).map(|(name, _)| name);
-        assert_eq!(names.collect::<BTreeSet<_>>(), features, "{page}");
-    }
-    let steps = read(".ci/run");
-    let sets = steps.lines().filter_map(|line| line.trim().strip_prefix("looked_at target"));
-    let alone: BTreeSet<&str> = sets.flat_map(str::split_whitespace).filter(|set| features.contains(set)).collect();
-    assert_eq!(alone, features, ".ci/run builds each on its own");
-}
-
 /// Trust: what a build, docs.rs and the licences ask for; and names of what none of them does.
 #[test]
 fn the_package_holds_what_building_needs_and_no_more() {
