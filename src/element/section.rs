@@ -135,7 +135,7 @@ impl Section<'_> {
         }
         c.fill_upper_triangle_with_lower_triangle();
         let mut matrix = b.transpose() * (c * b) + current.geometric_stiffness(&s);
-        if !current.bends() {
+        if !current.bends() && self.slack_tension > 0.0 {
             matrix += current.transverse_stiffness((self.slack_tension * volume * yield_stress - s[EPS_S]).max(0.0));
         }
         Internal { force, matrix: Some(matrix) }
