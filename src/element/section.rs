@@ -3,7 +3,7 @@
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6};
 use crate::material::PointLaw;
-use crate::material::flow::{MEAN_SQUARE, StressUpdate, Tangent, Triple};
+use crate::material::flow::{StressUpdate, Tangent, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::SMatrix;
 
@@ -75,7 +75,7 @@ fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
 fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     let [ss, st, tt, sg, tg, gg] = tangent.own.map(|entry| v * entry);
     let (own, coupling) = ([ss, st, tt], tangent.coupling.map(|entry| v * half * entry));
-    let square = zeta * zeta + half * half * MEAN_SQUARE;
+    let square = zeta * zeta + half * half * tangent.across;
     let coupled = [0, 1, 2].map(|j| zeta * own[j] + coupling[j]);
     let bending = [0, 1, 2].map(|j| square * own[j] + 2.0 * zeta * coupling[j]);
     add_blocks(c, own, coupled, bending);

@@ -220,6 +220,7 @@ impl Iterate {
         let tangent = Tangent {
             own: metric.own.map(|entry| steep * f * entry),
             coupling: metric.coupling.map(|entry| steep * f * entry),
+            across: if law.voids.is_none() { MEAN_SQUARE } else { 0.0 },
             outer: [g, b.map(|b| steep * b)],
         };
         *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };

@@ -40,7 +40,7 @@ pub struct StressUpdate {
 /// Derivatives of stress and moment by the strain increment and its spread, or their replacement in the matrix:
 ///
 /// ```text
-/// C = [K K_x; K_x ⅓K] + g⊗h + h⊗g        as in `LayerMetric`
+/// C = [K K_x; K_x aK] + g⊗h + h⊗g        as in `LayerMetric`
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tangent {
@@ -48,6 +48,8 @@ pub struct Tangent {
     pub own: Symmetric,
     /// K_x \[MPa\].
     pub coupling: Triple,
+    /// a: mean square over the part of the thickness \[–\], or 0 where the law ignores the spread.
+    pub across: f64,
     /// g and h \[–, MPa\].
     pub outer: [Layer; 2],
 }

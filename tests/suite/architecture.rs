@@ -27,7 +27,8 @@ const SIDEWAYS: &[(&str, &str)] =
     &[("main", "cli"), ("author", "import"), ("case", "compare"), ("forming_limit", "material")];
 
 /// Upward uses that stand: error bars are values of `study/verify`, which tables and pictures show.
-const KNOWN_UPWARD: &[(&str, &str)] = &[("results/", "study/verify/mod.rs"), ("plot/stage_view.rs", "study/verify/mod.rs")];
+const KNOWN_UPWARD: &[(&str, &str)] =
+    &[("results/", "study/verify/mod.rs"), ("plot/stage_view.rs", "study/verify/mod.rs")];
 
 /// Circles that stand: the beginnings of the paths of their files, and the reason.
 const KNOWN_CIRCLES: &[(&[&str], &str)] = &[
@@ -42,7 +43,10 @@ const KNOWN_CIRCLES: &[(&[&str], &str)] = &[
     (&["plot/svg/"], "parts of one drawing"),
     (&["report/"], "sections of one page"),
     (&["study/charts.rs", "study/scatter.rs", "study/sweep.rs"], "studies and their charts"),
-    (&["study/evaluate.rs", "study/report.rs", "study/run_table.rs", "study/shard.rs"], "runs and the table that they go to"),
+    (
+        &["study/evaluate.rs", "study/report.rs", "study/run_table.rs", "study/shard.rs"],
+        "runs and the table that they go to",
+    ),
 ];
 
 /// Outside crates and the rooms that alone may name them.

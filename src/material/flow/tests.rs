@@ -37,7 +37,7 @@ fn stress(update: &StressUpdate) -> Layer {
 }
 
 /// C by the strains in the plane, their spread and the shear.
-fn full(Tangent { own: [ss, st, tt, sg, tg, gg], coupling: [xx, xy, yy], outer: [g, h] }: Tangent) -> [Layer; 5] {
+fn full(Tangent { own: [ss, st, tt, sg, tg, gg], coupling: [xx, xy, yy], outer: [g, h], .. }: Tangent) -> [Layer; 5] {
     let third = MEAN_SQUARE;
     let c = [
         [ss, st, xx, xy, sg],
