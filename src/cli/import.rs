@@ -27,7 +27,7 @@ read beside it (die.png for die.toml).
 
 Examples:
   stampflow import die.dxf
-  stampflow import die.dxf --layer Stempel=punch --layer 7=die --layer Hilfslinien=none --units mm -o cases/die.toml
+  stampflow import die.dxf --layer Stempel=punch --layer 7=die --layer Hilfslinien=none --unit mm -o cases/die.toml
   stampflow import die.dxf --thickness \"0.8 mm\" --blank-radius \"95 mm\" --travel \"30 mm\"
 
 Exit codes: 0 done, 2 bad input (nothing is written), 1 anything else";
@@ -48,7 +48,7 @@ pub struct Args {
     layers: Vec<(String, Option<Role>)>,
     /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
     #[arg(long, value_name = "UNIT")]
-    units: Option<DrawingUnit>,
+    unit: Option<DrawingUnit>,
     /// x of the axis or symmetry plane in the drawing [default: 0]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     axis: Option<Length>,
@@ -108,7 +108,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let import = Import {
         options: Options {
             layers: args.layers.clone(),
-            unit: args.units,
+            unit: args.unit,
             axis: args.axis.map(Dimensioned::value),
             join: args.join.value(),
             tolerance: args.tolerance.value(),

@@ -72,7 +72,7 @@ fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError
             let named = number.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
             let Some(unit) = named else { return of_measurement(header) };
             let what = format!("the drawing's unit is {unit} ($INSUNITS), which no tool is drawn in");
-            return Err(ImportError::new(what, "say what it is drawn in: --units mm (or in, cm, m)"));
+            return Err(ImportError::new(what, "say what it is drawn in: --unit mm (or in, cm, m)"));
         }
     };
     Ok((unit, "$INSUNITS of the drawing"))
@@ -83,7 +83,7 @@ fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), Import
         return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
     }
     let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
-    Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"))
+    Err(ImportError::new(what, "say which: --unit mm (or in, cm, m)"))
 }
 
 #[cfg(test)]

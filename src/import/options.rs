@@ -50,7 +50,7 @@ impl DrawingUnit {
     /// Every unit, the likeliest first.
     pub const ALL: [Self; 7] = [Self::Mm, Self::Cm, Self::M, Self::Inch, Self::Foot, Self::Mil, Self::Micrometre];
 
-    /// Symbol, as `--units` takes it.
+    /// Symbol, as `--unit` takes it.
     pub fn symbol(self) -> &'static str {
         ["um", "mm", "cm", "m", "mil", "in", "ft"][self as usize]
     }

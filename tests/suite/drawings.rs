@@ -265,13 +265,13 @@ fn an_import_says_its_size_and_picks_as_new_does() {
     let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
     let import = |unit: &str| {
         let out = format!("{unit}.toml");
-        let done = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--units", unit, "-o", &out]);
+        let done = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--unit", unit, "-o", &out]);
         assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
         (text(&done.stdout).to_owned(), case::load(dir.path().join(out), &[]).unwrap())
     };
     let (said, right) = import("mm");
     assert!(said.contains("punch radius 30 mm, die throat radius 31.25 mm, 180 mm wide in all"), "{said}");
-    assert!(!said.contains("check --units"), "{said}");
+    assert!(!said.contains("check --unit"), "{said}");
     let (said, _) = import("cm");
     assert!(said.contains("punch radius 300 mm, die throat radius 312.5 mm, 1800 mm wide in all"), "{said}");
     assert!(
@@ -350,14 +350,14 @@ fn a_wrong_unit_is_doubted() {
         ("m", &["7086.614 mm wide in all, which is odd", "times the sheet's thickness of 1 mm, a placeholder"]),
         ("in", &[]),
     ] {
-        let done = stampflow(dir.path(), &["import", "ezdxf_inches.dxf", "--force", "--units", unit]);
+        let done = stampflow(dir.path(), &["import", "ezdxf_inches.dxf", "--force", "--unit", unit]);
         let said = text(&done.stdout).to_owned() + text(&done.stderr);
         assert!(doubts.iter().all(|doubt| said.contains(doubt)), "{unit}: {said}");
-        assert_eq!(said.contains("check --units"), !doubts.is_empty(), "{unit}: {said}");
+        assert_eq!(said.contains("check --unit"), !doubts.is_empty(), "{unit}: {said}");
     }
     // Where there is no case for it, too: the blank is as long as two thicknesses.
     let dir = folder(Path::new("tests/drawings/ezdxf_cone_inches.dxf"));
-    let done = stampflow(dir.path(), &["import", "ezdxf_cone_inches.dxf", "--units", "mm"]);
+    let done = stampflow(dir.path(), &["import", "ezdxf_cone_inches.dxf", "--unit", "mm"]);
     assert_eq!(done.status.code(), Some(2));
     assert!(text(&done.stderr).contains("7.2 mm wide"), "{}", text(&done.stderr));
 }
@@ -413,7 +413,7 @@ fn options_say_what_a_drawing_does_not() {
         (&["--layer", "Stempel=punches"][..], "give punch, die, holder, none"),
         (&["--layer", "Stempel"], "NAME=punch"),
         (&["--layer", "Nothing=punch"], "there is no layer \"Nothing\""),
-        (&["--units", "parsec"], "give mm, cm"),
+        (&["--unit", "parsec"], "give mm, cm"),
         (&["--join", "1 kg"], "a length"),
     ] {
         let (code, said) = faulty("unknown_layers.dxf", more);

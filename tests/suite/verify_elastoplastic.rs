@@ -405,7 +405,7 @@ fn thin_stretch_follows_the_continuum() {
     );
     told(
         "docs/introduction.md",
-        "{} times at {} mm of travel, {} % too high at {} mm, {} % at {} mm.",
+        "{} times too high at {} mm of travel, {} % at {} mm and {} % at {} mm.",
         &[(1.3, 1), (5.4, 100), (20.7, 100)]
             .map(|(near, per)| {
                 let (travel, share) = stiffer(near);

@@ -86,10 +86,10 @@ impl<'a> DrawnTools<'a> {
     pub fn doubts(&self) -> Vec<String> {
         let (width, thickness, clearance) = (self.width(), self.sizes().thickness, self.clearance());
         let odd_width = (!(NARROW..=*WIDTHS.end()).contains(&width))
-            .then(|| format!("the tools are {} mm wide in all, which is odd for a stamping: check --units", mm(width)));
+            .then(|| format!("the tools are {} mm wide in all, which is odd for a stamping: check --unit", mm(width)));
         let t = mm(thickness.value);
         let odd_thickness = (!thickness.is_given() && !THICKNESSES.contains(&thickness.value)).then(|| {
-            format!("the gap between punch and die has room for a sheet of {t} mm, which is odd: check --units and --thickness")
+            format!("the gap between punch and die has room for a sheet of {t} mm, which is odd: check --unit and --thickness")
         });
         let wide = clearance.filter(|clearance| *clearance > WIDE * thickness.value);
         let wide_gap = wide.map(|clearance| {
@@ -97,7 +97,7 @@ impl<'a> DrawnTools<'a> {
             let placeholder = if thickness.is_given() { "" } else { ", a placeholder" };
             format!(
                 "the drawing leaves {gap} mm between punch and die, {times:.1} times the sheet's thickness of {t} mm{placeholder}: \
-                 check --units and --thickness"
+                 check --unit and --thickness"
             )
         });
         [odd_width, odd_thickness, wide_gap].into_iter().flatten().collect()
