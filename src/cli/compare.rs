@@ -111,7 +111,7 @@ fn references(args: &Args, path: &Path) -> anyhow::Result<Code> {
     let watch = args.options.count(path, "compared");
     let one = |case: &stampflow::Case| {
         let folder = place::results(case, &place::folder(&dir, case)?, comparison_folder)?;
-        let solution = BaseCase::solve(case.clone(), &watch).map_err(|why| BadRequest(why))?;
+        let solution = BaseCase::solve(case.clone(), &watch).map_err(BadRequest)?;
         let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures());
         results.write_comparisons(folder)?;
         let name = &solution.case.name;

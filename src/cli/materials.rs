@@ -156,7 +156,7 @@ fn fits(entry: &Entry) -> Vec<(&'static str, String)> {
 
 /// Name, title, the properties as they are printed, and the table to paste.
 fn as_json(entry: &Entry) -> Value {
-    let ends = [("name", entry.name), ("title", &entry.title), ("case", &entry.text)];
+    let ends = [("name", entry.name), ("title", &entry.title), ("case", entry.text)];
     let ends = ends.map(|(key, value)| (key, value.to_owned()));
     Value::Object(
         ends.into_iter().chain(known(entry)).map(|(key, value)| (key.to_owned(), value.into())).collect::<Map<_, _>>(),

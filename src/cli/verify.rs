@@ -160,18 +160,18 @@ impl Told<'_> {
     }
 
     fn screen(&self, solution: &Solution) -> Shown {
-        let headers = HEADERS.map(|header| String::from(header));
+        let headers = HEADERS.map(String::from);
         let rows = self.rows().into_iter().map(|row| row.map(Cell::plain)).collect();
         let mut text = String::from("\n");
         for sentence in self.sentences() {
             let _ = writeln!(text, "- {sentence}");
         }
-        let title = format!("{}: {}\n\n", solution.case.name, self.effort().to_string());
+        let title = format!("{}: {}\n\n", solution.case.name, self.effort());
         wrapped(&title) + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
     }
 
     fn markdown(&self, solution: &Solution) -> String {
-        let headers = HEADERS.map(|header| String::from(header));
+        let headers = HEADERS.map(String::from);
         let mut text = format!("### {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
         for row in self.rows() {
             let _ = writeln!(text, "| {} |", row.join(" | "));

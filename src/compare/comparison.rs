@@ -109,15 +109,15 @@ impl Comparison {
         match (&self.spec.against, &self.found) {
             (Against::Curve(curve), Found::Points(points)) => points.worst().map(|point| {
                 let tolerance = Amount::given_share(curve.tolerance);
-                format!("{} ± {}", self.amount(point.reference).to_string(), tolerance.to_string())
+                format!("{} ± {}", self.amount(point.reference), tolerance)
             }),
             (_, Found::Band(Band { accepted, .. })) => {
                 let [low, high] = [accepted.low, accepted.high].map(|end| self.amount(end));
                 let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
                 Some(match (number == other, unit == of_high) {
                     (true, true) => high.to_string(),
-                    (_, true) => format!("{number}–{}", high.to_string()),
-                    _ => format!("{}–{}", low.to_string(), high.to_string()),
+                    (_, true) => format!("{number}–{}", high),
+                    _ => format!("{}–{}", low, high),
                 })
             }
             _ => None,

@@ -38,7 +38,7 @@ impl Source {
     pub fn kind(&self) -> String {
         let short = self.kind.strip_prefix("numerical ").unwrap_or(&self.kind);
         let short = short.strip_suffix("'s rule").unwrap_or(short);
-        KINDS.iter().find(|known| **known == short).map_or_else(|| short.to_owned().into(), |known| (*known).into())
+        KINDS.iter().find(|known| **known == short).map_or_else(|| short.to_owned(), |known| (*known).into())
     }
 }
 

@@ -279,9 +279,7 @@ impl SideBySide {
         let range = |of: fn(&(f64, f64)) -> f64| {
             all().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
         };
-        if all().next().is_none() {
-            return None;
-        }
+        all().next()?;
         let scale = Scale::Section { x: range(|p| p.0), y: range(|p| p.1) };
         let (x, y) = (Axis::named("r", Unit::Mm), Axis::named("z", Unit::Mm));
         Some(Chart::new("", vec![Panel::new(x, y, scale).with(series)], Vec::new()))

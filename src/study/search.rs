@@ -293,6 +293,6 @@ fn tolerance(variable: &Variable, text: &str) -> Result<f64, StudyError> {
         let example = format!("write a number above 0 in the unit of the key, such as \"0.1 {unit}\"");
         StudyError::new(format!("`{text}` is no tolerance of {}", variable.key), example)
     };
-    let has_unit = parse(text).is_ok_and(|given| given.has_unit) == !unit.is_empty();
+    let has_unit = parse(text).is_ok_and(|given| given.has_unit) != unit.is_empty();
     variable.in_unit(text).filter(|size| *size > 0.0 && size.is_finite() && has_unit).ok_or_else(wrong)
 }

@@ -123,7 +123,8 @@ fn every_bad_case_of_a_command_is_named() {
     fs::write(cases.join("curve.csv"), "").unwrap();
     fs::write(cases.join("curved.toml"), format!("{CUP}{COMPARE}")).unwrap();
     fs::write(cases.join("empty.toml"), "").unwrap();
-    for args in [&["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"]] {
+    {
+        let args = &["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"];
         let done = stampflow(dir.path(), args);
         assert_eq!(done.status.code(), Some(2), "{args:?}");
         let said = text(&done.stderr);

@@ -285,8 +285,7 @@ fn an_import_says_its_size_and_picks_as_new_does() {
         assert_eq!(tool.friction, picked.friction);
     }
     let report = stampflow::assess::check::report(&right);
-    let pressure =
-        |label: &str| report.lines.iter().find(|line| line.label.to_string() == label).unwrap().number().unwrap();
+    let pressure = |label: &str| report.lines.iter().find(|line| line.label == label).unwrap().number().unwrap();
     let more = pressure("holder pressure") - pressure("advised pressure");
     assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
 }
@@ -303,13 +302,7 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
     };
     let value = |label: &str| {
         let report = stampflow::assess::check::report(&case::load(dir.path().join("cone.toml"), &[]).unwrap());
-        report
-            .lines
-            .iter()
-            .find(|line| line.label.to_string() == label)
-            .unwrap_or_else(|| panic!("no {label}"))
-            .number()
-            .unwrap()
+        report.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}")).number().unwrap()
     };
     let (code, said) = import(&["--travel", "25 mm", "--blank-radius", "91 mm"]);
     assert_eq!(code, Some(0), "{said}");

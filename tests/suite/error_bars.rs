@@ -30,7 +30,7 @@ fn barred(text: &str) -> Vec<(String, String)> {
 
 /// Everything that is told of a run with its bars, in a form.
 fn told(answer: &Answer, findings: &[Finding]) -> String {
-    let numbers = answer.numbers.iter().map(|number| format!("{} {}\n", number.amount.to_string(), number.place));
+    let numbers = answer.numbers.iter().map(|number| format!("{} {}\n", number.amount, number.place));
     let rows = findings.iter().map(|finding| finding.found() + "\n");
     numbers.chain(rows).chain([answer.sentence.to_string()]).collect()
 }

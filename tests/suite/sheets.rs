@@ -138,7 +138,7 @@ fn limit_and_strength_are_the_same_with_back_stresses() {
     assert!((limit(&shifting) / limit(&plain) - 1.0).abs() < 0.03, "{} {}", limit(&shifting), limit(&plain));
     let pressure = |case: &Case| {
         let told = assess::check::report(case);
-        let line = told.lines.iter().find(|line| line.label.to_string() == "advised pressure");
+        let line = told.lines.iter().find(|line| line.label == "advised pressure");
         line.and_then(|line| line.number()).expect("Siebel's pressure goes with the tensile strength")
     };
     assert!(
@@ -166,7 +166,10 @@ fn a_run_says_that_it_goes_beyond_the_range_of_the_fit() {
     let (row, warning) = range(&["material.fitted_up_to=0.1".to_owned()]);
     assert_eq!((row.light, row.limit.to_string().as_str()), (Light::Amber, "it is fitted up to 0.1"));
     let warning = warning.expect("a warning").found();
-    assert!(warning.starts_with("the hardening law is fitted up to a strain of 0.1; the run extrapolates it to 0."), "{warning}");
+    assert!(
+        warning.starts_with("the hardening law is fitted up to a strain of 0.1; the run extrapolates it to 0."),
+        "{warning}"
+    );
 }
 
 /// Trust: an end is the full travel, or a stop that the sheet has; a mesh of 40 elements is coarse and the ends are the same.

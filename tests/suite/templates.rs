@@ -179,7 +179,7 @@ fn the_sheet_may_be_one_of_the_library() {
             );
         }
         let cup = check::report(&case("cup", &[("material", entry.name)]));
-        let pressure = |label: &str| cup.lines.iter().find(|line| line.label.to_string() == label).unwrap().number();
+        let pressure = |label: &str| cup.lines.iter().find(|line| line.label == label).unwrap().number();
         // The force is rounded up, and a little more where it takes that to keep the rim down.
         let more = pressure("holder pressure").unwrap() - pressure("advised pressure").unwrap();
         assert!((0.0..0.1).contains(&more), "{}: {more}", entry.name);

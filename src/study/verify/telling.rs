@@ -136,7 +136,7 @@ impl Verification {
         let mut why_none: Vec<(&str, Vec<String>)> = Vec::new();
         let answers = || self.bars.iter().filter(|bar| bar.number.of == Of::Answer);
         for bar in answers().filter(|bar| bar.half.is_none()) {
-            match why_none.iter_mut().find(|(why, _)| *why == &bar.why) {
+            match why_none.iter_mut().find(|(why, _)| *why == bar.why) {
                 Some((_, labels)) => labels.push(bar.number.label.into()),
                 None => why_none.push((&bar.why, vec![bar.number.label.into()])),
             }

@@ -7,7 +7,7 @@ use crate::units::{ErrorBar, Limits, Quantity, Sense};
 use approx::assert_relative_eq;
 
 fn end(kind: &'static str, lost: bool) -> End {
-    End { stages: 1, kind, why: String::from(kind.to_owned()), complete: kind == "full travel", lost }
+    End { stages: 1, kind, why: kind.to_owned(), complete: kind == "full travel", lost }
 }
 
 fn number(of: Of, key: &'static str, value: f64, resolution: f64) -> Number {
