@@ -26,13 +26,15 @@ pub(crate) fn places_with_layers(frame: &Frame, elements: &[ElementRecord]) -> V
     places(frame).into_iter().filter(has_layers).collect()
 }
 
+type StressOf = fn(&PointRecord) -> f64;
+
 /// Meridional and hoop stress over the place through the thickness; `None` without layers.
 pub fn plot(view: &StageView) -> Option<Chart> {
     let (frame, elements) = released(view)?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
     let places = places_with_layers(frame, elements);
     places.first()?;
-    let stresses: [(_, fn(&PointRecord) -> f64); 2] =
+    let stresses: [(_, StressOf); 2] =
         [(STRESS_MERIDIONAL, |point| point.stress_meridional), (STRESS_HOOP, |point| point.stress_hoop)];
     let panels = stresses.into_iter().enumerate().map(|(n, (field, stress))| {
         let curves = places.iter().enumerate().map(|(i, place)| {

@@ -97,7 +97,7 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let row = |findings: &[Finding]| findings.iter().find(|row| row.key == "forming_limit").expect("a row").clone();
     let found = quick(&solution, &());
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
-    let tears = |answer: &Answer| answer.sentence.to_string().split(';').next().map(str::to_owned);
+    let tears = |answer: &Answer| answer.sentence.split(';').next().map(str::to_owned);
     assert_eq!(tears(&plain.0), tears(&barred));
     let half = found.bar(Of::Verdict, "forming_limit").expect("a number").half.expect("a bar");
     assert!(half < 30.0 && row(&findings).light == Light::Green, "{:?}", row(&findings));

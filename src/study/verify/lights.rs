@@ -1,7 +1,7 @@
 //! The lights that an error bar moves: a light is green only where the whole bar is.
 
 use super::numbers::Of;
-use super::verify::Verification;
+use super::verification::Verification;
 use crate::assess::{Finding, Light, judgements};
 use crate::units::{Digits, Limits, Sense};
 

@@ -36,7 +36,7 @@ mod outcome;
 mod quick;
 mod said;
 mod telling;
-mod verify;
+mod verification;
 
 #[cfg(test)]
 mod tests;
@@ -51,5 +51,5 @@ pub use outcome::{End, Outcome};
 pub use quick::quick;
 pub use telling::{Told, ToldNumber, answered};
 #[cfg(feature = "app")]
-pub(crate) use verify::Watched;
-pub use verify::{Verification, Watch, verify};
+pub(crate) use verification::Watched;
+pub use verification::{Verification, Watch, verify};

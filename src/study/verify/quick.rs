@@ -4,7 +4,7 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use super::outcome::Outcome;
 use super::said;
-use super::verify::{Verification, Watch, solved, tolerance};
+use super::verification::{Verification, Watch, solved, tolerance};
 use crate::case::Solution;
 use crate::units::Unit;
 

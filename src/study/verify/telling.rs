@@ -4,7 +4,7 @@ use super::bar::Bar;
 use super::direction::Direction;
 use super::lights::moved;
 use super::numbers::{Number, Of};
-use super::verify::Verification;
+use super::verification::Verification;
 use crate::assess::{self, Answer, Finding};
 use crate::case::Solution;
 use crate::units::{Amount, Digits, joined};

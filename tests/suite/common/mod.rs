@@ -5,7 +5,6 @@ pub mod convergence;
 pub mod coverage;
 pub mod cup;
 pub mod drawn;
-pub mod few;
 pub mod files;
 pub mod page;
 pub mod pixels;
