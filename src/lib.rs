@@ -5,17 +5,17 @@
 //!
 //! ```text
 //! drawing (DXF)
-//!    │ import::read               Sections            a Profile for each tool; author::Draft writes a case file with them
+//!    │ import::read               Sections            a Profile for each tool; author::Import writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ Case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, thickness points, tools
 //!    │ Case::solve                one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
-//!    │ trace                      one step again, iteration by iteration, with any of the matrices
+//!    │ solver::trace              one step again, iteration by iteration, with any of the matrices
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, and why it ended
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
-//!    │ verification               an error bar for every number, from runs that are refined
+//!    │ study::verify              an error bar for every number, from runs that are refined
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Solution::write            every table, plot and comparison of results::OUTPUTS
 //! ```
@@ -34,7 +34,7 @@
 //!
 //! | symbol | meaning | unit | where |
 //! |---|---|---|---|
-//! | r, z | distance from the axis (or the symmetry plane); along the punch travel | mm | [`state::State`] |
+//! | r, z | distance from the axis (or the symmetry plane); along the punch travel | mm | [`solver::state::State`] |
 //! | θ, φ | rotation of the fibre; slope of the meridian, both counter-clockwise | rad | [`element::kinematics`] |
 //! | ȧ | nodal velocities, the unknowns | mm/s, rad/s | [`solver`] |
 //! | ε_s, ε_θ, κ_s, κ_θ, γ | meridional and hoop strain, their curvatures, transverse shear | –, 1/mm | [`element::kinematics`] |
@@ -52,14 +52,8 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | none | the solver on models built in code, and what measures its results; without disk, clock, thread or environment |
-//! | `case` | case files with units, from the disk or from memory; findings, comparisons, templates, error bars |
-//! | `schema` | the JSON schema of case files, the list of laws, and examples in messages |
-//! | `import` | sections from DXF drawings |
-//! | `plot` | every table and plot of a solution; studies of many runs |
-//! | `report` | the report |
-//! | `threads` | the runs of a verification or a study side by side |
-//! | `cli` | the program; all of the above; on by default |
+//! | none | the solver, case files, measures, findings and templates; without disk, clock, thread or environment |
+//! | `app` | tables, pictures, studies, the report and the program; on by default |
 //!
 //! # References
 //! W. Sosnowski, Flow approach — finite element model for stamping processes versus experiment, Comp. Assist. Mech.
