@@ -42,6 +42,7 @@ const KNOWN_CIRCLES: &[(&[&str], &str)] = &[
     (&["plot/chart.rs", "plot/palette.rs"], "looks have colours, and colours looks"),
     (&["plot/svg/"], "parts of one drawing"),
     (&["report/"], "sections of one page"),
+    (&["results/"], "tables and the list of all outputs"),
     (&["study/charts.rs", "study/scatter.rs", "study/sweep.rs"], "studies and their charts"),
     (
         &["study/evaluate.rs", "study/report.rs", "study/run_table.rs", "study/shard.rs"],

@@ -146,7 +146,7 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
         "{}",
         stage.stop
     );
-    assert!(judged.light == Light::Green && judged.found().contains("strip the cup"), "{judged:?}");
+    assert!(judged.light == Light::Green && judged.found().contains("strip it off the punch"), "{judged:?}");
     let rim = stage.end.nodes.last().expect("a rim");
     // The shoulder of 6 mm begins half a thickness above the sheet's middle. Found to a thousandth of a step of 0.6 mm.
     let end = 0.5 + 6.0 + 1.0;
