@@ -66,7 +66,6 @@
 pub mod assess;
 pub mod author;
 pub mod case;
-pub mod compare;
 pub mod contact;
 pub mod element;
 pub mod forming_limit;

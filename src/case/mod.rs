@@ -24,6 +24,7 @@
 //! ```
 
 mod build;
+pub mod comparison;
 mod complaint;
 mod error;
 pub mod file;
@@ -46,7 +47,6 @@ pub use schema::{keys, schema};
 pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
-use crate::compare::Spec;
 use crate::material::RValues;
 use crate::model::{Model, Stage};
 use std::path::PathBuf;
@@ -67,7 +67,7 @@ pub struct Case {
     /// Operations on the same sheet, one after another; never empty.
     pub stages: Vec<Stage>,
     /// References of the first stage.
-    pub compare: Vec<Spec>,
+    pub compare: Vec<comparison::Spec>,
     /// The rating of the press.
     pub press: Press,
     /// Title block of its reports.

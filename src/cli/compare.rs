@@ -5,7 +5,8 @@ use super::say::{say, say_json, warn};
 use super::study::{StudyOptions, request, screen_table};
 use super::table::wrapped;
 use super::{interrupt, job, json, place};
-use stampflow::compare::{Comparison, KINDS, Verdict};
+use stampflow::case::comparison::KINDS;
+use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::verify::Watch;
@@ -137,10 +138,10 @@ fn table(all: &[(String, Comparison)]) -> ReportTable {
     let columns = ["Case", "Kind", "Quantity", "Computed", "Reference", "Verdict"];
     let mut table = ReportTable::new("comparisons", &columns);
     for (case, comparison) in all {
-        let kind = comparison.source.as_ref().map_or_else(|| "–".to_owned(), |source| source.kind().to_string());
+        let kind = comparison.source().map_or("–", |source| source.kind()).to_owned();
         let computed = comparison.farthest().map_or_else(|| "–".to_owned(), |amount| amount.to_string());
         let target = comparison.target().unwrap_or_else(|| "–".to_owned());
-        let quantity = comparison.spec.against.label().to_owned();
+        let quantity = comparison.spec.against.quantity().label().to_owned();
         let cells = [case.clone(), kind, quantity, computed, target, comparison.outcome()];
         table.rows.push(cells.map(Cell::from).to_vec());
     }
@@ -153,7 +154,7 @@ fn reasons(all: &[(String, Comparison)]) -> String {
     for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {
         let reason = comparison.spec.reason.trim_end_matches('.');
         let miss = comparison.worst().unwrap_or_default();
-        let line = format!("{case}, {} {miss}: {reason}.", comparison.spec.against.label());
+        let line = format!("{case}, {} {miss}: {reason}.", comparison.spec.against.quantity().label());
         if !lines.contains(&line) {
             lines.push(line);
         }
@@ -163,7 +164,7 @@ fn reasons(all: &[(String, Comparison)]) -> String {
 
 /// Comparisons inside, by kind of reference: `experiment: 1 of 3 inside`.
 fn counts(all: &[(String, Comparison)]) -> String {
-    let kind = |comparison: &Comparison| comparison.source.as_ref().map_or_else(String::new, |s| s.kind().to_string());
+    let kind = |comparison: &Comparison| comparison.source().map_or("", |source| source.kind()).to_owned();
     let known: Vec<&Comparison> = all.iter().map(|(_, c)| c).filter(|c| c.verdict != Verdict::NoData).collect();
     let lines = KINDS.iter().filter_map(|name| {
         let of = || known.iter().filter(|c| kind(c) == *name);

@@ -6,8 +6,8 @@ use super::interrupt;
 use super::progress::{Records, Watch};
 use rayon::prelude::*;
 use stampflow::case::{self, Case, Solution};
-use stampflow::compare::Computed;
-use stampflow::results::{ResultFolder, comparisons};
+use stampflow::results::ResultFolder;
+use stampflow::results::comparison::{Computed, comparisons};
 use std::path::{Path, PathBuf};
 
 /// Reads a case and the curves that it will be compared with: bad input is found before solving.

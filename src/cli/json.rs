@@ -1,7 +1,7 @@
 //! Comparisons and error bars for programs that read them instead of what is printed.
 
 use serde_json::{Map, Value, json};
-use stampflow::compare::Comparison;
+use stampflow::results::comparison::Comparison;
 use stampflow::study::verify::{Bar, Verification};
 use stampflow::units::rounded;
 
@@ -14,9 +14,9 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
     });
     json!({
         "case": case,
-        "quantity": comparison.spec.against.name(),
+        "quantity": comparison.spec.against.quantity().name(),
         "reference": comparison.spec.reference,
-        "source": comparison.source,
+        "source": comparison.source(),
         "worst": comparison.worst(),
         "accepted": comparison.accepted(),
         "verdict": comparison.outcome(),

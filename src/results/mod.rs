@@ -1,6 +1,6 @@
 //! Results on disk: tables, the summary, and the folder that holds them; [`OUTPUTS`] lists every file.
 
-mod comparisons;
+pub mod comparison;
 pub(crate) mod csv;
 mod error_bars;
 mod file;
@@ -22,7 +22,6 @@ mod write;
 
 use crate::plot::{Chart, Extra, Format, FrameRecorder, Pictures, StageView, animation};
 use crate::plot::{forming_diagram, part, shapes, strains, thickness};
-pub use comparisons::comparisons;
 pub use csv::csv;
 pub use file::{WriteError, can_write, write};
 pub use folder::{IsOurs, ResultFolder};
@@ -81,9 +80,9 @@ pub const OUTPUTS: &[Output] = &[
     output(
         "compare_*.png, csv",
         "comparisons and differences for every reference the case is compared with",
-        Make::OfCase(comparisons::files),
+        Make::OfCase(comparison::files),
     )
-    .family(comparisons::is_comparison),
+    .family(comparison::is_comparison),
     output(
         error_bars::FILE,
         "with --error-bars, or quick ones with --report: every number and curve with its bar",

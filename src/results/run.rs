@@ -1,9 +1,9 @@
 //! Solution with everything that its outputs are made from.
 
+use super::comparison::{CompareError, Comparison};
 use super::{Pictures, StageView};
 use crate::assess::{Answer, Finding, judgements};
 use crate::case::Solution;
-use crate::compare::{CompareError, Comparison};
 use crate::study::verify::{Told, Verification};
 use serde_json::Value;
 

@@ -1,9 +1,8 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
-use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, comparisons, stages};
+use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, comparison, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
-use crate::compare::CompareError;
 use crate::solver::solution::Frame;
 use crate::study::verify::answered;
 use std::fs;
@@ -18,7 +17,7 @@ pub enum OutputError {
     Write(#[from] WriteError),
     /// A reference that the case is compared with cannot be used.
     #[error(transparent)]
-    Compare(#[from] CompareError),
+    Compare(#[from] comparison::CompareError),
 }
 
 /// Tells whether a file of this name is written by a run.
@@ -66,7 +65,7 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 /// # Errors
 /// If the folder cannot be opened.
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
-    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| comparisons::is_comparison("", name)))
+    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| comparison::is_comparison("", name)))
 }
 
 /// Refuses files with names of results in a folder without a summary or a list of stages of a run.
@@ -136,7 +135,7 @@ impl Results<'_> {
     /// # Errors
     /// If a file cannot be written, or the folder not committed.
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
-        comparisons::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
+        comparison::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()
     }
 }

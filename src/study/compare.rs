@@ -6,11 +6,12 @@ use super::report::{Cell, ReportTable, StudyReport};
 use super::run::Silent;
 use super::{BaseCase, StudyError};
 use crate::assess::{self, Light};
+use crate::case::comparison::ComparedQuantity;
 use crate::case::{Case, Solution};
-use crate::compare::{Computed, Quantity};
 use crate::model::Geometry;
 use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::color;
+use crate::results::comparison::Computed;
 use crate::study::verify::{Number, Of, Outcome, Verification, Watch, answered, quick};
 use crate::table::Axis;
 use crate::table::fields::{element, step};
@@ -232,7 +233,7 @@ impl SideBySide {
         let extent = first.solution.case.model().extent();
         let load = [step::TRAVEL.axis(extent), step::PUNCH_FORCE.axis(extent)];
         let thickness = [element::S0.axis(extent), element::THICKNESS.axis(extent)];
-        let curve = |curve: fn(&Outcome) -> &[(f64, f64)], quantity: Quantity, axes: [Axis; 2]| {
+        let curve = |curve: fn(&Outcome) -> &[(f64, f64)], quantity: ComparedQuantity, axes: [Axis; 2]| {
             let runs = self
                 .members
                 .iter()
@@ -256,11 +257,11 @@ impl SideBySide {
         };
         let sections = self.sections();
         let all = [
-            ("compare_load", "punch force over the travel", curve(|o| &o.load, Quantity::PunchForce, load)),
+            ("compare_load", "punch force over the travel", curve(|o| &o.load, ComparedQuantity::PunchForce, load)),
             (
                 "compare_thickness",
                 "thickness over the blank",
-                curve(|o| &o.thickness, Quantity::ThicknessAtS0, thickness),
+                curve(|o| &o.thickness, ComparedQuantity::ThicknessAtS0, thickness),
             ),
             ("compare_sections", "the sections at the end", sections),
         ];
@@ -325,7 +326,7 @@ impl Member {
         let points = curve.points(&computed).ok()?;
         let squares: Vec<f64> = points.iter().filter_map(|p| Some((p.computed? - p.reference).powi(2))).collect();
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-        let unit = curve.spec.quantity.columns(&computed).1.unit;
+        let unit = computed.columns(curve.spec.quantity).1.unit;
         let amount = Amount::new(rms, unit, crate::units::Digits::Significant(3));
         (!squares.is_empty()).then_some((amount, squares.len(), points.len()))
     }

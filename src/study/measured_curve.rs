@@ -2,8 +2,9 @@
 
 use super::{MeasuredData, StudyError};
 use crate::case::Case;
-use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity, Spec};
+use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
 use crate::model::Model;
+use crate::results::comparison::{CompareError, Computed, Point};
 use crate::table::{Axis, Csv, Record};
 use std::path::PathBuf;
 
@@ -19,13 +20,13 @@ pub struct MeasuredCurve {
 }
 
 /// A quantity, words of its abscissa and of its ordinate.
-type Rule = (Quantity, &'static [&'static str], &'static [&'static str]);
+type Rule = (ComparedQuantity, &'static [&'static str], &'static [&'static str]);
 const TRAVEL: &[&str] = &["travel", "stroke"];
 const RULES: [Rule; 4] = [
-    (Quantity::PunchForce, TRAVEL, &["force", "load"]),
-    (Quantity::DrawInAtTravel, TRAVEL, &["draw"]),
-    (Quantity::ThicknessAtS0, &["s0"], &["thickness"]),
-    (Quantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
+    (ComparedQuantity::PunchForce, TRAVEL, &["force", "load"]),
+    (ComparedQuantity::DrawInAtTravel, TRAVEL, &["draw"]),
+    (ComparedQuantity::ThicknessAtS0, &["s0"], &["thickness"]),
+    (ComparedQuantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
 /// Words of other forces and of scatter.
 const NOT: [&str; 9] = ["holder", "edge", "binder", "deviation", "stdev", "std", "scatter", "sd", "error"];
@@ -80,7 +81,7 @@ impl MeasuredCurve {
     /// # Errors
     /// When a column is missing, has no unit or another one.
     pub fn points(&self, computed: &Computed) -> Result<Vec<Point>, CompareError> {
-        self.spec.points(&self.path, &self.csv, computed)
+        computed.points(&self.spec, &self.path, &self.csv)
     }
 
     /// Standard deviation of each point; `None` if one has none.
@@ -103,7 +104,7 @@ impl MeasuredCurve {
 
     /// Axes of abscissa and ordinate, in solver units.
     pub fn axes(&self, model: &Model) -> [Axis; 2] {
-        let (x, y) = self.spec.quantity.columns(&Computed::nothing(model));
+        let (x, y) = Computed::nothing(model).columns(self.spec.quantity);
         [x.axis(), y.axis()]
     }
 

@@ -13,7 +13,7 @@ const FLOORS: &[&[&str]] = &[
     &["results"],
     &["plot"],
     &["assess"],
-    &["case", "compare"],
+    &["case"],
     &["measure", "table"],
     &["solver"],
     &["model"],
@@ -23,8 +23,7 @@ const FLOORS: &[&[&str]] = &[
 ];
 
 /// Sideways uses that the picture allows.
-const SIDEWAYS: &[(&str, &str)] =
-    &[("main", "cli"), ("author", "import"), ("case", "compare"), ("forming_limit", "material")];
+const SIDEWAYS: &[(&str, &str)] = &[("main", "cli"), ("author", "import"), ("forming_limit", "material")];
 
 /// Upward uses that stand: error bars are values of `study/verify`, which tables and pictures show.
 const KNOWN_UPWARD: &[(&str, &str)] =
@@ -76,7 +75,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("statrs", &["study"]),
     ("textwrap", &["cli"]),
     ("tiny_skia", &["plot"]),
-    ("toml", &["case", "compare", "study"]),
+    ("toml", &["case", "study"]),
     ("toml_edit", &["author", "case", "study"]),
     ("usvg", &["plot"]),
 ];

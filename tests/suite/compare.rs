@@ -1,11 +1,9 @@
 //! Comparisons of synthetic curves whose answer is known.
 
-use stampflow::compare::{
-    Against, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Data, Found, Points, Quantity,
-    Source, Spec, Verdict, compare,
-};
+use stampflow::case::comparison::{Against, BandSpec, ComparedQuantity, CurveSpec, Data, Source, Spec};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::Extent;
+use stampflow::results::comparison::{CompareError, Compared, Comparison, Computed, Points, Verdict, compare};
 use stampflow::solver::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
 
@@ -46,12 +44,12 @@ fn spec(csv: Option<&str>, against: Against) -> Spec {
     Spec { reference, data, against, reason, optional: false, demonstration: false }
 }
 
-fn curve(x: &str, y: &str, quantity: Quantity) -> CurveSpec {
+fn curve(x: &str, y: &str, quantity: ComparedQuantity) -> CurveSpec {
     CurveSpec { quantity, x: x.to_owned(), y: y.to_owned(), range: None, tolerance: 0.05 }
 }
 
 fn points(comparison: &Comparison) -> &Points {
-    let Found::Points(points) = &comparison.found else { panic!("{:?}", comparison.found) };
+    let Compared::Points(points) = &comparison.compared else { panic!("{:?}", comparison.compared) };
     points
 }
 
@@ -66,7 +64,7 @@ fn along(csv: &str, spec: CurveSpec, complete: bool) -> Result<Comparison, Compa
 #[test]
 fn forces_at_equal_travel_are_interpolated_and_converted() {
     let csv = "# comment\ntravel_mm, punch_force_kN\n1.5, 3\n4, 8.16\n# between\n12,16\n";
-    let c = along(csv, curve("travel_mm", "punch_force_kN", Quantity::PunchForce), true).unwrap();
+    let c = along(csv, curve("travel_mm", "punch_force_kN", ComparedQuantity::PunchForce), true).unwrap();
     let values: Vec<_> = points(&c).0.iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
     assert_eq!(values, [(1.5, 3000.0, 3000.0), (4.0, 8160.0, 8000.0), (12.0, 16000.0, 16000.0)]);
     assert_eq!(c.verdict, Verdict::In);
@@ -74,7 +72,7 @@ fn forces_at_equal_travel_are_interpolated_and_converted() {
     assert_eq!(worst.x, 4.0);
     assert!((worst.difference().unwrap() + 160.0 / 8160.0).abs() < 1e-12);
     assert_eq!(c.sentence(), "punch_force against curve.csv: in, worst -2.0 % at punch travel = 4 mm (tolerance 5 %)");
-    let source = c.source.as_ref().unwrap();
+    let source = c.source().unwrap();
     assert_eq!(source.to_string(), "A. Uthor, A title, 1990 (experiment, grade A, scatter 5 %)");
     let headers: Vec<_> = c.table().columns.iter().map(Column::header).collect();
     assert_eq!(headers, ["travel_mm", "reference_N", "computed_N", "difference_percent"]);
@@ -83,7 +81,7 @@ fn forces_at_equal_travel_are_interpolated_and_converted() {
 #[test]
 fn travel_at_equal_force_is_taken_on_the_rise_to_the_peak() {
     let csv = "punch_force_N,other,travel_paper_cm\n5000,x,0.25\n19000,,0.95\n30000,,1.6\n";
-    let of = || curve("punch_force_N", "travel_paper_cm", Quantity::Travel);
+    let of = || curve("punch_force_N", "travel_paper_cm", ComparedQuantity::Travel);
     let c = along(csv, of(), true).unwrap();
     assert_eq!(points(&c).0.iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
     assert_eq!(c.verdict, Verdict::NotReached);
@@ -93,11 +91,11 @@ fn travel_at_equal_force_is_taken_on_the_rise_to_the_peak() {
 
 #[test]
 fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
-    let of = || curve("s0_mm", "thickness_mm", Quantity::ThicknessAtS0);
+    let of = || curve("s0_mm", "thickness_mm", ComparedQuantity::ThicknessAtS0);
     let csv = "s0_mm,thickness_mm\n0,1.01\n10,1.1\n20,1.19\n";
     assert_eq!(along(csv, of(), true).unwrap().verdict, Verdict::In);
     assert_eq!(along(csv, of(), false).unwrap().verdict, Verdict::NotReached);
-    let of = curve("r_mm", "thickness_mm", Quantity::ThicknessAtRadius);
+    let of = curve("r_mm", "thickness_mm", ComparedQuantity::ThicknessAtRadius);
     let c = along("r_mm,thickness_mm\n9,1.2\n", of, true).unwrap();
     assert_eq!(c.verdict, Verdict::Out);
     assert!((points(&c).0[0].computed.unwrap() - 1.1).abs() < 1e-12);
@@ -105,16 +103,16 @@ fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
 
 #[test]
 fn a_missing_file_is_an_error_unless_it_is_optional() {
-    let strict = spec(None, Against::Curve(curve("travel_mm", "punch_force_N", Quantity::PunchForce)));
+    let strict = spec(None, Against::Curve(curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce)));
     assert!(against_drawn(&strict, true).unwrap_err().to_string().contains("nowhere/curve.csv is not there"));
     let c = against_drawn(&Spec { optional: true, ..strict }, true).unwrap();
-    assert_eq!((c.verdict, &c.found, c.worst()), (Verdict::NoData, &Found::NoData, None));
+    assert_eq!((c.verdict, &c.compared, c.worst()), (Verdict::NoData, &Compared::NoData, None));
     assert!(!c.is_failure());
 }
 
 #[test]
 fn mistakes_in_the_file_are_named() {
-    let force = || curve("travel_mm", "punch_force_N", Quantity::PunchForce);
+    let force = || curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce);
     for (csv, says) in [
         ("travel_mm,force_N\n1,2\n", "no column `punch_force_N`; it has travel_mm, force_N"),
         ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "line 4, column `punch_force_N`: \"two\" is not a number"),
@@ -129,9 +127,9 @@ fn mistakes_in_the_file_are_named() {
         let message = along(csv, force(), true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
     }
-    let kp = along("travel_mm,force_kp\n1,2\n", curve("travel_mm", "force_kp", Quantity::PunchForce), true);
+    let kp = along("travel_mm,force_kp\n1,2\n", curve("travel_mm", "force_kp", ComparedQuantity::PunchForce), true);
     assert!(kp.unwrap_err().to_string().contains("known units"));
-    let mm = along("travel_mm,force_mm\n1,2\n", curve("travel_mm", "force_mm", Quantity::PunchForce), true);
+    let mm = along("travel_mm,force_mm\n1,2\n", curve("travel_mm", "force_mm", ComparedQuantity::PunchForce), true);
     assert!(mm.unwrap_err().to_string().contains("Punch force [N]"));
     for (csv, says) in [
         ("a_mm,b_mm,error_mm\n,,0.01\n", "no values in a_mm, b_mm"),
@@ -140,7 +138,8 @@ fn mistakes_in_the_file_are_named() {
         ("a_mm,b_mm,error_mm\n1,1,-0.01\n", "line 2: the error of measurement in column `error_mm` is negative"),
         ("a_mm,b_mm\n1,1\n", "no column `error_mm`"),
     ] {
-        let message = compared(csv, band(BandQuantity::Thickness, &["a_mm", "b_mm"]), true).unwrap_err().to_string();
+        let message =
+            compared(csv, band(ComparedQuantity::Thickness, &["a_mm", "b_mm"]), true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
     }
 }
@@ -150,11 +149,11 @@ fn mistakes_in_the_file_are_named() {
 fn a_curve_agrees_with_itself() {
     let rows: String = history().iter().map(|step| format!("{},{}\n", step.travel, step.punch_force)).collect();
     let csv = format!("travel_mm,punch_force_N\n{rows}");
-    let c = along(&csv, curve("travel_mm", "punch_force_N", Quantity::PunchForce), true).unwrap();
+    let c = along(&csv, curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce), true).unwrap();
     assert!(points(&c).0.iter().all(|p| p.difference().unwrap().abs() < 1e-14));
 }
 
-fn band(quantity: BandQuantity, columns: &[&str]) -> Against {
+fn band(quantity: ComparedQuantity, columns: &[&str]) -> Against {
     let columns = columns.iter().map(|&c| c.to_owned()).collect();
     Against::Band(BandSpec { quantity, columns, error: Some("error_mm".to_owned()) })
 }
@@ -164,17 +163,17 @@ fn band(quantity: BandQuantity, columns: &[&str]) -> Against {
 fn a_band_spans_all_values_with_their_errors_and_says_by_how_much_it_is_left() {
     let columns = ["a_mm", "b_cm"];
     for (quantity, csv, outside, verdict) in [
-        (BandQuantity::Thickness, "1.02,,0.02\n,0.118,0.01", 0.0, Verdict::In),
-        (BandQuantity::Thickness, "1.05,,0.02\n,0.118,0.02", -0.02, Verdict::Out),
-        (BandQuantity::Thickness, "1.02,,0.02\n,0.11,0.01", 0.08, Verdict::Out),
-        (BandQuantity::Thickness, "1.05,,\n,0.11,", 0.09, Verdict::Out),
-        (BandQuantity::EdgeDiameter, "89,9.05,0", 0.0, Verdict::In),
-        (BandQuantity::EdgeDiameter, "91,9.2,0.5", -0.5, Verdict::Out),
-        (BandQuantity::DrawIn, "4,0.45,0.25", 0.25, Verdict::Out),
-        (BandQuantity::Thinnest, "0.79,0.081,0", 0.0, Verdict::In),
+        (ComparedQuantity::Thickness, "1.02,,0.02\n,0.118,0.01", 0.0, Verdict::In),
+        (ComparedQuantity::Thickness, "1.05,,0.02\n,0.118,0.02", -0.02, Verdict::Out),
+        (ComparedQuantity::Thickness, "1.02,,0.02\n,0.11,0.01", 0.08, Verdict::Out),
+        (ComparedQuantity::Thickness, "1.05,,\n,0.11,", 0.09, Verdict::Out),
+        (ComparedQuantity::EdgeDiameter, "89,9.05,0", 0.0, Verdict::In),
+        (ComparedQuantity::EdgeDiameter, "91,9.2,0.5", -0.5, Verdict::Out),
+        (ComparedQuantity::DrawIn, "4,0.45,0.25", 0.25, Verdict::Out),
+        (ComparedQuantity::Thinnest, "0.79,0.081,0", 0.0, Verdict::In),
     ] {
         let c = compared(&format!("a_mm,b_cm,error_mm\n{csv}\n"), band(quantity, &columns), true).unwrap();
-        let Found::Band(found) = c.found else { panic!("{:?}", c.found) };
+        let Compared::Band(found) = c.compared else { panic!("{:?}", c.compared) };
         assert!((found.outside().unwrap() - outside).abs() < 1e-12, "{csv}: {found:?}");
         assert_eq!(c.verdict, verdict, "{csv}");
         assert_eq!(c.is_failure(), verdict == Verdict::Out);
@@ -184,7 +183,7 @@ fn a_band_spans_all_values_with_their_errors_and_says_by_how_much_it_is_left() {
 /// Trust: by hand; a share of nothing is no number.
 #[test]
 fn a_band_that_ends_at_nothing_is_left_by_a_length_and_no_share() {
-    let against = BandSpec { quantity: BandQuantity::DrawIn, columns: vec!["d_mm".to_owned()], error: None };
+    let against = BandSpec { quantity: ComparedQuantity::DrawIn, columns: vec!["d_mm".to_owned()], error: None };
     let c = compared("d_mm\n0\n", Against::Band(against), true).unwrap();
     assert_eq!((c.verdict, c.worst().unwrap().as_str()), (Verdict::Out, "5 mm above"));
 }
@@ -192,7 +191,7 @@ fn a_band_that_ends_at_nothing_is_left_by_a_length_and_no_share() {
 #[test]
 fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
     let band = |complete| {
-        let against = BandSpec { quantity: BandQuantity::PeakForce, columns: vec!["f_kN".to_owned()], error: None };
+        let against = BandSpec { quantity: ComparedQuantity::PeakForce, columns: vec!["f_kN".to_owned()], error: None };
         compared("f_kN\n21\n24\n", Against::Band(against), complete).unwrap()
     };
     assert_eq!(
@@ -206,7 +205,8 @@ fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
 /// Trust: the force of the history has its peak at 10 mm, and at half of it rises still.
 #[test]
 fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
-    let against = || BandSpec { quantity: BandQuantity::PeakTravel, columns: vec!["index_mm".to_owned()], error: None };
+    let against =
+        || BandSpec { quantity: ComparedQuantity::PeakTravel, columns: vec!["index_mm".to_owned()], error: None };
     let spec = spec(Some("index_mm\n9.5\n10.5\n"), Against::Band(against()));
     let of = |steps: &[StepRecord]| {
         let (length, elements) = (50.0, &profile()[..]);
@@ -224,7 +224,7 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
 
 #[test]
 fn a_demonstration_shows_its_difference_and_does_not_fail() {
-    let against = BandSpec { quantity: BandQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
+    let against = BandSpec { quantity: ComparedQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
     let spec = Spec { demonstration: true, ..spec(Some("d_mm\n95\n96\n"), Against::Band(against)) };
     let c = against_drawn(&spec, true).unwrap();
     assert_eq!((c.verdict, c.is_failure()), (Verdict::Out, false));
@@ -244,7 +244,7 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
     }
     let elements = [0.9, 0.8].map(|thickness| ElementRecord { thickness, ..ElementRecord::default() });
     let csv = "major_true,minor_true\n0.2,0.1\n0.35,0.170\n0.45,0.2\n";
-    let path = CurveSpec { range: Some((0.0, 0.4)), ..curve("major_true", "minor_true", Quantity::StrainPath) };
+    let path = CurveSpec { range: Some((0.0, 0.4)), ..curve("major_true", "minor_true", ComparedQuantity::StrainPath) };
     let spec = spec(Some(csv), Against::Curve(path));
     let computed = Computed {
         extent: Extent::Ring,

@@ -3,12 +3,13 @@
 use crate::common::drawn;
 use stampflow::assess;
 use stampflow::author::templates::find;
+use stampflow::case::comparison::{Against, BandSpec, ComparedQuantity, Data, Spec};
 use stampflow::case::files::sha256;
 use stampflow::case::{Solution, parse};
-use stampflow::compare::{Against, BandQuantity, BandSpec, Comparison, Computed, Data, Found, Spec, compare};
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::report::Report;
+use stampflow::results::comparison::{Compared, Comparison, Computed, compare};
 use stampflow::results::{Make, OUTPUTS, Results, Summary, comparison_folder, load_travel, profile};
 use stampflow::solver::solution::StageSolution;
 use stampflow::table::{Csv, Table};
@@ -290,7 +291,7 @@ fn plane_strain_has_no_axis_hoops_or_rings() {
 fn band(run: &StageSolution) -> Comparison {
     let csv = Csv::read("thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n", "cup.csv", "").unwrap();
     let against = Against::Band(BandSpec {
-        quantity: BandQuantity::Thickness,
+        quantity: ComparedQuantity::Thickness,
         columns: vec!["thickness_mm".to_owned()],
         error: Some("error_mm".to_owned()),
     });
@@ -321,7 +322,7 @@ fn a_band_is_written_as_a_picture_and_in_numbers() {
     );
     let outside: f64 = row.split(',').nth(6).unwrap().parse().unwrap();
     assert!(outside > 0.0 && (outside - (largest - 1.13)).abs() < 1e-8, "{numbers}");
-    results.comparisons[0].found = Found::NoData;
+    results.comparisons[0].compared = Compared::NoData;
     assert!(results.write_comparisons(comparison_folder(dir.path()).unwrap()).unwrap().is_empty());
 }
 

@@ -2,10 +2,10 @@
 
 use super::lines::Named;
 use super::values::keys_present;
+use crate::case::comparison::{Against, BandSpec, CurveSpec, Data, SOURCES, Source as Provenance, Spec};
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::files::{self, FileError};
 use crate::case::{CaseError, source::Source};
-use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Data, Quantity, SOURCES, Source as Provenance, Spec};
 use crate::units::Dimensioned as _;
 use std::path::{Path, PathBuf};
 
@@ -51,25 +51,11 @@ impl Entry<'_> {
         self.require(reference.is_some() || c.optional, "reference", what, &help)?;
         let help = "say what the difference may come from";
         self.require(!c.reason.trim().is_empty(), "reason", "a comparison needs its reason", help)?;
-        let against = match c.quantity {
-            ComparedQuantity::PunchForce => self.curve(Quantity::PunchForce)?,
-            ComparedQuantity::Travel => self.curve(Quantity::Travel)?,
-            ComparedQuantity::ThicknessAtS0 => self.curve(Quantity::ThicknessAtS0)?,
-            ComparedQuantity::ThicknessAtRadius => self.curve(Quantity::ThicknessAtRadius)?,
-            ComparedQuantity::StrainPath => {
-                let what = "strain paths are kept of a case with a forming limit, and this one has none";
-                self.require(limited, "quantity", what, "add [forming_limit] with hill = true, or points")?;
-                self.curve(Quantity::StrainPath)?
-            }
-            ComparedQuantity::DrawInAtTravel => self.curve(Quantity::DrawInAtTravel)?,
-            ComparedQuantity::EdgeDiameter => self.band(BandQuantity::EdgeDiameter)?,
-            ComparedQuantity::DrawIn => self.band(BandQuantity::DrawIn)?,
-            ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,
-            ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
-            ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
-            ComparedQuantity::PeakTravel => self.band(BandQuantity::PeakTravel)?,
-            ComparedQuantity::RingOpening => self.band(BandQuantity::RingOpening)?,
-        };
+        if c.quantity == ComparedQuantity::StrainPath {
+            let what = "strain paths are kept of a case with a forming limit, and this one has none";
+            self.require(limited, "quantity", what, "add [forming_limit] with hill = true, or points")?;
+        }
+        let against = if c.quantity.is_curve() { self.curve()? } else { self.band()? };
         let (reference, data) = match reference {
             Some((path, data)) => (path, Some(data)),
             None => (candidates[0].clone(), None),
@@ -117,9 +103,9 @@ impl Entry<'_> {
         self.require(missing.is_empty(), "", what, help)
     }
 
-    fn curve(&self, quantity: Quantity) -> Result<Against, CaseError> {
+    fn curve(&self) -> Result<Against, CaseError> {
         let c = self.c;
-        let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
+        let help = format!("`{}` is compared along a curve: give x, y and tolerance", c.quantity.name());
         let missing = [("x", c.x.is_none()), ("y", c.y.is_none()), ("tolerance", c.tolerance.is_none())];
         self.keys(&help, [("band", c.band.is_some()), ("error", c.error.is_some())], missing)?;
         let range = c.range.map(|[from, to]| (from.value(), to.value()));
@@ -129,14 +115,14 @@ impl Entry<'_> {
         }
         let (x, y) = (c.x.clone().unwrap_or_default(), c.y.clone().unwrap_or_default());
         let tolerance = c.tolerance.map_or(0.0, |tolerance| tolerance.value());
-        Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
+        Ok(Against::Curve(CurveSpec { quantity: c.quantity, x, y, range, tolerance }))
     }
 
-    fn band(&self, quantity: BandQuantity) -> Result<Against, CaseError> {
+    fn band(&self) -> Result<Against, CaseError> {
         let c = self.c;
         let help = format!(
             "`{}` is compared with the band that values span: give `band` the columns that hold them, as in band = [\"low_mm\", \"high_mm\"]",
-            quantity.name()
+            c.quantity.name()
         );
         let foreign = [
             ("x", c.x.is_some()),
@@ -147,6 +133,6 @@ impl Entry<'_> {
         self.keys(&help, foreign, [("band", c.band.is_none())])?;
         let columns = c.band.clone().unwrap_or_default();
         self.require(!columns.is_empty(), "band", "`band` names no column", &help)?;
-        Ok(Against::Band(BandSpec { quantity, columns, error: c.error.clone() }))
+        Ok(Against::Band(BandSpec { quantity: c.quantity, columns, error: c.error.clone() }))
     }
 }

@@ -1,10 +1,10 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Estimate, correlated, estimates, table};
-use crate::compare::{Computed, Point};
 use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
+use crate::results::comparison::{Computed, Point};
 use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
@@ -125,7 +125,7 @@ impl CaseFitRequest {
         let solution = BaseCase::solve(case, watch)?;
         let computed = Computed::of(solution.stages.first().ok_or("nothing was solved")?);
         let of = |curve: &MeasuredCurve| {
-            let (x, y) = curve.spec.quantity.columns(&computed);
+            let (x, y) = computed.columns(curve.spec.quantity);
             let points = curve.points(&computed).map_err(|error| error.to_string())?;
             Ok((points, x.values.into_iter().zip(y.values).collect()))
         };
