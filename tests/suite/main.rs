@@ -7,8 +7,6 @@
 
 mod common;
 
-mod animation;
-mod answers;
 mod architecture;
 mod attack;
 mod bad_cases;

@@ -1,6 +1,7 @@
 //! Promises on written files: one whole set or the other, whatever ends a verb, and nothing of another origin is touched.
 
 use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, stampflow, text};
+use rayon::prelude::*;
 use regex::Regex;
 use stampflow::results::{ResultFolder, can_write, write};
 use std::collections::BTreeMap;
@@ -52,17 +53,26 @@ fn shell(dir: &Path, line: &str) -> Output {
 }
 
 /// Verbs that write: arguments, those that give other results, and what is written.
-const VERBS: [[&str; 3]; 9] = [
+const VERBS: [[&str; 3]; 11] = [
     ["run cases/cup.toml -q --vtu --animate", "--set tools.punch.travel=3mm", "out/cup"],
     ["run cases/staged.toml -q --report", "--set tools.punch.travel=3mm", "out/staged"],
     ["report cases/cup.toml -q", "--set tools.punch.travel=3mm", "out/cup"],
     ["sweep cases/cup.toml -q --restart --vary friction=0.05,0.1", "--set blank.elements=20", "out/cup-sweep"],
+    [
+        "search cases/cup.toml -q --restart --vary friction=0.05..0.15/3 --largest --while punch_force<1MN",
+        "--set blank.elements=20",
+        "out/cup-search",
+    ],
     ["scatter cases/cup.toml -q --restart --runs 8", "--set blank.elements=20", "out/cup-scatter"],
+    ["fit cases/fit.toml -q", "--set blank.elements=20", "out/fit-fit"],
     ["compare cases/cup.toml -q --also friction=0.12", "--set blank.elements=20", "out/cup-compare"],
-    ["verify cases/cup.toml -q --out bars", "--set blank.elements=20", "bars"],
+    ["verify cases/cup.toml -q --out bars --set tools.punch.travel=2mm", "--set blank.elements=20", "bars"],
     ["trace cases/cup.toml --step 3 --out step.csv", "--set blank.elements=20", "step.csv"],
     ["new cup -o new.toml --force", "--height 20mm", "new.toml"],
 ];
+
+/// Kills of each verb: 308 in all.
+const KILLS: u32 = 28;
 
 fn arguments(args: &'static str) -> Vec<&'static str> {
     args.split(' ').collect()
@@ -73,53 +83,63 @@ fn written(dir: &Path, output: &str) -> Tree {
     if path.is_dir() { tree(&path) } else { Tree::from_iter(fs::read(&path).map(|bytes| (PathBuf::new(), bytes))) }
 }
 
-fn done(dir: &Path, [args, other, output]: [&'static str; 3], is_other: bool) -> Tree {
+fn line([args, other, _]: [&'static str; 3], is_other: bool) -> Vec<&'static str> {
     let more = if is_other { arguments(other) } else { Vec::new() };
-    let done = stampflow(dir, &[arguments(args), more].concat());
-    assert_eq!(done.status.code(), Some(0), "{args}: {}", text(&done.stderr));
-    written(dir, output)
+    [arguments(args), more].concat()
+}
+
+fn done(dir: &Path, verb: [&'static str; 3], is_other: bool) -> Tree {
+    let done = stampflow(dir, &line(verb, is_other));
+    assert_eq!(done.status.code(), Some(0), "{verb:?}: {}", text(&done.stderr));
+    written(dir, verb[2])
 }
 
 fn cases() -> temp_dir::TempDir {
     let dir = folder(CUP);
-    fs::write(dir.path().join("cases/staged.toml"), format!("{CUP}{STAGES}")).unwrap();
+    let write = |name: &str, content: String| fs::write(dir.path().join("cases").join(name), content).unwrap();
+    write("staged.toml", format!("{CUP}{STAGES}"));
+    write("curve.csv", "travel_mm,punch_force_kN\n1,5\n2,9\n3,13\n4.5,19\n".to_owned());
+    let vary = "[vary]\nfriction = \"0.1 in 0.01..0.3\"\n";
+    write("fit.toml", format!("case = \"cup.toml\"\nto = \"curve.csv\"\n{vary}"));
     dir
 }
 
-/// Trust: signals at random moments, in a folder with older results and a file of other origin.
+/// Trust: signals at random moments, half of them in the last quarter, where files are written; beside a file of other origin.
 #[cfg(unix)]
 #[test]
 fn a_verb_that_is_ended_at_any_moment_leaves_one_whole_set() {
-    let mut random = fastrand::Rng::with_seed(7);
-    for verb in VERBS {
+    VERBS.into_par_iter().enumerate().for_each(|(seed, verb)| {
+        let mut random = fastrand::Rng::with_seed(seed as u64);
         let (dir, [args, _, output]) = (cases(), verb);
         let root = dir.path();
-        let begin = Instant::now();
-        let mut new = done(root, verb, false);
-        let whole = begin.elapsed();
-        let mut old = done(root, verb, true);
-        assert!(old != new, "{args}");
+        let mut sets = [done(root, verb, true), done(root, verb, false)];
+        assert!(sets[0] != sets[1], "{args}");
         if root.join(output).is_dir() {
             fs::write(root.join(output).join("notes.txt"), "mine").unwrap();
-            for tree in [&mut old, &mut new] {
-                tree.insert("notes.txt".into(), b"mine".to_vec());
-            }
+            sets.iter_mut().for_each(|set| drop(set.insert("notes.txt".into(), b"mine".to_vec())));
         }
-        for signal in ["-KILL", "-INT", "-KILL", "-TERM"] {
-            let mut run = spawn(root, &arguments(args));
-            sleep(whole.mul_f64(1.1 * random.f64()));
+        let begin = Instant::now();
+        done(root, verb, false);
+        let whole = begin.elapsed();
+        let mut last = written(root, output);
+        for kill in 0..KILLS {
+            let signal = if kill % 7 == 6 { ["-INT", "-TERM"][(kill / 7 % 2) as usize] } else { "-KILL" };
+            let mut run = spawn(root, &line(verb, random.bool()));
+            let share = if random.bool() { 0.75 + 0.35 * random.f64() } else { 0.75 * random.f64() };
+            sleep(whole.mul_f64(share));
             let _ = Command::new("kill").args([signal, &run.id().to_string()]).stderr(Stdio::null()).status();
             run.wait().unwrap();
             let found = visible(written(root, output));
             // An interrupted run ends with what it has.
-            let known = |name: &PathBuf| new.contains_key(name) || old.contains_key(name);
-            let ended = signal != "-KILL" && found.keys().all(known);
-            assert!(found == old || found == new || ended, "{args} {signal}: {:?}", found.keys());
-            assert_eq!(done(root, verb, false), new, "{args} after {signal}");
-            assert!(visible(tree(root)) == tree(root), "{args}: litter");
-            assert_eq!(done(root, verb, true), old, "{args}");
+            let is_known = |name: &PathBuf| sets.iter().any(|set| set.contains_key(name));
+            let is_partial = signal != "-KILL" && found.keys().all(is_known);
+            let is_whole = sets.contains(&found) || found == last;
+            assert!(is_whole || is_partial, "{args} {signal} at {share:.2}: {:?}", found.keys());
+            last = found;
         }
-    }
+        assert_eq!(done(root, verb, false), sets[1], "{args}");
+        assert!(visible(tree(root)) == tree(root), "{args}: litter");
+    });
 }
 
 /// Trust: no file may be longer than half a kilobyte, which is what a full disk comes to.

@@ -62,3 +62,7 @@ pub fn folder(case: &str) -> temp_dir::TempDir {
     fs::write(dir.path().join("cases/cup.toml"), case).unwrap();
     dir
 }
+
+pub fn read_json(path: impl AsRef<Path>) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
