@@ -12,6 +12,22 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
+/// Most entries of lists, by the end of their path.
+const LISTS: [(&str, usize); 8] = [
+    ("beads", 20),
+    ("notes", 50),
+    ("compare", 50),
+    ("band", 20),
+    ("output.frames", 1000),
+    ("forming_limit.points", 1000),
+    ("punch.motion", 1000),
+    ("profile", 2000),
+];
+
+/// Longest title and longest other text, which plots and messages repeat \[characters\].
+const TITLE: usize = 200;
+const TEXT: usize = 1000;
+
 /// Parsed TOML text of a case.
 pub(super) struct Source<'t> {
     shown: Arc<NamedSource<String>>,
@@ -45,7 +61,33 @@ impl<'t> Source<'t> {
                         and mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
             return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
         }
-        CaseFile::deserialize(Deserializer::from(self.tree.clone())).map_err(|error| complaint::wrong_key(&error, self))
+        let file = CaseFile::deserialize(Deserializer::from(self.tree.clone()));
+        let file = file.map_err(|error| complaint::wrong_key(&error, self))?;
+        self.check_lengths("", &DeValue::Table(self.tree.get_ref().clone()))?;
+        Ok(file)
+    }
+
+    /// Refuses lists and texts that are longer than any case needs.
+    fn check_lengths(&self, path: &str, value: &DeValue) -> Result<(), CaseError> {
+        let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+        match value {
+            DeValue::Table(table) => {
+                table.iter().try_for_each(|(key, value)| self.check_lengths(&deeper(key.get_ref()), value.get_ref()))
+            }
+            DeValue::Array(list) => {
+                let most = LISTS.iter().find(|(key, _)| path.ends_with(key)).map_or(usize::MAX, |(_, most)| *most);
+                let what = format!("`{path}` has {} entries, more than {most}", list.len());
+                self.require(list.len() <= most, &deeper(&most.to_string()), what, "leave out what is not needed")?;
+                let mut entries = list.iter().enumerate();
+                entries.try_for_each(|(i, value)| self.check_lengths(&deeper(&i.to_string()), value.get_ref()))
+            }
+            DeValue::String(text) => {
+                let (length, most) = (text.chars().count(), if path == "title" { TITLE } else { TEXT });
+                let what = format!("`{path}` has {length} characters, more than {most}");
+                self.require(length <= most, path, what, "plots and messages repeat it: keep it short")
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Adds a note on what was assumed or changed.
@@ -104,6 +146,27 @@ impl<'t> Source<'t> {
         help: impl Into<String>,
     ) -> Result<(), CaseError> {
         if ok { Ok(()) } else { Err(self.error(path, what, help)) }
+    }
+
+    /// Those of some keys of a table that the case writes.
+    pub fn written<'k>(&self, table: &str, keys: &[&'k str]) -> Vec<&'k str> {
+        keys.iter().copied().filter(|key| self.has(&format!("{table}.{key}"))).collect()
+    }
+
+    /// Refuses the first written one of some keys of a table; `why` follows its name.
+    pub fn refuse(&self, table: &str, keys: &[&str], why: &str, help: &str) -> Result<(), CaseError> {
+        let key = self.written(table, keys).first().copied().unwrap_or("");
+        self.require(key.is_empty(), &format!("{table}.{key}"), format!("`{key}` {why}"), help)
+    }
+
+    /// Refuses the second written one of some keys of a table.
+    pub fn one_of(&self, table: &str, keys: &[&str], help: &str) -> Result<(), CaseError> {
+        match self.written(table, keys)[..] {
+            [first, second, ..] => {
+                Err(self.error(&format!("{table}.{second}"), format!("both `{first}` and `{second}` are given"), help))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Error for a missing key, with a line that could be added.

@@ -1,6 +1,6 @@
 //! Tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
-use super::drawn::{Drawn, Origin, Placed};
+use super::drawn::{Drawn, Origin};
 use super::tools::ToolContext;
 use crate::case::CaseError;
 use crate::case::file::{Section, SectionTable};
@@ -38,75 +38,53 @@ impl Counter<'_> {
         }
         let by = table.by.ok_or_else(|| source.missing(path, "by"))?.value();
         let original = self.original("offset_of")?;
-        let for_die =
-            [("shoulder", table.shoulder), ("closed_at", table.closed_at)].into_iter().find(|k| k.1.is_some());
-        if let Some((key, _)) = for_die.filter(|_| role == Role::Punch || table.shoulder.is_none()) {
-            let what = format!("`{key}` belongs to a die made from a punch, with its shoulder");
-            let help =
-                "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-            return Err(self.error(key, what, help));
+        if role == Role::Punch || table.shoulder.is_none() {
+            let help = "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
+            source.refuse(path, &["shoulder", "closed_at"], "belongs to a die made from a punch, with its shoulder", help)?;
         }
-        let axis = if role == Role::Punch { original.last() } else { original.first() };
-        let what =
-            format!("the {other} does not reach the axis, it begins at r = {:.4} mm: its offset is open", axis.x);
-        source.require(axis.x <= 1e-6, path, what, format!("draw the {name}, or give the {other} a bottom"))?;
+        let axis = if role == Role::Punch { original.last().x } else { original.first().x };
+        let what = format!("the {other} does not reach the axis, it begins at r = {axis:.4} mm: its offset is open");
+        source.require(axis <= 1e-6, path, what, format!("draw the {name}, or give the {other} a bottom"))?;
         let line = original.offset(by).map_err(|error| {
-            let what = format!("the {other} has no offset of {by} mm: {error}");
-            let help =
-                format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
-            self.error("by", what, help)
+            let help = format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
+            self.error("by", format!("the {other} has no offset of {by} mm: {error}"), help)
         })?;
-        let closed = |travel: f64| {
-            let (by, travel) = (Amount::size(by), Amount::size(travel));
-            source.note(format!("the {name} follows the {other} at {by}: they have closed at a travel of {travel}"));
-        };
-        if let Some(shoulder) = table.shoulder {
+        let (die, closed_at) = if let Some(shoulder) = table.shoulder {
             let depth = table.closed_at.map_or(context.travel, Dimensioned::value);
-            let die = self.die_with_face(&line, shoulder.value(), depth)?;
-            closed(depth);
-            return Ok(die);
-        }
-        let end = line.last();
-        let tangent = line.pieces()[line.pieces().len() - 1].tangent(true);
-        if role == Role::Die && end.x < context.sheet.length && tangent.y < -STEEP {
+            (self.die_with_face(&line, shoulder.value(), depth)?, depth)
+        } else {
+            let (end, tangent) = (line.last().x, line.pieces()[line.pieces().len() - 1].tangent(true));
+            let has_face = role == Role::Punch || end >= context.sheet.length || tangent.y >= -STEEP;
             let what = format!(
                 "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a wall at \
-                 r = {:.3} mm",
-                end.x
+                 r = {end:.3} mm"
             );
             let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
-            return Err(source.error(path, what, help));
-        }
-        let placed = source.silently(|| self.placed(line.reversed()))?;
-        closed(if role == Role::Die { placed.shift } else { -placed.shift });
-        Ok(placed.profile)
+            source.require(has_face, path, what, help)?;
+            let (profile, shift) = source.silently(|| self.placed(line.reversed()))?;
+            (profile, if role == Role::Die { shift } else { -shift })
+        };
+        let (by, travel) = (Amount::size(by), Amount::size(closed_at));
+        source.note(format!("the {name} follows the {other} at {by}: they have closed at a travel of {travel}"));
+        Ok(die)
     }
 
     /// Mirror image of the other tool in the middle plane of the flat sheet.
     pub fn mirror(self) -> Result<Profile, CaseError> {
         let (name, other) = (self.role.name(), self.of.name());
-        if !matches!((self.role, self.of), (Role::Die, Role::Holder) | (Role::Holder, Role::Die)) {
-            let closing = self.role != self.of && self.role != Role::Holder && self.of != Role::Holder;
-            let (why, help) = match closing {
-                true => (
-                    "they would meet at once",
-                    format!(
-                        "for a counter-tool that closes on it write {{ offset_of = \"{other}\", by = \"1.2 mm\" }}"
-                    ),
-                ),
-                false => {
-                    ("they lie on the same side of the sheet", "holder and die can be each other's mirror image".into())
-                }
-            };
-            return Err(self.error(
-                "mirror_of",
-                format!("the {name} cannot be the {other}'s mirror image: {why}"),
-                help,
-            ));
-        }
-        let original = self.original("mirror_of")?;
-        self.context.source.note(format!("the {name} is the {other}'s mirror image"));
-        self.placed(original.mirrored()).map(|placed| placed.profile)
+        let (why, help) = match (self.role, self.of) {
+            (Role::Die, Role::Holder) | (Role::Holder, Role::Die) => {
+                let original = self.original("mirror_of")?;
+                self.context.source.note(format!("the {name} is the {other}'s mirror image"));
+                return self.placed(original.mirrored()).map(|(profile, _)| profile);
+            }
+            (Role::Die, Role::Punch) | (Role::Punch, Role::Die) => {
+                let instead = format!("{{ offset_of = \"{other}\", by = \"1.2 mm\" }}");
+                ("they would meet at once", format!("for a counter-tool that closes on it write {instead}"))
+            }
+            _ => ("they lie on the same side of the sheet", "holder and die can be each other's mirror image".into()),
+        };
+        Err(self.error("mirror_of", format!("the {name} cannot be the {other}'s mirror image: {why}"), help))
     }
 
     fn error(&self, key: &str, what: String, help: impl Into<String>) -> CaseError {
@@ -116,7 +94,7 @@ impl Counter<'_> {
     /// Section of the other tool, which must not be made from this one; `key` names it.
     fn original(&self, key: &str) -> Result<Profile, CaseError> {
         let (name, other) = (self.role.name(), self.of.name());
-        if let Some(Section::Table(table)) = self.context.section(self.of)
+        if let Some(Section::Table(table)) = self.context.keys(self.of).and_then(|tool| tool.profile)
             && table.offset_of.or(table.mirror_of) == Some(self.role)
         {
             let what = format!("the {name} is made from the {other}, which is made from the {name}");
@@ -131,8 +109,7 @@ impl Counter<'_> {
     /// Die around a punch that has moved by `depth` \[mm\], with a face where the flat sheet lies.
     fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
         let sheet = &self.context.sheet;
-        let reach = REACH * sheet.length;
-        let die = line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, reach).map_err(|error| {
+        let die = line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, REACH * sheet.length).map_err(|error| {
             let (key, help) = match error {
                 CavityError::Below { .. } => {
                     ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
@@ -146,16 +123,14 @@ impl Counter<'_> {
             self.error(key, format!("the die around the punch: {error}"), help)
         })?;
         let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), sheet.length);
-        if end <= edge {
-            return Ok(die);
-        }
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
-        let more = end - edge;
-        let help = format!("the blank must reach past the shoulder to rest on the die: make that {more:.3} mm smaller");
-        Err(self.error("shoulder", what, help))
+        let (smaller, path) = (end - edge, format!("{}.shoulder", self.path));
+        let help = format!("the blank must reach past the shoulder to rest on the die: make that {smaller:.3} mm smaller");
+        self.context.source.require(end <= edge, &path, what, help)?;
+        Ok(die)
     }
 
-    fn placed(&self, profile: Profile) -> Result<Placed, CaseError> {
+    fn placed(&self, profile: Profile) -> Result<(Profile, f64), CaseError> {
         Drawn { profile, path: self.path.clone(), origin: Origin::Tool }.placed(self.role, self.context)
     }
 }

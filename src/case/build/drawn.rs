@@ -28,13 +28,6 @@ pub(super) enum Origin {
     Tool,
 }
 
-/// Section of a tool in its place.
-pub(super) struct Placed {
-    pub profile: Profile,
-    /// Move along z \[mm\].
-    pub shift: f64,
-}
-
 impl Drawn {
     /// Chain as it was written: for a file the chords between its points.
     fn written(&self) -> &Profile {
@@ -53,37 +46,30 @@ impl Drawn {
         }
     }
 
-    /// Name of the end of a piece in the text it was written in.
-    fn end_name(&self, piece: usize) -> String {
-        match &self.origin {
-            Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
-            _ => format!("step {}", piece + 1),
-        }
-    }
-
     /// Refuses a chain that turns back on itself or crosses itself.
     pub fn check_folds(&self, role: Role, source: &Source) -> Result<(), CaseError> {
-        let name = role.name();
+        let (name, help) = (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
+        let end_name = |piece: usize| match &self.origin {
+            Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
+            _ => format!("step {}", piece + 1),
+        };
         match self.written().fold() {
+            None => Ok(()),
             Some(Fold::Back { at, after, turn }) => {
                 let (at, turn) = (place_of(at), turn.abs().to_degrees());
                 let what = format!("the {name}'s profile turns back on itself at {at}: by {turn:.0}°");
                 Err(self.error(after, source, what, "drop the point, or round the tip off"))
             }
             Some(Fold::Crossing { at, pieces: [i, j] }) => {
-                let (at, first, second) = (place_of(at), self.end_name(i), self.end_name(j));
-                let what = format!(
-                    "the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}"
-                );
-                let help = "the section is one open line along the side that meets the sheet, not a closed outline";
+                let (at, first, second) = (place_of(at), end_name(i), end_name(j));
+                let what = format!("the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}");
                 Err(self.error(j, source, what, help))
             }
-            None => Ok(()),
         }
     }
 
-    /// Moves the section along z to where it touches the flat sheet, the sheet on its left.
-    pub fn placed(self, role: Role, context: &ToolContext) -> Result<Placed, CaseError> {
+    /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
+    pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
         let (length, name, source) = (context.sheet.length, role.name(), context.source);
         // The die lies above the sheet, the others below.
         let side = if role == Role::Die { 1.0 } else { -1.0 };
@@ -112,7 +98,7 @@ impl Drawn {
             let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
             return Err(self.error(piece_at(at), source, what, help));
         }
-        Ok(Placed { profile, shift })
+        Ok((profile, shift))
     }
 }
 

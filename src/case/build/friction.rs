@@ -1,53 +1,48 @@
 //! `friction` of a tool, or of its side of the sheet.
 
 use super::material::prepared;
-use crate::case::file;
+use crate::case::file::{self, ToolKeys};
 use crate::case::{CaseError, source::Source};
 use crate::material::law::Family;
 use crate::model::{Friction, Role};
 
 /// Given laws, by tool and by side of the sheet.
-pub(super) struct Frictions {
-    tools: [Option<file::Friction>; 3],
-    sides: file::Sides,
+pub(super) struct Frictions<'a> {
+    pub tools: [Option<file::Friction>; 3],
+    sides: &'a file::Sides,
 }
 
-impl Frictions {
-    pub fn new(file: &file::CaseFile) -> Self {
-        let file::Tools { punch, die, holder, .. } = &file.tools;
-        let punch = punch.as_ref().and_then(|tool| tool.friction);
-        let die = die.as_ref().and_then(|tool| tool.friction);
-        let holder = holder.as_ref().and_then(|tool| tool.friction);
-        Self { tools: [punch, die, holder], sides: file.friction.clone() }
+impl<'a> Frictions<'a> {
+    pub fn new(file: &'a file::CaseFile) -> Self {
+        let mut frictions = Self { tools: [None; 3], sides: &file.friction };
+        file.tools.keys().for_each(|tool| frictions.add(&tool));
+        frictions
     }
 
-    /// Own law of a tool.
-    pub fn own(&mut self, role: Role) -> &mut Option<file::Friction> {
-        &mut self.tools[role as usize]
+    /// Adds a tool's own law, if it has one.
+    pub fn add(&mut self, tool: &ToolKeys) {
+        let own = &mut self.tools[tool.role as usize];
+        *own = tool.friction.or(*own);
     }
-}
 
-/// Law of a tool: its own, that of its side, or, for a holder, the die's.
-pub(super) fn law(role: Role, written: &Frictions, source: &Source) -> Result<Friction, CaseError> {
-    let (table, tool) = (format!("tools.{}", role.name()), role.name());
-    if let Some(law) = written.tools[role as usize] {
-        return convert(law, source, &format!("{table}.friction"));
+    /// Law of a tool: its own, that of its side, or, for a holder, the die's.
+    pub fn law(&self, role: Role, source: &Source) -> Result<Friction, CaseError> {
+        let tool = role.name();
+        if let Some(law) = self.tools[role as usize] {
+            return convert(law, source, &format!("tools.{tool}.friction"));
+        }
+        let (side, key) = match role {
+            Role::Punch | Role::Holder => (self.sides.punch_side, "punch_side"),
+            Role::Die => (self.sides.die_side, "die_side"),
+        };
+        let (law, origin) = match (side, role) {
+            (Some(law), _) => (convert(law, source, &format!("friction.{key}"))?, "that of its side of the sheet"),
+            (None, Role::Holder) => (source.silently(|| self.law(Role::Die, source))?, "the die's"),
+            (None, _) => return Err(source.missing(&format!("tools.{tool}"), "friction")),
+        };
+        source.note(format!("the {tool}'s friction is {origin}, {law}"));
+        Ok(law)
     }
-    let (side, key) = match role {
-        Role::Punch | Role::Holder => (written.sides.punch_side, "punch_side"),
-        Role::Die => (written.sides.die_side, "die_side"),
-    };
-    if let Some(law) = side {
-        let law = convert(law, source, &format!("friction.{key}"))?;
-        source.note(format!("the {tool}'s friction is that of its side of the sheet, {law}"));
-        return Ok(law);
-    }
-    if role != Role::Holder {
-        return Err(source.missing(&table, "friction"));
-    }
-    let law = source.silently(|| self::law(Role::Die, written, source))?;
-    source.note(format!("the holder's friction is the die's, {law}"));
-    Ok(law)
 }
 
 fn convert(given: file::Friction, source: &Source, path: &str) -> Result<Friction, CaseError> {

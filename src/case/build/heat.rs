@@ -1,7 +1,6 @@
 //! `[heat]`: initial temperature of the flat sheet, and heat flow.
 
 use super::lines::Named;
-use super::values::keys_present;
 use crate::case::file::{self, InitialTemperature};
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::extent;
@@ -32,34 +31,27 @@ pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source) -> Res
 }
 
 fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>, CaseError> {
-    let (density, specific_heat) = match (file.density, file.specific_heat) {
-        (Some(density), Some(specific_heat)) => (density, specific_heat),
+    let capacity = match (file.density, file.specific_heat) {
+        (Some(density), Some(specific_heat)) => density.value() * specific_heat.value(),
         (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
         (None, Some(_)) => return Err(source.missing("heat", "density")),
         (None, None) => {
-            let others = keys_present([
-                ("plastic_share", file.plastic_share.is_some()),
-                ("conductivity", file.conductivity.is_some()),
-                ("punch", file.punch.is_some()),
-                ("die", file.die.is_some()),
-                ("holder", file.holder.is_some()),
-            ]);
-            let Some(key) = others.first() else { return Ok(None) };
-            let what = format!("`{key}` changes the temperature only of a sheet with a density and a specific heat");
+            let others = ["plastic_share", "conductivity", "punch", "die", "holder"];
+            let why = "changes the temperature only of a sheet with a density and a specific heat";
             let help = "add density = \"2700 kg/m^3\" and specific_heat = \"900 J/kg/K\", or drop it";
-            return Err(source.error(&format!("heat.{key}"), what, help));
+            return source.refuse("heat", &others, why, help).map(|()| None);
         }
     };
     let mut exchanging = Vec::new();
     for (role, tool) in [(Role::Punch, file.punch), (Role::Die, file.die), (Role::Holder, file.holder)] {
         let Some(tool) = tool else { continue };
-        let (path, what) =
-            (format!("heat.{}", role.name()), format!("there is no {} to exchange heat with", role.name()));
-        source.require(tools.iter().any(|t| t.role == role), &path, what, "drop it, or add the tool")?;
+        let what = format!("there is no {} to exchange heat with", role.name());
+        let is_there = tools.iter().any(|tool| tool.role == role);
+        source.require(is_there, &format!("heat.{}", role.name()), what, "drop it, or add the tool")?;
         exchanging.push(ToolHeat { role, temperature: tool.temperature.value(), transfer: tool.transfer.value() });
     }
     Ok(Some(HeatFlow {
-        capacity: density.value() * specific_heat.value(),
+        capacity,
         plastic_share: file.plastic_share.map_or(PLASTIC_SHARE, Dimensioned::value),
         conductivity: file.conductivity.map_or(0.0, Dimensioned::value),
         tools: exchanging,
@@ -81,22 +73,20 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Piec
 /// Temperature from the columns `s0_mm,temperature_C`.
 fn by_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
     let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
-    let missing = |name: &str| {
-        let what = format!("there is no column {name}; found {}", csv.names());
-        lines.error(csv.header.line, what, EXAMPLE)
+    let column = |name: &str, unit: Unit| {
+        let is_it = |(i, field): (usize, &str)| Some((i, csv.unit(i).ok().filter(|u| u.0 == unit && field.starts_with(name))?.1));
+        csv.header.fields.iter().enumerate().find_map(is_it).ok_or_else(|| {
+            let what = format!("there is no column {}; found {}", unit.keyed(name), csv.names());
+            lines.error(csv.header.line, what, EXAMPLE)
+        })
     };
-    let place = csv.header.fields.iter().enumerate().find_map(|(i, field)| match csv.unit(i) {
-        Ok((Unit::Mm, factor)) if field.starts_with("s0_") => Some((i, factor)),
-        _ => None,
-    });
-    let (s0, factor) = place.ok_or_else(|| missing("s0_mm"))?;
-    let column = csv.column("temperature_C").ok_or_else(|| missing("temperature_C"))?;
+    let ((s0, factor), (temperature, _)) = (column("s0", Unit::Mm)?, column("temperature", Unit::Celsius)?);
     let mut points: Vec<(f64, f64)> = Vec::new();
     for row in &csv.rows {
-        let fail = |what: &str| lines.error(row.line, what.to_owned(), EXAMPLE);
+        let fail = |what: &str| lines.error(row.line, what, EXAMPLE);
         let place = lines.number(row, s0)?.ok_or_else(|| fail("s0 is missing"))? * factor;
         let place = Length::checked(place, &place.to_string()).map_err(|error| fail(&error.to_string()))?.value();
-        let celsius = lines.number(row, column)?.ok_or_else(|| fail("the temperature is missing"))?;
+        let celsius = lines.number(row, temperature)?.ok_or_else(|| fail("the temperature is missing"))?;
         let kelvin = celsius + ZERO_CELSIUS;
         if !SHEET.contains(&kelvin) {
             return Err(fail(&format!("the sheet cannot be at {celsius} °C")));
@@ -106,6 +96,6 @@ fn by_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
         }
         points.push((place, kelvin));
     }
-    let empty = || lines.error(csv.header.line, "the temperature file has no rows".into(), EXAMPLE);
+    let empty = || lines.error(csv.header.line, "the temperature file has no rows", EXAMPLE);
     PiecewiseLinear::new(points).ok_or_else(empty)
 }

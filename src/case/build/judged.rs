@@ -32,15 +32,13 @@ pub(in crate::case) fn springback(case: &CaseFile, source: &Source) -> Result<Sp
         source.require(case.geometry == Geometry::Axisymmetric, key, "a strip has no ring to cut", help)?;
         let released = case.stages.last().is_some_and(|stage| stage.release.is_some());
         let what = "the last stage takes no tools away: the moment that remains in the wall is not known";
-        let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to [material]";
+        let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" to [material]";
         source.require(released, key, what, help)?;
     }
     let what = "an angle of 180° or more between the legs is no bend";
     let help = "write the angle between the legs, such as \"90 deg\"";
     source.require(given.angle.is_none_or(|angle| angle < 180.0), "springback.angle", what, help)?;
-    let both = given.tolerance.is_some() && given.wall_tolerance.is_some();
-    let what = "`tolerance` of the angle between both walls and `wall_tolerance`, half of it, are both given";
-    source.require(!both, "springback.wall_tolerance", what, "keep one of them")?;
+    source.one_of("springback", &["tolerance", "wall_tolerance"], "keep one of them")?;
     let no_angle = given.tolerance.or(given.wall_tolerance).is_none();
     let nothing = !given.is_given() && given.ring.is_none();
     let what = "[springback] has no `tolerance`: nothing says how far the angle may miss";

@@ -59,12 +59,12 @@ impl Named<'_> {
 
 impl Lines {
     /// Error at a line, from 1.
-    pub fn error(&self, line: usize, what: String, help: impl Into<String>) -> CaseError {
+    pub fn error(&self, line: usize, what: impl Into<String>, help: impl Into<String>) -> CaseError {
         let inner = self.shown.inner();
         let start = inner.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>();
         let length = inner[start..].lines().next().map_or(0, str::len);
         let label = format!("line {line} of {}", self.key);
-        CaseError::at(self.shown.clone(), start..start + length, what, label, help.into())
+        CaseError::at(self.shown.clone(), start..start + length, what.into(), label, help.into())
     }
 
     fn refuse(&self, CsvError { line, what, help }: CsvError) -> CaseError {

@@ -36,7 +36,6 @@ use tools::{Sheet, ToolContext};
 
 /// Builds the stages of a case; notes on what was assumed go to the source.
 pub(super) fn stages(file: &CaseFile, source: &Source) -> Result<Vec<Stage>, CaseError> {
-    limits::of_file(file, source)?;
     let stages = stages::convert(file, first(file, source)?, source)?;
     limits::of_stages(&stages, source)?;
     for (i, stage) in stages.iter().enumerate() {
@@ -58,7 +57,8 @@ fn first(file: &CaseFile, source: &Source) -> Result<Model, CaseError> {
     let material = material::convert(&file.material, source)?;
     let mode = mode(file, &material, &blank, source)?;
     let drive = motion::drive(file, blank.length, source)?;
-    let sheet = Sheet::new(&blank, Extent::of(geometry, depth));
+    let (length, thickness) = (blank.length, blank.thickness);
+    let sheet = Sheet { extent: Extent::of(geometry, depth), length, thickness };
     let context = ToolContext { written: &file.tools, standing: &[], sheet, travel: drive.travel, source };
     let tools = tools::convert(&context, &Frictions::new(file))?;
     let sheet = &context.sheet;

@@ -53,11 +53,8 @@ fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
         let (speed, timed) = (punch.speed.map_or(1.0, Dimensioned::value), punch.speed.is_some());
         return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
     };
-    for (key, given) in [("speed", punch.speed.is_some()), ("travel", punch.travel.is_some())] {
-        let what = format!("both `motion` and `{key}` are given");
-        let help = "drop it: the motion says travel and speed";
-        source.require(!given, &format!("tools.punch.{key}"), what, help)?;
-    }
+    let help = "drop it: the motion says travel and speed";
+    source.refuse("tools.punch", &["speed", "travel"], "and `motion` are both given", help)?;
     let schedule = history(points, source)?;
     let &(duration, travel) = schedule.points().last().expect("a history has points");
     Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true })
@@ -75,17 +72,13 @@ fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source)
     let help = "the punch begins where it touches the flat sheet";
     source.require(*first == (0.0, 0.0), &format!("{PATH}.0"), what, help)?;
     for (i, w) in points.windows(2).enumerate() {
-        let times = ("times", "s", w[0].0, w[1].0, last.0);
-        let travels = ("travels", "mm", w[0].1, w[1].1, last.1);
-        for (name, unit, from, to, whole) in [times, travels] {
+        for (unit, from, to, whole) in [("s", w[0].0, w[1].0, last.0), ("mm", w[0].1, w[1].1, last.1)] {
             let (before, after) = (rounded(from), rounded(to));
             let what = format!(
-                "the {name} of `motion` must rise by a millionth of the whole or more, found {after} {unit} after {before} \
-                 {unit}"
+                "`motion` must rise by a millionth of the whole or more, found {after} {unit} after {before} {unit}"
             );
             let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
-            let rises = to > from && to - from >= CLOSEST * whole;
-            source.require(rises, &format!("{PATH}.{}", i + 1), what, help)?;
+            source.require(to - from >= CLOSEST * whole && to > from, &format!("{PATH}.{}", i + 1), what, help)?;
         }
     }
     Ok(PiecewiseLinear::new(points).expect("checked above"))

@@ -3,7 +3,7 @@
 use super::lines::{Lines, Named};
 use super::tools::ToolContext;
 use super::values::place_of;
-use crate::case::CaseError;
+use crate::case::{CaseError, source::Source};
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
 use crate::table::{Csv, Record, Unit};
@@ -26,7 +26,7 @@ pub(super) struct Points {
 
 impl Points {
     /// Error about a point.
-    pub fn error(&self, point: usize, what: String, help: impl Into<String>) -> CaseError {
+    pub fn error(&self, point: usize, what: impl Into<String>, help: impl Into<String>) -> CaseError {
         self.text.error(self.lines[point.min(self.lines.len() - 1)], what, help)
     }
 }
@@ -48,7 +48,7 @@ pub(super) fn convert(
 ) -> Result<(Profile, Points), CaseError> {
     let source = context.source;
     let (text, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(source)?;
-    let rows = distinct(read(&text, &csv, context.sheet.extent.geometry())?, file, context);
+    let rows = distinct(read(&text, &csv, context.sheet.extent.geometry())?, file, source);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(text.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));
@@ -58,7 +58,7 @@ pub(super) fn convert(
         return Err(text.error(last.line, what, "thin them out: chords are rounded off by tangent arcs"));
     }
     if let Some(end) = [first, last].iter().find(|end| end.radius.is_some_and(|radius| radius > 0.0)) {
-        let what = "the first and the last point have no corner to round".to_owned();
+        let what = "the first and the last point have no corner to round";
         return Err(text.error(end.line, what, "leave the radius empty there"));
     }
     let points: Vec<Point> = rows.iter().map(|row| row.point).collect();
@@ -89,7 +89,7 @@ pub(super) fn convert(
 }
 
 /// Rows without those that repeat the one before; one note reports them.
-fn distinct(rows: Vec<Row>, file: &str, context: &ToolContext) -> Vec<Row> {
+fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {
     let (mut kept, mut repeats): (Vec<Row>, Vec<[usize; 2]>) = (Vec::new(), Vec::new());
     for row in rows {
         match kept.last_mut().filter(|last| (last.point - row.point).norm() < SAME) {
@@ -105,76 +105,67 @@ fn distinct(rows: Vec<Row>, file: &str, context: &ToolContext) -> Vec<Row> {
             0 => String::new(),
             n => format!(", as are {n} more that repeat the one before"),
         };
-        context.source.note(format!("line {line} of {file} repeats the point of line {of} and is left out{more}"));
+        source.note(format!("line {line} of {file} repeats the point of line {of} and is left out{more}"));
     }
     kept
 }
 
-/// Columns of the coordinates and the radius, with their factors to mm.
-struct Columns {
-    r: (usize, f64),
-    z: (usize, f64),
-    radius: Option<(usize, f64)>,
-}
-
 fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
-    let columns = header(csv, text, geometry)?;
-    csv.rows.iter().map(|record| row(record, &columns, text, geometry)).collect()
-}
-
-fn header(csv: &Csv, text: &Lines, geometry: Geometry) -> Result<Columns, CaseError> {
+    let abscissa = if geometry == Geometry::PlaneStrain { "x" } else { "r" };
+    let names = [abscissa, "z", "radius"];
+    // Number of each column and its factor to mm.
+    let mut columns = [None; 3];
     let fail = |what: String, help: &str| text.error(csv.header.line, what, help);
-    let (mut r, mut z, mut radius) = (None, None, None);
     for (i, field) in csv.header.fields.iter().enumerate() {
         let name = field.split('_').next().unwrap_or("");
-        let slot = match (name, geometry) {
-            ("r", _) | ("x", Geometry::PlaneStrain) => &mut r,
-            ("z", _) => &mut z,
-            ("radius", _) => &mut radius,
-            ("x", Geometry::Axisymmetric) => {
+        let at = match name {
+            "r" => 0,
+            "x" if geometry == Geometry::Axisymmetric => {
                 let what = format!("`{field}` belongs to plane-strain cases, this one is axisymmetric");
                 return Err(fail(what, "write r_mm"));
             }
-            _ => return Err(fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm")),
+            _ => names.iter().position(|known| *known == name).ok_or_else(|| {
+                fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm")
+            })?,
         };
         let Ok((Unit::Mm, factor)) = csv.unit(i) else {
             let what = format!("the column `{field}` has no unit of length");
             return Err(fail(what, &format!("write {name}_mm or {name}_in")));
         };
-        if slot.replace((i, factor)).is_some() {
+        if columns[at].replace((i, factor)).is_some() {
             return Err(fail(format!("there are two columns for {name}"), "keep one"));
         }
     }
-    let missing = |name: &str| {
-        let what = format!("there is no column for {name}; found {}", csv.names());
-        fail(what, &format!("name it {name}_mm"))
-    };
-    let r = r.ok_or_else(|| missing(first_coordinate(geometry)))?;
-    Ok(Columns { r, z: z.ok_or_else(|| missing("z"))?, radius })
+    if let Some(i) = (0..2).find(|i| columns[*i].is_none()) {
+        let what = format!("there is no column for {}; found {}", names[i], csv.names());
+        return Err(fail(what, &format!("name it {}_mm", names[i])));
+    }
+    csv.rows.iter().map(|record| row(record, &columns, names, text)).collect()
 }
 
-fn first_coordinate(geometry: Geometry) -> &'static str {
-    if geometry == Geometry::PlaneStrain { "x" } else { "r" }
-}
-
-fn row(record: &Record, columns: &Columns, text: &Lines, geometry: Geometry) -> Result<Row, CaseError> {
+fn row(
+    record: &Record,
+    columns: &[Option<(usize, f64)>; 3],
+    names: [&str; 3],
+    text: &Lines,
+) -> Result<Row, CaseError> {
     let line = record.line;
     let fail = |what: String, help: &str| text.error(line, what, help);
-    let number = |(column, factor): (usize, f64)| -> Result<Option<f64>, CaseError> {
+    let number = |i: usize| -> Result<Option<f64>, CaseError> {
+        let Some((column, factor)) = columns[i] else { return Ok(None) };
         let Some(value) = text.number(record, column)? else { return Ok(None) };
         let length = Length::checked(value * factor, record.fields.get(column).unwrap_or(""));
         length.map(|length| Some(length.value())).map_err(|error| fail(error.to_string(), "check the header's unit"))
     };
-    let coordinate = |column, name: &str| {
-        number(column)?.ok_or_else(|| fail(format!("{name} is missing"), "a point has two coordinates"))
+    let coordinate = |i: usize| {
+        number(i)?.ok_or_else(|| fail(format!("{} is missing", names[i]), "a point has two coordinates"))
     };
-    let name = first_coordinate(geometry);
-    let point = Point::new(coordinate(columns.r, name)?, coordinate(columns.z, "z")?);
+    let point = Point::new(coordinate(0)?, coordinate(1)?);
     if point.x < 0.0 {
-        let what = format!("a point lies at negative {name}, {} mm", point.x);
+        let what = format!("a point lies at negative {}, {} mm", names[0], point.x);
         return Err(fail(what, "the section is drawn from the axis outward, r >= 0"));
     }
-    let radius = columns.radius.map(number).transpose()?.flatten();
+    let radius = number(2)?;
     if let Some(radius) = radius.filter(|radius| *radius < 0.0) {
         return Err(fail(format!("a fillet radius is negative, {radius} mm"), "write its size: hollows need no sign"));
     }

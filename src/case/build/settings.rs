@@ -15,36 +15,30 @@ const CLOSEST: f64 = 1e-6;
 
 pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseError> {
     let Err(error) = settings.check() else { return Ok(()) };
-    let (key, help) = match &error {
-        ModelError::Range { what, .. } if what.ends_with("first_step") => {
-            let Settings { min_step, first_step, max_step, .. } = settings;
-            let steps = ["first_step", "max_step", "min_step"].map(|key| format!("solver.{key}"));
-            let given = steps.iter().find(|path| source.has(path)).unwrap_or(&steps[0]);
-            let what = format!(
-                "steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}"
-            );
-            return Err(source.error(given, what, "they are fractions of the travel"));
+    let (ModelError::Range { what, .. } | ModelError::Count { what, .. } | ModelError::Invalid { what, .. }) = &error;
+    let key = what.trim_start_matches("settings.");
+    if key == "first_step" {
+        let Settings { min_step, first_step, max_step, .. } = settings;
+        let given = source.written("solver", &["first_step", "max_step", "min_step"]);
+        let path = format!("solver.{}", given.first().unwrap_or(&key));
+        let what = format!("steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}");
+        return Err(source.error(&path, what, "they are fractions of the travel"));
+    }
+    let help = match &error {
+        ModelError::Count { value, least, most, .. } => {
+            format!("the nearest that can be solved: {key} = {}", value.clamp(least, most))
         }
-        ModelError::Count { what, value, least, most } => {
-            let key = what.trim_start_matches("settings.");
-            (key, format!("the nearest that can be solved: {key} = {}", value.clamp(least, most)))
-        }
-        ModelError::Range { what, .. } => {
-            (what.trim_start_matches("settings."), "leave it out: the default serves every case".to_owned())
-        }
-        _ => ("", "leave it out: the default serves every case".to_owned()),
+        _ => "leave it out: the default serves every case".to_owned(),
     };
-    let path = format!("solver.{key}");
-    Err(source.error(path.trim_end_matches('.'), error.to_string().replace("settings.", ""), help))
+    Err(source.error(&format!("solver.{key}"), error.to_string().replace("settings.", ""), help))
 }
 
 /// Conditions that end a run before its full travel.
 pub(super) fn stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<(), CaseError> {
     let path = "stop.contact_share";
-    let percent = rounded(100.0 * rules.contact_share.unwrap_or(0.0));
-    let what = format!("`contact_share` must lie between 0 and 100 %, found {percent} %");
-    let help = "a corner never fills to the last: 95 % is a part that is formed";
-    source.require(rules.contact_share.unwrap_or(0.0) <= 1.0, path, what, help)?;
+    let share = rules.contact_share.unwrap_or(0.0);
+    let what = format!("`contact_share` must lie between 0 and 100 %, found {} %", rounded(100.0 * share));
+    source.require(share <= 1.0, path, what, "a corner never fills to the last: 95 % is a part that is formed")?;
     let touched = rules.contact_share.is_none() || tools.iter().any(|tool| tool.role != Role::Holder);
     let what = "`contact_share` asks for contact with a punch or a die, and there is none";
     source.require(touched, path, what, "add [tools.die], or drop it")?;
@@ -61,8 +55,7 @@ pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Res
         let n = count(source, "output.count", file.count.unwrap_or(4), 1..=1000)?;
         return Ok(equally_spaced(duration, n));
     };
-    let what = "both `frames` and `count` are given";
-    source.require(file.count.is_none(), "output.count", what, "keep one of them")?;
+    source.one_of("output", &["frames", "count"], "keep one of them")?;
     let what = "`frames` are punch travels, and there is no punch";
     let help = "write count = 8 for as many instants, equally spaced";
     source.require(travel > 0.0, "output.frames", what, help)?;

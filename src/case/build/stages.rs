@@ -1,12 +1,12 @@
 //! `[[stages]]`: each changes the model of the stage before.
 
-use super::friction::{self, Frictions};
+use super::friction::Frictions;
 use super::tools::{Sheet, ToolContext};
-use super::values::{count, keys_present, radius_of};
+use super::values::{count, radius_of};
 use super::{holder, limits, material};
-use crate::case::file::{self, CaseFile, Given};
+use crate::case::file::{self, CaseFile, Given, ToolKeys};
 use crate::case::{CaseError, source::Source};
-use crate::geometry::{Point, Profile};
+use crate::geometry::Point;
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, rounded};
@@ -38,8 +38,9 @@ pub(super) fn convert(file: &CaseFile, first: Model, source: &Source) -> Result<
         source.require(is_new, &format!("{path}.name"), what, help)?;
         source.enter_stage(Some((i, &written.name)));
         let (first, before) = (&stages[0].model, &stages[i].model);
-        let stage = StageContext { written, before, first, source, path }.stage(&mut frictions)?;
-        stages.push(stage);
+        let file::Stage { punch, die, holder, .. } = written.clone();
+        let tools = file::Tools { punch, die, holder, beads: Vec::new() };
+        stages.push(StageContext { written, tools: &tools, before, first, source, path }.stage(&mut frictions)?);
     }
     source.enter_stage(None);
     Ok(stages)
@@ -57,26 +58,21 @@ pub(super) fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
     (1..count).map(|i| duration * i as f64 / count as f64).chain([duration]).collect()
 }
 
+/// Move of a tool away from the axis and along z \[mm\].
+fn path_of(tool: &ToolKeys) -> Option<Point> {
+    let [aside, axial] = tool.moves.map(|length| length.map_or(0.0, Length::value));
+    tool.moves.iter().any(Option::is_some).then(|| Point::new(aside, axial))
+}
+
 /// Table of a stage, and the models before it.
 struct StageContext<'a> {
     written: &'a file::Stage,
+    tools: &'a file::Tools,
     before: &'a Model,
     first: &'a Model,
     source: &'a Source<'a>,
     /// Key path of the stage.
     path: String,
-}
-
-/// Keys that all tools of a stage have.
-struct WrittenTool {
-    role: Role,
-    /// Move away from the axis and along z \[mm\].
-    path: Option<Point>,
-    /// True if it has a shape, which makes it a new tool.
-    shaped: bool,
-    friction: Option<file::Friction>,
-    /// Keys that tools of the first stage alone have.
-    stray: Vec<&'static str>,
 }
 
 impl StageContext<'_> {
@@ -89,29 +85,32 @@ impl StageContext<'_> {
         if !self.before.gas.is_empty() {
             self.source.note("gas acts in the first stage only");
         }
-        let written = self.tools();
         let mut model = self.at_rest();
-        self.remove(&mut model, frictions)?;
-        for tool in &written {
-            for key in &tool.stray {
-                let what = format!("`{key}` is for tools of the first stage");
-                let help = "drop it: in a later stage `move` and `force` drive the tools";
-                self.require(false, &format!("{}.{key}", tool.role.name()), what, help)?;
-            }
-            let own = frictions.own(tool.role);
-            *own = tool.friction.or(*own);
+        for (k, role) in self.written.remove.iter().enumerate() {
+            let what = format!("there is no {} to remove", role.name());
+            self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
+            model.tools.retain(|tool| tool.role != *role);
+            frictions.tools[*role as usize] = None;
         }
-        self.pace(&written, &mut model)?;
+        for tool in self.tools.keys() {
+            let (why, help) =
+                ("is for tools of the first stage", "drop it: in a later stage `move` and `force` drive the tools");
+            let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
+            self.source.refuse(&format!("{}.{}", self.path, tool.role.name()), &stray, why, help)?;
+            frictions.add(&tool);
+        }
+        self.pace(&mut model)?;
         let standing = model.tools.clone();
-        for tool in &written {
-            self.tool(tool, &standing, frictions, &mut model)?;
+        let mut meets = Vec::new();
+        for tool in self.tools.keys() {
+            self.tool(&tool, &standing, frictions, &mut model)?;
+            meets.extend(tool.is_shaped.then_some(tool.role));
         }
-        let mut meets: Vec<Role> = written.iter().filter(|tool| tool.shaped).map(|tool| tool.role).collect();
-        self.press(&written, &mut model, &mut meets)?;
-        self.release(&written, &mut model)?;
+        self.press(&mut model, &mut meets)?;
+        self.release(&mut model)?;
         model.blank.edge = self.written.edge.unwrap_or(model.blank.edge);
-        let frames = self.written.frames.unwrap_or(4);
-        let frames = count(self.source, &format!("{}.frames", self.path), frames, 1..=1000)?;
+        let frames_key = format!("{}.frames", self.path);
+        let frames = count(self.source, &frames_key, self.written.frames.unwrap_or(4), 1..=1000)?;
         model.frames = equally_spaced(model.duration, frames);
         let begin = Beginning { anneal: self.written.anneal, trim: self.trim()?, meets };
         let pressed = model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
@@ -122,7 +121,7 @@ impl StageContext<'_> {
         let help = "write `release = true` instead: the contact forces fade, and the sheet springs back";
         let held = !model.tools.is_empty() || model.release.is_some();
         self.require(held, key, "no tool is left, and nothing holds the sheet", help)?;
-        limits::of_model(&model, &format!("{}.frames", self.path), self.source)?;
+        limits::of_model(&model, &frames_key, self.source)?;
         Ok(Stage { name: self.written.name.clone(), model, begin })
     }
 
@@ -141,41 +140,11 @@ impl StageContext<'_> {
         model
     }
 
-    fn remove(&self, model: &mut Model, frictions: &mut Frictions) -> Result<(), CaseError> {
-        for (k, role) in self.written.remove.iter().enumerate() {
-            let what = format!("there is no {} to remove", role.name());
-            self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
-            model.tools.retain(|tool| tool.role != *role);
-            *frictions.own(*role) = None;
-        }
-        Ok(())
-    }
-
-    /// Tools of the table, in the order of their roles.
-    fn tools(&self) -> Vec<WrittenTool> {
-        let file::Stage { punch, die, holder, .. } = self.written;
-        let mm = |length: Option<Length>| length.map_or(0.0, Dimensioned::value);
-        let tool = |role, axial: Option<Length>, aside: Option<Length>, shaped, friction, stray| {
-            let path = axial.or(aside).map(|_| Point::new(mm(aside), mm(axial)));
-            WrittenTool { role, path, shaped, friction, stray }
-        };
-        let punch = punch.as_ref().map(|t| {
-            let stray = [("travel", t.travel.is_some()), ("speed", t.speed.is_some()), ("motion", t.motion.is_some())];
-            tool(Role::Punch, t.axial, t.aside, t.is_shaped(), t.friction, keys_present(stray))
-        });
-        let die = die.as_ref().map(|t| tool(Role::Die, t.axial, t.aside, t.is_shaped(), t.friction, Vec::new()));
-        let holder = holder.as_ref().map(|t| {
-            let stray = [("pressure", t.pressure.is_some()), ("gap", t.gap.is_some()), ("spring", t.spring.is_some())];
-            tool(Role::Holder, t.axial, t.aside, t.is_shaped(), t.friction, keys_present(stray))
-        });
-        [punch, die, holder].into_iter().flatten().collect()
-    }
-
     /// Sets the longest path of a tool as the travel, and its speed.
-    fn pace(&self, tools: &[WrittenTool], model: &mut Model) -> Result<(), CaseError> {
+    fn pace(&self, model: &mut Model) -> Result<(), CaseError> {
         let (mut travel, mut furthest) = (0.0, Role::Punch);
-        for tool in tools {
-            let path = tool.path.map_or(0.0, |path| path.y.hypot(path.x));
+        for tool in self.tools.keys() {
+            let path = path_of(&tool).map_or(0.0, |path| path.y.hypot(path.x));
             if path > travel {
                 (travel, furthest) = (path, tool.role);
             }
@@ -184,10 +153,9 @@ impl StageContext<'_> {
         let (path, blank) = (rounded(travel), rounded(length));
         let what = format!("a move of {path} mm is more than {FURTHEST} times the blank's {blank} mm");
         self.require(travel <= FURTHEST * length, furthest.name(), what, "check the unit")?;
-        let (speed, duration) =
-            (self.written.speed.map(Dimensioned::value), self.written.duration.map(Dimensioned::value));
-        let both = speed.is_some() && duration.is_some();
-        self.require(!both, "duration", "both a speed and a duration are given", "keep one")?;
+        self.source.one_of(&self.path, &["speed", "duration"], "keep one")?;
+        let speed = self.written.speed.map(Dimensioned::value);
+        let duration = self.written.duration.map(Dimensioned::value);
         let help = "write duration = \"1 s\", or let a tool `move`";
         self.require(speed.is_none() || travel > 0.0, "speed", "a speed is given, and no tool moves", help)?;
         let usual = self.first.speed;
@@ -204,57 +172,48 @@ impl StageContext<'_> {
     /// Sets the shape, friction and motion of a tool.
     fn tool(
         &self,
-        written: &WrittenTool,
+        written: &ToolKeys,
         standing: &[Tool],
         frictions: &Frictions,
         model: &mut Model,
     ) -> Result<(), CaseError> {
-        let WrittenTool { role, path, shaped, .. } = *written;
+        let ToolKeys { role, is_shaped, .. } = *written;
         let what = format!("there is no {} in this stage", role.name());
         let help = "give it a shape as in [tools], or drop it";
-        self.require(shaped || model.tool(role).is_some(), role.name(), what, help)?;
-        let new = if shaped { self.new_profile(role, standing, model.travel)? } else { None };
-        let is_new = shaped || written.friction.is_some();
-        let friction = is_new.then(|| friction::law(role, frictions, self.source)).transpose()?;
-        if let Some((profile, friction)) = new.zip(friction) {
+        self.require(is_shaped || model.tool(role).is_some(), role.name(), what, help)?;
+        if is_shaped {
+            let Model { blank, travel, .. } = &*model;
+            let sheet = Sheet { extent: model.extent(), length: blank.length, thickness: blank.thickness };
+            let context =
+                ToolContext { written: self.tools, standing, sheet, travel: *travel, source: self.source };
+            let profile = context.new_profile(role)?;
+            let friction = frictions.law(role, self.source)?;
             model.tools.retain(|tool| tool.role != role);
             model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
-            model.tools.sort_by_key(|tool| Role::ALL.iter().position(|role| *role == tool.role));
+            model.tools.sort_by_key(|tool| tool.role as usize);
         }
         for tool in model.tools.iter_mut().filter(|tool| tool.role == role) {
-            tool.friction = friction.unwrap_or(tool.friction);
-            tool.motion = path.map_or(tool.motion.clone(), Motion::Path);
+            if written.friction.is_some() && !is_shaped {
+                tool.friction = frictions.law(role, self.source)?;
+            }
+            tool.motion = path_of(written).map_or(tool.motion.clone(), Motion::Path);
         }
         Ok(())
     }
 
-    /// Section of a new tool, which may be made from one that stands.
-    fn new_profile(&self, role: Role, standing: &[Tool], travel: f64) -> Result<Option<Profile>, CaseError> {
-        let file::Stage { punch, die, holder, .. } = self.written.clone();
-        let written = &file::Tools {
-            punch: punch.filter(file::Punch::is_shaped),
-            die: die.filter(file::Die::is_shaped),
-            holder: holder.filter(file::Holder::is_shaped),
-            beads: Vec::new(),
-        };
-        let sheet = Sheet::new(&self.before.blank, self.before.extent());
-        ToolContext { written, standing, sheet, travel, source: self.source }.new_profile(role)
-    }
-
     /// Sets the holder's force: one force is reached from the last one over the first part of the travel. A holder that stays
     /// and had none is brought up to the sheet.
-    fn press(&self, tools: &[WrittenTool], model: &mut Model, meets: &mut Vec<Role>) -> Result<(), CaseError> {
+    fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<(), CaseError> {
         let Some(given) = self.written.holder.as_ref().and_then(|holder| holder.force.as_ref()) else { return Ok(()) };
         let force = holder::force_history(given, self.before.extent(), self.source)?;
-        let written = tools.iter().find(|tool| tool.role == Role::Holder);
-        let moves = written.is_some_and(|tool| tool.path.is_some());
+        let moves = !self.source.written(&format!("{}.holder", self.path), &["move", "aside"]).is_empty();
         let help = "keep one: a holder that goes a given way has the force that this takes";
         self.require(!moves, "holder.force", "the holder has both a way to go and a force", help)?;
         let last = match self.before.tool(Role::Holder).map(|holder| &holder.motion) {
             Some(Motion::Pressed(press)) => Some(press.force.at(self.before.travel)),
             _ => None,
         };
-        let stays = written.is_some_and(|tool| !tool.shaped);
+        let stays = !meets.contains(&Role::Holder);
         let force = match (given, last) {
             (Given::Constant(_), Some(last)) if stays && model.travel > 0.0 => {
                 PiecewiseLinear::new(vec![(0.0, last), (RAMP * model.travel, force.at(0.0))]).unwrap_or(force)
@@ -271,10 +230,10 @@ impl StageContext<'_> {
     }
 
     /// Sets release and mode; the flow law's sheet springs back elastically.
-    fn release(&self, tools: &[WrittenTool], model: &mut Model) -> Result<(), CaseError> {
+    fn release(&self, model: &mut Model) -> Result<(), CaseError> {
         model.release = self.written.release.and_then(|release| release.0).map(|stiffness| Release { stiffness });
         let released = model.release.is_some();
-        if let Some(tool) = tools.iter().find(|tool| released && tool.path.is_some()) {
+        if let Some(tool) = self.tools.keys().find(|tool| released && path_of(tool).is_some()) {
             let help = "drop `move` and `aside`, or the release";
             self.require(false, tool.role.name(), "tools that are taken away cannot move as well", help)?;
         }
@@ -300,8 +259,8 @@ impl StageContext<'_> {
         if trim.or(trim_diameter).is_none() {
             return Ok(None);
         }
-        let (radius, diameter) = (("trim", trim), ("trim_diameter", trim_diameter));
-        let (key, radius) = radius_of(self.source, &self.path, self.before.geometry, radius, diameter, radius)?;
+        let (keys, lengths) = (["trim", "trim_diameter", "trim"], [trim, trim_diameter, trim]);
+        let (key, radius) = radius_of(self.source, &self.path, self.before.geometry, keys, lengths)?;
         let length = self.before.blank.length;
         let what = format!("trimming at {} mm cuts nothing from a blank of {} mm", rounded(radius), rounded(length));
         self.require(radius < length, key, what, "the cut is within the blank's edge")?;

@@ -1,15 +1,14 @@
 //! `[gas]`, `[heat]`, and quantities that change over the run.
 
-use super::untagged::untagged;
+use super::untagged::{inline_schema, untagged};
+use crate::model::Extent;
 use crate::units::{
     Conductivity, Density, Dimensioned, Force, Fraction, HeatTransfer, Kind, Length, LineForce, NonNegative, Number,
     Positive, SpecificHeat, StrainRate, Stress, StressRate, Temperature, Time, parse,
 };
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
-use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
-use serde::{Deserialize, de};
-use std::{borrow::Cow, fmt, marker::PhantomData};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Error, IntoDeserializer};
 
 /// Gas or oil pressure; alone it bulges the blank, against a punch it forms the sheet over it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -104,7 +103,7 @@ pub enum InitialTemperature {
 }
 
 untagged!(
-    InitialTemperature, "a temperature such as \"230 °C\", { punch = .., flange = .. }, or the name of a CSV file",
+    [] InitialTemperature, "a temperature such as \"230 °C\", { punch = .., flange = .. }, or the name of a CSV file",
     text(text) => match text.to_lowercase().ends_with(".csv") {
         true => Ok(InitialTemperature::File(text.to_owned())),
         false => Positive::deserialize(text.into_deserializer()).map(InitialTemperature::Uniform),
@@ -143,101 +142,65 @@ impl<X: Dimensioned, V: Copy> Given<X, V> {
     }
 }
 
-impl<'de, X: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Given<X, V> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        struct Either<X, V>(PhantomData<(X, V)>);
-        impl<'de, X: Deserialize<'de>, V: Deserialize<'de>> Visitor<'de> for Either<X, V> {
-            type Value = Given<X, V>;
+untagged!(
+    [X: Sized, V: Sized] Given<X, V>, "a value with its unit, or a list of points [x, value]",
+    text(text) => V::deserialize(text.into_deserializer()).map(Given::Constant),
+    number(value) => V::deserialize(value.into_deserializer()).map(Given::Constant),
+    list => Given::Points
+);
 
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(f, "a value with its unit, or a list of points [x, value]")
-            }
-
-            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-                V::deserialize(StrDeserializer::new(text)).map(Given::Constant)
-            }
-
-            fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
-                V::deserialize(de::value::I64Deserializer::new(value)).map(Given::Constant)
-            }
-
-            fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-                V::deserialize(de::value::F64Deserializer::new(value)).map(Given::Constant)
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, points: A) -> Result<Self::Value, A::Error> {
-                Vec::deserialize(SeqAccessDeserializer::new(points)).map(Given::Points)
-            }
-        }
-        from.deserialize_any(Either(PhantomData))
-    }
-}
-
-impl<X: JsonSchema, V: JsonSchema> JsonSchema for Given<X, V> {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        format!("{}Over{}", V::schema_name(), X::schema_name()).into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+inline_schema!(
+    [X: JsonSchema, V: JsonSchema] Given<X, V>, format!("{}Over{}", V::schema_name(), X::schema_name()),
+    |generator| {
         let (value, points) = (generator.subschema_for::<V>(), generator.subschema_for::<Vec<(X, V)>>());
         schemars::json_schema!({ "anyOf": [value, points] })
     }
-}
-
-/// Enum of a quantity of the whole section and the same per mm of depth.
-macro_rules! whole_or_per_depth {
-    ($(#[$doc:meta])* $type:ident, $whole:ty, $per_depth:ty, $expecting:literal, $examples:expr) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub enum $type {
-            /// Whole section: axisymmetric, or in plane strain over a known depth.
-            InAll(NonNegative<$whole>),
-            /// Per mm of depth, plane strain.
-            PerDepth(NonNegative<$per_depth>),
-        }
-
-        untagged!(
-            $type, $expecting,
-            text(text) => {
-                let per_depth = parse(text).is_ok_and(|p| p.dimension == <$per_depth as Dimensioned>::KIND.dimension);
-                let read =
-                    if per_depth { text.parse().map($type::PerDepth) } else { text.parse().map($type::InAll) };
-                read.map_err(E::custom)
-            },
-            number(value) => Kinds.visit_str(&value.to_string())
-        );
-
-        impl JsonSchema for $type {
-            fn inline_schema() -> bool {
-                true
-            }
-
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($type).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                let kinds = [NonNegative::<$whole>::KIND, NonNegative::<$per_depth>::KIND];
-                let quantity = kinds.map(Kind::measured).join(", or ");
-                schemars::json_schema!({ "type": "string", "examples": $examples, "x-quantity": quantity })
-            }
-        }
-    };
-}
-
-whole_or_per_depth!(
-    /// Force of the whole section, or per mm of its depth.
-    HolderForce, Force, LineForce,
-    "a force with its unit, such as \"80 kN\" (axisymmetric) or \"2600 N/mm\" (plane strain)",
-    ["80 kN", "2600 N/mm"]
 );
-whole_or_per_depth!(
-    /// Stiffness of the whole holder: force per length, or force per length and depth.
-    Stiffness, LineForce, Stress,
-    "a stiffness with its unit, such as \"5 kN/mm\" (axisymmetric) or \"50 N/mm^2\" (plane strain)",
-    ["5 kN/mm", "50 N/mm^2"]
+
+/// Force of the whole section, or per mm of its depth.
+pub type HolderForce = Extensive<Force, LineForce>;
+/// Stiffness of the whole holder: force per length, or force per length and depth.
+pub type Stiffness = Extensive<LineForce, Stress>;
+
+/// Quantity of the whole section, or the same per mm of depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extensive<W, D> {
+    /// Whole section: axisymmetric, or in plane strain over a known depth.
+    InAll(NonNegative<W>),
+    /// Per mm of depth, plane strain.
+    PerDepth(NonNegative<D>),
+}
+
+impl<W: Dimensioned, D: Dimensioned> Extensive<W, D> {
+    /// Value in the units of the extent; else the case that it does not fit.
+    pub fn in_extent(self, extent: Extent) -> Result<f64, &'static str> {
+        match (self, extent) {
+            (Self::InAll(_), Extent::PerDepth) => Err("in plane strain without blank.depth"),
+            (Self::PerDepth(_), Extent::Ring) => Err("in an axisymmetric case"),
+            (Self::PerDepth(value), Extent::Depth(depth)) => Ok(value.value() * depth),
+            (Self::PerDepth(value), Extent::PerDepth) => Ok(value.value()),
+            (Self::InAll(value), _) => Ok(value.value()),
+        }
+    }
+
+    fn read<E: Error>(text: &str) -> Result<Self, E> {
+        match parse(text).is_ok_and(|parsed| parsed.dimension == D::KIND.dimension) {
+            true => NonNegative::deserialize(text.into_deserializer()).map(Self::PerDepth),
+            false => NonNegative::deserialize(text.into_deserializer()).map(Self::InAll),
+        }
+    }
+}
+
+untagged!(
+    [W: Dimensioned, D: Dimensioned] Extensive<W, D>, "a value with its unit, of the whole section or per mm of depth",
+    text(text) => Extensive::read(text),
+    number(value) => Extensive::read(&value.to_string())
+);
+
+inline_schema!(
+    [W: Dimensioned, D: Dimensioned] Extensive<W, D>, format!("{} in all or per depth", W::KIND.name),
+    |_generator| {
+        let quantity = [W::KIND, D::KIND].map(Kind::measured).join(", or ");
+        schemars::json_schema!({ "type": "string", "examples": [W::KIND.examples[0], D::KIND.examples[0]], "x-quantity": quantity })
+    }
 );

@@ -76,7 +76,7 @@ pub enum Anisotropy {
 }
 
 untagged!(
-    Anisotropy, "r̄ such as 1.6, or { r0 = 0.5, r45 = 0.3, r90 = 0.4 }",
+    [] Anisotropy, "r̄ such as 1.6, or { r0 = 0.5, r45 = 0.3, r90 = 0.4 }",
     number(mean) => Positive::deserialize(mean.into_deserializer()).map(Anisotropy::Mean),
     table => Anisotropy::Directions
 );

@@ -11,11 +11,11 @@ mod tools;
 mod untagged;
 
 pub use judged::{Compare, ComparedQuantity, Press, Springback, TitleBlock};
-pub use loads::{Gas, GasFace, Given, Heat, HolderForce, InitialTemperature, Stiffness, ToolHeat, Zones};
+pub use loads::{Extensive, Gas, GasFace, Given, Heat, HolderForce, InitialTemperature, Stiffness, ToolHeat, Zones};
 pub use material::{Anisotropy, Crystal, FormingLimit, Material, YieldCondition};
 pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use stages::{FirstStage, Release, Stage};
-pub use tools::{Bead, Crowned, Die, Flat, Friction, Hemispherical, Holder, Punch, Sides, Spring, Tools};
+pub use tools::{Bead, Crowned, Die, Flat, Friction, Hemispherical, Holder, Punch, Sides, Spring, ToolKeys, Tools};
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};

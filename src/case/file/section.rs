@@ -83,7 +83,7 @@ pub enum Turn {
 }
 
 untagged!(
-    Section, "a list of steps, the name of a CSV file such as \"die.csv\", or a table",
+    [] Section, "a list of steps, the name of a CSV file such as \"die.csv\", or a table",
     text(file) => Ok(Section::File(file.to_owned())),
     list => Section::Steps,
     table => Section::Table

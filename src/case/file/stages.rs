@@ -1,13 +1,12 @@
 //! `[stage]` and `[[stages]]`: operations after the first one.
 
-use super::untagged::untagged;
+use super::untagged::{inline_schema, untagged};
 use super::{Die, Holder, Punch};
 use crate::model::{Edge, Mode, ReleaseStiffness, Role};
 use crate::units::{Length, Positive, Speed, Time};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
-use std::borrow::Cow;
 
 /// First stage, which the rest of the file describes.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -67,22 +66,12 @@ pub struct Stage {
 pub struct Release(pub Option<ReleaseStiffness>);
 
 untagged!(
-    Release, "true, false, \"updated\" or \"constant\"",
+    [] Release, "true, false, \"updated\" or \"constant\"",
     switch(on) => Ok(Release(on.then_some(ReleaseStiffness::Updated))),
     text(name) => ReleaseStiffness::deserialize(name.into_deserializer()).map(|stiffness| Release(Some(stiffness)))
 );
 
-impl JsonSchema for Release {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Release".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (switch, stiffness) = (generator.subschema_for::<bool>(), generator.subschema_for::<ReleaseStiffness>());
-        schemars::json_schema!({ "anyOf": [switch, stiffness] })
-    }
-}
+inline_schema!([] Release, "Release", |generator| {
+    let (switch, stiffness) = (generator.subschema_for::<bool>(), generator.subschema_for::<ReleaseStiffness>());
+    schemars::json_schema!({ "anyOf": [switch, stiffness] })
+});

@@ -3,6 +3,7 @@
 use super::{Given, HolderForce, Section, Stiffness};
 use crate::contact::friction;
 use crate::material::law::Named;
+use crate::model::Role;
 use crate::units::{Length, LineForce, NonNegative, Positive, Speed, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -38,6 +39,43 @@ pub struct Tools {
     /// Draw beads across the flange, as line restraints.
     #[serde(default)]
     pub beads: Vec<Bead>,
+}
+
+/// Keys that all tools have.
+#[derive(Clone, Copy, Debug)]
+pub struct ToolKeys<'a> {
+    /// Role.
+    pub role: Role,
+    /// Section of its own.
+    pub profile: Option<&'a Section>,
+    /// Friction of its own.
+    pub friction: Option<Friction>,
+    /// Moves of a later stage, away from the axis or symmetry plane and along z.
+    pub moves: [Option<Length>; 2],
+    /// True if it has a shape, which in a later stage makes it a new tool.
+    pub is_shaped: bool,
+}
+
+macro_rules! tool_keys {
+    ($tool:expr, $role:ident, $($shape:ident)+) => {
+        $tool.as_ref().map(|tool| ToolKeys {
+            role: Role::$role,
+            profile: tool.profile.as_ref(),
+            friction: tool.friction,
+            moves: [tool.aside, tool.axial],
+            is_shaped: tool.profile.is_some() $(|| tool.$shape.is_some())+,
+        })
+    };
+}
+
+impl Tools {
+    /// Common keys of each tool, in the order of their roles.
+    pub fn keys(&self) -> impl Iterator<Item = ToolKeys<'_>> {
+        let punch = tool_keys!(self.punch, Punch, hemispherical flat crowned);
+        let die = tool_keys!(self.die, Die, throat throat_diameter shoulder);
+        let holder = tool_keys!(self.holder, Holder, inner_radius inner_diameter inner_half_width);
+        [punch, die, holder].into_iter().flatten()
+    }
 }
 
 /// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
@@ -92,27 +130,6 @@ pub struct Punch {
     /// Later stages: distance away from the axis or symmetry plane.
     #[schemars(example = "5 mm")]
     pub aside: Option<Length>,
-}
-
-impl Punch {
-    /// True if it has a shape, which in a later stage makes it a new tool.
-    pub fn is_shaped(&self) -> bool {
-        self.hemispherical.is_some() || self.flat.is_some() || self.crowned.is_some() || self.profile.is_some()
-    }
-}
-
-impl Die {
-    /// True if it has a shape, which in a later stage makes it a new tool.
-    pub fn is_shaped(&self) -> bool {
-        self.throat.or(self.throat_diameter).or(self.shoulder).is_some() || self.profile.is_some()
-    }
-}
-
-impl Holder {
-    /// True if it has a shape, which in a later stage makes it a new tool.
-    pub fn is_shaped(&self) -> bool {
-        self.inner_radius.or(self.inner_diameter).or(self.inner_half_width).is_some() || self.profile.is_some()
-    }
 }
 
 /// Spherical nose (plane strain: cylindrical).

@@ -3,17 +3,17 @@
 /// Implements `Deserialize` for an enum with one variant per kind of value; errors inside a variant keep their place.
 macro_rules! untagged {
     (
-        $type:ident, $expecting:literal
+        [$($generic:ident: $bound:ident),*] $type:ty, $expecting:expr
         $(, switch($switch:ident) => $of_switch:expr)?
         $(, text($text:ident) => $of_text:expr)?
         $(, number($number:ident) => $of_number:expr)?
         $(, list => $of_list:expr)?
         $(, table => $of_table:expr)?
     ) => {
-        impl<'de> serde::Deserialize<'de> for $type {
+        impl<'de, $($generic: $bound + serde::Deserialize<'de>),*> serde::Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                struct Kinds;
-                impl<'de> serde::de::Visitor<'de> for Kinds {
+                struct Kinds<T>(std::marker::PhantomData<T>);
+                impl<'de, $($generic: $bound + serde::Deserialize<'de>),*> serde::de::Visitor<'de> for Kinds<$type> {
                     type Value = $type;
 
                     fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
@@ -49,9 +49,29 @@ macro_rules! untagged {
                     }
                     )?
                 }
-                from.deserialize_any(Kinds)
+                from.deserialize_any(Kinds::<$type>(std::marker::PhantomData))
             }
         }
     };
 }
 pub(super) use untagged;
+
+/// Implements an inlined `JsonSchema` by one expression.
+macro_rules! inline_schema {
+    ([$($generic:ident: $bound:ident),*] $type:ty, $name:expr, |$generator:ident| $schema:expr) => {
+        impl<$($generic: $bound),*> schemars::JsonSchema for $type {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $name.into()
+            }
+
+            fn json_schema($generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                $schema
+            }
+        }
+    };
+}
+pub(super) use inline_schema;
