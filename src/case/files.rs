@@ -8,24 +8,28 @@
 //!
 //! Larger files are refused before they are read, and so are pipes and devices, which may never end.
 
-#[cfg(feature = "app")]
-mod hash;
 mod visible;
 
-#[cfg(feature = "app")]
-pub use hash::sha256;
 pub use visible::visible;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::{ErrorKind, Read};
+use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// The largest case file \[bytes\]; a thousand times the size of a long one.
 pub const CASE: usize = 2_000_000;
 /// The largest CSV file \[bytes\].
 pub const CSV: usize = 10_000_000;
+
+/// SHA-256 of some bytes, one part after the other, in hex digits.
+#[cfg(feature = "app")]
+pub fn sha256(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
+    use sha2::{Digest, Sha256};
+    let hash = parts.into_iter().fold(Sha256::new(), |hash, bytes| hash.chain_update(bytes));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
 
 /// Files by their paths.
 pub trait Files {
@@ -70,12 +74,11 @@ impl FileError {
             _ => otherwise.to_owned(),
         }
     }
+}
 
-    fn of(error: &std::io::Error) -> Self {
-        match error.kind() {
-            ErrorKind::NotFound => Self::Missing,
-            _ => Self::Other(error.to_string()),
-        }
+impl From<io::Error> for FileError {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::NotFound { Self::Missing } else { Self::Other(error.to_string()) }
     }
 }
 
@@ -96,21 +99,18 @@ pub struct Disk;
 impl Files for Disk {
     fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
         // Opening a pipe waits for someone to write into it.
-        let about = fs::metadata(path).map_err(|error| FileError::of(&error))?;
-        if about.is_dir() {
-            return Err(FileError::Folder);
+        let about = fs::metadata(path)?;
+        match about.is_dir() {
+            true => return Err(FileError::Folder),
+            false if !about.is_file() => return Err(FileError::Special),
+            false => {}
         }
-        if !about.is_file() {
-            return Err(FileError::Special);
-        }
-        if about.len() > limit as u64 {
-            return Err(FileError::TooLarge { limit });
-        }
-        let mut bytes = Vec::new();
         // Some files are longer than they say.
-        let reader = File::open(path).map(|file| file.take(limit as u64 + 1));
-        reader.and_then(|mut reader| reader.read_to_end(&mut bytes)).map_err(|error| FileError::of(&error))?;
-        if bytes.len() > limit { Err(FileError::TooLarge { limit }) } else { Ok(bytes) }
+        let (mut bytes, too_large) = (Vec::new(), FileError::TooLarge { limit });
+        if about.len() <= limit as u64 {
+            File::open(path)?.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+        }
+        if about.len().max(bytes.len() as u64) > limit as u64 { Err(too_large) } else { Ok(bytes) }
     }
 }
 
@@ -158,17 +158,14 @@ impl Files for Noted<'_> {
 
 /// A path without `.` and `..`.
 fn plain(path: &Path) -> PathBuf {
-    let mut plain = PathBuf::new();
-    for component in path.components() {
+    path.components().fold(PathBuf::new(), |mut plain, component| {
         match component {
             Component::CurDir => {}
-            Component::ParentDir if plain.file_name().is_some() => {
-                plain.pop();
-            }
+            Component::ParentDir if plain.file_name().is_some() => drop(plain.pop()),
             other => plain.push(other),
         }
-    }
-    plain
+        plain
+    })
 }
 
 /// Files, and the folder that those of a case are looked up from.

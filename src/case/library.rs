@@ -5,7 +5,7 @@ mod lookup;
 
 pub use entries::{Class, StandsFor};
 
-use super::file::{Anisotropy, CaseFile, FormingLimit};
+use super::file::{self, Anisotropy, CaseFile};
 use super::files::Folder;
 use super::sources::{Sheets, Taken, Thickness};
 use super::{CaseError, build, source::Source};
@@ -14,7 +14,6 @@ use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
-use lookup::Found;
 
 /// Plastic strain of the proof stress \[–\].
 const PROOF: f64 = 0.002;
@@ -103,48 +102,45 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// When there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
-    let Found { name, text, .. } = lookup::find(name)?;
-    entry(name, text)
+    let sheet = lookup::find(name).map_err(|[what, help]| CaseError::bare(what, help))?;
+    entry(sheet.name, sheet.text)
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, CaseError> {
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
-    let Found { name, file: found, note, .. } =
-        lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
-    let elastoplastic = found.elastoplastic();
-    let EntryFile { material: known, thickness, forming_limit, .. } = found;
-    let origin = known.source.clone().unwrap_or_default();
-    note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
-    measured_limit(name, forming_limit, file, source);
-    let own = &mut file.material;
-    let own_hardening = source.has("material.hardening");
-    let replaced = [
-        ("young and poisson", own.young.is_some() || own.poisson.is_some()),
-        ("anisotropy", own.anisotropy.is_some()),
-        ("yield_condition", own.yield_condition.is_some()),
-        ("rate", own.rate.is_some()),
-        ("softening", own.softening.is_some()),
-        ("hardening", own_hardening),
-    ];
-    let replaced: Vec<&str> = replaced.iter().filter(|(_, own)| *own).map(|(key, _)| *key).collect();
-    let sheets = Sheets::new(name, own_hardening, own, &known);
-    if own.young.is_none() && own.poisson.is_none() {
-        (own.young, own.poisson) = (known.young, known.poisson);
+    let known = lookup::find(&written).map_err(|[what, help]| source.error("material.name", what, help))?;
+    let (name, elastoplastic) = (known.name, known.file.elastoplastic());
+    let EntryFile { material: sheet, thickness, forming_limit, .. } = known.file;
+    let origin = sheet.source.clone().unwrap_or_default();
+    known.note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
+    let limit = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none());
+    if let Some((limit, measured)) = limit.zip(forming_limit) {
+        (limit.points, limit.strain, limit.measured) = (measured.points, limit.strain.or(measured.strain), None);
+        source.note(format!("forming limit: the measured points of {name}"));
     }
-    own.anisotropy = own.anisotropy.or(known.anisotropy);
-    own.yield_condition = own.yield_condition.or(known.yield_condition);
-    own.rate = own.rate.or(known.rate);
-    own.softening = own.softening.or(known.softening);
+    let own = &mut file.material;
+    let keys = ["young", "poisson", "anisotropy", "yield_condition", "rate", "softening", "hardening"];
+    let replaced = source.written("material", &keys);
+    let own_hardening = replaced.contains(&"hardening");
+    let sheets = Sheets::new(name, own_hardening, own, &sheet);
+    if own.young.is_none() && own.poisson.is_none() {
+        (own.young, own.poisson) = (sheet.young, sheet.poisson);
+    }
+    own.anisotropy = own.anisotropy.or(sheet.anisotropy);
+    own.yield_condition = own.yield_condition.or(sheet.yield_condition);
+    own.rate = own.rate.or(sheet.rate);
+    own.softening = own.softening.or(sheet.softening);
     if !own_hardening {
         let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
-        if let Some(shifting) = elastoplastic.filter(|_| shifts) {
-            (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
+        let law = if let Some(shifting) = elastoplastic.filter(|_| shifts) {
             source.note(format!("material {name}: with its back-stresses, and the hardening without them"));
+            shifting
         } else {
-            own.hardening = known.hardening;
-        }
-        own.fitted_up_to = own.fitted_up_to.or(known.fitted_up_to);
+            file::Material { kinematic: own.kinematic.clone(), ..sheet }
+        };
+        (own.kinematic, own.hardening) = (law.kinematic, law.hardening);
+        own.fitted_up_to = own.fitted_up_to.or(law.fitted_up_to);
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
@@ -153,15 +149,6 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     // The sheet's thickness belongs to its own law only.
     let thickness = thickness.filter(|_| !own_hardening).and_then(|range| Thickness::parse(name, &range));
     Ok(Taken { sheets, thickness })
-}
-
-/// Puts the measured points of a sheet of the library where a case asks for them.
-fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile, source: &Source) {
-    let limit = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none());
-    if let Some((limit, known)) = limit.zip(known) {
-        (limit.points, limit.strain, limit.measured) = (known.points, limit.strain.or(known.strain), None);
-        source.note(format!("forming limit: the measured points of {name}"));
-    }
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {

@@ -1,44 +1,26 @@
 //! Thickness tolerances of sheet by standards.
 
 /// Standard of thickness tolerances.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 pub enum Standard {
     /// Cold-rolled steel with less than 260 MPa of specified yield stress, normal tolerances, up to 1200 mm wide.
+    #[serde(rename = "EN 10131")]
     En10131,
     /// Cold-rolled aluminium of alloy group II, up to 1000 mm wide.
+    #[serde(rename = "EN 485-4")]
     En485,
 }
 
-/// Rows of a standard: thickness up to which \[mm\], and its tolerance to either side \[mm\].
-type Rows = &'static [(f64, f64)];
-const EN_10131: Rows = &[
-    (0.40, 0.03),
-    (0.60, 0.03),
-    (0.80, 0.04),
-    (1.00, 0.05),
-    (1.20, 0.06),
-    (1.60, 0.08),
-    (2.00, 0.10),
-    (2.50, 0.12),
-    (3.00, 0.15),
-];
-const EN_485: Rows = &[
-    (0.4, 0.03),
-    (0.5, 0.03),
-    (0.8, 0.04),
-    (1.2, 0.05),
-    (1.5, 0.07),
-    (1.8, 0.08),
-    (2.0, 0.09),
-    (2.5, 0.10),
-    (3.0, 0.11),
-    (3.5, 0.12),
+/// Thicknesses up to which a row of a standard goes, and its tolerances to either side \[mm\].
+type Rows = [&'static [f64]; 2];
+const EN_10131: Rows =
+    [&[0.4, 0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 2.5, 3.0], &[0.03, 0.03, 0.04, 0.05, 0.06, 0.08, 0.10, 0.12, 0.15]];
+const EN_485: Rows = [
+    &[0.4, 0.5, 0.8, 1.2, 1.5, 1.8, 2.0, 2.5, 3.0, 3.5],
+    &[0.03, 0.03, 0.04, 0.05, 0.07, 0.08, 0.09, 0.10, 0.11, 0.12],
 ];
 
 impl Standard {
-    /// All standards.
-    pub const ALL: [Self; 2] = [Self::En10131, Self::En485];
-
     /// Name of the standard.
     pub fn name(self) -> &'static str {
         match self {
@@ -63,12 +45,12 @@ impl Standard {
 
     /// Tolerance of a thickness to either side \[mm\]; `None` if the standard does not have it.
     pub fn tolerance(self, thickness: f64) -> Option<f64> {
-        let (rows, least) = match self {
+        let ([up_to, tolerances], least) = match self {
             Self::En10131 => (EN_10131, 0.35),
             Self::En485 => (EN_485, 0.2),
         };
-        let row = rows.iter().find(|(up_to, _)| thickness <= *up_to)?;
-        (thickness >= least).then_some(row.1)
+        let row = up_to.iter().position(|most| thickness <= *most)?;
+        (thickness >= least).then_some(tolerances[row])
     }
 }
 

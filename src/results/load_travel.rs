@@ -27,18 +27,18 @@ const BEFORE: [Field<StepRecord>; 7] = [
     ),
 ];
 const BEHIND: [Field<StepRecord>; 25] = [
-    Field::energy("work_external", "External work", |s| JOULES * s.work.external),
-    Field::energy("work_plastic", "Plastic work", |s| JOULES * s.work.plastic),
-    Field::energy("work_friction", "Friction work", |s| JOULES * s.work.friction),
-    Field::energy("work_contact", "Contact work", |s| JOULES * s.work.contact),
-    Field::energy("work_cutoff", "Work in cut-off points", |s| JOULES * s.work.cutoff),
+    Field::new("work_external", "External work", Unit::Joule, |s| JOULES * s.work.external),
+    Field::new("work_plastic", "Plastic work", Unit::Joule, |s| JOULES * s.work.plastic),
+    Field::new("work_friction", "Friction work", Unit::Joule, |s| JOULES * s.work.friction),
+    Field::new("work_contact", "Contact work", Unit::Joule, |s| JOULES * s.work.contact),
+    Field::new("work_cutoff", "Work in cut-off points", Unit::Joule, |s| JOULES * s.work.cutoff),
     POLE_HEIGHT,
     PRESSURE,
     Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
     Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
     Field::new("ironing", "Reduction by ironing over thickness", Unit::None, |s| s.ironing),
-    Field::force("ironing_force", "Ironing force of the die", |s| s.ironing_force),
-    Field::force("ironing_friction", "Friction in the ironing force", |s| s.ironing_friction),
+    Field::new("ironing_force", "Ironing force of the die", Unit::N, |s| s.ironing_force),
+    Field::new("ironing_friction", "Friction in the ironing force", Unit::N, |s| s.ironing_friction),
     Field::new("ironing_pressure", "Largest ironing pressure", Unit::MPa, |s| s.ironing_pressure),
     Field::new("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
     Field::new("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
@@ -59,9 +59,9 @@ const VOIDS: [Field<StepRecord>; 1] = [Field::new("porosity", "Largest porosity"
 const HEAT: [Field<StepRecord>; 5] = [
     Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
     Field::new("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS),
-    Field::energy("heat_plastic", "Heat from plastic work", |s| JOULES * s.heat.plastic),
-    Field::energy("heat_tools", "Heat from the tools", |s| JOULES * s.heat.tools),
-    Field::energy("heat_stored", "Heat stored in the sheet", |s| JOULES * s.heat.stored),
+    Field::new("heat_plastic", "Heat from plastic work", Unit::Joule, |s| JOULES * s.heat.plastic),
+    Field::new("heat_tools", "Heat from the tools", Unit::Joule, |s| JOULES * s.heat.tools),
+    Field::new("heat_stored", "Heat stored in the sheet", Unit::Joule, |s| JOULES * s.heat.stored),
 ];
 
 /// One row per accepted step.

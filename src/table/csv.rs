@@ -6,11 +6,9 @@ use csv::StringRecord;
 
 /// Most rows: a hundred times what a drawn curve needs.
 const MOST: usize = 100_000;
-
 /// Longest line \[bytes\]: hundreds of columns.
 const LONGEST_LINE: usize = 10_000;
-
-/// Longest quotation from a file, in characters.
+/// Longest quotation from a file \[characters\].
 const LONGEST: usize = 40;
 
 const DECIMALS: &str = "write decimals with a point, not a comma: 30.5";
@@ -47,10 +45,8 @@ pub struct CsvError {
     pub help: String,
 }
 
-impl CsvError {
-    fn new(line: impl Into<Option<usize>>, what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { line: line.into(), what: what.into(), help: help.into() }
-    }
+fn refused<T>(line: impl Into<Option<usize>>, what: impl Into<String>, help: &str) -> Result<T, CsvError> {
+    Err(CsvError { line: line.into(), what: what.into(), help: help.to_owned() })
 }
 
 impl Csv {
@@ -61,34 +57,33 @@ impl Csv {
     pub fn read(text: &str, name: &str, example: &str) -> Result<Self, CsvError> {
         if let Some(i) = text.lines().position(|line| line.len() > LONGEST_LINE && !line.starts_with('#')) {
             let what = format!("{name} is no table of numbers: line {} is longer than {LONGEST_LINE} bytes", i + 1);
-            return Err(CsvError::new(None, what, example));
+            return refused(None, what, example);
         }
         let mut reader = csv::ReaderBuilder::new();
         reader.comment(Some(b'#')).trim(csv::Trim::All).flexible(true).has_headers(false);
-        let mut records = reader.from_reader(text.as_bytes()).into_records().map(|fields| {
-            fields.map(|fields| Record { line: line_of(&fields, text), fields }).map_err(|error| {
-                let line = error.position().map_or(1, |p| p.line() as usize);
-                CsvError::new(line, format!("this is not CSV: {error}"), example)
-            })
-        });
-        let header = records.next().ok_or_else(|| CsvError::new(1, format!("{name} is empty"), example))??;
-        let first = records.next().transpose()?;
-        header.names_columns(first.as_ref(), name, example)?;
         let mut rows = Vec::new();
-        for row in first.into_iter().map(Ok).chain(records) {
-            let row = row?;
-            let (numbers, columns) = (row.fields.len(), header.fields.len());
-            if numbers > columns {
-                return Err(CsvError::new(
-                    row.line,
-                    format!("{numbers} numbers stand under {columns} columns"),
-                    DECIMALS,
-                ));
+        for fields in reader.from_reader(text.as_bytes()).into_records() {
+            let fields = match fields {
+                Ok(fields) => fields,
+                Err(error) => {
+                    let line = error.position().map_or(1, |p| p.line() as usize);
+                    return refused(line, format!("this is not CSV: {error}"), example);
+                }
+            };
+            rows.push(Record { line: line_of(&fields, text), fields });
+            if rows.len() > MOST + 1 {
+                return refused(rows[MOST + 1].line, format!("there are more than {MOST} rows"), "thin them out");
             }
-            if rows.len() == MOST {
-                return Err(CsvError::new(row.line, format!("there are more than {MOST} rows"), "thin them out"));
-            }
-            rows.push(row);
+        }
+        if rows.is_empty() {
+            return refused(1, format!("{name} is empty"), example);
+        }
+        let header = rows.remove(0);
+        header.names_columns(rows.first(), name, example)?;
+        let columns = header.fields.len();
+        if let Some(row) = rows.iter().find(|row| row.fields.len() > columns) {
+            let what = format!("{} numbers stand under {columns} columns", row.fields.len());
+            return refused(row.line, what, DECIMALS);
         }
         Ok(Self { header, rows, counted: "line" })
     }
@@ -99,20 +94,19 @@ impl Csv {
     /// If there is no column, they differ in length, have too many rows, or a number is infinite.
     pub fn of_columns(columns: &[(String, Vec<f64>)], name: &str, example: &str) -> Result<Self, CsvError> {
         let Some((first, values)) = columns.first() else {
-            return Err(CsvError::new(None, format!("{name} has no columns"), example));
+            return refused(None, format!("{name} has no columns"), example);
         };
-        if let Some((other, few)) = columns.iter().find(|(_, other)| other.len() != values.len()) {
-            let what = format!("`{first}` has {} rows, but `{other}` has {}", values.len(), few.len());
-            return Err(CsvError::new(None, what, "give columns of one length"));
+        for (header, column) in columns {
+            if column.len() != values.len() {
+                let what = format!("`{first}` has {} rows, but `{header}` has {}", values.len(), column.len());
+                return refused(None, what, "give columns of one length");
+            }
+            if let Some(row) = column.iter().position(|value| value.is_infinite()) {
+                return refused(None, format!("row {row} of `{header}` is infinite"), "leave it out, or make it NaN");
+            }
         }
         if values.len() > MOST {
-            return Err(CsvError::new(None, format!("there are more than {MOST} rows"), "thin them out"));
-        }
-        for (header, values) in columns {
-            if let Some(row) = values.iter().position(|value| value.is_infinite()) {
-                let what = format!("row {row} of `{header}` is infinite");
-                return Err(CsvError::new(None, what, "leave it out, or make it NaN"));
-            }
+            return refused(None, format!("there are more than {MOST} rows"), "thin them out");
         }
         let header = Record { line: 0, fields: columns.iter().map(|(header, _)| header.as_str()).collect() };
         let cell = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
@@ -148,14 +142,14 @@ impl Record {
     /// If it is no finite number.
     pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
         let field = self.fields.get(column).unwrap_or("");
-        if field.is_empty() {
-            return Ok(None);
-        }
-        let plain = "write a plain number; its unit stands in the header";
-        let help = if field.contains(',') { DECIMALS } else { plain };
-        let refused = |is: &str| CsvError::new(self.line, format!("\"{}\" is {is}", self.quoted(column)), help);
-        let number = field.parse::<f64>().map_err(|_| refused("not a number"))?;
-        if number.is_finite() { Ok(Some(number)) } else { Err(refused("no finite number")) }
+        let is = match field.parse::<f64>() {
+            _ if field.is_empty() => return Ok(None),
+            Ok(number) if number.is_finite() => return Ok(Some(number)),
+            Ok(_) => "no finite number",
+            Err(_) => "not a number",
+        };
+        let help = if field.contains(',') { DECIMALS } else { "write a plain number; its unit stands in the header" };
+        refused(self.line, format!("\"{}\" is {is}", self.quoted(column)), help)
     }
 
     /// Beginning of a column's text, for a message.
@@ -167,26 +161,25 @@ impl Record {
     fn names_columns(&self, first: Option<&Self>, name: &str, example: &str) -> Result<(), CsvError> {
         let is_number = |field: &str| field.parse::<f64>().is_ok();
         if self.fields.iter().all(is_number) {
-            return Err(CsvError::new(self.line, "the first line must name the columns, found numbers", example));
+            return refused(self.line, "the first line must name the columns, found numbers", example);
         }
         let separators = [';', '\t'];
-        let mut names = self.fields.iter().flat_map(|field| field.split(separators)).map(str::trim);
-        let is_name = |text: &str| text.chars().all(|c| c.is_alphanumeric() || c == '_');
-        let has_unit = |text: &str| Unit::of_header(text).is_ok();
-        let has_numbers =
-            || first.is_some_and(|row| row.fields.iter().flat_map(|f| f.split(separators)).any(is_number));
-        if !names.clone().all(is_name) || !names.any(has_unit) && !has_numbers() {
+        let parts = |row: &Self| row.fields.iter().flat_map(|f| f.split(separators)).map(str::to_owned).collect();
+        let (names, below): (Vec<String>, Vec<String>) = (parts(self), first.map_or(Vec::new(), parts));
+        let is_name = |text: &String| text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
+        let has_unit = names.iter().any(|name| Unit::of_header(name.trim()).is_ok());
+        if !names.iter().all(is_name) || !has_unit && !below.iter().any(|field| is_number(field)) {
             // Of a file that is something else a message shows one word only.
             let text: String = self.fields.iter().collect();
             let word: String = text.chars().take_while(|c| c.is_alphanumeric()).take(LONGEST / 2).collect();
             let what =
                 format!("{name} is no table of numbers: its first line names no columns, it begins with \"{word}\"");
-            return Err(CsvError::new(None, what, example));
+            return refused(None, what, example);
         }
         if let Some(separator) = self.fields.iter().flat_map(str::chars).find(|c| separators.contains(c)) {
             let separator = if separator == ';' { "semicolons" } else { "tabs" };
             let help = format!("separate columns by commas and write decimals with a point; {example}");
-            return Err(CsvError::new(self.line, format!("the columns are separated by {separator}"), help));
+            return refused(self.line, format!("the columns are separated by {separator}"), &help);
         }
         Ok(())
     }

@@ -8,38 +8,23 @@ use crate::model::{Extent, Geometry};
 pub struct Field<R> {
     /// Name in file headers and JSON, without the unit.
     pub key: &'static str,
+    /// Names on axes in an axisymmetric and in a plane-strain section.
     labels: [&'static str; 2],
-    measure: Measure,
+    /// Unit; newtons and joules stand for force and work in the units of an [`Extent`].
+    unit: Unit,
     /// Number of a record, in the unit.
     pub value: fn(&R) -> f64,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Measure {
-    In(Unit),
-    Force,
-    Energy,
-}
-
 impl<R> Field<R> {
-    /// Field with one label.
+    /// Field with one label; a force is in newtons, work in joules (see [`JOULES`](super::JOULES)), both of any [`Extent`].
     pub const fn new(key: &'static str, label: &'static str, unit: Unit, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], measure: Measure::In(unit), value }
-    }
-
-    /// Force, in the unit of its [`Extent`].
-    pub const fn force(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], measure: Measure::Force, value }
-    }
-
-    /// Work or heat in joules (see [`JOULES`](super::JOULES)), in the unit of its [`Extent`].
-    pub const fn energy(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], measure: Measure::Energy, value }
+        Self { key, labels: [label; 2], unit, value }
     }
 
     /// Field with labels of an axisymmetric and of a plane-strain section.
     pub const fn worded(key: &'static str, labels: [&'static str; 2], unit: Unit, value: fn(&R) -> f64) -> Self {
-        Self { key, labels, measure: Measure::In(unit), value }
+        Self { key, labels, unit, value }
     }
 
     /// Name on axes and in legends.
@@ -57,10 +42,10 @@ impl<R> Field<R> {
 
     /// Column with values of another origin.
     pub fn filled(&self, extent: Extent, values: Vec<f64>) -> Column {
-        let unit = match self.measure {
-            Measure::In(unit) => unit,
-            Measure::Force => extent.force_unit(),
-            Measure::Energy => extent.energy_unit(),
+        let unit = match self.unit {
+            Unit::N => extent.force_unit(),
+            Unit::Joule => extent.energy_unit(),
+            unit => unit,
         };
         Column::new(self.key, self.label(extent), unit, values)
     }
@@ -84,8 +69,5 @@ impl<R> Field<R> {
 
 /// Word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
 pub fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static str) -> &'static str {
-    match geometry {
-        Geometry::Axisymmetric => axisymmetric,
-        Geometry::PlaneStrain => plane_strain,
-    }
+    if geometry == Geometry::Axisymmetric { axisymmetric } else { plane_strain }
 }

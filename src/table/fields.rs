@@ -5,24 +5,24 @@ pub mod step {
     use crate::model::Geometry;
     use crate::solver::solution::StepRecord;
     use crate::table::{Column, Field, Unit, worded};
+    type Step = Field<StepRecord>;
 
     /// Punch travel \[mm\].
-    pub const TRAVEL: Field<StepRecord> = Field::new("travel", "Punch travel", Unit::Mm, |s| s.travel);
+    pub const TRAVEL: Step = Field::new("travel", "Punch travel", Unit::Mm, |s| s.travel);
     /// Force of the punch on the sheet \[N, or N/mm\].
-    pub const PUNCH_FORCE: Field<StepRecord> = Field::force("punch_force", "Punch force", |s| s.punch_force);
+    pub const PUNCH_FORCE: Step = Field::new("punch_force", "Punch force", Unit::N, |s| s.punch_force);
     /// Force of the holder on the sheet \[N, or N/mm\].
-    pub const HOLDER_FORCE: Field<StepRecord> = Field::force("holder_force", "Holder force", |s| s.holder_force);
+    pub const HOLDER_FORCE: Step = Field::new("holder_force", "Holder force", Unit::N, |s| s.holder_force);
     /// Force of the held edge, outward \[N, or N/mm\].
-    pub const EDGE_FORCE: Field<StepRecord> = Field::force("edge_force", "Edge force", |s| s.edge_force);
+    pub const EDGE_FORCE: Step = Field::new("edge_force", "Edge force", Unit::N, |s| s.edge_force);
     /// Inward motion of the edge \[mm\].
-    pub const DRAW_IN: Field<StepRecord> = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);
+    pub const DRAW_IN: Step = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);
     /// Thickness of the thinnest element \[mm\].
-    pub const THINNEST: Field<StepRecord> = Field::new("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest);
+    pub const THINNEST: Step = Field::new("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest);
     /// Height of the sheet's middle above the flat blank \[mm\].
-    pub const POLE_HEIGHT: Field<StepRecord> =
-        Field::new("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height);
+    pub const POLE_HEIGHT: Step = Field::new("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height);
     /// Gas pressure on the lower face less that on the upper \[MPa\].
-    pub const PRESSURE: Field<StepRecord> = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure);
+    pub const PRESSURE: Step = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure);
 
     /// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
     pub fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
@@ -32,58 +32,54 @@ pub mod step {
     }
 }
 
-/// Fields of an element at an instant.
+/// Fields of an element at an instant; stresses are Cauchy's, means over the thickness, strains are logarithmic.
 pub mod element {
     use crate::solver::solution::ElementRecord;
     use crate::table::{Field, Unit};
     use crate::units::ZERO_CELSIUS;
+    type Element = Field<ElementRecord>;
+
+    const INITIAL: [&str; 2] = ["Initial distance from the axis", "Initial distance from the symmetry plane"];
+    const PRESENT: [&str; 2] = ["Distance from the axis", "Distance from the symmetry plane"];
+    const ALONG: [&str; 2] = ["Meridional strain", "In-plane strain"];
+    const ACROSS: [&str; 2] = ["Hoop strain", "Out-of-plane strain"];
+    const STRESS_ALONG: [&str; 2] = ["Meridional stress", "In-plane stress"];
+    const STRESS_ACROSS: [&str; 2] = ["Hoop stress", "Out-of-plane stress"];
 
     /// Initial distance from the axis or symmetry plane \[mm\].
-    pub const S0: Field<ElementRecord> = Field::worded(
-        "s0",
-        ["Initial distance from the axis", "Initial distance from the symmetry plane"],
-        Unit::Mm,
-        |e| e.s0,
-    );
+    pub const S0: Element = Field::worded("s0", INITIAL, Unit::Mm, |e| e.s0);
     /// Distance from the axis or symmetry plane \[mm\].
-    pub const R: Field<ElementRecord> =
-        Field::worded("r", ["Distance from the axis", "Distance from the symmetry plane"], Unit::Mm, |e| e.r);
+    pub const R: Element = Field::worded("r", PRESENT, Unit::Mm, |e| e.r);
     /// Height along the punch travel \[mm\].
-    pub const Z: Field<ElementRecord> = Field::new("z", "z, along punch travel", Unit::Mm, |e| e.z);
+    pub const Z: Element = Field::new("z", "z, along punch travel", Unit::Mm, |e| e.z);
     /// Thickness \[mm\].
-    pub const THICKNESS: Field<ElementRecord> = Field::new("thickness", "Thickness", Unit::Mm, |e| e.thickness);
-    /// Logarithmic strain along the section \[–\].
-    pub const STRAIN_MERIDIONAL: Field<ElementRecord> =
-        Field::worded("strain_meridional", ["Meridional strain", "In-plane strain"], Unit::None, |e| {
-            e.strain_meridional
-        });
-    /// Logarithmic strain across the section \[–\].
-    pub const STRAIN_HOOP: Field<ElementRecord> =
-        Field::worded("strain_hoop", ["Hoop strain", "Out-of-plane strain"], Unit::None, |e| e.strain_hoop);
+    pub const THICKNESS: Element = Field::new("thickness", "Thickness", Unit::Mm, |e| e.thickness);
+    /// Strain along the section \[–\].
+    pub const STRAIN_MERIDIONAL: Element =
+        Field::worded("strain_meridional", ALONG, Unit::None, |e| e.strain_meridional);
+    /// Strain across the section \[–\].
+    pub const STRAIN_HOOP: Element = Field::worded("strain_hoop", ACROSS, Unit::None, |e| e.strain_hoop);
     /// ln(t/t₀) \[–\].
-    pub const STRAIN_THICKNESS: Field<ElementRecord> =
+    pub const STRAIN_THICKNESS: Element =
         Field::new("strain_thickness", "Thickness strain", Unit::None, |e| e.strain_thickness);
     /// Equivalent plastic strain, mean over the thickness \[–\].
-    pub const STRAIN_EQUIVALENT: Field<ElementRecord> =
+    pub const STRAIN_EQUIVALENT: Element =
         Field::new("strain_equivalent", "Equivalent strain", Unit::None, |e| e.strain_equivalent);
-    /// Cauchy stress along the section, mean over the thickness \[MPa\].
-    pub const STRESS_MERIDIONAL: Field<ElementRecord> =
-        Field::worded("stress_meridional", ["Meridional stress", "In-plane stress"], Unit::MPa, |e| {
-            e.stress_meridional
-        });
-    /// Cauchy stress across the section, mean over the thickness \[MPa\].
-    pub const STRESS_HOOP: Field<ElementRecord> =
-        Field::worded("stress_hoop", ["Hoop stress", "Out-of-plane stress"], Unit::MPa, |e| e.stress_hoop);
+    /// Stress along the section \[MPa\].
+    pub const STRESS_MERIDIONAL: Element =
+        Field::worded("stress_meridional", STRESS_ALONG, Unit::MPa, |e| e.stress_meridional);
+    /// Stress across the section \[MPa\].
+    pub const STRESS_HOOP: Element = Field::worded("stress_hoop", STRESS_ACROSS, Unit::MPa, |e| e.stress_hoop);
     /// Equivalent plastic strain, largest over the thickness \[–\].
-    pub const STRAIN_EQUIVALENT_MAX: Field<ElementRecord> =
+    pub const STRAIN_EQUIVALENT_MAX: Element =
         Field::new("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max);
     /// 1 where the element bends, 0 where it is a membrane.
-    pub const BENDING: Field<ElementRecord> =
+    pub const BENDING: Element =
         Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
     /// Void volume fraction \[–\].
-    pub const POROSITY: Field<ElementRecord> = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
+    pub const POROSITY: Element = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
     /// Temperature \[°C\].
-    pub const TEMPERATURE: Field<ElementRecord> =
+    pub const TEMPERATURE: Element =
         Field::new("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS);
 }
 
@@ -91,12 +87,12 @@ pub mod element {
 pub mod path {
     use crate::table::{Column, Unit};
 
-    /// The smaller strain in the sheet's plane \[–\].
+    /// Smaller strain in the sheet's plane \[–\].
     pub fn minor(values: Vec<f64>) -> Column {
         Column::new("strain_minor", "Minor true strain, mid-surface", Unit::None, values)
     }
 
-    /// The larger one \[–\].
+    /// Larger strain in the sheet's plane \[–\].
     pub fn major(values: Vec<f64>) -> Column {
         Column::new("strain_major", "Major true strain, mid-surface", Unit::None, values)
     }

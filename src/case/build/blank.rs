@@ -52,8 +52,8 @@ pub(super) fn depth(case: &CaseFile, source: &Source) -> Result<Option<f64>, Cas
 
 pub(super) fn convert(case: &CaseFile, source: &Source) -> Result<Blank, CaseError> {
     let file = &case.blank;
-    let (radius, diameter) = (("radius", file.radius), ("diameter", file.diameter));
-    let (key, length) = radius_of(source, "blank", case.geometry, radius, diameter, ("half_length", file.half_length))?;
+    let (keys, lengths) = (["radius", "diameter", "half_length"], [file.radius, file.diameter, file.half_length]);
+    let (key, length) = radius_of(source, "blank", case.geometry, keys, lengths)?;
     let thickness = file.thickness.value();
     let (long, thick) = (rounded(length), rounded(thickness));
     let what = format!("`thickness` must lie between 0.001 and 50 mm, found {thick} mm");
@@ -65,14 +65,11 @@ pub(super) fn convert(case: &CaseFile, source: &Source) -> Result<Blank, CaseErr
     let what = format!("a blank of {long} mm is too small for a thickness of {thick} mm");
     let help = "shells are at least five thicknesses long: check the units";
     source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
-    let layers = match file.theory {
-        Theory::Bending | Theory::Selective => {
-            count(source, "blank.layers", file.layers.unwrap_or_else(|| default_layers(case)), 3..=101)?
-        }
-        Theory::Membrane => {
-            source.note("membrane theory: bending stiffness is left out, one point through the thickness");
-            1
-        }
+    let layers = if file.theory == Theory::Membrane {
+        source.note("membrane theory: bending stiffness is left out, one point through the thickness");
+        1
+    } else {
+        count(source, "blank.layers", file.layers.unwrap_or_else(|| default_layers(case)), 3..=101)?
     };
     Ok(Blank {
         length,

@@ -1,7 +1,6 @@
 //! `[[compare]]`.
 
 use super::lines::Named;
-use super::values::keys_present;
 use crate::case::comparison::{Against, BandSpec, CurveSpec, Data, SOURCES, Source as Provenance, Spec};
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::files::{self, FileError};
@@ -56,10 +55,8 @@ impl Entry<'_> {
             self.require(limited, "quantity", what, "add [forming_limit] with hill = true, or points")?;
         }
         let against = if c.quantity.is_curve() { self.curve()? } else { self.band()? };
-        let (reference, data) = match reference {
-            Some((path, data)) => (path, Some(data)),
-            None => (candidates[0].clone(), None),
-        };
+        let (reference, data) =
+            reference.map_or_else(|| (candidates[0].clone(), None), |(path, data)| (path, Some(data)));
         let Compare { reason, optional, demonstration, .. } = c.clone();
         Ok(Spec { reference, data, against, reason, optional, demonstration })
     }
@@ -84,55 +81,42 @@ impl Entry<'_> {
     }
 
     fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<(), CaseError> {
-        let path = format!("compare.{}.{key}", self.i);
-        self.source.require(ok, path.trim_end_matches('.'), what, help)
+        self.source.require(ok, &format!("compare.{}.{key}", self.i), what, help)
     }
 
-    /// Checks the keys of the entry: none that has no use, none that is missing.
-    fn keys<const N: usize, const M: usize>(
-        &self,
-        help: &str,
-        foreign: [(&'static str, bool); N],
-        missing: [(&'static str, bool); M],
-    ) -> Result<(), CaseError> {
-        for key in keys_present(foreign) {
-            self.require(false, key, format!("`{key}` does not apply here"), help)?;
-        }
-        let missing: Vec<String> = keys_present(missing).into_iter().map(|key| format!("`{key}`")).collect();
-        let what = format!("{} missing in [[compare]] number {}", missing.join(" and "), self.i + 1);
-        self.require(missing.is_empty(), "", what, help)
+    /// Checks that the entry has the `needed` keys, and none of the `foreign` ones.
+    fn keys(&self, foreign: &[&str], needed: &[&str], help: &str) -> Result<(), CaseError> {
+        let table = format!("compare.{}", self.i);
+        self.source.refuse(&table, foreign, "does not apply here", help)?;
+        let written = self.source.written(&table, needed);
+        let missing = needed.iter().find(|key| !written.contains(key));
+        let what = format!("`{}` is missing in [[compare]] number {}", missing.unwrap_or(&""), self.i + 1);
+        self.source.require(missing.is_none(), &table, what, help)
     }
 
     fn curve(&self) -> Result<Against, CaseError> {
-        let c = self.c;
-        let help = format!("`{}` is compared along a curve: give x, y and tolerance", c.quantity.name());
-        let missing = [("x", c.x.is_none()), ("y", c.y.is_none()), ("tolerance", c.tolerance.is_none())];
-        self.keys(&help, [("band", c.band.is_some()), ("error", c.error.is_some())], missing)?;
-        let range = c.range.map(|[from, to]| (from.value(), to.value()));
+        let Compare { quantity, x, y, range, tolerance, .. } = self.c.clone();
+        let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
+        self.keys(&["band", "error"], &["x", "y", "tolerance"], &help)?;
+        let range = range.map(|[from, to]| (from.value(), to.value()));
         if let Some((from, to)) = range {
             let what = format!("`range` must rise, found {from} to {to}");
             self.require(from < to, "range", what, &format!("write range = [{to}, {from}]"))?;
         }
-        let (x, y) = (c.x.clone().unwrap_or_default(), c.y.clone().unwrap_or_default());
-        let tolerance = c.tolerance.map_or(0.0, |tolerance| tolerance.value());
-        Ok(Against::Curve(CurveSpec { quantity: c.quantity, x, y, range, tolerance }))
+        let (x, y, tolerance) = (x.unwrap_or_default(), y.unwrap_or_default(), tolerance.map_or(0.0, |t| t.value()));
+        Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
     }
 
     fn band(&self) -> Result<Against, CaseError> {
-        let c = self.c;
+        let Compare { quantity, band, error, .. } = self.c.clone();
         let help = format!(
-            "`{}` is compared with the band that values span: give `band` the columns that hold them, as in band = [\"low_mm\", \"high_mm\"]",
-            c.quantity.name()
+            "`{}` is compared with the band that values span: give `band` the columns that hold them, as in \
+             band = [\"low_mm\", \"high_mm\"]",
+            quantity.name()
         );
-        let foreign = [
-            ("x", c.x.is_some()),
-            ("y", c.y.is_some()),
-            ("range", c.range.is_some()),
-            ("tolerance", c.tolerance.is_some()),
-        ];
-        self.keys(&help, foreign, [("band", c.band.is_none())])?;
-        let columns = c.band.clone().unwrap_or_default();
+        self.keys(&["x", "y", "range", "tolerance"], &["band"], &help)?;
+        let columns = band.unwrap_or_default();
         self.require(!columns.is_empty(), "band", "`band` names no column", &help)?;
-        Ok(Against::Band(BandSpec { quantity: c.quantity, columns, error: c.error.clone() }))
+        Ok(Against::Band(BandSpec { quantity, columns, error }))
     }
 }

@@ -39,14 +39,21 @@ impl Counter<'_> {
         let by = table.by.ok_or_else(|| source.missing(path, "by"))?.value();
         let original = self.original("offset_of")?;
         if role == Role::Punch || table.shoulder.is_none() {
-            let help = "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-            source.refuse(path, &["shoulder", "closed_at"], "belongs to a die made from a punch, with its shoulder", help)?;
+            let help =
+                "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
+            source.refuse(
+                path,
+                &["shoulder", "closed_at"],
+                "belongs to a die made from a punch, with its shoulder",
+                help,
+            )?;
         }
         let axis = if role == Role::Punch { original.last().x } else { original.first().x };
         let what = format!("the {other} does not reach the axis, it begins at r = {axis:.4} mm: its offset is open");
         source.require(axis <= 1e-6, path, what, format!("draw the {name}, or give the {other} a bottom"))?;
         let line = original.offset(by).map_err(|error| {
-            let help = format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
+            let help =
+                format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
             self.error("by", format!("the {other} has no offset of {by} mm: {error}"), help)
         })?;
         let (die, closed_at) = if let Some(shoulder) = table.shoulder {
@@ -109,23 +116,25 @@ impl Counter<'_> {
     /// Die around a punch that has moved by `depth` \[mm\], with a face where the flat sheet lies.
     fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
         let sheet = &self.context.sheet;
-        let die = line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, REACH * sheet.length).map_err(|error| {
-            let (key, help) = match error {
-                CavityError::Below { .. } => {
-                    ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
-                }
-                CavityError::Above { .. } => {
-                    ("shoulder", "draw the punch's wall further down, or close the tools earlier")
-                }
-                CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
-            };
-            let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
-            self.error(key, format!("the die around the punch: {error}"), help)
-        })?;
+        let die =
+            line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, REACH * sheet.length).map_err(|error| {
+                let (key, help) = match error {
+                    CavityError::Below { .. } => {
+                        ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
+                    }
+                    CavityError::Above { .. } => {
+                        ("shoulder", "draw the punch's wall further down, or close the tools earlier")
+                    }
+                    CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
+                };
+                let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
+                self.error(key, format!("the die around the punch: {error}"), help)
+            })?;
         let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), sheet.length);
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
         let (smaller, path) = (end - edge, format!("{}.shoulder", self.path));
-        let help = format!("the blank must reach past the shoulder to rest on the die: make that {smaller:.3} mm smaller");
+        let help =
+            format!("the blank must reach past the shoulder to rest on the die: make that {smaller:.3} mm smaller");
         self.context.source.require(end <= edge, &path, what, help)?;
         Ok(die)
     }

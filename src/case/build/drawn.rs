@@ -48,7 +48,8 @@ impl Drawn {
 
     /// Refuses a chain that turns back on itself or crosses itself.
     pub fn check_folds(&self, role: Role, source: &Source) -> Result<(), CaseError> {
-        let (name, help) = (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
+        let (name, help) =
+            (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
         let end_name = |piece: usize| match &self.origin {
             Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
             _ => format!("step {}", piece + 1),
@@ -62,7 +63,9 @@ impl Drawn {
             }
             Some(Fold::Crossing { at, pieces: [i, j] }) => {
                 let (at, first, second) = (place_of(at), end_name(i), end_name(j));
-                let what = format!("the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}");
+                let what = format!(
+                    "the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}"
+                );
                 Err(self.error(j, source, what, help))
             }
         }

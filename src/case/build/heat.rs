@@ -74,7 +74,9 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Piec
 fn by_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
     let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
     let column = |name: &str, unit: Unit| {
-        let is_it = |(i, field): (usize, &str)| Some((i, csv.unit(i).ok().filter(|u| u.0 == unit && field.starts_with(name))?.1));
+        let is_it = |(i, field): (usize, &str)| {
+            Some((i, csv.unit(i).ok().filter(|u| u.0 == unit && field.starts_with(name))?.1))
+        };
         csv.header.fields.iter().enumerate().find_map(is_it).ok_or_else(|| {
             let what = format!("there is no column {}; found {}", unit.keyed(name), csv.names());
             lines.error(csv.header.line, what, EXAMPLE)

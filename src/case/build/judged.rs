@@ -1,6 +1,6 @@
 //! `[press]` and `[springback]`: ratings and tolerances for the verdict.
 
-use super::{blank, holder::force};
+use super::{blank, values::force};
 use crate::case::file::{CaseFile, HolderForce};
 use crate::case::source::Source;
 use crate::case::{CaseError, Press, Springback};
@@ -32,7 +32,7 @@ pub(in crate::case) fn springback(case: &CaseFile, source: &Source) -> Result<Sp
         source.require(case.geometry == Geometry::Axisymmetric, key, "a strip has no ring to cut", help)?;
         let released = case.stages.last().is_some_and(|stage| stage.release.is_some());
         let what = "the last stage takes no tools away: the moment that remains in the wall is not known";
-        let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" to [material]";
+        let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to [material]";
         source.require(released, key, what, help)?;
     }
     let what = "an angle of 180° or more between the legs is no bend";

@@ -38,14 +38,19 @@ pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseErr
         let mut keeps = |bytes: usize, key: &str, what: String, help: &'static str| {
             records.push((bytes, key.to_owned(), format!("stage `{name}` keeps {what}"), help));
         };
-        keeps(of_frames, &frames_key(i, source), format!("{frames} frames of {elements} elements"), "keep fewer frames");
+        keeps(
+            of_frames,
+            &frames_key(i, source),
+            format!("{frames} frames of {elements} elements"),
+            "keep fewer frames",
+        );
         let through = format!("{points} points through the thickness of {elements} elements");
         keeps(of_points, "blank.layers", through, "take fewer points");
         keeps(of_steps, "solver.max_step", format!("{steps} steps or more"), "take longer steps");
     }
     let total: usize = records.iter().map(|record| record.0).sum();
     let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
-    let (_, key, largest, help) = records.into_iter().max_by_key(|record| record.0).expect("a case has a stage");
+    let (_, key, largest, help) = records.into_iter().rev().max_by_key(|record| record.0).expect("a case has a stage");
     let what = format!("the stages ({}) fill {gigabytes:.2} GB, more than {most:.2} GB: {largest}", stages.len());
     source.require(total <= MEMORY, &key, what, format!("{help}, or fewer elements"))
 }

@@ -124,9 +124,10 @@ fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseErr
                 let what = format!("`{field}` belongs to plane-strain cases, this one is axisymmetric");
                 return Err(fail(what, "write r_mm"));
             }
-            _ => names.iter().position(|known| *known == name).ok_or_else(|| {
-                fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm")
-            })?,
+            _ => names
+                .iter()
+                .position(|known| *known == name)
+                .ok_or_else(|| fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm"))?,
         };
         let Ok((Unit::Mm, factor)) = csv.unit(i) else {
             let what = format!("the column `{field}` has no unit of length");
@@ -143,12 +144,7 @@ fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseErr
     csv.rows.iter().map(|record| row(record, &columns, names, text)).collect()
 }
 
-fn row(
-    record: &Record,
-    columns: &[Option<(usize, f64)>; 3],
-    names: [&str; 3],
-    text: &Lines,
-) -> Result<Row, CaseError> {
+fn row(record: &Record, columns: &[Option<(usize, f64)>; 3], names: [&str; 3], text: &Lines) -> Result<Row, CaseError> {
     let line = record.line;
     let fail = |what: String, help: &str| text.error(line, what, help);
     let number = |i: usize| -> Result<Option<f64>, CaseError> {
@@ -157,9 +153,8 @@ fn row(
         let length = Length::checked(value * factor, record.fields.get(column).unwrap_or(""));
         length.map(|length| Some(length.value())).map_err(|error| fail(error.to_string(), "check the header's unit"))
     };
-    let coordinate = |i: usize| {
-        number(i)?.ok_or_else(|| fail(format!("{} is missing", names[i]), "a point has two coordinates"))
-    };
+    let coordinate =
+        |i: usize| number(i)?.ok_or_else(|| fail(format!("{} is missing", names[i]), "a point has two coordinates"));
     let point = Point::new(coordinate(0)?, coordinate(1)?);
     if point.x < 0.0 {
         let what = format!("a point lies at negative {}, {} mm", names[0], point.x);

@@ -42,7 +42,8 @@ pub(super) fn convert(section: &Section, role: Role, context: &ToolContext) -> R
         }
         Section::Table(_) => {
             let what = "the profile names neither a file nor a tool to make it from";
-            let help = "write { file = \"die.csv\" }, { offset_of = \"punch\", by = \"1.2 mm\" } or { mirror_of = \"die\" }";
+            let help =
+                "write { file = \"die.csv\" }, { offset_of = \"punch\", by = \"1.2 mm\" } or { mirror_of = \"die\" }";
             return Err(source.error(&path, what, help));
         }
     };

@@ -21,7 +21,9 @@ pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseErro
         let Settings { min_step, first_step, max_step, .. } = settings;
         let given = source.written("solver", &["first_step", "max_step", "min_step"]);
         let path = format!("solver.{}", given.first().unwrap_or(&key));
-        let what = format!("steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}");
+        let what = format!(
+            "steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}"
+        );
         return Err(source.error(&path, what, "they are fractions of the travel"));
     }
     let help = match &error {

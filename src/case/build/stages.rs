@@ -184,8 +184,7 @@ impl StageContext<'_> {
         if is_shaped {
             let Model { blank, travel, .. } = &*model;
             let sheet = Sheet { extent: model.extent(), length: blank.length, thickness: blank.thickness };
-            let context =
-                ToolContext { written: self.tools, standing, sheet, travel: *travel, source: self.source };
+            let context = ToolContext { written: self.tools, standing, sheet, travel: *travel, source: self.source };
             let profile = context.new_profile(role)?;
             let friction = frictions.law(role, self.source)?;
             model.tools.retain(|tool| tool.role != role);

@@ -72,7 +72,8 @@ impl ToolContext<'_> {
             (Role::Punch, Some(punch), ..) => self.punch(punch, thickness),
             (Role::Die, _, Some(die), _) => {
                 let (throat, across) = (die.throat, die.throat_diameter);
-                let throat = self.radius("tools.die", ["throat", "throat_diameter", "throat"], [throat, across, throat])?;
+                let throat =
+                    self.radius("tools.die", ["throat", "throat_diameter", "throat"], [throat, across, throat])?;
                 let shoulder = die.shoulder.ok_or_else(|| self.source.missing("tools.die", "shoulder"))?;
                 Ok(Profile::die(throat, self.size("tools.die.shoulder", shoulder.value())?, thickness))
             }
@@ -145,7 +146,12 @@ pub(super) fn convert(context: &ToolContext, frictions: &Frictions) -> Result<Ve
     let mut tools: Vec<Tool> = Vec::new();
     for ToolKeys { role, .. } in context.written.keys() {
         let table = format!("tools.{}", role.name());
-        source.refuse(&table, &["move", "aside"], "is for tools of later stages", "drop it, or move it to [[stages]]")?;
+        source.refuse(
+            &table,
+            &["move", "aside"],
+            "is for tools of later stages",
+            "drop it, or move it to [[stages]]",
+        )?;
         let die = tools.iter().find(|tool| tool.role == Role::Die);
         let help = "add [tools.die], or drop the holder and clamp the edge";
         source.require(role != Role::Holder || die.is_some(), &table, "a holder needs a die to press against", help)?;

@@ -41,12 +41,7 @@ pub(super) fn radius_of(
 }
 
 /// Whole number within limits.
-pub(super) fn count(
-    source: &Source,
-    path: &str,
-    value: i64,
-    range: RangeInclusive<i64>,
-) -> Result<usize, CaseError> {
+pub(super) fn count(source: &Source, path: &str, value: i64, range: RangeInclusive<i64>) -> Result<usize, CaseError> {
     let key = path.rsplit('.').next().unwrap_or(path);
     let (least, most) = (range.start(), range.end());
     let what = format!("`{key}` must lie between {least} and {most}, found {value}");
@@ -69,7 +64,10 @@ pub(super) fn force<W: Dimensioned, D: Dimensioned>(
             (Extent::Ring, true) => ("that of the whole ring", "such as stiffness = \"5 kN/mm\"".to_owned()),
             (Extent::Ring, _) => ("that of the whole ring", format!("write a force, such as {key} = \"80 kN\"")),
             (_, true) => ("per mm of depth", "such as stiffness = \"50 N/mm^2\"".to_owned()),
-            _ => ("per mm of depth", format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth")),
+            _ => (
+                "per mm of depth",
+                format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth"),
+            ),
         };
         source.error(path, format!("{case} `{key}` is {refers}"), help)
     })?;

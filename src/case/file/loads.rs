@@ -164,14 +164,14 @@ pub type Stiffness = Extensive<LineForce, Stress>;
 
 /// Quantity of the whole section, or the same per mm of depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extensive<W, D> {
+pub enum Extensive<W, P> {
     /// Whole section: axisymmetric, or in plane strain over a known depth.
     InAll(NonNegative<W>),
     /// Per mm of depth, plane strain.
-    PerDepth(NonNegative<D>),
+    PerDepth(NonNegative<P>),
 }
 
-impl<W: Dimensioned, D: Dimensioned> Extensive<W, D> {
+impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     /// Value in the units of the extent; else the case that it does not fit.
     pub fn in_extent(self, extent: Extent) -> Result<f64, &'static str> {
         match (self, extent) {
@@ -184,7 +184,7 @@ impl<W: Dimensioned, D: Dimensioned> Extensive<W, D> {
     }
 
     fn read<E: Error>(text: &str) -> Result<Self, E> {
-        match parse(text).is_ok_and(|parsed| parsed.dimension == D::KIND.dimension) {
+        match parse(text).is_ok_and(|parsed| parsed.dimension == P::KIND.dimension) {
             true => NonNegative::deserialize(text.into_deserializer()).map(Self::PerDepth),
             false => NonNegative::deserialize(text.into_deserializer()).map(Self::InAll),
         }
@@ -192,15 +192,15 @@ impl<W: Dimensioned, D: Dimensioned> Extensive<W, D> {
 }
 
 untagged!(
-    [W: Dimensioned, D: Dimensioned] Extensive<W, D>, "a value with its unit, of the whole section or per mm of depth",
+    [W: Dimensioned, P: Dimensioned] Extensive<W, P>, "a value with its unit, of the whole section or per mm of depth",
     text(text) => Extensive::read(text),
     number(value) => Extensive::read(&value.to_string())
 );
 
 inline_schema!(
-    [W: Dimensioned, D: Dimensioned] Extensive<W, D>, format!("{} in all or per depth", W::KIND.name),
+    [W: Dimensioned, P: Dimensioned] Extensive<W, P>, format!("{} in all or per depth", W::KIND.name),
     |_generator| {
-        let quantity = [W::KIND, D::KIND].map(Kind::measured).join(", or ");
-        schemars::json_schema!({ "type": "string", "examples": [W::KIND.examples[0], D::KIND.examples[0]], "x-quantity": quantity })
+        let quantity = [W::KIND, P::KIND].map(Kind::measured).join(", or ");
+        schemars::json_schema!({ "type": "string", "examples": [W::KIND.examples[0], P::KIND.examples[0]], "x-quantity": quantity })
     }
 );

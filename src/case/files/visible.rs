@@ -1,7 +1,6 @@
 //! Text from outside, for a screen.
 
 use std::borrow::Cow;
-use std::fmt::Write;
 
 /// The text with what a terminal would obey written as its code: a title that holds an escape shows `\u001b`.
 ///
@@ -10,16 +9,12 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(is_obeyed) {
         return Cow::Borrowed(text);
     }
-    let mut shown = String::with_capacity(text.len() + 64);
-    let mut rest = text.chars().peekable();
-    while let Some(c) = rest.next() {
-        if is_obeyed(c) && !(c == '\r' && rest.peek() == Some(&'\n')) {
-            let _ = write!(shown, "\\u{:04x}", u32::from(c));
-        } else {
-            shown.push(c);
-        }
-    }
-    Cow::Owned(shown)
+    let shown = |(at, c): (usize, char)| match c {
+        '\r' if text[at..].starts_with("\r\n") => "\r".to_owned(),
+        c if is_obeyed(c) => format!("\\u{:04x}", u32::from(c)),
+        c => c.to_string(),
+    };
+    Cow::Owned(text.char_indices().map(shown).collect())
 }
 
 /// Control characters, and those that turn the direction of writing or end a line where none is seen to end.

@@ -7,26 +7,20 @@ use crate::material::law::Named;
 use crate::material::{BackStress, Hardening};
 use crate::model::Mode;
 use crate::units::{Dimensioned, Stress};
-use serde::de::{Error as _, IgnoredAny};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
-/// Name and text of every entry, by name.
-pub(super) const TEXTS: [(&str, &str); 14] = [
-    ("aa5754-o", include_str!("aa5754-o.toml")),
-    ("aa6016-t4", include_str!("aa6016-t4.toml")),
-    ("aa6016a-surfalex", include_str!("aa6016a-surfalex.toml")),
-    ("aa6022-t4", include_str!("aa6022-t4.toml")),
-    ("aisi304l-bar", include_str!("aisi304l-bar.toml")),
-    ("ap04xr", include_str!("ap04xr.toml")),
-    ("chalmers-steel", include_str!("chalmers-steel.toml")),
-    ("draw-die-steel", include_str!("draw-die-steel.toml")),
-    ("drawing-steel", include_str!("drawing-steel.toml")),
-    ("if-steel", include_str!("if-steel.toml")),
-    ("osu-steel", include_str!("osu-steel.toml")),
-    ("radioss-steel", include_str!("radioss-steel.toml")),
-    ("trip690", include_str!("trip690.toml")),
-    ("woo-1968", include_str!("woo-1968.toml")),
-];
+macro_rules! texts {
+    ($($name:literal)*) => {
+        /// Name and text of every entry, by name.
+        pub(super) const TEXTS: [(&str, &str); [$($name),*].len()] =
+            [$(($name, include_str!(concat!($name, ".toml")))),*];
+    };
+}
+texts! {
+    "aa5754-o" "aa6016-t4" "aa6016a-surfalex" "aa6022-t4" "aisi304l-bar" "ap04xr" "chalmers-steel" "draw-die-steel"
+    "drawing-steel" "if-steel" "osu-steel" "radioss-steel" "trip690" "woo-1968"
+}
 
 /// File of the library.
 #[derive(Clone, Debug, Deserialize)]
@@ -71,7 +65,6 @@ impl EntryFile {
 pub struct Class {
     strength: Option<[Stress; 2]>,
     /// Standard of its thickness tolerance.
-    #[serde(default, deserialize_with = "standard")]
     pub thickness: Option<Standard>,
     /// Source of the range of its strength.
     pub source: String,
@@ -87,12 +80,6 @@ impl Class {
     pub fn strength_share(&self) -> Option<f64> {
         self.strength().map(|[low, high]| (high - low) / (high + low))
     }
-}
-
-fn standard<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Standard>, D::Error> {
-    let name = String::deserialize(from)?;
-    let known = Standard::ALL.into_iter().find(|standard| standard.name() == name);
-    known.map(Some).ok_or_else(|| D::Error::custom(format!("no table of tolerances for {name}")))
 }
 
 /// Grades of standards that a sheet may be taken for.
