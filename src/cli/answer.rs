@@ -4,8 +4,8 @@ use super::say::Shown;
 use super::table::{Cell, Tone, table, toned, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
-use stampflow::study::verify::Verification;
 use stampflow::units::joined;
+use stampflow::verification::Verification;
 
 /// Answer on a case, with the error bars of a verification.
 pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> Shown {

@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use stampflow::case::Solution;
-use stampflow::study::verify::{Verification, quick, verify};
+use stampflow::verification::{Verification, quick, verify};
 
 #[derive(Debug, clap::Args)]
 pub struct ErrorBars {

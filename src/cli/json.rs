@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 use stampflow::results::comparison::Comparison;
-use stampflow::study::verify::{Bar, Verification};
-use stampflow::units::rounded;
+use stampflow::units::{ErrorBar, rounded};
+use stampflow::verification::{Number, Verification};
 
 /// A comparison with all its numbers; what was not reached is null.
 pub fn comparison(case: &str, comparison: &Comparison) -> Value {
@@ -38,16 +38,15 @@ pub fn verification(verification: &Verification) -> Value {
         })
     });
     json!({
-        "numbers": verification.bars.iter().map(bar).collect::<Vec<_>>(),
-        "told": verification.told.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "numbers": verification.numbers.iter().map(number).collect::<Vec<_>>(),
+        "told": verification.notes,
         "runs": runs.collect::<Vec<_>>(),
     })
 }
 
-/// A number with its error bar; null where it has none.
-pub fn bar(bar: &Bar) -> Value {
-    let amount = bar.number.amount;
-    let parts = bar.parts.iter().map(|part| {
+fn number(number: &Number) -> Value {
+    let quantity = &number.quantity;
+    let parts = number.contributions.iter().map(|part| {
         json!({
             "direction": part.direction.key(),
             "share": rounded(part.share),
@@ -57,11 +56,11 @@ pub fn bar(bar: &Bar) -> Value {
         })
     });
     json!({
-        "key": bar.number.key,
-        "value": rounded(amount.value),
-        "unit": amount.unit.spelled(),
-        "error_bar": bar.half.map(rounded),
-        "why_none": Some(bar.why.to_string()).filter(|why| !why.is_empty()),
+        "key": quantity.key,
+        "value": rounded(quantity.value()),
+        "unit": quantity.amount.unit.spelled(),
+        "error_bar": number.half().map(rounded),
+        "why_none": if let ErrorBar::Missing(why) = &quantity.error { Some(why) } else { None },
         "parts": parts.collect::<Vec<_>>(),
     })
 }

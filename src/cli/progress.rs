@@ -9,7 +9,7 @@ use stampflow::model::Model;
 use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
-use stampflow::study::verify as verification;
+use stampflow::verification;
 use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::sync::Mutex;

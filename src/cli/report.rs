@@ -15,7 +15,7 @@ use stampflow::report::Report;
 use stampflow::results::{is_report, write};
 use stampflow::study::MeasuredCurve;
 use stampflow::study::compare::{Candidate, SideBySide};
-use stampflow::study::verify::quick;
+use stampflow::verification::quick;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 

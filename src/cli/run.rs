@@ -109,7 +109,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             let dir = self::folder(args, several, &solution.case)?;
             let verification = args.bars.of(&solution, &progress, args.report);
             let verification = verification.as_ref();
-            let (answer, findings) = stampflow::study::verify::answered(&solution, verification);
+            let (answer, findings) = stampflow::verification::answered(&solution, verification);
             let results = Results::of(&solution)?.verified(verification).answered(&answer, &findings);
             let results = results.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.

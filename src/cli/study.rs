@@ -9,11 +9,11 @@ use super::table::{Cell, Tone, table_of, wrapped};
 use anyhow::Context;
 use serde::Serialize;
 use stampflow::results::ResultFolder;
-use stampflow::study::verify::Watch;
 use stampflow::study::{
     self, Earlier, Evaluated, Evaluation, ReportTable, RunTable, Shard, Study, StudyError, StudyReport, TableFile,
     begin, evaluate,
 };
+use stampflow::verification::Watch;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;

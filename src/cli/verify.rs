@@ -7,16 +7,15 @@ use super::json;
 use super::options::{Json, Overrides, Threads};
 use super::place;
 use super::progress::{Progress, Records};
-use super::say::{Shown, say, say_json};
+use super::say::{say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess;
-use stampflow::case::{Case, Solution};
+use stampflow::case::Case;
 use stampflow::results::verification::{BEGINNING, FILE, csv};
 use stampflow::results::write;
-use stampflow::study::verify::{Bar, Of, Verification, moved};
 use stampflow::units::Amount;
-use std::fmt::Write;
+use stampflow::verification::{Number, Origin};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -32,7 +31,6 @@ are told. What the model has wrong, laws, friction, tools, is no part of a bar.
 Examples:
   stampflow verify cases/quickstart.toml
   stampflow verify cases/quickstart.toml --out out/quickstart
-  stampflow verify cases/*.toml --markdown > verification.md
 
 Exit codes: 0 done, 2 bad input, 3 the run as it is stopped early, 130 interrupted";
 
@@ -44,9 +42,6 @@ pub struct Args {
     /// Also write verification.csv there, with every run's numbers; with several cases to DIR/<case>
     #[arg(long, alias = "output", value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Print Markdown, for documents
-    #[arg(long, conflicts_with = "json")]
-    markdown: bool,
     #[command(flatten)]
     overrides: Overrides,
     /// Show no progress
@@ -63,30 +58,30 @@ pub fn verify(args: &Args) -> anyhow::Result<Code> {
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let (mut code, mut values) = (Code::Done, Vec::new());
-    for case in cases {
-        if interrupt::is_wanted() {
-            break;
-        }
+    for case in cases.into_iter().take_while(|_| !interrupt::is_wanted()) {
         match one(args, &progress, case) {
             Ok((of_case, value)) => {
                 code = code.max(of_case);
-                values.extend(value);
+                values.push(value);
             }
             Err(error) => failed.push(error),
         }
     }
-    let said = match values.as_slice() {
-        [] => Ok(code),
-        [value] if args.cases.len() == 1 => say_json(value),
-        values => say_json(&values),
+    let printed = match values.as_slice() {
+        [value] if args.json.json && args.cases.len() == 1 => say_json(value),
+        [_, ..] if args.json.json => say_json(&values),
+        _ => Ok(code),
     };
-    failed.extend(said.err());
+    failed.extend(printed.err());
     Ok(complained(&failed, code))
 }
 
-/// Verifies a case and says it; for programs the value to be said.
-fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Option<Value>)> {
-    let path = args.path(&case)?;
+/// Verifies a case, writes its file, and prints it or returns its JSON.
+fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Value)> {
+    let path = match &args.out {
+        Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(FILE)),
+        dir => dir.as_ref().map(|dir| dir.join(FILE)),
+    };
     if let Some(path) = &path {
         place::file(path, &case.inputs, "--out")?;
         place::replaced(path, BEGINNING.as_bytes(), "--out")?;
@@ -94,92 +89,33 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     let start = Instant::now();
     let count = progress.count(format!("{}, finer", case.name));
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
-    let verification = stampflow::study::verify::verify(&solution, &count);
+    let verification = stampflow::verification::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
         write(path, &csv(&verification))?;
     }
-    let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let moved: Vec<String> = moved(&findings, &verification).into_iter().map(|moved| moved.sentence).collect();
+    let moved = verification.moved(&findings);
+    let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.json.json {
         let mut value = json::verification(&verification);
         value["case"] = json!(solution.case.name);
         value["seconds"] = json!(seconds);
-        value["lights"] = moved.iter().map(ToString::to_string).collect();
+        value["lights"] = json!(moved);
         value["file"] = json!(path);
-        return Ok((code, Some(value)));
+        return Ok((code, value));
     }
-    let told = Told { verification: &verification, moved: &moved, seconds };
-    if args.markdown {
-        say(told.markdown(&solution))?;
-    } else {
-        say(told.screen(&solution))?;
-    }
+    // Of the verdict's numbers only the forming limit's is in no other list.
+    let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
+    let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()].map(Cell::plain);
+    let rows = verification.numbers.iter().filter(is_printed).map(row).collect();
+    let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
+    let notes: String = verification.notes.iter().chain(&moved).map(|note| format!("- {note}\n")).collect();
+    say(wrapped(&format!("{title}{}\n\n", Amount::time(seconds)))
+        + table(Some(["Quantity", "Value", "Made of (observed order)"]), rows)
+        + wrapped(&format!("\n{notes}")))?;
     if let Some(path) = path {
-        say(format!("{file} is written", file = path.display()))?;
+        say(format!("{} is written", path.display()))?;
     }
-    Ok((code, None))
-}
-
-impl Args {
-    fn path(&self, case: &Case) -> anyhow::Result<Option<PathBuf>> {
-        Ok(match &self.out {
-            Some(dir) if self.cases.len() > 1 => Some(place::folder(dir, case)?.join(FILE)),
-            Some(dir) => Some(dir.join(FILE)),
-            None => None,
-        })
-    }
-}
-
-/// A verification as it is told.
-struct Told<'a> {
-    verification: &'a Verification,
-    moved: &'a [String],
-    seconds: f64,
-}
-
-const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
-
-impl Told<'_> {
-    /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
-    fn rows(&self) -> Vec<[String; 3]> {
-        let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-        let row = |bar: &Bar| [String::from(bar.number.label), String::from(bar.amount()), bar.made_of().to_string()];
-        self.verification.bars.iter().filter(told).map(row).collect()
-    }
-
-    /// Number of runs and their time.
-    fn effort(&self) -> String {
-        let finer = self.verification.outcomes.len() - 1;
-        format!("{finer} finer runs, {time}", time = Amount::time(self.seconds))
-    }
-
-    fn sentences(&self) -> impl Iterator<Item = String> {
-        self.verification.told.iter().chain(self.moved).map(|told| told.to_string())
-    }
-
-    fn screen(&self, solution: &Solution) -> Shown {
-        let headers = HEADERS.map(String::from);
-        let rows = self.rows().into_iter().map(|row| row.map(Cell::plain)).collect();
-        let mut text = String::from("\n");
-        for sentence in self.sentences() {
-            let _ = writeln!(text, "- {sentence}");
-        }
-        let title = format!("{}: {}\n\n", solution.case.name, self.effort());
-        wrapped(&title) + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
-    }
-
-    fn markdown(&self, solution: &Solution) -> String {
-        let headers = HEADERS.map(String::from);
-        let mut text = format!("### {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
-        for row in self.rows() {
-            let _ = writeln!(text, "| {} |", row.join(" | "));
-        }
-        text.push('\n');
-        for sentence in self.sentences() {
-            let _ = writeln!(text, "- {sentence}");
-        }
-        text
-    }
+    Ok((code, Value::Null))
 }

@@ -9,9 +9,9 @@ use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
 use crate::model::{Extent, Geometry, Model};
 use crate::solver::solution::{Frame, StageSolution, Stop};
-use crate::study::verify::{Band, Verification};
 use crate::table::{Unit, capitalised};
 use crate::units::{Amount, Digits};
+use crate::verification::{Band, Verification};
 use std::sync::OnceLock;
 use std::time::Duration;
 

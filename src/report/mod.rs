@@ -18,8 +18,8 @@ use crate::case::{Solution, TitleBlock};
 use crate::plot::{Dimension, StageView};
 use crate::results::Summary;
 use crate::study::compare::SideBySide;
-use crate::study::verify::{self, Told, Verification};
 use crate::units::rounded;
+use crate::verification::{self, Verification};
 use serde_json::{Map, Value, json};
 
 /// Program and version.
@@ -48,10 +48,10 @@ impl<'a> Report<'a> {
 
     /// Prepares a report with the error bars of a verified case.
     pub fn verified(solution: &'a Solution, verification: Option<&'a Verification>) -> Self {
-        Self::answered(solution, verification, verify::answered(solution, verification))
+        Self::answered(solution, verification, verification::answered(solution, verification))
     }
 
-    /// Prepares a report on a verdict from [`answered`](verify::answered), which may have taken a second solution.
+    /// Prepares a report on a verdict from [`answered`](verification::answered), which may have taken a second solution.
     pub fn answered(
         solution: &'a Solution,
         verification: Option<&'a Verification>,
@@ -98,7 +98,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
             "answer": answer,
-            "error_bars": self.verification.map(Told::from),
+            "error_bars": self.verification,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": judgements(&self.findings).collect::<Vec<_>>(),

@@ -7,7 +7,7 @@ use crate::assess::check::Line;
 use crate::assess::{Kind, Light, judgements};
 use crate::case::files::sha256;
 use crate::results::summary::{Group, section_of};
-use crate::study::verify::{Bar, Of};
+use crate::verification::{Number, Origin};
 use maud::html;
 
 const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
@@ -31,17 +31,17 @@ pub(super) fn verdict(report: &Report) -> Section {
 /// Numbers with error bars; their parts are not known from one coarser run alone.
 pub(super) fn error_bars(report: &Report) -> Option<Section> {
     let verification = report.verification?;
-    let bars: Vec<&Bar> = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict).collect();
-    let row = |bar: &Bar| {
-        let (value, unit) = bar.amount().parts();
-        [bar.number.label.to_string(), value, unit.to_owned(), bar.made_of().to_string()]
+    let numbers: Vec<&Number> = verification.numbers.iter().filter(|own| own.origin != Origin::Verdict).collect();
+    let row = |own: &Number| {
+        let (value, unit) = own.quantity.amount.parts();
+        [own.quantity.label.to_owned(), value, unit.to_owned(), own.made_of()]
     };
     let head = ["Quantity", "Value", "Unit", "Made of (observed order)"];
-    let has_parts = bars.iter().any(|bar| bar.parts.len() > 1);
+    let has_parts = numbers.iter().any(|own| own.contributions.len() > 1);
     let content = html! {
         (list(&verification.sentences(), ""))
-        @if has_parts || bars.iter().any(|bar| bar.half.is_some()) {
-            (table(&head[..if has_parts { 4 } else { 3 }], bars.into_iter().map(row)))
+        @if has_parts || numbers.iter().any(|own| own.half().is_some()) {
+            (table(&head[..if has_parts { 4 } else { 3 }], numbers.into_iter().map(row)))
         }
     };
     Some(Section::new("Error bars", content))

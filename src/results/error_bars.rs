@@ -2,8 +2,8 @@
 
 use super::csv::{number, records};
 use super::{Files, Results};
-use crate::study::verify::Band;
 use crate::table::Unit;
+use crate::verification::Band;
 
 /// Name of the file.
 pub(super) const FILE: &str = "error_bars.csv";
@@ -15,12 +15,11 @@ pub(super) fn files(results: &Results) -> Files {
     let Some(verification) = results.verification else { return Vec::new() };
     let force = results.solution.case.model().extent().force_unit();
     let mut rows = vec![HEADERS.map(str::to_owned)];
-    rows.extend(verification.bars.iter().map(|bar| {
-        let amount = bar.number.amount;
-        let half = bar.half.map_or_else(String::new, number);
-        let (told_by, key) = (bar.number.of.key().to_owned(), bar.number.key.to_owned());
-        let unit = amount.unit.spelled().to_owned();
-        [told_by, key, unit, String::new(), number(amount.value), half, bar.made_of().to_string()]
+    rows.extend(verification.numbers.iter().map(|own| {
+        let half = own.half().map_or_else(String::new, number);
+        let (quantity, unit) = (&own.quantity, own.quantity.amount.unit.spelled());
+        let [origin, key, unit] = [own.origin.key(), quantity.key, unit].map(str::to_owned);
+        [origin, key, unit, String::new(), number(quantity.value()), half, own.made_of()]
     }));
     let curves = [("punch_force", force, &verification.load), ("thickness", Unit::Mm, &verification.thickness)];
     for (key, unit, band) in curves {

@@ -4,7 +4,7 @@ use super::comparison::{CompareError, Comparison};
 use super::{Pictures, StageView};
 use crate::assess::{Answer, Finding, judgements};
 use crate::case::Solution;
-use crate::study::verify::{Told, Verification};
+use crate::verification::Verification;
 use serde_json::Value;
 
 /// Solution with its views, comparisons and error bars.
@@ -61,7 +61,7 @@ pub fn verdict(
     let mut value = serde_json::to_value(answer)?;
     value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
     if let Some(verification) = verification {
-        value["error_bars"] = serde_json::to_value(Told::from(verification))?;
+        value["error_bars"] = serde_json::to_value(verification)?;
     }
     Ok(value)
 }

@@ -1,7 +1,7 @@
 //! Numbers of a verification in every run.
 
-use super::csv::{number, records};
-use crate::study::verify::{Number, Outcome, Verification};
+use super::csv::{number as csv_number, records};
+use crate::verification::{Outcome, Verification};
 
 /// Name of the file.
 pub const FILE: &str = "verification.csv";
@@ -14,11 +14,11 @@ pub fn csv(verification: &Verification) -> Vec<u8> {
     let runs: Vec<&Outcome> = verification.outcomes.iter().filter(|run| run.direction.is_some()).collect();
     let names = runs.iter().map(|run| format!("{}_{}", run.direction.map_or("", |d| d.key()), run.times));
     let header = BEGINNING.split(',').map(str::to_owned).chain(names).collect();
-    let rows = verification.bars.iter().map(|bar| {
-        let Number { of, key, amount, .. } = &bar.number;
-        let cells = [of.key().to_owned(), (*key).to_owned(), amount.unit.spelled().to_owned()];
-        let values = [Some(amount.value), bar.half].into_iter().chain(runs.iter().map(|run| run.value(&bar.number)));
-        cells.into_iter().chain(values.map(|value| value.map_or_else(String::new, number))).collect::<Vec<_>>()
+    let rows = verification.numbers.iter().map(|own| {
+        let number = &own.quantity;
+        let cells = [own.origin.key(), number.key, number.amount.unit.spelled()].map(str::to_owned);
+        let values = [Some(number.value()), own.half()].into_iter().chain(runs.iter().map(|run| run.value(own)));
+        cells.into_iter().chain(values.map(|value| value.map_or_else(String::new, csv_number))).collect::<Vec<_>>()
     });
     records(std::iter::once(header).chain(rows))
 }

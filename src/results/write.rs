@@ -4,7 +4,7 @@ use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageVie
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
 use crate::solver::solution::Frame;
-use crate::study::verify::answered;
+use crate::verification::answered;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

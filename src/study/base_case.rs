@@ -1,9 +1,9 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
 use super::StudyError;
-use super::verify::{Watch, Watched};
 use crate::case::files::{self, CSV, Disk, Files, sha256};
 use crate::case::{self, Case, CaseError, Solution};
+use crate::verification::Watch;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -98,7 +98,7 @@ impl BaseCase {
     /// # Errors
     /// The message of a panic, which is a mistake of this program.
     pub fn solve(case: Case, watch: &dyn Watch) -> Result<Solution, String> {
-        catch_unwind(AssertUnwindSafe(|| case.solve(&mut Watched(watch)))).map_err(|panic| message(panic.as_ref()))
+        catch_unwind(AssertUnwindSafe(|| case.solve(&mut &*watch))).map_err(|panic| message(panic.as_ref()))
     }
 
     /// Hash of a case's text with its overrides and of the files that it reads.

@@ -6,25 +6,25 @@ use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::study::verify::Of;
 use crate::table::{Axis, Spacing};
 use crate::units::{Sense, Unit};
+use crate::verification::Origin;
 use contour::ContourBuilder;
 
 /// Responses by their importance.
-const FIRST: [(Of, &str); 12] = [
-    (Of::Verdict, "thinning"),
-    (Of::Answer, "punch_force"),
-    (Of::Answer, "pressure"),
-    (Of::Answer, "draw_in"),
-    (Of::Verdict, "wrinkling"),
-    (Of::Answer, "part_height"),
-    (Of::Answer, "holder_force"),
-    (Of::Verdict, "forming_limit"),
-    (Of::Answer, "ring_opening"),
-    (Of::Verdict, "springback"),
-    (Of::Part, "thickest"),
-    (Of::Verdict, "energy"),
+const FIRST: [(Origin, &str); 12] = [
+    (Origin::Verdict, "thinning"),
+    (Origin::Answer, "punch_force"),
+    (Origin::Answer, "pressure"),
+    (Origin::Answer, "draw_in"),
+    (Origin::Verdict, "wrinkling"),
+    (Origin::Answer, "part_height"),
+    (Origin::Answer, "holder_force"),
+    (Origin::Verdict, "forming_limit"),
+    (Origin::Answer, "ring_opening"),
+    (Origin::Verdict, "springback"),
+    (Origin::Part, "thickest"),
+    (Origin::Verdict, "energy"),
 ];
 /// A number varies if it spans more than this share of its largest value \[–\].
 const VARIES: f64 = 2e-3;
@@ -36,7 +36,9 @@ const OWN: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] };
 
 /// Places of the most important responses that vary.
 pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
-    let place = |(of, key): (Of, &str)| runs.responses.iter().position(|r| r.number.of == of && r.number.key == key);
+    let place = |(origin, key): (Origin, &str)| {
+        runs.responses.iter().position(|r| r.number.origin == origin && r.number.quantity.key == key)
+    };
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
         let (low, high) = span(values);
@@ -130,7 +132,7 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
             series.push(Series::silent(point, Style::Circles { color: BLACK }));
         }
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        let y = Axis::named(response.number.label, response.number.amount.unit);
+        let y = Axis::named(response.number.quantity.label, response.number.quantity.amount.unit);
         let height = if i == 0 { 230.0 } else { 150.0 };
         let panel = Panel::fit(axis_of(axis), y, height, LEAST * largest).with(series);
         let half = |run: &Run| run.errors.get(place).copied().filter(|half| half.is_finite());
@@ -163,7 +165,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], counts: &dyn Fn(&R
     }
     let mut series = markers(&points);
     let limited = runs.responses.iter().enumerate().filter_map(|(place, response)| {
-        let limits = response.limits.filter(|_| response.number.of == Of::Verdict)?;
+        let limits = response.limits.filter(|_| response.number.origin == Origin::Verdict)?;
         Some((place, limits.red?, limits.sense))
     });
     for (n, (place, limit, sense)) in limited.enumerate() {
@@ -174,7 +176,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], counts: &dyn Fn(&R
         for line in lines(&values, [columns, rows], limit) {
             let at = |(u, v): (f64, f64)| (between(&positions[0], u), between(&positions[1], v));
             let points: Vec<(f64, f64)> = line.into_iter().map(at).collect();
-            let label = format!("{} at its limit", runs.responses[place].number.label);
+            let label = format!("{} at its limit", runs.responses[place].number.quantity.label);
             let is_first = !series.iter().any(|s: &Series| s.label.as_deref() == Some(label.as_str()));
             series.push(Series { label: is_first.then_some(label), points, style: Style::curve(n) });
         }
@@ -249,7 +251,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Option<Chart> {
         let names = all.iter().rev().map(|s| sweep.axes()[s.axis].variables[0].label()).collect();
         let height = 34.0 * count as f64 + 12.0;
         let scale = Scale::Window { height, x: (low - room, high + room), y: (-0.6, count as f64 - 0.4) };
-        let x = Axis::named(number.label, number.amount.unit);
+        let x = Axis::named(number.quantity.label, number.quantity.amount.unit);
         Some(Panel::new(x, Axis::of_names("", names), scale).with(series).annotated(labels))
     };
     let panels: Vec<Panel> = deciding(runs, 4).into_iter().filter_map(panel).collect();
@@ -290,7 +292,7 @@ pub(super) fn search(
         }
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
         let x = Axis::named(variable.label(), unit).spaced(spacing);
-        let y = Axis::named(number.label, number.amount.unit);
+        let y = Axis::named(number.quantity.label, number.quantity.amount.unit);
         Panel::fit(x, y, 260.0, LEAST * largest).with(series)
     };
     let panels: Vec<Panel> = asked.into_iter().map(panel).collect();
@@ -323,7 +325,7 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Option<Cha
                 series.push(Series::silent(vec![(limit, 0.0), (limit, top)], OWN));
             }
         }
-        let x = Axis::named(response.number.label, response.number.amount.unit);
+        let x = Axis::named(response.number.quantity.label, response.number.quantity.amount.unit);
         Some(Panel::fit(x, Axis::named("Parts", Unit::None), 180.0, 1.0).with(series))
     };
     let panels: Vec<Panel> = deciding(runs, 4).into_iter().filter_map(panel).collect();

@@ -12,10 +12,10 @@ use crate::model::Geometry;
 use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::color;
 use crate::results::comparison::Computed;
-use crate::study::verify::{Number, Of, Outcome, Verification, Watch, answered, quick};
 use crate::table::Axis;
 use crate::table::fields::{element, step};
 use crate::units::{Amount, Unit};
+use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 use std::convert::Infallible;
 
 /// A case to compare.
@@ -202,7 +202,7 @@ impl SideBySide {
                     Some(change) => (change.by.into(), if change.is_beyond { "yes" } else { "no" }),
                     None => ("".into(), ""),
                 };
-                put(number.label, member, value, cell, beyond);
+                put(number.quantity.label, member, value, cell, beyond);
             }
         }
         for (i, curve) in self.curves.iter().enumerate() {
@@ -220,7 +220,7 @@ impl SideBySide {
     fn numbers(&self) -> Vec<Number> {
         let mut numbers: Vec<Number> = Vec::new();
         for number in self.members.iter().flat_map(|member| &member.outcome().numbers) {
-            if number.of != Of::Verdict && !numbers.iter().any(|known| known.is(number)) {
+            if number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number)) {
                 numbers.push(number.clone());
             }
         }
@@ -317,7 +317,7 @@ impl Member {
 
     /// A number with its error bar.
     fn number(&self, number: &Number) -> Option<Amount> {
-        self.verification.bars.iter().find(|bar| bar.number.is(number)).map(|bar| bar.amount())
+        self.verification.numbers.iter().find(|own| own.is(number)).map(|own| own.quantity.amount)
     }
 
     /// Root mean square of computed less measured, the number of points that the run has, and of all points.

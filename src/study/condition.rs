@@ -143,7 +143,7 @@ impl Comparison {
     /// When no run has the quantity, or the value is of another dimension.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(usize, f64), StudyError> {
         let place = runs.response(&self.quantity)?;
-        let unit = runs.responses[place].number.amount.unit;
+        let unit = runs.responses[place].number.quantity.amount.unit;
         let symbol = if unit == Unit::Degree { "deg" } else { unit.symbol() };
         let one = if unit == Unit::None { parse("1") } else { parse(&format!("1 {symbol}")) };
         let given = self.limit;

@@ -11,7 +11,6 @@
 //! Sweep LimitSearch Scatter        the kinds of study
 //! fit           hardening laws and keys of a case from measurements
 //! compare       several runs and measured curves side by side
-//! verify        error bars from refined runs
 //! ```
 
 mod base_case;
@@ -41,7 +40,6 @@ mod sweep;
 mod table_file;
 mod uncertain_variable;
 mod variable;
-pub mod verify;
 
 pub use crate::assess::FailureMode;
 pub use base_case::BaseCase;

@@ -1,11 +1,11 @@
 //! One evaluation: a design and the responses of its run.
 
 use super::variable::Value;
-use super::verify::{Number, Of, Outcome, Watch, quick};
 use super::{BaseCase, FailureMode};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::units::{Limits, rounded};
+use crate::verification::{Number, Origin, Outcome, Watch, quick};
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Response {
 impl Response {
     /// A value of it with its unit.
     pub fn display(&self, value: f64) -> String {
-        self.number.amount.of(value).to_string()
+        self.number.quantity.amount.of(value).to_string()
     }
 }
 
@@ -103,17 +103,17 @@ impl Run {
 
 /// Column of a number; a judged one may have the key of another.
 pub(super) fn column(number: &Number, suffix: &str) -> String {
-    let judged = if number.of == Of::Verdict { "_judged" } else { "" };
-    number.amount.unit.keyed(&format!("{}{judged}{suffix}", number.key))
+    let judged = if number.origin == Origin::Verdict { "_judged" } else { "" };
+    number.quantity.amount.unit.keyed(&format!("{}{judged}{suffix}", number.quantity.key))
 }
 
 /// Responses of a solved base case.
 pub(super) fn responses(solution: &Solution) -> (Outcome, Vec<Response>, Vec<(String, String)>) {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let outcome = Outcome::found(solution, None, &findings);
+    let outcome = Outcome::with_findings(solution, None, &findings);
     let limits = |number: &Number| {
         assess::judgements(&findings)
-            .find(|row| number.of == Of::Verdict && row.key == number.key)?
+            .find(|row| number.origin == Origin::Verdict && row.key == number.quantity.key)?
             .quantity
             .as_ref()?
             .limits
@@ -172,15 +172,16 @@ pub(super) fn evaluated(
     watch: &dyn Watch,
 ) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let outcome = Outcome::found(solution, None, &findings);
+    let outcome = Outcome::with_findings(solution, None, &findings);
     let of = |light: Light| {
         assess::judgements(&findings).filter(move |row| row.light == light).map(|row| row.key.to_owned()).collect()
     };
     let own = |response: &Response| outcome.numbers.iter().find(|number| number.is(&response.number));
-    let numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |number| rounded(number.amount.value))).collect();
+    let numbers =
+        responses.iter().map(|r| own(r).map_or(f64::NAN, |number| rounded(number.quantity.value()))).collect();
     let half_widths = if errors {
         let verification = quick(solution, &Silent(watch));
-        let half = |r: &Response| verification.bar(r.number.of, r.number.key)?.half;
+        let half = |r: &Response| verification.number(r.number.origin, r.number.quantity.key)?.half();
         responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect()
     } else {
         Vec::new()

@@ -83,13 +83,13 @@ impl RunTable {
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
         let is = |response: &Response| {
             let number = &response.number;
-            let key = number.key.to_string();
-            [plain(&key), format!("{key}_judged"), plain(&response.column), plain(number.label)]
+            let key = number.quantity.key.to_string();
+            [plain(&key), format!("{key}_judged"), plain(&response.column), plain(number.quantity.label)]
                 .iter()
                 .any(|own| own == wanted)
         };
         self.responses.iter().position(is).ok_or_else(|| {
-            let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.key).collect();
+            let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.quantity.key).collect();
             keys.dedup();
             let near = did_you_mean(wanted, keys.iter().copied());
             let what = format!("a run of this case has no number `{}`", name.trim());

@@ -234,8 +234,8 @@ impl Scatter {
             if quantiles[0] == quantiles[2] {
                 continue;
             }
-            let mut row = vec![Cell::from(number.label)];
-            row.extend(quantiles.map(|value| Cell::from(number.amount.of(value))));
+            let mut row = vec![Cell::from(number.quantity.label)];
+            row.extend(quantiles.map(|value| Cell::from(number.quantity.amount.of(value))));
             row.push(self.influences(&spread.correlations).into());
             table.rows.push(row);
         }

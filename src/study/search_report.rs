@@ -4,8 +4,8 @@ use super::bracket::{Bracket, Search, Side};
 use super::report::{Cell, ReportTable};
 use super::search::{LimitSearch, MISSED, SearchAim};
 use super::{Run, RunTable};
-use crate::study::verify::Of;
 use crate::units::significant;
+use crate::verification::Origin;
 
 impl LimitSearch {
     pub(super) fn headline(&self, runs: &RunTable) -> String {
@@ -115,14 +115,14 @@ impl LimitSearch {
             SearchAim::Reach(_, target) => target.iter().map(|(place, _)| *place).collect(),
         };
         for (place, response) in runs.responses.iter().enumerate() {
-            if response.number.of != Of::Answer && !asked.contains(&place) {
+            if response.number.origin != Origin::Answer && !asked.contains(&place) {
                 continue;
             }
             let cell = |run: &&Run| match run.numbers[place] {
-                value if value.is_finite() => Cell::from(response.number.amount.of(value)),
+                value if value.is_finite() => Cell::from(response.number.quantity.amount.of(value)),
                 _ => Cell::from("–"),
             };
-            let cells = std::iter::once(response.number.label.into()).chain(sides.iter().map(cell));
+            let cells = std::iter::once(response.number.quantity.label.into()).chain(sides.iter().map(cell));
             table.rows.push(cells.collect());
         }
         table

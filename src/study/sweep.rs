@@ -186,7 +186,7 @@ impl Sweep {
                 let told = |run: &Run| {
                     format!("{} ({})", runs.responses[response].display(run.numbers[response]), self.describe(run))
                 };
-                let label = runs.responses[response].number.label;
+                let label = runs.responses[response].number.quantity.label;
                 notes.push(format!("{label} of sound designs: {} to {}.", told(least), told(most)));
             }
         }
@@ -298,9 +298,9 @@ impl Study for Sweep {
                 let number = &runs.responses[response].number;
                 for s in self.sensitivities(runs, response) {
                     let Some([low, high]) = s.extremes() else { continue };
-                    let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.of(value)));
+                    let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.quantity.amount.of(value)));
                     table.rows.push(vec![
-                        number.label.into(),
+                        number.quantity.label.into(),
                         axis.variables[0].label().into(),
                         amount(s.own),
                         amount(low.number),

@@ -49,7 +49,7 @@ pub enum ErrorBar {
     /// Not computed.
     #[default]
     NotComputed,
-    /// Half width, in the unit of the number.
+    /// Half width, in the unit of the number; 0 if no refinement moves it.
     Half(f64),
     /// None, and the reason.
     Missing(String),
@@ -68,7 +68,10 @@ impl Quantity {
 
     /// Sets the error bar, which then limits the digits.
     pub fn with_error(self, error: ErrorBar) -> Self {
-        let amount = if let ErrorBar::Half(half) = error { self.amount.with_bar(half) } else { self.amount };
+        let amount = match error {
+            ErrorBar::Half(half) if half > 0.0 => self.amount.with_bar(half),
+            _ => self.amount,
+        };
         Self { amount, error, ..self }
     }
 
@@ -97,11 +100,15 @@ impl Serialize for Quantity {
 }
 
 impl ErrorBar {
+    /// Reason of a number without an error, such as an input.
+    pub(crate) const UNMOVED: &str = "no refinement moves it";
+
     /// Writes its entries into a map.
     pub fn write<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
         match self {
             Self::NotComputed => Ok(()),
-            Self::Half(half) => map.serialize_entry("error_bar", &rounded(*half)),
+            Self::Half(half) if *half > 0.0 => map.serialize_entry("error_bar", &rounded(*half)),
+            Self::Half(_) => Self::Missing(Self::UNMOVED.to_owned()).write(map),
             Self::Missing(why) => {
                 map.serialize_entry("error_bar", &None::<f64>)?;
                 map.serialize_entry("error_bar_reason", why)

@@ -1,7 +1,6 @@
 //! Units and their dimensions.
 
-/// Exponents of length, force, time, angle and temperature. An angle is a dimension of its own here, so that degrees
-/// are not taken for a plain number.
+/// Exponents of length, force, time, angle and temperature. An angle is a dimension, so that degrees are no plain number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension([i32; 5]);
 
@@ -32,7 +31,7 @@ impl Dimension {
         Self(sum)
     }
 
-    /// Name if there is one: "a length", "a force per length", otherwise the exponents.
+    /// Name such as "a length", otherwise the exponents.
     pub fn describe(self) -> String {
         const NAMED: [(Dimension, &str); 15] = [
             (NONE, "a plain number"),
@@ -65,7 +64,7 @@ impl Dimension {
 pub(super) struct Unit(pub &'static str, pub f64, pub Dimension);
 
 /// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
-const LBF: f64 = 4.448_221_615_260_5;
+pub(super) const LBF: f64 = 4.448_221_615_260_5;
 pub(super) const INCH: f64 = 25.4;
 
 /// Every unit that may be written.

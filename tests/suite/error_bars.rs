@@ -11,7 +11,7 @@ use stampflow::plot::chart::Style;
 use stampflow::plot::svg;
 use stampflow::report::Report;
 use stampflow::results::{OUTPUTS, Results};
-use stampflow::study::verify::{Of, Verification, Watch, answered, quick, verify};
+use stampflow::verification::{Origin, Verification, Watch, answered, quick, verify};
 use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -99,7 +99,7 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
     let tears = |answer: &Answer| answer.sentence.split(';').next().map(str::to_owned);
     assert_eq!(tears(&plain.0), tears(&barred));
-    let half = found.bar(Of::Verdict, "forming_limit").expect("a number").half.expect("a bar");
+    let half = found.number(Origin::Verdict, "forming_limit").expect("a number").half().expect("a bar");
     assert!(half < 30.0 && row(&findings).light == Light::Green, "{:?}", row(&findings));
 }
 
@@ -132,7 +132,7 @@ impl Watch for Ended {
 fn what_is_interrupted_has_no_bars_and_says_so() {
     let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
     for found in [quick(&solution, &Ended), verify(&solution, &Ended)] {
-        assert!(found.bars.iter().all(|bar| bar.half.is_none()) && found.load.is_none());
+        assert!(found.numbers.iter().all(|number| number.half().is_none()) && found.load.is_none());
         let told: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
         assert_eq!(told, ["no error bars: interrupted by the user"]);
         let (answer, _) = answered(&solution, Some(&found));

@@ -5,7 +5,7 @@ use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::model::{Mode, Motion, Role};
-use stampflow::study::verify::{answered, quick};
+use stampflow::verification::{answered, quick};
 use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
 use std::path::Path;

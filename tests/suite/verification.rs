@@ -4,12 +4,12 @@ use crate::common::cli::{stampflow, text};
 use crate::common::coverage::{Tally, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
-use stampflow::study::verify::{Of, Verification};
+use stampflow::verification::{Number, Origin, Verification};
 use std::fs;
 use std::path::Path;
 
-fn half(verification: &Verification, of: Of, key: &str) -> f64 {
-    verification.bar(of, key).and_then(|bar| bar.half).unwrap_or_else(|| panic!("{key} has a bar"))
+fn half(verification: &Verification, origin: Origin, key: &str) -> f64 {
+    verification.number(origin, key).and_then(Number::half).unwrap_or_else(|| panic!("{key} has a bar"))
 }
 
 /// Trust: the truth is what each direction comes to that is refined eight times. Sharp is a bar that a press shop would
@@ -17,15 +17,16 @@ fn half(verification: &Verification, of: Of, key: &str) -> f64 {
 #[test]
 fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
     let checked = check(shipped_case("woo_hemispherical", &[]));
-    for bar in &checked.full.bars {
-        let (Some(half), Some(truth)) = (bar.half, checked.truth(&bar.number)) else { continue };
-        let error = (truth - bar.number.amount.value).abs();
-        println!("{}: {} ± {half}, off by {error}", bar.number.key, bar.number.amount.value);
-        assert!(error <= half, "{}: {error} is beyond {half}", bar.number.key);
+    for number in &checked.full.numbers {
+        let (Some(half), Some(truth)) = (number.half(), checked.truth(number)) else { continue };
+        let (key, value) = (number.quantity.key, number.quantity.value());
+        let error = (truth - value).abs();
+        println!("{key}: {value} ± {half}, off by {error}");
+        assert!(error <= half, "{key}: {error} is beyond {half}");
     }
-    for (of, key) in [(Of::Answer, "punch_force"), (Of::Part, "half_travel_force")] {
-        let value = checked.full.bar(of, key).expect("a force").number.amount.value;
-        assert!(half(&checked.full, of, key) < 0.02 * value, "{key}");
+    for (origin, key) in [(Origin::Answer, "punch_force"), (Origin::Part, "half_travel_force")] {
+        let value = checked.full.number(origin, key).expect("a force").quantity.value();
+        assert!(half(&checked.full, origin, key) < 0.02 * value, "{key}");
     }
 }
 

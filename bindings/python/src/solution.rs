@@ -11,8 +11,8 @@ use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
 use stampflow::results::{self, Make, OUTPUTS, Output, Results, profile};
 use stampflow::solver::solution::NodeRecord;
-use stampflow::study::verify::{self, Verification};
 use stampflow::table::{Column as NamedColumn, Unit};
+use stampflow::verification::{self, Verification};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -138,8 +138,8 @@ impl Solution {
     /// Adds error bars, from one coarser run or from finer ones; returns also the exception that cut it short.
     fn verify(&self, py: Python<'_>, quick: bool, progress: Progress) -> (Self, Option<PyErr>) {
         let (verification, raised) = interruptible(py, progress, |line| match quick {
-            true => verify::quick(&self.solution, line),
-            false => verify::verify(&self.solution, line),
+            true => verification::quick(&self.solution, line),
+            false => verification::verify(&self.solution, line),
         });
         let solution = Arc::clone(&self.solution);
         (Self { solution, verification: Some(verification), verdict: OnceLock::new() }, raised)
@@ -165,7 +165,7 @@ impl Solution {
     }
 
     fn judged(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
-        py.detach(|| self.verdict.get_or_init(|| verify::answered(&self.solution, self.verification.as_ref())))
+        py.detach(|| self.verdict.get_or_init(|| verification::answered(&self.solution, self.verification.as_ref())))
     }
 
     fn results(&self, py: Python<'_>) -> PyResult<Results<'_>> {

@@ -9,11 +9,11 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::fit::{CaseFitRequest, RateKind, Reduction, Tests, fit_case, fit_laws};
-use stampflow::study::verify::Watch;
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest,
     Shard, Side, Study, StudyError, StudyReport, Sweep, begin, evaluate,
 };
+use stampflow::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;

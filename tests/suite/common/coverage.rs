@@ -4,7 +4,7 @@ use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
-use stampflow::study::verify::{Direction, Number, Of, Outcome, Verification, quick, verify};
+use stampflow::verification::{Direction, Number, Origin, Outcome, Verification, quick, verify};
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;
@@ -40,7 +40,7 @@ pub fn check(case: Case) -> Checked {
 impl Checked {
     /// The run as it is, and the deviations of all finer runs from it summed; `None` where one ended otherwise.
     pub fn truth(&self, number: &Number) -> Option<f64> {
-        let own = number.amount.value;
+        let own = number.quantity.value();
         let base = &self.full.outcomes[0];
         let deviations = self.finest.iter().map(|run| {
             let value = run.value(number).filter(|_| run.end.is_like(&base.end));
@@ -64,9 +64,9 @@ impl Checked {
             let runs: Vec<String> = runs.collect();
             println!(
                 "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
-                number.of,
-                number.key,
-                number.amount.value,
+                number.origin,
+                number.quantity.key,
+                number.quantity.value(),
                 number.resolution,
                 base.end.kind.replace(' ', "_"),
                 base.shortest,
@@ -96,15 +96,17 @@ impl Tally {
     pub fn of(checked: &[Checked]) -> Self {
         let rows = |of: fn(&Checked) -> &Verification| {
             let mut rows: Vec<Row> = Vec::new();
-            for (one, bar) in checked.iter().flat_map(|one| of(one).bars.iter().map(move |bar| (one, bar))) {
-                let shown = bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-                let Some(truth) = one.truth(&bar.number).filter(|_| shown) else { continue };
-                let i = rows.iter().position(|row| row.name == bar.number.label).unwrap_or_else(|| {
-                    rows.push(Row { name: bar.number.label.to_owned(), ..Row::default() });
+            for (one, number) in checked.iter().flat_map(|one| of(one).numbers.iter().map(move |number| (one, number)))
+            {
+                let shown = number.origin != Origin::Verdict || number.quantity.key == "forming_limit";
+                let Some(truth) = one.truth(number).filter(|_| shown) else { continue };
+                let label = number.quantity.label;
+                let i = rows.iter().position(|row| row.name == label).unwrap_or_else(|| {
+                    rows.push(Row { name: label.to_owned(), ..Row::default() });
                     rows.len() - 1
                 });
-                let error = (truth - bar.number.amount.value).abs();
-                match bar.half {
+                let error = (truth - number.quantity.value()).abs();
+                match number.half() {
                     None => rows[i].without += 1,
                     Some(half) => {
                         rows[i].inside += usize::from(error <= half);

@@ -1,10 +1,10 @@
-//! The error of a number from what it is on finer and finer levels.
+//! Error of a number from its values on finer and finer levels.
 
-/// Factor of safety on what is extrapolated with an observed order, and on the spread of what follows none \[–\].
+/// Factors of safety on an extrapolated error, and on the spread of values that follow no order \[–\].
 const EXTRAPOLATED: f64 = 1.25;
 const SPREAD: f64 = 3.0;
 
-/// An observed order is believed from the formal one over this to the formal one times this.
+/// Accepted factor between observed and formal order \[–\].
 const BELIEVED: f64 = 2.0;
 
 /// Error of a number by one direction.
@@ -12,14 +12,14 @@ const BELIEVED: f64 = 2.0;
 pub struct Estimate {
     /// Estimated upper bound of the discretisation error, in the number's unit.
     pub error: f64,
-    /// Observed order of convergence, where the differences keep their sign \[–\].
+    /// Observed order of convergence, if the differences keep their sign \[–\].
     pub order: Option<f64>,
-    /// Whether it was extrapolated with that order; else the error is the spread's.
+    /// True if it was extrapolated with that order, false if it is from the spread.
     pub extrapolated: bool,
 }
 
-/// The error of the first of the `levels`, each twice as fine as the one before: by Richardson's extrapolation where three
-/// levels show an order near the `formal` one, else by their spread.
+/// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation if three levels show an order
+/// near the `formal` one, else by their spread.
 pub fn estimate(levels: &[f64], formal: Option<f64>) -> Estimate {
     let order = match levels {
         [coarse, fine, finest, ..] => observed(coarse - fine, fine - finest),

@@ -1,10 +1,10 @@
 //! Directions of refinement.
 
-use crate::model::{Blank, Grading, Model, Stage};
+use crate::model::{Grading, Model, Stage};
 use crate::units::Amount;
 
 /// A direction in which a solution is refined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
 pub enum Direction {
     /// Elements along the meridian.
     Elements,
@@ -24,26 +24,24 @@ pub enum Direction {
     Together,
 }
 
-/// Fewest elements and points that a coarser run has.
+/// Fewest elements and points of a coarser run.
 const LEAST_ELEMENTS: usize = 8;
 const LEAST_POINTS: usize = 3;
 
 impl Direction {
-    /// Those that are refined each on its own.
+    /// Directions that are refined each on its own.
     pub const ALL: [Self; 7] =
         [Self::Elements, Self::Points, Self::Steps, Self::Stiffness, Self::Smoothing, Self::Slip, Self::CutOff];
 
     /// Name in files and JSON.
     pub fn key(self) -> &'static str {
         match self {
-            Self::Elements => "elements",
-            Self::Points => "points",
-            Self::Steps => "steps",
             Self::Stiffness => "contact_stiffness",
             Self::Smoothing => "contact_smoothing",
             Self::Slip => "slip_speed",
             Self::CutOff => "cut_off",
             Self::Together => "together",
+            plain => plain.label(),
         }
     }
 
@@ -62,22 +60,20 @@ impl Direction {
     }
 
     /// Refinement in words: `4 times the elements`.
-    pub fn told(self, times: f64) -> String {
+    pub fn text(self, times: f64) -> String {
         let n = Amount::number(times);
         match self {
-            Self::Elements => format!("{n} times the elements"),
             Self::Points => format!("{n} times the points through the thickness"),
             Self::Steps => format!("steps of 1/{n} of the length"),
-            Self::Stiffness => format!("{n} times the contact stiffness"),
-            Self::Smoothing => format!("1/{n} of the contact smoothing"),
-            Self::Slip => format!("1/{n} of the slip speed"),
             Self::CutOff => format!("1/{n} of the cut-off strain"),
             Self::Together => format!("everything {n} times as fine"),
+            Self::Elements | Self::Stiffness => format!("{n} times the {}", self.label()),
+            Self::Smoothing | Self::Slip => format!("1/{n} of the {}", self.label()),
         }
     }
 
-    /// Formal order of convergence \[–\]: two-node elements are of the second; steps and what regularises contact of the
-    /// first. `None` of the points through the thickness, whose number decides whether one lies where the stress turns about.
+    /// Formal order of convergence \[–\]; `None` for points through the thickness, which may or may not meet the reversal of
+    /// stress.
     pub fn order(self) -> Option<f64> {
         match self {
             Self::Elements => Some(2.0),
@@ -95,7 +91,7 @@ impl Direction {
         }
     }
 
-    /// The stages, each so many `times` finer, or coarser below 1; `None` where there is nothing to refine.
+    /// Stages refined by a factor, coarser below 1; `None` if there is nothing to refine.
     pub fn refined(self, stages: &[Stage], times: f64) -> Option<Vec<Stage>> {
         let mut refined = stages.to_vec();
         for stage in &mut refined {
@@ -112,7 +108,12 @@ impl Direction {
         let Model { blank, settings, .. } = model;
         let contact = !model.tools.is_empty();
         match self {
-            Self::Elements => divide(blank, times),
+            Self::Elements => {
+                if blank.grading == Grading::Radii {
+                    blank.grading = Grading::Divided { of: blank.elements };
+                }
+                blank.elements = scaled(blank.elements, times, LEAST_ELEMENTS);
+            }
             Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers, times, LEAST_POINTS),
             Self::Steps => {
                 settings.max_step = (settings.max_step / times).min(1.0);
@@ -126,13 +127,6 @@ impl Direction {
             _ => {}
         }
     }
-}
-
-fn divide(blank: &mut Blank, times: f64) {
-    if blank.grading == Grading::Radii {
-        blank.grading = Grading::Divided { of: blank.elements };
-    }
-    blank.elements = scaled(blank.elements, times, LEAST_ELEMENTS);
 }
 
 fn scaled(count: usize, times: f64, least: usize) -> usize {

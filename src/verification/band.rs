@@ -1,12 +1,9 @@
-//! The error band of a curve.
+//! Error band of a curve.
 
-use super::bar::combined;
-use super::direction::Direction;
-use super::estimate::Estimate;
+use super::{Direction, Estimate};
 use crate::numerics::interpolated;
 
-/// How far errors reach to either side, over the length of the curve \[–\]: where a coarse and a fine curve cross they agree
-/// by chance, and the error is that of the places around.
+/// Reach of an error to either side, over the length of the curve \[–\]: curves that cross agree by chance.
 const REACH: f64 = 0.04;
 
 /// Error band around a curve.
@@ -14,32 +11,25 @@ const REACH: f64 = 0.04;
 pub struct Band {
     /// Rising travel or initial distance from the axis \[mm\].
     pub x: Vec<f64>,
-    /// The lower side, in the curve's unit.
+    /// Lower side, in the curve's unit.
     pub low: Vec<f64>,
-    /// The upper side.
+    /// Upper side.
     pub high: Vec<f64>,
 }
 
-/// A curve of the run as it is, and of the runs of one direction.
-pub(super) struct Curves<'a> {
-    pub direction: Direction,
-    pub finer: Vec<&'a [(f64, f64)]>,
-}
-
 impl Band {
-    /// Around a curve, from what the finer runs of every direction have at the same places, as far as they come.
+    /// Band around a curve from the curves of finer runs, as far as they come.
     pub(super) fn around(
         curve: &[(f64, f64)],
-        directions: &[Curves],
+        directions: &[(Direction, Vec<&[(f64, f64)]>)],
         estimate: impl Fn(Direction, &[f64]) -> Estimate,
     ) -> Option<Self> {
         let half = |&(x, value): &(f64, f64)| {
-            let errors = directions.iter().map(|Curves { direction, finer }| {
-                let levels: Vec<f64> =
-                    [value].into_iter().chain(finer.iter().filter_map(|curve| at(curve, x))).collect();
-                estimate(*direction, &levels).error
+            let errors = directions.iter().map(|(direction, finer)| {
+                let finer = finer.iter().filter_map(|curve| at(curve, x));
+                estimate(*direction, &[value].into_iter().chain(finer).collect::<Vec<_>>()).error
             });
-            combined(errors)
+            errors.sum::<f64>()
         };
         let x: Vec<f64> = curve.iter().map(|point| point.0).collect();
         let half = envelope(&x, &curve.iter().map(half).collect::<Vec<_>>());
@@ -48,7 +38,7 @@ impl Band {
     }
 }
 
-/// The largest error within reach of each place, smoothed over the same reach: nowhere below the error itself.
+/// Largest error within reach of each place, smoothed over the same reach: nowhere below the error itself.
 fn envelope(x: &[f64], half: &[f64]) -> Vec<f64> {
     let reach = REACH * (x.last().unwrap_or(&0.0) - x.first().unwrap_or(&0.0));
     let near = |values: &[f64], fold: fn(&[f64]) -> f64| -> Vec<f64> {
@@ -62,7 +52,7 @@ fn envelope(x: &[f64], half: &[f64]) -> Vec<f64> {
     near(&largest, |near| near.iter().sum::<f64>() / near.len() as f64)
 }
 
-/// A curve between its points; of what lies outside, up to an element or a step from its ends, the end's.
+/// Value of a curve, held for one interval beyond its end.
 fn at(curve: &[(f64, f64)], x: f64) -> Option<f64> {
     let [.., before, last] = curve else { return None };
     (x <= last.0 + (last.0 - before.0)).then(|| interpolated(curve, x))
@@ -70,8 +60,8 @@ fn at(curve: &[(f64, f64)], x: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::estimate::estimate;
     use super::*;
+    use crate::verification::estimate;
     use approx::assert_relative_eq;
 
     /// Trust: curves 2x, 2x + 1 and 2x + 1.5, which converge to 2x + 2 with the order 1.
@@ -81,7 +71,7 @@ mod tests {
             (0..=n).map(|i| 4.0 * i as f64 / n as f64).map(|x| (x, 2.0 * x + raised)).collect()
         };
         let (own, finer) = (curve(0.0, 4), [curve(1.0, 8), curve(1.5, 16)]);
-        let directions = [Curves { direction: Direction::Steps, finer: finer.iter().map(Vec::as_slice).collect() }];
+        let directions = [(Direction::Steps, finer.iter().map(Vec::as_slice).collect())];
         let band = Band::around(&own, &directions, |direction, levels| estimate(levels, direction.order()));
         let band = band.expect("a curve");
         for (i, (x, value)) in own.iter().enumerate() {
