@@ -12,8 +12,9 @@ mod coverage;
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 
-use coverage::{Checked, Tally, case_of, check};
+use coverage::{Checked, Row, Tally, case_of, check};
 use rayon::prelude::*;
+use stampflow::verification::Direction;
 use std::time::Instant;
 
 fn main() {
@@ -24,15 +25,71 @@ fn main() {
         seeds.par_iter().map(|seed| check(case_of(random_die::random_die(*seed).model))).collect();
     if std::env::args().any(|a| a == "--raw") {
         for (seed, checked) in seeds.iter().zip(&checked) {
-            checked.print_raw(*seed);
+            print_raw(checked, *seed);
         }
     }
     println!("{count} random dies, seed {seed}, {:.0} s\n", start.elapsed().as_secs_f64());
-    println!("{}", Tally::of(&checked).markdown());
+    println!("{}", markdown(&Tally::of(&checked)));
 }
 
 /// A number given on the command line.
 fn argument(name: &str, default: u64) -> u64 {
     let mut arguments = std::env::args().skip_while(|a| a != name).skip(1);
     arguments.next().map_or(default, |v| v.parse().unwrap_or_else(|_| panic!("{name} {v}: not a number")))
+}
+
+/// Every number with its levels, for a look at them.
+fn print_raw(checked: &Checked, seed: u64) {
+    let base = &checked.full.outcomes[0];
+    for number in &base.numbers {
+        let all = checked.full.outcomes.iter().chain(&checked.quick.outcomes[1..]).chain(&checked.finest).skip(1);
+        let runs = all.map(|run| {
+            let direction = run.direction.map_or("", Direction::key);
+            let value = run.value(number).map_or_else(|| "none".to_owned(), |v| format!("{v:.10e}"));
+            let alike = if run.end.is_like(&base.end) { "" } else { "!" };
+            format!("{direction}:{}:{alike}{value}", run.times)
+        });
+        let runs: Vec<String> = runs.collect();
+        println!(
+            "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
+            number.origin,
+            number.quantity.key,
+            number.quantity.value(),
+            number.resolution,
+            base.end.kind.replace(' ', "_"),
+            base.shortest,
+            runs.join(" ")
+        );
+    }
+}
+
+/// As a table of Markdown.
+fn markdown(tally: &Tally) -> String {
+    let mut text = "| number | dies | inside, `verify` | bar / true error | no bar | inside, quick | bar / true error | no bar |\n\
+                    |---|---:|---:|---:|---:|---:|---:|---:|\n"
+        .to_owned();
+    for (full, quick) in tally.full.iter().zip(&tally.quick) {
+        text += &format!(
+            "| {} | {} | {:.1} % | {:.1} | {} | {:.1} % | {:.1} | {} |\n",
+            full.name,
+            full.ratios.len(),
+            100.0 * share(full),
+            median(full),
+            full.without,
+            100.0 * share(quick),
+            median(quick),
+            quick.without
+        );
+    }
+    text
+}
+
+/// Median of bar over true error \[–\].
+fn median(row: &Row) -> f64 {
+    row.ratios.get(row.ratios.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Share of the bars with the truth inside \[–\].
+fn share(row: &Row) -> f64 {
+    row.inside as f64 / row.ratios.len().max(1) as f64
 }

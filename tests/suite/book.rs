@@ -265,10 +265,3 @@ fn every_finding_has_a_row_on_the_page_of_the_verdict() {
     }
     assert!(found > 50, "{found} findings");
 }
-
-/// Trust: what a newcomer reads in five minutes; the rest is in the book.
-#[test]
-fn the_readme_is_short() {
-    let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).expect("shipped");
-    assert!(readme.len() <= 8 * 1024, "{} bytes", readme.len());
-}

@@ -8,7 +8,6 @@ use stampflow::results::{Summary, load_travel};
 use stampflow::table::Unit;
 
 const STRIP: &str = include_str!("../../cases/strip_draw.toml");
-const CUP: &str = include_str!("../../cases/quickstart.toml");
 
 /// A case without its references.
 fn solved(text: &str, overrides: &[&str]) -> Solution {
@@ -72,30 +71,4 @@ fn every_table_and_text_says_what_its_forces_are_of() {
             }
         }
     }
-}
-
-/// Trust: a metal without rate goes the same way at every speed; what is not given is not told as if it were known.
-#[test]
-fn times_are_told_where_they_are_given_or_felt() {
-    let limit =
-        "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.03\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
-    let told = |more: &str, overrides: &[&str]| {
-        let solution = solved(&format!("{CUP}{limit}{more}"), overrides);
-        let views = solution.views();
-        let diagram = stampflow::plot::forming_diagram::plot(&views[0]).expect("a diagram").notes.join(" ");
-        assert!(diagram.contains("The limit is reached at"), "{diagram}");
-        format!("{}{}{diagram}", check::report(&solution.case), solution.summary().lines)
-    };
-    let seconds = |text: &str| {
-        let words: Vec<&str> = text.split_whitespace().collect();
-        let is_number = |word: &str| word.trim_start_matches('(').parse::<f64>().is_ok();
-        words.windows(2).any(|w| is_number(w[0]) && ["s", "s,", "s)."].contains(&w[1])) || text.contains("mm/s")
-    };
-    let silent = told("", &[]);
-    assert!(!seconds(&silent), "{silent}");
-    let timed = told("", &["tools.punch.speed=20 mm/s"]);
-    assert!(seconds(&timed) && timed.contains("20 mm/s"), "{timed}");
-    // The rate is felt, so that the speed that is taken matters.
-    let rate = "\n[material.rate.power]\nexponent = 0.02\nreference = \"1 /s\"\n";
-    assert!(seconds(&told(rate, &[])));
 }

@@ -7,14 +7,9 @@ use crate::common::shipped::shipped_case;
 use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
-use stampflow::plot::chart::Style;
-use stampflow::plot::svg;
-use stampflow::report::Report;
-use stampflow::results::{OUTPUTS, Results};
 use stampflow::verification::{Origin, Verification, Watch, answered, quick, verify};
 use std::fs;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Numbers and bars, as told: `0.61` and `0.01` of `0.61 ± 0.01 mm`.
 fn barred(text: &str) -> Vec<(String, String)> {
@@ -103,22 +98,6 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     assert!(half < 30.0 && row(&findings).light == Light::Green, "{:?}", row(&findings));
 }
 
-struct Counted(AtomicUsize);
-
-impl Watch for Counted {
-    fn ran(&self, _: usize, _: usize) {
-        self.0.fetch_add(1, Ordering::Relaxed);
-    }
-}
-
-#[test]
-fn the_quick_estimate_is_one_run() {
-    let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
-    let counted = Counted(AtomicUsize::new(0));
-    assert_eq!(quick(&solution, &counted).outcomes.len(), 2);
-    assert_eq!(counted.0.into_inner(), 1);
-}
-
 struct Ended;
 
 impl Watch for Ended {
@@ -187,40 +166,4 @@ fn programs_read_the_bars_that_are_asked_for() {
         table.lines().any(|line| line.starts_with("answer,thinnest,mm,,") && line.contains(&format!(",{thinnest},")))
     );
     assert!(table.contains("\ncurve,punch_force,N,") && table.contains("\ncurve,thickness,mm,"), "{table}");
-}
-
-#[test]
-fn error_bars_without_a_run_are_refused() {
-    let dir = folder(CUP);
-    let done = stampflow(dir.path(), &["check", "cases/cup.toml", "--error-bars"]);
-    assert_eq!(done.status.code(), Some(2));
-    assert!(text(&done.stderr).contains("--run --error-bars"), "{}", text(&done.stderr));
-}
-
-/// Front page, section, verdict and pictures of one report; nothing of it where there are none.
-#[test]
-fn reports_and_pictures_carry_the_bars() {
-    let solution = shipped_case("quickstart", &[]).solve(&mut ());
-    let found = verify(&solution, &());
-    let report = Report::verified(&solution, Some(&found));
-    let page = report.html().replace('\u{a0}', " ");
-    for said in ["Made of (observed order)", "error bars from 14 finer runs", "Error band", "0.94 ± 0.01 mm"] {
-        assert!(page.contains(said), "{said}");
-    }
-    assert!(
-        report.json()["error_bars"]["runs"] == 14 && report.json()["answer"]["numbers"][0]["error_bar"].is_number()
-    );
-    let plain = Report::of(&solution);
-    let text = plain.html();
-    assert!(!text.contains("How sure") && !text.contains('±'), "{text}");
-
-    let results = Results::of(&solution).expect("no references").verified(Some(&found));
-    let view = &results.views[0];
-    for file in ["load_travel.png", "thickness.png"] {
-        let chart =
-            OUTPUTS.iter().find(|output| output.file == file).and_then(|output| output.chart(view)).expect(file);
-        let [band, .., curve] = &chart.panels[0].series[..] else { panic!("curves") };
-        assert!(matches!(band.style, Style::Area { .. }) && band.points.len() > 20, "{file}");
-        assert!(svg(&chart).contains("Error band"), "{file} {curve:?}");
-    }
 }

@@ -3,8 +3,6 @@
 use crate::common::cup::{LAW, MINIMAL};
 use stampflow::case::{self, Case, library};
 
-use std::process::Command;
-
 fn parsed(material: &str, more: &str) -> Result<Case, String> {
     let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n")) + more;
     case::parse(&text, "case.toml", &[]).map_err(|error| error.render(false))
@@ -47,24 +45,6 @@ fn every_material_loads_runs_and_cites_its_source() {
         let check = stampflow::assess::check::report(&named).to_string();
         assert!(check.contains(&entry.source), "{check}");
     }
-}
-
-#[test]
-fn a_case_replaces_what_it_says_itself() {
-    let plain = parsed("name = \"aa6016-t4\"", "").unwrap_or_else(|e| panic!("{e}"));
-    let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(own.model().material.yield_criterion.ratio(), 0.7);
-    assert_eq!(own.model().material.hardening, plain.model().material.hardening);
-    assert!(
-        own.derived.iter().any(|note| note.to_string().contains("anisotropy as this case has it")),
-        "{:?}",
-        own.derived
-    );
-    let law = "name = \"aa6016-t4\"\nhardening.voce = { initial = \"100 MPa\", saturation = \"300 MPa\", rate = 9 }";
-    let own = parsed(law, "").unwrap_or_else(|e| panic!("{e}"));
-    assert!(own.model().material.hardening.describe().starts_with("Voce"));
-    assert_eq!(own.sources.material, None, "another law is not the library's");
-    assert_eq!(own.model().material.elastic, plain.model().material.elastic);
 }
 
 #[test]
@@ -207,34 +187,6 @@ fn every_kind_of_limit_makes_a_curve() {
     assert!((hill - swift).abs() < 1e-9 && (0.21..0.22).contains(&hill), "{hill} {swift}");
     let groove = at("marciniak_kuczynski = {}");
     assert!(groove < hill && groove > 0.6 * hill, "{groove} {hill}");
-}
-
-#[test]
-fn materials_are_listed_described_and_drawn() {
-    let dir = temp_dir::TempDir::new().expect("a folder");
-    let run = |args: &[&str]| {
-        Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir.path()).output().expect("runs")
-    };
-    let list = String::from_utf8(run(&["materials"]).stdout).expect("text");
-    assert!(list.contains("Rp0.2") && list.contains("Considère"), "{list}");
-    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
-    for entry in library::materials().unwrap_or_else(|e| panic!("{}", e.render(false))) {
-        assert!(list.contains(entry.name), "{list}");
-        let all = String::from_utf8(run(&["materials", entry.name]).stdout).expect("text");
-        let one_line = all.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(one_line.contains(&entry.source) && all.ends_with(entry.text), "{all}");
-    }
-    let one = run(&["materials", "aa6016-t4", "--plot", "a.png"]);
-    assert_eq!(one.status.code(), Some(0), "{}", String::from_utf8_lossy(&one.stderr));
-    let said = String::from_utf8(one.stdout).expect("text");
-    assert!(said.contains("name = \"aa6016-t4\"") && said.contains("computed from the law (Hill)"), "{said}");
-    let json =
-        serde_json::from_slice::<serde_json::Value>(&run(&["materials", "aa6016-t4", "--json"]).stdout).expect("JSON");
-    assert!(json["FLC"].as_str().is_some_and(|text| text.contains("(Hill)")), "{json}");
-    assert!(std::fs::metadata(dir.path().join("a.png")).expect("drawn").len() > 2000);
-    let none = run(&["materials", "nothing"]);
-    assert_eq!(none.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&none.stderr).contains("known materials"));
 }
 
 #[test]

@@ -1,54 +1,15 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
-use crate::common::{pixels::pixels, shipped};
-use stampflow::measure::{Band, Shape, Stretch, bands, moment_error, place_on_part, places};
-use stampflow::model::{Geometry, Model, Release};
-use stampflow::plot::StageView;
-use stampflow::results::{OUTPUTS, write};
-use stampflow::solver::solution::{Frame, StageSolution};
-use std::fs;
-use std::path::{Path, PathBuf};
+use crate::common::shipped;
+use stampflow::measure::{Band, Shape, Stretch, bands, place_on_part, places};
+use stampflow::model::Model;
+use stampflow::solver::solution::Frame;
 
 /// The quickstart's cup and its last frame.
 fn cup() -> (Model, Frame) {
     let model = shipped::shipped("quickstart", &[]);
     let frame = shipped::solve(&model).frames.pop().expect("a frame");
     (model, frame)
-}
-
-/// The sheet bent back by a tenth everywhere, the wall curled outward by a radius of 150 mm: a made-up release.
-fn sprung(before: &Frame) -> Frame {
-    let shape = Shape::of(before);
-    let wall = shape.wall.map_or(0..0, |wall| wall.nodes);
-    let mut after = before.clone();
-    let mut curl = 0.0;
-    for (i, pair) in before.nodes.windows(2).enumerate() {
-        let (dr, dz) = (pair[1].r - pair[0].r, pair[1].z - pair[0].z);
-        let length = dr.hypot(dz);
-        curl += if wall.contains(&i) { length / 150.0 } else { 0.0 };
-        let slope = 0.9 * dz.atan2(dr) + curl;
-        after.nodes[i + 1].r = after.nodes[i].r + length * slope.cos();
-        after.nodes[i + 1].z = after.nodes[i].z + length * slope.sin();
-    }
-    for point in &mut after.through.points {
-        point.stress_meridional *= 0.3;
-        point.stress_hoop *= 0.3;
-    }
-    after
-}
-
-/// A stage that takes the tools away between these frames.
-fn release(model: &Model, before: &Frame, after: &Frame) -> StageSolution {
-    let model = Model { release: Some(Release::default()), ..model.clone() };
-    StageSolution { start: Some(before.clone()), frames: vec![after.clone()], ..StageSolution::unsolved(model) }
-}
-
-/// Writes what only a release has, of the names that begin so.
-fn written(stage: &StageSolution, begin: &str, dir: &Path) -> Vec<PathBuf> {
-    let view = StageView::alone("release", stage);
-    let made = OUTPUTS.iter().filter(|output| output.file.starts_with(begin));
-    let made = made.filter_map(|output| Some((dir.join(output.file), output.bytes(&view)?)));
-    made.map(|(path, bytes)| write(&path, &bytes).map(|()| path).unwrap()).collect()
 }
 
 /// Trust: what a frame says of an element is the mean of what it says of the element's layers, by the layers' rule.
@@ -100,100 +61,6 @@ fn a_held_flange_is_level() {
     let frame = shipped::solve(&model).frames.pop().expect("a frame");
     let flange = Shape::of(&frame).flange_angle().expect("a flange");
     assert!(flange.abs() < 0.01, "{flange}°");
-}
-
-#[test]
-fn springback_and_residual_stress_are_written_and_nothing_else() {
-    let (model, before) = cup();
-    let after = sprung(&before);
-    let dir = temp_dir::TempDir::new().unwrap();
-    let stage = release(&model, &before, &after);
-    let mut written = [written(&stage, "springback", dir.path()), written(&stage, "residual", dir.path())].concat();
-    let mut found: Vec<PathBuf> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().path()).collect();
-    found.sort();
-    written.sort();
-    assert_eq!(found, written);
-    assert_eq!(found.len(), 4);
-
-    let text = fs::read_to_string(dir.path().join("springback.csv")).unwrap();
-    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!(rows[0], ["quantity", "unit", "before", "after", "change"]);
-    let wall = rows.iter().find(|row| row[0] == "wall_angle").expect("a wall");
-    let number = |i: usize| wall[i].parse::<f64>().expect("a number");
-    assert_eq!(wall[1], "deg");
-    assert!((number(4) - (number(3) - number(2))).abs() < 1e-6 && number(4) > 5.0, "{wall:?}");
-
-    let text = fs::read_to_string(dir.path().join("residual_stress.csv")).unwrap();
-    assert!(
-        text.starts_with("s0_mm,r_mm,z_mm,place,zeta_mm,stress_meridional_MPa,stress_hoop_MPa,strain_equivalent\n")
-    );
-    assert_eq!(text.lines().count(), 1 + after.elements.len() * after.through.layers.len());
-
-    for path in found.iter().filter(|path| path.extension().is_some_and(|e| e == "png")) {
-        let pixels = pixels(&fs::read(path).unwrap());
-        let vivid = pixels.rgb.iter().filter(|p| p[2] > 150 && p[0] < 20).count();
-        assert!(pixels.width == 1600 && vivid > 500, "{}: {vivid}", path.display());
-    }
-}
-
-/// Frames that were made by hand, or broken: nothing is drawn that is not there, and nothing panics.
-#[test]
-fn frames_without_layers_or_nodes_are_no_reason_to_panic() {
-    let (model, whole) = cup();
-    let dir = temp_dir::TempDir::new().unwrap();
-    let mut bare = whole.clone();
-    bare.through = Default::default();
-    assert!(written(&release(&model, &bare, &bare), "residual", dir.path()).is_empty());
-    let mut empty = bare.clone();
-    empty.nodes.clear();
-    empty.elements.clear();
-    let mut short = whole.clone();
-    short.through.points.truncate(7);
-    for frame in [&bare, &empty, &short] {
-        assert_eq!(written(&release(&model, frame, &whole), "springback", dir.path()).len(), 2);
-        assert_eq!(written(&release(&model, frame, frame), "springback", dir.path()).len(), 2);
-        written(&release(&model, frame, frame), "residual", dir.path());
-        moment_error(frame);
-    }
-}
-
-#[test]
-fn plane_strain_has_no_axis_and_no_hoops() {
-    let (mut model, before) = cup();
-    model.geometry = Geometry::PlaneStrain;
-    let after = sprung(&before);
-    let stage = release(&model, &before, &after);
-    let view = StageView::alone("release", &stage);
-    let charts =
-        [stampflow::plot::residual_stress::plot(&view).unwrap(), stampflow::plot::springback::plot(&view).unwrap()];
-    for chart in &charts {
-        for panel in &chart.panels {
-            for text in [panel.x.text(), panel.y.text()] {
-                assert!(!["axis", "Hoop", "Meridional"].iter().any(|word| text.contains(word)), "{text}");
-            }
-        }
-    }
-}
-
-/// For looking: `cargo test --test suite measures:: -- --ignored` writes every picture to target/sample.
-#[test]
-#[ignore = "writes target/sample"]
-fn sample_for_looking() {
-    for (name, overrides) in [
-        ("quickstart", &[][..]),
-        ("strip_draw", &["blank.theory=\"bending\"", "blank.layers=9"]),
-        ("osu_stretch", &[]),
-        ("brite_cylindrical", &[]),
-    ] {
-        let model = shipped::shipped(name, overrides);
-        let run = stampflow::solver::run(&model, &mut ());
-        let before = run.frames.last().expect("a frame");
-        let after = sprung(before);
-        let dir = Path::new("target/sample").join(name);
-        written(&release(&model, before, &after), "springback", &dir);
-        written(&release(&model, before, before), "residual", &dir);
-        println!("{name}: {:?} {:#?}", moment_error(before), Shape::of(before));
-    }
 }
 
 fn names(bands: &[Stretch]) -> Vec<Band> {

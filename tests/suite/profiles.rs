@@ -107,26 +107,6 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     }
 }
 
-#[test]
-fn plane_strain_sections_may_call_their_radius_x() {
-    let folder = temp_dir::TempDir::new().unwrap();
-    std::fs::write(folder.path().join("punch.csv"), "x_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-200,\n").unwrap();
-    let text = text(r#"profile = "punch.csv""#, DIE, "", "25 mm");
-    let text = text.replace("axisymmetric", "plane_strain").replace("radius = \"55 mm\"", "half_length = \"55 mm\"");
-    let case = read_in(folder.path(), &text);
-    assert!(difference(profile(case.model(), Role::Punch), &Profile::flat_punch(30.0, 6.0, 1.0)) < 1e-9);
-}
-
-/// Trust: a run with the punch read from points, against the standard one (0.01 %: the points are rounded to 1e-9 mm,
-/// which the iterations' tolerance of 1e-5 is far above).
-#[test]
-fn a_punch_read_from_points_draws_the_same_cup() {
-    let peak = |model: &Model| run(model).steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
-    let read_in = peak(with_punch(&chords("mm", 1.0), "\"punch.csv\"").model());
-    let standard = peak(read(&text(FLAT, DIE, HOLDER, "25 mm")).model());
-    assert!((read_in / standard - 1.0).abs() < 1e-4, "{read_in} {standard}");
-}
-
 /// Trust: the definition. At the travel of closing every point of the die's cavity is `by` away from the punch
 /// (1e-7 mm: round-off of arcs).
 #[test]
@@ -172,18 +152,6 @@ fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
     let beyond = read(&text(r#"profile = "embossing.csv""#, die_section, "", "8.5 mm"));
     let warnings = check::report(&beyond).warnings;
     assert!(warnings.iter().any(|w| w.to_string().contains("punch and die are 0.5 mm apart")), "{warnings:?}");
-}
-
-/// Trust: the way back. The offset of the offset die is the punch (convex arcs only: a sharp corner would be rounded).
-#[test]
-fn a_punch_made_from_the_die_made_from_it_is_the_same() {
-    let die = r#"profile = { offset_of = "punch", by = "1.2 mm" }"#;
-    let there = read(&text(r#"profile = "embossing.csv""#, die, "", "7 mm"));
-    let steps = profile(there.model(), Role::Die);
-    let back = steps.offset(1.2).unwrap().reversed();
-    let punch = profile(there.model(), Role::Punch);
-    let shift = punch.first().y - back.first().y;
-    assert!(difference(&back.shifted(shift), punch) < 1e-9);
 }
 
 #[test]
@@ -232,17 +200,6 @@ fn a_line_that_ends_before_the_travel_is_warned_of() {
     assert!(found[0].to_string().ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
     assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
     assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
-}
-
-#[test]
-fn an_override_can_name_a_profile_file() {
-    let plain = text(r#"profile = "missing.csv""#, DIE, "", "5 mm");
-    let overrides = ["tools.punch.profile=embossing.csv".to_owned(), "tools.die.throat=71 mm".to_owned()];
-    let error = case::parse(&plain, "tests/profiles/case.toml", &overrides).unwrap_err().render(false);
-    assert!(
-        error.contains("the die's shoulder ends at 77.000 mm"),
-        "the file is read, the die is another matter: {error}"
-    );
 }
 
 proptest! {

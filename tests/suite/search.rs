@@ -56,19 +56,6 @@ fn a_target_gives_back_the_value_that_makes_it() {
     assert!(table.runs.len() < 20, "{}", table.runs.len());
 }
 
-/// Trust: the travel comes in mm either way; a search is the same on any number of threads, and resumes from its rows.
-#[test]
-fn a_search_follows_from_its_rows_alone() {
-    let asked = request("tools.punch.travel=10..20 mm/3", Some("punch_force <= 30 kN"), None, Some(Side::Largest));
-    let mut one = LimitSearch::new(base(&[]), &asked).expect("a search");
-    let tables = [1, 4].map(|threads| run(&mut one, threads, false, &()));
-    assert_eq!(tables[0].csv(), tables[1].csv());
-    let mut begun = tables[0].clone();
-    begun.runs.truncate(3);
-    let next: Vec<u64> = one.next(&begun).iter().map(|design| design.index).collect();
-    assert_eq!(next.first(), Some(&3));
-}
-
 /// Trust: no blank of a cup with a soft condition fails, none of a hard one holds.
 #[test]
 fn a_search_without_a_limit_says_so() {

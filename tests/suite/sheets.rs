@@ -1,9 +1,8 @@
 //! The sheets of the library: fits against the points they are of, back-stresses, and every sheet on every template.
 
-use crate::common::cup::{LAW, MINIMAL};
 use stampflow::assess::{self, Finding, Light};
 use stampflow::author::templates::TEMPLATES;
-use stampflow::case::{self, Case, library};
+use stampflow::case::{self, library};
 use stampflow::material::hardening::{Ludwik, Swift};
 use stampflow::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
 use stampflow::material::{Hardening, Rate};
@@ -12,11 +11,6 @@ use stampflow::units;
 
 fn entry(name: &str) -> library::Entry {
     library::material(name).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)))
-}
-
-fn parsed(material: &str) -> Case {
-    let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n"));
-    case::parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)))
 }
 
 /// Root mean square of law less point of the 304L bar: of the hardening law [MPa], and of the rate law's ratios [–].
@@ -109,44 +103,6 @@ fn tension_of_the_aluminium_is_the_measured_curve_with_back_stresses_and_without
         assert!((of(strain) / curve(strain) - 1.0).abs() < 3e-3, "{strain}: {} {}", of(strain), curve(strain));
     }
     assert!((of(0.002) - 86.4).abs() < 0.5 && curve(0.002) > 107.0, "as its note says: {}", of(0.002));
-}
-
-#[test]
-fn a_case_has_the_back_stresses_of_its_sheet_in_the_mode_that_knows_them() {
-    let entry = entry("aa5754-o");
-    assert_eq!(parsed("name = \"aa5754-o\"").model().material, entry.material);
-    let shifting = parsed("name = \"aa5754-o\"\nmode = \"elasto_viscoplastic\"");
-    assert_eq!(Some(&shifting.model().material), entry.elastoplastic.as_ref());
-    assert!(shifting.derived.iter().any(|note| note.to_string().contains("with its back-stresses")));
-    let own =
-        "name = \"aa5754-o\"\nmode = \"elasto_viscoplastic\"\nkinematic = [{ modulus = \"900 MPa\", recall = 9 }]";
-    let own = parsed(own).model().material.clone();
-    assert_eq!((own.chaboche[0].modulus, &own.hardening), (900.0, &entry.material.hardening));
-}
-
-/// Trust: a straight path does not tell back-stresses from the hardening that they have taken: limits and the strength are
-/// those of the measured curve, to the 0.3 % that the table is off it.
-#[test]
-fn limit_and_strength_are_the_same_with_back_stresses() {
-    let case = |more: &str| {
-        let text =
-            MINIMAL.replace(LAW, &format!("[material]\nname = \"aa5754-o\"\n{more}\n[forming_limit]\nhill = true\n"));
-        case::parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)))
-    };
-    let (plain, shifting) = (case(""), case("mode = \"elasto_viscoplastic\""));
-    let limit = |case: &Case| case.model().forming_limit.as_ref().expect("a limit").plane_strain();
-    assert!((limit(&shifting) / limit(&plain) - 1.0).abs() < 0.03, "{} {}", limit(&shifting), limit(&plain));
-    let pressure = |case: &Case| {
-        let told = assess::check::report(case);
-        let line = told.lines.iter().find(|line| line.label == "advised pressure");
-        line.and_then(|line| line.number()).expect("Siebel's pressure goes with the tensile strength")
-    };
-    assert!(
-        (pressure(&shifting) / pressure(&plain) - 1.0).abs() < 3e-3,
-        "{} {}",
-        pressure(&shifting),
-        pressure(&plain)
-    );
 }
 
 /// Trust: the quickstart strains its sheet to a quarter; limits on either side of it, and none.

@@ -73,13 +73,6 @@ fn a_tool_that_is_over_bent_as_told_gives_the_wanted_angle() {
     assert_eq!(verdict(&second).light, Light::Green);
 }
 
-#[test]
-fn what_does_not_spring_back_is_not_judged() {
-    let hat = find("hat-section").unwrap().fill(&[("height", "20 mm")]).unwrap();
-    let flows = verdict(&read(&hat, &["springback.tolerance=1 deg"]).solve(&mut ()));
-    assert!(flows.light == Light::Grey && flows.found().contains("no elasticity"), "{flows:?}");
-}
-
 /// A hat by the template, elastic too, and let go.
 fn hat(elements: usize) -> Solution {
     hat_held(elements, &[])

@@ -1,6 +1,6 @@
 //! Tables in memory, and CSV files that are read.
 
-use stampflow::table::{Axis, Column, Csv, CsvError, Unit};
+use stampflow::table::{Column, Csv, CsvError, Unit};
 
 /// Rows that a file may have at most, as `stampflow::case::files` has it.
 const MOST: usize = 100_000;
@@ -21,15 +21,6 @@ fn header_and_axis_name_the_same_quantity_and_unit() {
         assert_eq!(c.header(), header);
         assert_eq!(c.axis().text(), axis);
     }
-}
-
-#[test]
-fn a_shared_axis_carries_the_common_words() {
-    let (a, b) = (column("a", "Punch force", Unit::N), column("b", "Holder force", Unit::N));
-    assert_eq!(Axis::shared(&[&a, &b]).text(), "Force [N]");
-    assert_eq!(Axis::shared(&[&a]).text(), a.axis().text());
-    let (c, d) = (column("c", "Thickness", Unit::Mm), column("d", "Draw-in", Unit::Mm));
-    assert_eq!(Axis::shared(&[&c, &d]).text(), "Thickness, Draw-in [mm]");
 }
 
 fn read(text: &str) -> Result<Csv, CsvError> {
@@ -56,19 +47,4 @@ fn a_long_file_is_gone_through_once() {
     assert_eq!(read(&text).unwrap().rows.last().unwrap().line, 2 + 2 * MOST);
     let error = read(&format!("{text}3,4\n")).unwrap_err();
     assert_eq!((error.line, error.to_string()), (Some(3 + 2 * MOST), format!("there are more than {MOST} rows")));
-}
-
-#[test]
-fn what_is_no_table_is_named_by_a_word() {
-    for (text, says) in [
-        ("root:x:0:0:root:/root:/bin/bash\ndaemon:x:1:1\n", "begins with \"root\""),
-        ("Dear Sir, we write to you\nabout secrets\n", "begins with \"Dear\""),
-        ("\u{0}\u{1}\u{2}", "begins with \"\""),
-        ("{\"a\": 1}", "no table"),
-    ] {
-        let error = read(text).unwrap_err();
-        assert!(error.line.is_none() && error.to_string().contains(says), "{error}");
-    }
-    let word = read(&format!("r_mm\n{}\n", "x".repeat(5000))).unwrap().rows[0].number(0).unwrap_err();
-    assert!(word.to_string().len() < 100, "{word}");
 }

@@ -1,15 +1,12 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
+use crate::common::cli::{stampflow, text};
 use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::model::{Mode, Motion, Role};
-use stampflow::verification::{answered, quick};
 use stampflow::{Frame, StageSolution, Stop, solve};
-use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 
 /// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
 const OTHERS: &[(&str, &[(&str, &str)])] = &[
@@ -34,14 +31,6 @@ fn case(template: &str, given: &[(&str, &str)]) -> Case {
 
 fn solved(case: &Case) -> Vec<StageSolution> {
     solve(&case.stages, &mut ())
-}
-
-fn stampflow(dir: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
-}
-
-fn message(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 #[test]
@@ -170,36 +159,12 @@ fn the_sheet_may_be_one_of_the_library() {
             let shifts = case.model().mode == Mode::ElastoViscoplastic;
             let law = entry.elastoplastic.as_ref().filter(|_| shifts).unwrap_or(&entry.material);
             assert_eq!(case.model().material.hardening, law.hardening, "{} {}", template.name, entry.name);
-            assert!(!case.model().notes.iter().any(|note| note.contains("mild deep-drawing steel")));
-            assert!(
-                case.derived.iter().any(|note| note.to_string().contains(&entry.source)),
-                "{} {}",
-                template.name,
-                entry.name
-            );
         }
         let cup = check::report(&case("cup", &[("material", entry.name)]));
         let pressure = |label: &str| cup.lines.iter().find(|line| line.label == label).unwrap().number();
         // The force is rounded up, and a little more where it takes that to keep the rim down.
         let more = pressure("holder pressure").unwrap() - pressure("advised pressure").unwrap();
         assert!((0.0..0.1).contains(&more), "{}: {more}", entry.name);
-    }
-}
-
-/// Trust: what the verdict says with its error bars of cups from short to deep; of one shorter still the bars of a bend that just
-/// comes over its shoulder are wide, but its holder stays down.
-#[test]
-fn cups_are_made_with_a_margin() {
-    for (height, is_barred) in [("20 mm", false), ("25 mm", false), ("45 mm", true), ("65 mm", true)] {
-        let solution = case("cup", &[("height", height), ("punch-radius", "40 mm")]).solve(&mut ());
-        let bars = is_barred.then(|| quick(&solution, &()));
-        let (answer, findings) = answered(&solution, bars.as_ref());
-        for key in ["holder", "bend_radius", "forming_limit"] {
-            let finding = findings.iter().find(|finding| finding.key == key).expect(key);
-            assert_eq!(finding.light, Light::Green, "{height}: {key} {}", finding.found());
-        }
-        let said = answer.sentence.to_string();
-        assert!(!said.contains("near to tearing"), "{height}: {said}");
     }
 }
 
@@ -220,7 +185,11 @@ fn no_picked_size_is_doubted_by_the_verdict() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
     // A cupping test goes on until the sheet tears.
     let defaults = defaults.filter(|(name, _)| *name != "erichsen");
-    for (name, given) in defaults.chain([("redraw", &[("height", "70 mm")][..]), ("cup", &[("height", "50 mm")])]) {
+    for (name, given) in defaults.chain([
+        ("redraw", &[("height", "70 mm")][..]),
+        ("cup", &[("height", "20 mm")]),
+        ("cup", &[("height", "50 mm")]),
+    ]) {
         let case = case(name, given);
         let passes = solve(&case.stages, &mut ());
         let bent = ["v-bend", "u-bend"].contains(&name);
@@ -308,13 +277,10 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         (&["hemispherical-cup", "--height", "5 mm"], "no cup"),
     ] {
         let done = stampflow(dir.path(), &[&["new"], args, &["-o", "case.toml"]].concat());
-        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", message(&done));
-        let told = message(&done).replace("\n  │ ", " ").replace("\n ", "");
-        assert!(told.contains(says), "{args:?}: {told}");
+        let message = text(&done.stderr).replace("\n  │ ", " ").replace("\n ", "");
+        assert!(done.status.code() == Some(2) && message.contains(says), "{args:?}: {message}");
         assert!(!dir.path().join("case.toml").exists());
     }
-    let error = find("cup").unwrap().fill(&[("angle", "30 deg")]).unwrap_err();
-    assert!(error.remedy().unwrap().contains("--punch-radius, --punch-diameter"), "{error}");
 }
 
 /// Trust: a tonne-force is 9.80665 kN; the rounding is upward, to 0.01 kN.
@@ -330,25 +296,4 @@ fn a_hat_is_let_go_over_its_length_in_its_press() {
     assert!(library.model().elasticity().is_some() && library.model().depth.is_none());
     let flows = case("hat-section", &[]);
     assert!(flows.later().is_empty() && !flows.springback.is_given() && flows.press.force.is_none());
-}
-
-#[test]
-fn a_new_case_is_printed_or_written_and_no_file_is_lost() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    let printed = stampflow(dir.path(), &["new", "cup", "--height", "25 mm"]);
-    assert_eq!(printed.status.code(), Some(0), "{}", message(&printed));
-    let target = dir.path().join("mine.toml");
-    fs::write(&target, "mine").unwrap();
-    let args = ["new", "cup", "--height", "25 mm", "-o", "mine.toml"];
-    let refused = stampflow(dir.path(), &args);
-    assert_eq!((refused.status.code(), fs::read_to_string(&target).unwrap().as_str()), (Some(2), "mine"));
-    assert!(message(&refused).contains("--force"), "{}", message(&refused));
-    let done = stampflow(dir.path(), &[&args[..], &["--force"]].concat());
-    assert_eq!(done.status.code(), Some(0), "{}", message(&done));
-    assert_eq!(fs::read(&target).unwrap(), printed.stdout);
-    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1, "nothing else is left behind");
-    for args in [&["check", "mine.toml"][..], &["run", "mine.toml", "-q"]] {
-        let done = stampflow(dir.path(), args);
-        assert_eq!(done.status.code(), Some(0), "{args:?}: {}", message(&done));
-    }
 }

@@ -1,7 +1,6 @@
 //! One step repeated: its iterations are those of the run, matrices start from the same state and come to the same answer,
 //! each at its own rate; and the verb `trace`.
 
-use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use crate::common::shipped::shipped_case;
 use stampflow::Observer;
 use stampflow::element::Node;
@@ -9,7 +8,6 @@ use stampflow::model::Iteration;
 use stampflow::solver::Start;
 use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{ConvergenceRate, NoSuchStep, Trace, TraceRequest, trace};
-use std::fs;
 
 /// The iterations of a step, and the end of the run behind it.
 struct OfStep {
@@ -118,30 +116,4 @@ fn a_step_that_is_not_there_says_how_many_there_are() {
     assert!(of(1, steps).is_ok());
     assert!(matches!(of(1, 0), Err(NoSuchStep::Step { .. })));
     assert!(matches!(of(2, 1), Err(NoSuchStep::Stage { stages: 1, .. })));
-}
-
-#[test]
-fn the_verb_prints_a_table_and_writes_every_iteration() {
-    let dir = folder(&format!("{CUP}{STAGES}"));
-    let run = |args: &[&str]| stampflow(dir.path(), &[&["trace", "cases/cup.toml"], args].concat());
-    let one = run(&["--step", "5", "--methods", "all", "--out", "step.csv"]);
-    let printed = text(&one.stdout);
-    assert!(one.status.success(), "{}", text(&one.stderr));
-    assert!(["primal_dual", "newton", "secant"].iter().all(|method| printed.contains(method)), "{printed}");
-    assert!(printed.lines().all(|line| line.chars().count() <= 80), "{printed}");
-    let table = fs::read_to_string(dir.path().join("step.csv")).unwrap();
-    let header =
-        "step,method,start,matrix,travel_mm,iteration,velocity_norm,residual_norm,cut,active_contacts,worst_r_mm,";
-    assert!(table.starts_with(header) && table.contains("\n5,primal_dual,predictor,primal_dual,"), "{table}");
-    assert!(run(&["--step", "5", "--out", "step.csv"]).status.success(), "its own kind is replaced");
-    for args in [
-        &["--step", "5", "--out", "cases/cup.toml"][..],
-        &["--step", "5000"],
-        &["--step", "0"],
-        &["--step", "1", "--stage", "3"],
-        &["--step", "1", "--tolerance", "1e-15"],
-        &["--step", "1", "--methods", "picard"],
-    ] {
-        assert_eq!(run(args).status.code(), Some(2), "{args:?}");
-    }
 }

@@ -4,8 +4,8 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stampflow::units::{
     Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, NonNegative, PerKelvin,
-    Positive, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, four_digits, parse, rounded,
-    significant, trimmed, without_zeros,
+    Positive, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, parse, rounded, significant,
+    trimmed, without_zeros,
 };
 
 fn value<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {
@@ -157,13 +157,4 @@ fn numbers_are_written_without_noise() {
         assert_eq!(trimmed(value, decimals), text);
     }
     assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
-}
-
-#[test]
-fn numbers_are_printed_with_four_digits() {
-    for (value, text) in
-        [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
-    {
-        assert_eq!(four_digits(value), text);
-    }
 }

@@ -1,17 +1,14 @@
 //! The verdict on a run: lights, limits and advice.
 
-use crate::common::cli::{CUP, folder, stampflow, text};
+use crate::common::shipped::shipped_case;
 use stampflow::assess::{self, Answer, FailureMode, Finding, Kind, Light};
 use stampflow::case::{self, Case};
 use stampflow::solver::solution::StageSolution;
 use stampflow::solver::solve;
-use std::path::Path;
 
 /// The findings on a shipped case with overrides.
 fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    let case = case::load(path, &overrides).expect("valid");
+    let case = shipped_case(name, overrides);
     judged(&case, &solve(&case.stages, &mut ()))
 }
 
@@ -79,7 +76,7 @@ const LIGHTS: [(&str, [&str; 3]); 22] = [
 #[test]
 fn shipped_cases_have_their_lights() {
     for (name, expected) in LIGHTS {
-        let found = findings(&format!("{name}.toml"), &[]);
+        let found = findings(name, &[]);
         let keys = |light| found.iter().filter(|f| f.light == light).map(|f| f.key).collect::<Vec<_>>().join(" ");
         assert_eq!([Light::Red, Light::Amber, Light::Grey].map(keys), expected, "{name}");
     }
@@ -104,6 +101,19 @@ fn overrides_have_their_lights_and_failure_modes() {
         (&["tools.holder.force=1 kN", "tools.punch.travel=3 mm"], "wrinkling", Light::Red, wrinkles),
         (&["tools.holder.force=600 kN", "tools.punch.travel=1 mm"], "holder", Light::Amber, None),
         (&["press.force=1 kN", "tools.punch.travel=3 mm"], "press_force", Light::Red, Some(FailureMode::Press)),
+        // The largest load is 45.3 kN of the punch and 10 kN of the holder; 20 % more of it are 66.4 kN.
+        (&["press.force=50 kN"], "press_force", Light::Red, Some(FailureMode::Press)),
+        (&["press.force=60 kN"], "press_force", Light::Amber, None),
+        (&["press.force=80 kN", "press.energy=5 kJ"], "press_force", Light::Green, None),
+        (&["press.force=80 kN", "press.energy=5 kJ"], "energy", Light::Green, None),
+        (&["press.energy=1 J", "tools.punch.travel=3 mm"], "energy", Light::Red, Some(FailureMode::Press)),
+        // No holder is no better than a weak one: 50 mm of blank beyond the punch.
+        (&["tools.holder.force=0 N", "tools.punch.travel=3 mm"], "wrinkling", Light::Red, wrinkles),
+        // Only the key for it says where a number comes from, and another number is not the source's.
+        (&["notes=[\"friction measured on a strip\"]"], "friction", Light::Amber, None),
+        (&["friction.source=Woo (1968)"], "friction", Light::Green, None),
+        (&["friction.source=Woo (1968)", "tools.die.friction=0.5"], "friction", Light::Amber, None),
+        (&["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"], "clearance", Light::Amber, None),
         (
             &["tools.punch.flat.nose=1.5 mm", "tools.punch.travel=3 mm"],
             "bent_strength",
@@ -111,7 +121,7 @@ fn overrides_have_their_lights_and_failure_modes() {
             Some(FailureMode::Other),
         ),
     ] {
-        let (answer, found) = answered("quickstart.toml", overrides);
+        let (answer, found) = answered("quickstart", overrides);
         assert_eq!((self::light(&found, key), answer.failures.first().copied()), (light, mode), "{overrides:?} {key}");
     }
 }
@@ -119,7 +129,7 @@ fn overrides_have_their_lights_and_failure_modes() {
 /// Trust: by hand.
 #[test]
 fn wrinkle_index_and_bottom_tearing_are_those_of_a_hand_calculation() {
-    let found = findings("quickstart.toml", &[]);
+    let found = findings("quickstart", &[]);
     // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
@@ -133,20 +143,17 @@ fn wrinkle_index_and_bottom_tearing_are_those_of_a_hand_calculation() {
 }
 
 #[test]
-fn force_and_work_are_held_against_the_press() {
-    let short = ["tools.punch.travel=3 mm"];
-    for (force, energy, lights) in [("1 MN", "1 kJ", Light::Green), ("1 kN", "1 J", Light::Red)] {
-        let press = [&format!("press.force={force}") as &str, &format!("press.energy={energy}"), short[0]];
-        let found = findings("quickstart.toml", &press);
-        assert_eq!([light(&found, "press_force"), light(&found, "energy")], [lights; 2], "{found:?}");
+fn presses_and_sources_that_say_nothing_are_refused() {
+    for (name, given, says) in [
+        ("quickstart", "press.force=80 N/mm", "whole ring"),
+        ("quickstart", "press.force=0 N", "forms nothing"),
+        ("strip_draw", "press.energy=2 kJ", "length of the part"),
+        ("quickstart", "friction.source=\" \"", "says nothing"),
+    ] {
+        let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        let error = case::load(path, &[given.to_owned()]).expect_err(given).to_string();
+        assert!(error.contains(says), "{given}: {error}");
     }
-    let wrong = |name: &str, given: &str| {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
-        case::load(path, &[given.to_owned()]).expect_err(given).to_string()
-    };
-    assert!(wrong("quickstart.toml", "press.force=80 N/mm").contains("whole ring"));
-    assert!(wrong("quickstart.toml", "press.force=0 N").contains("forms nothing"));
-    assert!(wrong("strip_draw.toml", "press.energy=2 kJ").contains("length of the part"));
 }
 
 /// Trust: by hand. A nose of 6 mm that ends at 27.338 mm in a wall leaning by 20°; a hemisphere has no bottom to tear off.
@@ -191,51 +198,11 @@ fn later_draws_are_judged_too() {
     assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
 }
 
-#[test]
-fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
-    let grey = |name: &str, key: &str| assert_eq!(light(&findings(name, &[]), key), Light::Grey, "{name} {key}");
-    grey("strip_draw.toml", "springback");
-    grey("woo_hemispherical.toml", "wall_wrinkles");
-    let short = "tools.punch.travel=3 mm";
-    let of = |given: &[&str], key: &str| {
-        let found = findings("quickstart.toml", &[&[short], given].concat());
-        let it = found.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}"));
-        (it.light, it.found())
-    };
-    // No holder is no better than a weak one: 50 mm of blank beyond the punch.
-    assert_eq!(of(&["tools.holder.force=0 N"], "wrinkling").0, Light::Red);
-    // Only the key for it says where a number comes from; prose may say anything, and another number is not the source's.
-    for note in ["friction was not measured", "friction for a plate 2000 mm wide", "friction measured on a strip"] {
-        assert_eq!(of(&[&format!("notes=[\"{note}\"]")], "friction").0, Light::Amber, "{note}");
-    }
-    let source = "friction.source=Woo (1968)";
-    let (light, found) = of(&[source], "friction");
-    assert!(light == Light::Green && found.to_string().contains("Woo (1968)"), "{found}");
-    assert_eq!(of(&[source, "tools.die.friction=0.5"], "friction").0, Light::Amber);
-    let quickstart = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
-    let empty = case::load(quickstart, &["friction.source=\" \"".to_owned()]).expect_err("a source that is none");
-    assert!(empty.to_string().contains("says nothing"), "{empty}");
-    let wide = ["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"];
-    assert_eq!(of(&wide, "clearance").0, Light::Amber);
-}
-
-#[test]
-fn a_run_that_stops_early_and_bad_input_have_their_exit_codes() {
-    let dir = folder(CUP);
-    let torn =
-        ["--set", "tools.holder.force=400 kN", "--set", "tools.die.friction=0.3", "--set", "tools.punch.travel=25 mm"];
-    let run = |more: &[&str]| stampflow(dir.path(), &[&["check", "cases/cup.toml", "--run", "--quiet"], more].concat());
-    let stopped = run(&torn);
-    assert_eq!(stopped.status.code(), Some(3), "{}", text(&stopped.stdout));
-    assert!(text(&stopped.stdout).contains("red"));
-    assert_eq!(run(&["--set", "blank.thickness=-1 mm"]).status.code(), Some(2));
-}
-
 /// Trust: by hand, ρ ln(1 + 1/ρ) of 1.5, 3 and 6 mm on a sheet of 1 mm. Membranes, which do not bend, are judged too.
 #[test]
 fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
     let short = ["tools.punch.travel=3 mm"];
-    let judged = |sets: &[&str]| findings("quickstart.toml", &[&short, sets].concat());
+    let judged = |sets: &[&str]| findings("quickstart", &[&short, sets].concat());
     let nose = |mm: f64| format!("tools.punch.flat.nose={mm} mm");
     for (ratio, expected, color) in
         [(1.5, 76.624, Light::Red), (3.0, 86.305, Light::Amber), (6.0, 92.490, Light::Green)]
@@ -259,9 +226,7 @@ fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
 /// by more still when nothing but the tilting rim is left under it.
 #[test]
 fn the_lift_of_the_holder_is_one_number_wherever_it_stands() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
-    let weak = ["tools.holder.force=500 N", "tools.punch.travel=36 mm"].map(str::to_owned);
-    let case = case::load(path, &weak).expect("valid");
+    let case = shipped_case("quickstart", &["tools.holder.force=500 N", "tools.punch.travel=36 mm"]);
     let solution = case.solve(&mut ());
     let all = assess::after(&solution.case, &solution.stages);
     let row = all.iter().find(|f| f.key == "holder").expect("the holder is judged");
@@ -280,36 +245,10 @@ fn the_lift_of_the_holder_is_one_number_wherever_it_stands() {
 
 /// The verdict on a shipped case with overrides.
 fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    let case = case::load(path, &overrides).expect("valid");
+    let case = shipped_case(name, overrides);
     let stages = solve(&case.stages, &mut ());
     let findings = judged(&case, &stages);
     (Answer::of(&case, &stages, &findings), findings)
-}
-
-/// Trust: by hand, the run's own largest 45.3 kN of the punch and 10 kN of a holder whose force is constant; 20 % more of it
-/// are 66.4 kN.
-#[test]
-fn a_press_bears_the_punch_and_its_cushion() {
-    let told = |overrides: &[&str]| {
-        let (answer, findings) = answered("quickstart.toml", overrides);
-        let number = answer.numbers.iter().find(|number| number.key == "punch_force").expect("a force").place.clone();
-        (number.replace('\u{a0}', " "), light(&findings, "press_force"))
-    };
-    let (number, unrated) = told(&[]);
-    assert!(
-        number.ends_with("a press of at least 67 kN with the holder (1.2 times the load)") && unrated == Light::Grey,
-        "{number}"
-    );
-    for (force, share, light) in [
-        ("press.force=50 kN", "111 %", Light::Red),
-        ("press.force=60 kN", "92 %", Light::Amber),
-        ("press.force=80 kN", "69 %", Light::Green),
-    ] {
-        let (number, rated) = told(&[force]);
-        assert!(number.contains(share) && number.ends_with("with the holder") && rated == light, "{number}");
-    }
 }
 
 /// Trust: the user's own doing is no fault of the part.
@@ -324,8 +263,7 @@ fn an_interrupted_run_is_not_red() {
             self.0 == 0
         }
     }
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
-    let case = case::load(path, &[]).expect("valid");
+    let case = shipped_case("quickstart", &[]);
     let stages = solve(&case.stages, &mut Early(5));
     let findings = judged(&case, &stages);
     let answer = Answer::of(&case, &stages, &findings);

@@ -1,7 +1,6 @@
 //! Files for ParaView, read back and measured; `tests/foreign` holds other readers against them.
 
 use crate::common::cli::{CUP, folder, stampflow, text};
-use crate::common::files::files;
 use roxmltree::{Document, Node};
 use stampflow::results::vtk::STATES;
 use std::collections::BTreeMap;
@@ -125,22 +124,4 @@ fn states_are_spread_evenly_and_the_tools_stand_where_the_punch_has_come_to() {
         roles.dedup();
         assert_eq!(roles, [0.0, 1.0, 2.0]);
     }
-}
-
-#[test]
-fn vtk_files_come_and_go_with_their_option() {
-    let dir = folder(CUP);
-    let out = dir.path().join("out/cup");
-    let vtk = || files(&out, "vtu").len() + files(&out, "pvd").len();
-    let run = || stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
-    run();
-    let first = vtk();
-    assert_eq!(first, 2 * collection(&out.join("section.pvd")).len() + 2);
-    for name in ["section_0999.vtu", "mine.vtu"] {
-        fs::write(out.join(name), "old").unwrap();
-    }
-    run();
-    assert_eq!(vtk(), first + 1);
-    stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
-    assert_eq!(vtk(), 1);
 }

@@ -57,17 +57,6 @@ fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
     assert!(row(&with_hosford, "forming_limit").light != Light::Grey);
 }
 
-/// Trust: the same cup at half its depth thins by a rule of thumb's amber: what cannot be judged is said in the first
-/// sentence; at a higher r̄ Hill's condition is taken at its word.
-#[test]
-fn what_is_not_known_is_not_called_good() {
-    let (solution, found) = solved(&[HILL, "tools.punch.travel=26 mm"]);
-    let answer = Answer::of(&solution.case, &solution.stages, &found);
-    assert!(answer.light >= Light::Amber, "{answer:?}");
-    let (_, found) = solved(&[HILL, "material.anisotropy=0.9"]);
-    assert_eq!(row(&found, "yield_condition").light, Light::Green);
-}
-
 /// Trust: by hand, (0.525 + 2 × 0.248 + 0.429)/4; the same model as with the mean, and ears about it that add up to little:
 /// two thirds of each other's sign.
 #[test]

@@ -48,32 +48,6 @@ impl Checked {
         });
         Some(own + deviations.sum::<Option<f64>>()?)
     }
-
-    /// Every number with its levels, for a look at them.
-    #[allow(dead_code, reason = "the benchmark prints it")]
-    pub fn print_raw(&self, seed: u64) {
-        let base = &self.full.outcomes[0];
-        for number in &base.numbers {
-            let all = self.full.outcomes.iter().chain(&self.quick.outcomes[1..]).chain(&self.finest).skip(1);
-            let runs = all.map(|run| {
-                let direction = run.direction.map_or("", Direction::key);
-                let value = run.value(number).map_or_else(|| "none".to_owned(), |v| format!("{v:.10e}"));
-                let alike = if run.end.is_like(&base.end) { "" } else { "!" };
-                format!("{direction}:{}:{alike}{value}", run.times)
-            });
-            let runs: Vec<String> = runs.collect();
-            println!(
-                "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
-                number.origin,
-                number.quantity.key,
-                number.quantity.value(),
-                number.resolution,
-                base.end.kind.replace(' ', "_"),
-                base.shortest,
-                runs.join(" ")
-            );
-        }
-    }
 }
 
 /// How often the truth lies inside the bars of a number, and how long these are.
@@ -119,39 +93,5 @@ impl Tally {
             rows
         };
         Self { full: rows(|one| &one.full), quick: rows(|one| &one.quick) }
-    }
-
-    /// As a table of Markdown.
-    #[allow(dead_code, reason = "the benchmark prints it")]
-    pub fn markdown(&self) -> String {
-        let mut text = "| number | dies | inside, `verify` | bar / true error | no bar | inside, quick | bar / true error | no bar |\n\
-                        |---|---:|---:|---:|---:|---:|---:|---:|\n"
-            .to_owned();
-        for (full, quick) in self.full.iter().zip(&self.quick) {
-            text += &format!(
-                "| {} | {} | {:.1} % | {:.1} | {} | {:.1} % | {:.1} | {} |\n",
-                full.name,
-                full.ratios.len(),
-                100.0 * full.share(),
-                full.median(),
-                full.without,
-                100.0 * quick.share(),
-                quick.median(),
-                quick.without
-            );
-        }
-        text
-    }
-}
-
-impl Row {
-    /// Share of the bars with the truth inside \[–\].
-    pub fn share(&self) -> f64 {
-        self.inside as f64 / self.ratios.len().max(1) as f64
-    }
-
-    /// Median of bar over true error \[–\].
-    pub fn median(&self) -> f64 {
-        self.ratios.get(self.ratios.len() / 2).copied().unwrap_or(f64::NAN)
     }
 }

@@ -4,10 +4,8 @@ pub mod cli;
 pub mod convergence;
 pub mod coverage;
 pub mod cup;
-pub mod drawn;
 pub mod files;
 pub mod page;
-pub mod pixels;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the kind")]
