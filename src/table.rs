@@ -88,21 +88,18 @@ impl Axis {
         Self { spacing, ..self }
     }
 
-    /// Common axis of several columns: the words that their labels end with, or all labels.
+    /// Common axis of several columns: the word that their labels end with, or all labels.
     ///
     /// # Panics
     /// If the columns differ in unit.
     pub fn shared(columns: &[&Column]) -> Self {
         let unit = columns.first().map_or(Unit::None, |c| c.unit);
         assert!(columns.iter().all(|c| c.unit == unit), "columns of different units on one axis");
-        let words: Vec<Vec<&str>> = columns.iter().map(|c| c.label.rsplit(' ').collect()).collect();
-        let fewest = words.iter().map(Vec::len).min().unwrap_or(0);
-        let common = (0..fewest).take_while(|&i| words.iter().all(|w| w[i] == words[0][i])).count();
-        let label = match words.as_slice() {
-            [first, _, ..] if common > 0 => {
-                capitalised(&first[..common].iter().rev().copied().collect::<Vec<_>>().join(" "))
-            }
-            _ => columns.iter().map(|c| c.label).collect::<Vec<_>>().join(", "),
+        let word = |c: &&Column| c.label.rsplit(' ').next();
+        let is_common = columns.len() > 1 && columns.iter().all(|c| word(c) == word(&columns[0]));
+        let label = match columns.first().and_then(word).filter(|_| is_common) {
+            Some(word) => capitalised(word),
+            None => columns.iter().map(|c| c.label).collect::<Vec<_>>().join(", "),
         };
         Self::named(label, unit)
     }

@@ -1,8 +1,7 @@
 //! Comparisons that a case requests: reference curves, point by point, and bands that values without places span.
 
-pub use super::file::ComparedQuantity;
 use crate::table::Csv;
-use ComparedQuantity as Q;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -89,46 +88,67 @@ pub struct Source {
     pub scatter: Option<String>,
 }
 
-/// Quantities with their names in case files and their short labels; the first six are curves, the others bands.
-const QUANTITIES: [(Q, &str, &str); 13] = [
-    (Q::PunchForce, "punch_force", "force"),
-    (Q::Travel, "travel", "travel"),
-    (Q::ThicknessAtS0, "thickness_at_s0", "thickness"),
-    (Q::ThicknessAtRadius, "thickness_at_radius", "thickness"),
-    (Q::StrainPath, "strain_path", "strain"),
-    (Q::DrawInAtTravel, "draw_in_at_travel", "draw-in"),
-    (Q::EdgeDiameter, "edge_diameter", "diameter"),
-    (Q::DrawIn, "draw_in", "draw-in"),
-    (Q::Thinnest, "thinnest", "thinnest"),
-    (Q::Thickness, "thickness", "thickness"),
-    (Q::PeakForce, "peak_force", "peak force"),
-    (Q::PeakTravel, "peak_travel", "peak at"),
-    (Q::RingOpening, "ring_opening", "ring"),
-];
+macro_rules! quantities {
+    ($($(#[doc = $doc:literal])+ $quantity:ident $name:literal $label:literal)+) => {
+        /// Compared quantity.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+        pub enum ComparedQuantity {
+            $($(#[doc = $doc])+ #[serde(rename = $name)] $quantity,)+
+        }
+
+        const NAMES: [&str; [$($name),+].len()] = [$($name),+];
+        const LABELS: [&str; NAMES.len()] = [$($label),+];
+    };
+}
+
+quantities! {
+    /// Punch force at equal travel, a curve.
+    PunchForce "punch_force" "force"
+    /// Punch travel at equal force, a curve.
+    Travel "travel" "travel"
+    /// Thickness over the initial distance from the axis or symmetry plane at the end, a curve.
+    ThicknessAtS0 "thickness_at_s0" "thickness"
+    /// Thickness over the present radius at the end, a curve.
+    ThicknessAtRadius "thickness_at_radius" "thickness"
+    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.
+    StrainPath "strain_path" "strain"
+    /// Draw-in of the edge at equal travel, a curve.
+    DrawInAtTravel "draw_in_at_travel" "draw-in"
+    /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
+    EdgeDiameter "edge_diameter" "diameter"
+    /// Inward move of the edge at the end, a band.
+    DrawIn "draw_in" "draw-in"
+    /// Smallest thickness at the end, a band.
+    Thinnest "thinnest" "thinnest"
+    /// Thickness of the whole section at the end, a band.
+    Thickness "thickness" "thickness"
+    /// Largest punch force of the run, a band.
+    PeakForce "peak_force" "peak force"
+    /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
+    PeakTravel "peak_travel" "peak at"
+    /// Opening of the ring of `[springback]` when it is slit, a band.
+    RingOpening "ring_opening" "ring"
+}
 
 impl ComparedQuantity {
     /// Names of all quantities, as in case files.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        QUANTITIES.iter().map(|entry| entry.1)
+        NAMES.into_iter()
     }
 
     /// Name in case files, tables and file names.
     pub fn name(self) -> &'static str {
-        self.entry().1
+        NAMES[self as usize]
     }
 
     /// Short label.
     pub fn label(self) -> &'static str {
-        self.entry().2
-    }
-
-    fn entry(self) -> &'static (Self, &'static str, &'static str) {
-        QUANTITIES.iter().find(|entry| entry.0 == self).expect("the list has every quantity")
+        LABELS[self as usize]
     }
 
     /// True of a curve, false of a band.
     pub fn is_curve(self) -> bool {
-        self as usize <= Q::DrawInAtTravel as usize
+        self as usize <= Self::DrawInAtTravel as usize
     }
 }
 

@@ -7,7 +7,7 @@ pub use entries::{Class, StandsFor};
 
 use super::file::{self, Anisotropy, CaseFile};
 use super::files::Folder;
-use super::sources::{Sheets, Taken, Thickness};
+use super::sources::{Sheets, Sources, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
@@ -107,8 +107,8 @@ pub fn material(name: &str) -> Result<Entry, CaseError> {
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
-pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, CaseError> {
-    let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
+pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, CaseError> {
+    let Some(written) = file.material.name.clone() else { return Ok(Sources::default()) };
     let known = lookup::find(&written).map_err(|[what, help]| source.error("material.name", what, help))?;
     let (name, elastoplastic) = (known.name, known.file.elastoplastic());
     let EntryFile { material: sheet, thickness, forming_limit, .. } = known.file;
@@ -148,7 +148,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     }
     // The sheet's thickness belongs to its own law only.
     let thickness = thickness.filter(|_| !own_hardening).and_then(|range| Thickness::parse(name, &range));
-    Ok(Taken { sheets, thickness })
+    Ok(Sources { sheets, thickness, ..Sources::default() })
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {

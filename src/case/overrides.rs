@@ -84,23 +84,21 @@ fn replace_material(document: &mut DocumentMut, name: &str) {
 }
 
 fn keys(item: &Item) -> Vec<String> {
+    let entries = item.as_array().map(toml_edit::Array::len).or(item.as_array_of_tables().map(|tables| tables.len()));
     match item.as_table_like() {
         Some(table) => table.iter().map(|(key, _)| key.to_owned()).collect(),
-        None => {
-            let len = item.as_array().map(toml_edit::Array::len).or(item.as_array_of_tables().map(|a| a.len()));
-            (0..len.unwrap_or(0)).map(|i| i.to_string()).collect()
-        }
+        None => (0..entries.unwrap_or(0)).map(|i| i.to_string()).collect(),
     }
 }
 
 /// The table or array entry of that name inside a table or array.
 fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
-    let found = match segment.parse::<usize>() {
-        Ok(index) if !item.is_table_like() => item.get_mut(index),
-        _ if item.get(segment).is_some() => item.get_mut(segment),
-        _ => None,
+    let entry = match segment.parse::<usize>() {
+        Ok(index) if !item.is_table_like() => item.get_mut(index)?,
+        // Indexing by a missing name would insert it.
+        _ => item.get(segment).is_some().then(|| item.get_mut(segment))??,
     };
-    found.filter(|item| item.is_table_like() || item.is_array() || item.is_array_of_tables())
+    (entry.is_table_like() || entry.is_array() || entry.is_array_of_tables()).then_some(entry)
 }
 
 /// Sets a key of a table (new or not) or an entry of an array (that exists); comments around it stay.

@@ -59,25 +59,19 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let stages = build::stages(&file, &source)?;
     let r_values = file.material.anisotropy.and_then(file::Anisotropy::directions);
     r_values.into_iter().for_each(|r| source.note(build::mean_of(r)));
-    let compare = build::compare(&file, &source)?;
-    let press = build::press(&file, &source)?;
-    let springback = build::springback(&file, &source)?;
-    let sources = sources::sources(&file, taken, &source)?;
-    let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    let overrides = overrides.to_vec();
     Ok(Case {
-        name,
+        name: path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned()),
+        compare: build::compare(&file, &source)?,
+        press: build::press(&file, &source)?,
+        springback: build::springback(&file, &source)?,
+        sources: sources::sources(&file, taken, &source)?,
         text: text.clone(),
-        overrides,
+        overrides: overrides.to_vec(),
         stages,
-        compare,
-        press,
         title_block: file.report,
-        springback,
-        sources,
         r_values,
         derived: source.take_notes(),
-        path,
         inputs: reads.paths(),
+        path,
     })
 }

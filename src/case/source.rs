@@ -171,13 +171,13 @@ impl<'t> Source<'t> {
 
     /// Error for a missing key, with a line that could be added.
     pub fn missing(&self, table: &str, key: &str) -> CaseError {
-        let path = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-        let help = match example(&path) {
-            Some(line) => format!("add a line such as {line}"),
-            None => format!("add it: [{path}]"),
+        let (path, name) = match table {
+            "" => (key.to_owned(), "the case".to_owned()),
+            _ => (format!("{table}.{key}"), format!("[{table}]")),
         };
-        let table_name = if table.is_empty() { "the case".into() } else { format!("[{table}]") };
-        self.error(table, format!("`{key}` is missing in {table_name}"), help)
+        let help =
+            example(&path).map_or_else(|| format!("add it: [{path}]"), |line| format!("add a line such as {line}"));
+        self.error(table, format!("`{key}` is missing in {name}"), help)
     }
 
     /// Error at a range of bytes.
@@ -192,22 +192,17 @@ impl<'t> Source<'t> {
 
     /// Span of the deepest written part of a path, and whether the whole path was written.
     fn locate(&self, path: &str) -> (Range<usize>, bool) {
-        let mut span = 0..0;
-        let (mut table, mut array): (_, Option<&[Spanned<DeValue>]>) = (Some(self.tree.get_ref()), None);
+        let (mut span, mut here) = (0..0, None);
         for segment in path.split('.') {
-            let entry = match (table, array) {
-                (Some(table), _) => table.get_key_value(segment).map(|(key, value)| (key.span(), value)),
-                (_, Some(array)) => {
-                    segment.parse().ok().and_then(|i: usize| array.get(i)).map(|value| (value.span(), value))
-                }
-                _ => None,
-            };
+            let table = here.map_or(Some(self.tree.get_ref()), DeValue::as_table);
+            let array = here.and_then(DeValue::as_array).zip(segment.parse::<usize>().ok());
+            let entry = table.and_then(|table| table.get_key_value(segment)).map(|(key, value)| (key.span(), value));
+            let entry = entry.or_else(|| array.and_then(|(array, i)| array.get(i)).map(|value| (value.span(), value)));
             let Some((key, value)) = entry else { return (span, false) };
             // A table or a long array is shown by its key, so that the message stays short.
             let one_line = !self.text[value.span()].contains('\n');
             span = if one_line && !value.span().is_empty() { value.span() } else { key };
-            table = value.get_ref().as_table();
-            array = value.get_ref().as_array().map(|array| &array[..]);
+            here = Some(value.get_ref());
         }
         (span, true)
     }
@@ -267,9 +262,9 @@ const NO_LENGTHS: [&str; 8] = ["title", "notes", "name", "source", "file", "quan
 fn resolve_thicknesses(tree: &mut DeTable) {
     let blank = tree.get("blank").and_then(|blank| blank.get_ref().as_table());
     let thickness = blank.and_then(|blank| blank.get("thickness")?.get_ref().as_str()?.parse::<Length>().ok());
-    let Some(thickness) = thickness else { return };
-    let entries = tree.iter_mut();
-    entries.for_each(|(key, value)| resolve(key.get_ref(), value.get_mut(), thickness.value()));
+    if let Some(thickness) = thickness {
+        tree.iter_mut().for_each(|(key, value)| resolve(key.get_ref(), value.get_mut(), thickness.value()));
+    }
 }
 
 fn resolve(key: &str, value: &mut DeValue, thickness: f64) {

@@ -43,15 +43,6 @@ impl Sheets {
     }
 }
 
-/// Provenance of the numbers that a case takes from the library.
-#[derive(Debug, Default)]
-pub(super) struct Taken {
-    /// Sheets of hardening and r̄, if they are two.
-    pub sheets: Option<Sheets>,
-    /// The sheet's thickness, where its source says it.
-    pub thickness: Option<Thickness>,
-}
-
 /// Thickness of the sheet that a material of the library is of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thickness {
@@ -85,34 +76,27 @@ pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> O
     (stays && other).then(|| "the points of [forming_limit] are still those of the sheet before".into())
 }
 
-/// A number that an override has replaced is no longer its source's.
+/// Removes the source of a number that an override has replaced.
 pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
-    let keys = || keys(overrides);
-    let replaced = |source: &str, is_of: fn(&str) -> bool| keys().any(is_of) && !keys().any(|path| path == source);
-    if replaced("friction.source", |path| path.split('.').any(|key| key == "friction")) {
-        file.friction.source = None;
-    }
-    if replaced("material.source", |path| path.split('.').next() == Some("material")) {
-        file.material.source = None;
-    }
+    let forget = |source: &mut Option<String>, path: &str, is_of: fn(&str) -> bool| {
+        if keys(overrides).any(is_of) && !keys(overrides).any(|key| key == path) {
+            *source = None;
+        }
+    };
+    forget(&mut file.friction.source, "friction.source", |path| path.split('.').any(|key| key == "friction"));
+    forget(&mut file.material.source, "material.source", |path| path.split('.').next() == Some("material"));
 }
 
-/// Sources of a case whose named material is completed.
+/// Sources of a case whose named material is completed, with what that brought.
 ///
 /// # Errors
 /// When a source is written and says nothing.
-pub(super) fn sources(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sources, CaseError> {
-    let checked = |given: &Option<String>, path: &str| match given {
-        Some(text) if text.trim().is_empty() => {
-            let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";
-            Err(source.error(path, "`source` says nothing", help))
-        }
-        given => Ok(given.clone()),
-    };
-    Ok(Sources {
-        friction: checked(&file.friction.source, "friction.source")?,
-        material: checked(&file.material.source, "material.source")?,
-        sheets: taken.sheets,
-        thickness: taken.thickness,
-    })
+pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Result<Sources, CaseError> {
+    let (friction, material) = (file.friction.source.clone(), file.material.source.clone());
+    for (given, path) in [(&friction, "friction.source"), (&material, "material.source")] {
+        let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";
+        let says = given.as_ref().is_none_or(|text| !text.trim().is_empty());
+        source.require(says, path, "`source` says nothing", help)?;
+    }
+    Ok(Sources { friction, material, ..taken })
 }

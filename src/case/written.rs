@@ -3,45 +3,35 @@
 use super::{Case, library, overrides};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
-/// The table that a sheet of the library fills.
-const MATERIAL: &str = "material";
-
 impl Case {
-    /// What its text writes at a dotted path of keys, as an override would name it, with the path: of `friction` that of
-    /// every tool; of a key of the material what the library has where the case takes its sheet from there.
+    /// Values in its text at a dotted path of keys, each with its path: `friction` is that of every tool. A key of the
+    /// material is looked up in the library too, if the case takes its sheet from there.
     pub fn written(&self, key: &str) -> Vec<(String, String)> {
-        let Ok(document) = self.text.parse::<DocumentMut>() else { return Vec::new() };
-        let library = self.library_text().and_then(|text| text.parse::<DocumentMut>().ok());
-        let paths = overrides::spread(&document, &format!("{key}="));
+        let [Some(own), library] = self.documents() else { return Vec::new() };
+        let value = |path: &str| at(&own, path).or_else(|| at(library.as_ref()?, path))?.as_value().map(plain);
+        let paths = overrides::spread(&own, &format!("{key}="));
         let paths = paths.iter().map(|path| path.trim_end_matches('=').to_owned());
-        paths
-            .filter_map(|path| {
-                let found = at(&document, &path).or_else(|| at(library.as_ref()?, &path))?;
-                Some((path, plain(found.as_value()?)))
-            })
-            .collect()
+        paths.filter_map(|path| value(&path).map(|value| (path, value))).collect()
     }
 
     /// Its hardening law as a value that `material.hardening` may be set to; `None` where the text has none.
     pub fn hardening(&self) -> Option<Value> {
-        let library = self.library_text();
-        let of = |text: &str| {
-            let document = text.parse::<DocumentMut>().ok()?;
-            at(&document, "material.hardening")?.as_table_like().map(|table| Value::InlineTable(inline(table)))
-        };
-        of(&self.text).or_else(|| of(library?))
+        let law = |document: &DocumentMut| Some(inline(at(document, "material.hardening")?.as_table_like()?));
+        self.documents().iter().flatten().find_map(law).map(Value::InlineTable)
     }
 
     /// The sheet of the library that it names.
     pub fn sheet(&self) -> Option<library::Entry> {
         let document = self.text.parse::<DocumentMut>().ok()?;
-        let material = document.get(MATERIAL)?;
+        let material = document.get("material")?;
         let name = material.as_str().or_else(|| material.get("name")?.as_str())?;
         library::material(name).ok()
     }
 
-    fn library_text(&self) -> Option<&'static str> {
-        self.sheet().map(|sheet| sheet.text)
+    /// Its text and that of its sheet in the library.
+    fn documents(&self) -> [Option<DocumentMut>; 2] {
+        let library = self.sheet().and_then(|sheet| sheet.text.parse().ok());
+        [self.text.parse().ok(), library]
     }
 }
 

@@ -21,23 +21,15 @@ const BENT: i64 = 9;
 const ELASTIC: i64 = 15;
 const RELEASED: i64 = 25;
 
-fn is_released(case: &CaseFile) -> bool {
-    case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some()))
-}
-
-/// True if the sheet is elastic in any stage.
-fn is_elastic(case: &CaseFile) -> bool {
-    let modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]);
-    is_released(case) || modes.flatten().any(|mode| mode != Mode::Flow)
-}
-
-/// Default number of points through the thickness.
-fn default_layers(case: &CaseFile) -> i64 {
-    match (is_released(case), is_elastic(case), case.geometry) {
-        (true, ..) => RELEASED,
-        (_, true, _) => ELASTIC,
-        (.., Geometry::PlaneStrain) => BENT,
-        (.., Geometry::Axisymmetric) => FLOWING,
+/// Thickness rule and default number of points through the thickness.
+fn thickness_points(case: &CaseFile) -> (ThicknessRule, i64) {
+    let is_released = case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some()));
+    let mut modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]).flatten();
+    match case.geometry {
+        _ if is_released => (ThicknessRule::Lobatto, RELEASED),
+        _ if modes.any(|mode| mode != Mode::Flow) => (ThicknessRule::Lobatto, ELASTIC),
+        Geometry::PlaneStrain => (ThicknessRule::Parts, BENT),
+        Geometry::Axisymmetric => (ThicknessRule::Parts, FLOWING),
     }
 }
 
@@ -65,11 +57,12 @@ pub(super) fn convert(case: &CaseFile, source: &Source) -> Result<Blank, CaseErr
     let what = format!("a blank of {long} mm is too small for a thickness of {thick} mm");
     let help = "shells are at least five thicknesses long: check the units";
     source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
+    let (rule, usual) = thickness_points(case);
     let layers = if file.theory == Theory::Membrane {
         source.note("membrane theory: bending stiffness is left out, one point through the thickness");
         1
     } else {
-        count(source, "blank.layers", file.layers.unwrap_or_else(|| default_layers(case)), 3..=101)?
+        count(source, "blank.layers", file.layers.unwrap_or(usual), 3..=101)?
     };
     Ok(Blank {
         length,
@@ -78,7 +71,7 @@ pub(super) fn convert(case: &CaseFile, source: &Source) -> Result<Blank, CaseErr
         grading: file.grading,
         theory: file.theory,
         layers,
-        rule: if is_elastic(case) { ThicknessRule::Lobatto } else { ThicknessRule::Parts },
+        rule,
         edge: file.edge,
     })
 }

@@ -1,12 +1,14 @@
 //! `[[compare]]`.
 
 use super::lines::Named;
-use crate::case::comparison::{Against, BandSpec, CurveSpec, Data, SOURCES, Source as Provenance, Spec};
-use crate::case::file::{CaseFile, Compare, ComparedQuantity};
+use crate::case::comparison::{
+    Against, BandSpec, ComparedQuantity, CurveSpec, Data, SOURCES, Source as Provenance, Spec,
+};
+use crate::case::file::{CaseFile, Compare};
 use crate::case::files::{self, FileError};
 use crate::case::{CaseError, source::Source};
 use crate::units::Dimensioned as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
@@ -18,16 +20,16 @@ pub(in crate::case) fn compare(file: &CaseFile, source: &Source) -> Result<Vec<S
 /// Entry of `sources.toml` beside a reference file.
 fn provenance(path: &Path, key: &str, source: &Source) -> Result<Option<Provenance>, CaseError> {
     let sources = path.with_file_name(SOURCES);
-    let unreadable = |why: String| {
+    let unreadable = |why: &str| {
         let what = format!("cannot read {}: {why}", sources.display());
         source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")
     };
     let text = match source.folder.files.text(&sources, files::CSV) {
         Err(FileError::Missing) => return Ok(None),
-        text => text.map_err(|error| unreadable(error.to_string()))?,
+        text => text.map_err(|error| unreadable(&error.to_string()))?,
     };
-    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    Provenance::of(&name, &text).map_err(|error| unreadable(error.message().to_owned()))
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Provenance::of(&name, &text).map_err(|error| unreadable(error.message()))
 }
 
 /// One `[[compare]]` and its index.
@@ -40,44 +42,30 @@ struct Entry<'a> {
 impl Entry<'_> {
     /// Requested comparison with its reference; `limited` if the case has a forming limit.
     fn spec(&self, limited: bool) -> Result<Spec, CaseError> {
-        let c = self.c;
-        let folder = self.source.folder.path;
-        let candidates = [folder.join("../reference_data").join(&c.reference), folder.join(&c.reference)];
-        let reference = self.read(&candidates)?;
-        let what = format!("the reference file \"{}\" is not there", c.reference);
-        let [first, second] = candidates.each_ref().map(|path| path.display());
-        let help = format!("put it at {first} or {second}, or set optional = true");
-        self.require(reference.is_some() || c.optional, "reference", what, &help)?;
+        let Compare { reference, quantity, reason, optional, demonstration, .. } = self.c.clone();
+        let (source, key) = (self.source, format!("compare.{}.reference", self.i));
+        let folder = source.folder.path;
+        let [first, second] = [folder.join("../reference_data").join(&reference), folder.join(&reference)];
+        let named = Named { file: &reference, what: "reference", example: EXAMPLE, key: &key };
+        let found = named.first(&[&first, &second], source)?;
+        let what = format!("the reference file \"{reference}\" is not there");
+        let help = format!("put it at {} or {}, or set optional = true", first.display(), second.display());
+        source.require(found.is_some() || optional, &key, what, help)?;
         let help = "say what the difference may come from";
-        self.require(!c.reason.trim().is_empty(), "reason", "a comparison needs its reason", help)?;
-        if c.quantity == ComparedQuantity::StrainPath {
-            let what = "strain paths are kept of a case with a forming limit, and this one has none";
-            self.require(limited, "quantity", what, "add [forming_limit] with hill = true, or points")?;
+        self.require(!reason.trim().is_empty(), "reason", "a comparison needs its reason", help)?;
+        let what = "strain paths are kept of a case with a forming limit, and this one has none";
+        let known = limited || quantity != ComparedQuantity::StrainPath;
+        self.require(known, "quantity", what, "add [forming_limit] with hill = true, or points")?;
+        let against = if quantity.is_curve() { self.curve()? } else { self.band()? };
+        let Some((path, lines, csv)) = found else {
+            return Ok(Spec { reference: first, data: None, against, reason, optional, demonstration });
+        };
+        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
         }
-        let against = if c.quantity.is_curve() { self.curve()? } else { self.band()? };
-        let (reference, data) =
-            reference.map_or_else(|| (candidates[0].clone(), None), |(path, data)| (path, Some(data)));
-        let Compare { reason, optional, demonstration, .. } = c.clone();
-        Ok(Spec { reference, data, against, reason, optional, demonstration })
-    }
-
-    /// Reads the first of some files that exists.
-    fn read(&self, candidates: &[PathBuf]) -> Result<Option<(PathBuf, Data)>, CaseError> {
-        let (source, key) = (self.source, &format!("compare.{}.reference", self.i));
-        let named = Named { file: &self.c.reference, what: "reference", example: EXAMPLE, key };
-        for path in candidates {
-            let text = match source.folder.files.text(path, files::CSV) {
-                Err(FileError::Missing | FileError::Folder) => continue,
-                text => text.map_err(|error| named.unreadable(&error, source))?,
-            };
-            let (lines, csv) = named.table(&text, path, source)?;
-            if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
-                let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
-                return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
-            }
-            return Ok(Some((path.clone(), Data { csv, source: provenance(path, key, source)? })));
-        }
-        Ok(None)
+        let data = Some(Data { csv, source: provenance(path, &key, source)? });
+        Ok(Spec { reference: path.to_owned(), data, against, reason, optional, demonstration })
     }
 
     fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<(), CaseError> {

@@ -87,15 +87,22 @@ impl Drawn {
         }
         let profile = self.profile.shifted(shift);
         let piece_at = |at: Point| self.written().closest(at).piece;
-        if let Some(r) = sheet_inside(&profile, length) {
+        // First r at which the middle of the flat sheet lies on the tool's side.
+        let sheet_inside = |profile: &Profile| {
+            let mut places = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64);
+            places.find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
+        };
+        if let Some(r) = sheet_inside(&profile) {
             let what = format!("the {name}'s profile has the sheet on its right, inside the tool, at r = {r:.3} mm");
-            let help = match sheet_inside(&profile.reversed(), length) {
+            let help = match sheet_inside(&profile.reversed()) {
                 None => "list the points the other way round: the sheet lies on the left",
                 Some(_) => "the sheet lies on the left all along: check the order of the points there",
             };
             return Err(self.error(piece_at(Point::new(r, -shift)), source, what, help));
         }
-        if let Some(at) = wall_into_sheet(&self.profile, side, length) {
+        // Steeper than 45°: an undrawn outline could hardly turn away again.
+        let into_sheet = |(at, away): &(Point, Point)| at.x < length && -side * away.y > 0.7;
+        if let Some((at, _)) = self.profile.ends().into_iter().flatten().find(into_sheet) {
             let (towards, away) = if side > 0.0 { ("down", "up") } else { ("up", "down") };
             let what = format!("the {name}'s profile ends on its way {towards} to the sheet, at {}", place_of(at));
             let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
@@ -103,17 +110,4 @@ impl Drawn {
         }
         Ok((profile, shift))
     }
-}
-
-/// First r at which the middle of the flat sheet lies on the tool's side of a profile \[mm\].
-fn sheet_inside(profile: &Profile, length: f64) -> Option<f64> {
-    let mut places = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64);
-    places.find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
-}
-
-/// End of the line below the blank (for a die: above) that runs steeply towards it.
-fn wall_into_sheet(profile: &Profile, side: f64, length: f64) -> Option<Point> {
-    // Steeper than 45°: an undrawn outline could hardly turn away again.
-    let into = |(at, away): &(Point, Point)| at.x < length && -side * away.y > 0.7;
-    profile.ends().into_iter().flatten().find(into).map(|(at, _)| at)
 }

@@ -29,31 +29,32 @@ impl Named<'_> {
     /// Reads the file from the case's folder.
     pub fn open(&self, source: &Source) -> Result<(Lines, Csv), CaseError> {
         let path = source.folder.path.join(self.file);
-        match source.folder.files.text(&path, files::CSV) {
-            Ok(text) => self.table(&text, &path, source),
-            Err(FileError::Missing | FileError::Folder) => {
-                let what = format!("the {} file \"{}\" is not there", self.what, self.file);
-                Err(source.error(self.key, what, format!("put it at {}", path.display())))
-            }
-            Err(error) => Err(self.unreadable(&error, source)),
-        }
+        self.first(&[&path], source)?.map(|(_, lines, csv)| (lines, csv)).ok_or_else(|| {
+            let what = format!("the {} file \"{}\" is not there", self.what, self.file);
+            source.error(self.key, what, format!("put it at {}", path.display()))
+        })
     }
 
-    /// Parses the text of a file.
-    pub fn table(&self, text: &str, path: &Path, source: &Source) -> Result<(Lines, Csv), CaseError> {
-        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-        let shown = Arc::new(NamedSource::new(path.display().to_string(), text));
-        let lines = Lines { shown: shown.clone(), key: self.key.to_owned() };
-        match Csv::read(shown.inner(), &format!("the {} file", self.what), self.example) {
-            Ok(csv) => Ok((lines, csv)),
-            Err(CsvError { line: None, what, help }) => Err(source.error(self.key, what, help)),
-            Err(error) => Err(lines.refuse(error)),
+    /// Reads the first of some files that exists.
+    pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>, CaseError> {
+        for &path in paths {
+            let text = match source.folder.files.text(path, files::CSV) {
+                Err(FileError::Missing | FileError::Folder) => continue,
+                text => text.map_err(|error| {
+                    let what = format!("the {} file \"{}\" cannot be read: {error}", self.what, self.file);
+                    source.error(self.key, what, "save it as CSV in UTF-8")
+                })?,
+            };
+            let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
+            let shown = Arc::new(NamedSource::new(path.display().to_string(), text));
+            let lines = Lines { shown: shown.clone(), key: self.key.to_owned() };
+            return match Csv::read(shown.inner(), &format!("the {} file", self.what), self.example) {
+                Ok(csv) => Ok(Some((path, lines, csv))),
+                Err(CsvError { line: None, what, help }) => Err(source.error(self.key, what, help)),
+                Err(CsvError { line: Some(line), what, help }) => Err(lines.error(line, what, help)),
+            };
         }
-    }
-
-    pub fn unreadable(&self, error: &FileError, source: &Source) -> CaseError {
-        let what = format!("the {} file \"{}\" cannot be read: {error}", self.what, self.file);
-        source.error(self.key, what, "save it as CSV in UTF-8")
+        Ok(None)
     }
 }
 
@@ -67,12 +68,8 @@ impl Lines {
         CaseError::at(self.shown.clone(), start..start + length, what.into(), label, help.into())
     }
 
-    fn refuse(&self, CsvError { line, what, help }: CsvError) -> CaseError {
-        self.error(line.unwrap_or(1), what, help)
-    }
-
     /// Number in a column of a row; `None` if it is empty.
     pub fn number(&self, row: &Record, column: usize) -> Result<Option<f64>, CaseError> {
-        row.number(column).map_err(|error| self.refuse(error))
+        row.number(column).map_err(|CsvError { line, what, help }| self.error(line.unwrap_or(1), what, help))
     }
 }

@@ -1,6 +1,6 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
-use crate::case::file::{self, Anisotropy, YieldCondition};
+use crate::case::file::{self, Anisotropy, Crystal, YieldCondition};
 use crate::case::{CaseError, source::Source};
 use crate::material::law::{Family, LawError, Named};
 use crate::material::{
@@ -21,9 +21,10 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         (Some(_), None) => return Err(source.missing("material", "poisson")),
         (None, Some(_)) => return Err(source.missing("material", "young")),
     };
-    let poisson = elastic.map_or(0.0, |elastic| elastic.poisson);
-    let what = format!("`poisson` must be below 0.5, found {poisson}");
-    source.require(poisson < 0.5, "material.poisson", what, "0.3 for steel, 0.33 for aluminium")?;
+    if let Some(Elastic { poisson, .. }) = elastic {
+        let what = format!("`poisson` must be below 0.5, found {poisson}");
+        source.require(poisson < 0.5, "material.poisson", what, "0.3 for steel, 0.33 for aluminium")?;
+    }
     let hardening = hardening(file.hardening.clone(), elastic, source)?;
     let stress = hardening.at(0.1).stress;
     let what = format!("the law has a yield stress of {stress:.3e} MPa at a strain of 0.1: no metal has");
@@ -54,19 +55,18 @@ fn yield_criterion(file: &file::Material, source: &Source) -> Result<YieldCriter
     let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
     let Some(YieldCondition::Hosford(hosford)) = file.yield_condition else { return Ok(hill.into()) };
     let path = "material.yield_condition.hosford";
-    let exponent = match (hosford.crystal, hosford.exponent) {
-        (Some(crystal), None) => crystal.exponent(),
-        (None, Some(exponent)) => exponent.value(),
-        (None, None) => {
-            let what = "Hosford's condition needs its exponent, or the crystal that decides it";
-            let help = "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8";
-            return Err(source.error(path, what, help));
-        }
-        (Some(_), Some(_)) => {
-            let what = "`crystal` and `exponent` both give the exponent";
-            return Err(source.error(&format!("{path}.exponent"), what, "keep one of them"));
-        }
-    };
+    let both = hosford.crystal.is_some() && hosford.exponent.is_some();
+    source.require(
+        !both,
+        &format!("{path}.exponent"),
+        "`crystal` and `exponent` both give the exponent",
+        "keep one of them",
+    )?;
+    let exponent = hosford.crystal.map(Crystal::exponent).or(hosford.exponent.map(Dimensioned::value));
+    let exponent = exponent.ok_or_else(|| {
+        let what = "Hosford's condition needs its exponent, or the crystal that decides it";
+        source.error(path, what, "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8")
+    })?;
     let what = "the model of voids is made for Hill's condition, not for Hosford's";
     let help = "drop [material.voids], or write yield_condition = \"hill48\"";
     source.require(file.voids.is_none(), path, what, help)?;
@@ -137,9 +137,9 @@ fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, Ca
 /// Law made ready for use.
 pub(super) fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
     let name = law.name();
-    law.prepared(young).map_err(|error| {
-        let message = format!("{name}: {}", error.message);
-        blame(LawError { message, ..error }, &format!("{path}.{name}"), source)
+    law.prepared(young).map_err(|mut error| {
+        error.message = format!("{name}: {}", error.message);
+        blame(error, &format!("{path}.{name}"), source)
     })
 }
 
@@ -150,8 +150,8 @@ pub(super) fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
 
 /// Error of a table that must name exactly one law.
 pub(super) fn not_one(count: usize, path: &str, names: &str, source: &Source) -> CaseError {
-    if count > 0 {
-        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
+    match count {
+        0 => source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]")),
+        _ => source.error(path, format!("[{path}] names more than one law"), "keep one of them"),
     }
-    source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]"))
 }

@@ -29,8 +29,7 @@ pub(super) use material::{convert as material, mean_of};
 
 use super::file::CaseFile;
 use super::{CaseError, source::Source};
-use crate::material::Material;
-use crate::model::{Blank, Extent, Friction, Heat, Mode, Model, Stage, Theory, Tool};
+use crate::model::{Extent, Friction, Mode, Model, Stage, Theory, Tool};
 use friction::Frictions;
 use tools::{Sheet, ToolContext};
 
@@ -55,7 +54,10 @@ fn first(file: &CaseFile, source: &Source) -> Result<Model, CaseError> {
     let blank = blank::convert(file, source)?;
     let depth = blank::depth(file, source)?;
     let material = material::convert(&file.material, source)?;
-    let mode = mode(file, &material, &blank, source)?;
+    let mode = material::mode(file.material.mode.unwrap_or_default(), &material, "material.mode", source)?;
+    let changes = mode != Mode::Flow && blank.theory == Theory::Selective;
+    let what = "an elastic sheet cannot change between bending and membrane";
+    source.require(!changes, "blank.theory", what, "write blank.theory = \"bending\", or mode = \"flow\"")?;
     let drive = motion::drive(file, blank.length, source)?;
     let (length, thickness) = (blank.length, blank.thickness);
     let sheet = Sheet { extent: Extent::of(geometry, depth), length, thickness };
@@ -69,7 +71,9 @@ fn first(file: &CaseFile, source: &Source) -> Result<Model, CaseError> {
     }
     let limit = |limit| forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source);
     let forming_limit = file.forming_limit.as_ref().map(limit).transpose()?;
-    let rate_dependent = is_rate_dependent(&material, heat.as_ref(), &tools) || file.gas.is_some();
+    let by_rate = |tool: &Tool| matches!(tool.friction, Friction::Stribeck(_));
+    let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
+    let timed = drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || file.gas.is_some();
     let beads = holder::beads(&file.tools.beads, &tools, sheet, source)?;
     settings::check(&file.solver, source)?;
     settings::stop(&file.stop, &tools, source)?;
@@ -89,7 +93,7 @@ fn first(file: &CaseFile, source: &Source) -> Result<Model, CaseError> {
         schedule: drive.schedule,
         speed: drive.speed,
         duration: drive.duration,
-        timed: drive.timed || rate_dependent,
+        timed,
         stop: file.stop,
         settings: file.solver.clone(),
         mode,
@@ -100,18 +104,4 @@ fn first(file: &CaseFile, source: &Source) -> Result<Model, CaseError> {
     limits::of_model(&model, &limits::frames_key(0, source), source)?;
     fit::collisions(&model, source)?;
     Ok(model)
-}
-
-/// True if the result depends on the speed of the tools.
-fn is_rate_dependent(material: &Material, heat: Option<&Heat>, tools: &[Tool]) -> bool {
-    let flows = heat.is_some_and(|heat| heat.flow.is_some());
-    material.rate.is_some() || flows || tools.iter().any(|tool| matches!(tool.friction, Friction::Stribeck(_)))
-}
-
-fn mode(file: &CaseFile, material: &Material, blank: &Blank, source: &Source) -> Result<Mode, CaseError> {
-    let mode = material::mode(file.material.mode.unwrap_or_default(), material, "material.mode", source)?;
-    let changes = mode != Mode::Flow && blank.theory == Theory::Selective;
-    let what = "an elastic sheet cannot change between bending and membrane";
-    source.require(!changes, "blank.theory", what, "write blank.theory = \"bending\", or mode = \"flow\"")?;
-    Ok(mode)
 }

@@ -1,6 +1,6 @@
 //! Drive and duration of the run: the punch at its speed or along its history, or gas alone.
 
-use crate::case::file::{CaseFile, Punch};
+use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, NonNegative, Time, rounded};
@@ -32,22 +32,13 @@ pub(super) fn travel_key(source: &Source) -> &'static str {
 
 /// Punch travel at its speed or along its history, or the gas for its duration.
 pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
-    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Dimensioned::value);
-    match (&file.tools.punch, &file.gas, duration) {
-        (Some(_), _, Some(_)) => {
-            let help = "drop it: the punch's travel and speed say how long the run takes";
-            Err(source.error("gas.duration", "both a punch and a duration are given", help))
-        }
-        (Some(punch), _, None) => punched(punch, source),
-        (None, Some(_), Some(duration)) => {
-            Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration, timed: true })
-        }
-        (None, Some(_), None) => Err(source.missing("gas", "duration")),
-        (None, None, _) => Err(source.missing("tools", "punch")),
-    }
-}
-
-fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
+    let Some(punch) = &file.tools.punch else {
+        let gas = file.gas.as_ref().ok_or_else(|| source.missing("tools", "punch"))?;
+        let duration = gas.duration.ok_or_else(|| source.missing("gas", "duration"))?.value();
+        return Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration, timed: true });
+    };
+    let help = "drop it: the punch's travel and speed say how long the run takes";
+    source.refuse("gas", &["duration"], "and a punch are both given", help)?;
     let Some(points) = &punch.motion else {
         let travel = punch.travel.ok_or_else(|| source.missing("tools.punch", "travel"))?.value();
         let (speed, timed) = (punch.speed.map_or(1.0, Dimensioned::value), punch.speed.is_some());

@@ -1,6 +1,7 @@
 //! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`, `[[compare]]`.
 
 use super::HolderForce;
+use crate::case::comparison::ComparedQuantity;
 use crate::measure::Ring;
 use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Number, Positive, Ratio};
 use schemars::JsonSchema;
@@ -160,36 +161,4 @@ pub struct Compare {
     /// True if the difference is shown without failing a validation, because the input is not that of the reference.
     #[serde(default)]
     pub demonstration: bool,
-}
-
-/// Compared quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ComparedQuantity {
-    /// Punch force at equal travel, a curve.
-    PunchForce,
-    /// Punch travel at equal force, a curve.
-    Travel,
-    /// Thickness over the initial distance from the axis or symmetry plane at the end, a curve.
-    ThicknessAtS0,
-    /// Thickness over the present radius at the end, a curve.
-    ThicknessAtRadius,
-    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.
-    StrainPath,
-    /// Draw-in of the edge at equal travel, a curve.
-    DrawInAtTravel,
-    /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
-    EdgeDiameter,
-    /// Inward move of the edge at the end, a band.
-    DrawIn,
-    /// Smallest thickness at the end, a band.
-    Thinnest,
-    /// Thickness of the whole section at the end, a band.
-    Thickness,
-    /// Largest punch force of the run, a band.
-    PeakForce,
-    /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
-    PeakTravel,
-    /// Opening of the ring of `[springback]` when it is slit, a band.
-    RingOpening,
 }

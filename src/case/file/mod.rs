@@ -10,7 +10,7 @@ mod stages;
 mod tools;
 mod untagged;
 
-pub use judged::{Compare, ComparedQuantity, Press, Springback, TitleBlock};
+pub use judged::{Compare, Press, Springback, TitleBlock};
 pub use loads::{Extensive, Gas, GasFace, Given, Heat, HolderForce, InitialTemperature, Stiffness, ToolHeat, Zones};
 pub use material::{Anisotropy, Crystal, FormingLimit, Material, YieldCondition};
 pub use section::{ProfileStep, Section, SectionTable, Turn};
