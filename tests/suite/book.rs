@@ -14,7 +14,6 @@
 //! `UPDATE=1` writes the lines and the pictures anew.
 
 use regex::Regex;
-use stampflow::plot::{Chart, png};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -22,15 +21,6 @@ use std::sync::Mutex;
 use temp_dir::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-
-/// A picture, and what draws it.
-type Drawn = (&'static str, fn() -> Chart);
-
-/// Pictures that tests draw.
-const EXAMPLES: [Drawn; 2] = [
-    ("surfalex_limit.png", crate::surfalex_limit::picture),
-    ("woo_pole.png", || crate::common::woo_pole::chart().expect("the record is shipped")),
-];
 
 /// The pages of the book, in alphabetical order.
 fn pages() -> Vec<PathBuf> {
@@ -167,19 +157,6 @@ fn pages_show_what_the_program_prints_and_draws() {
     assert!(wrong.is_empty(), "run with UPDATE=1 where that is meant:\n{}", wrong.join("\n"));
 }
 
-/// Trust: the examples; pictures are the same but for pixels that rounding on another machine moves.
-#[test]
-fn pictures_of_examples_are_as_they_draw_them() {
-    for (name, chart) in EXAMPLES {
-        let (path, drawn) = (Path::new(ROOT).join("docs").join(name), png(&chart()));
-        if std::env::var_os("UPDATE").is_some() {
-            fs::write(&path, &drawn).expect("writable");
-        }
-        let share = difference(&fs::read(&path).expect("shipped"), &drawn);
-        assert!(share <= 0.01, "{name}: {:.1} % of it is drawn otherwise", 100.0 * share);
-    }
-}
-
 /// Trust: the files themselves.
 #[test]
 fn every_page_is_in_the_summary_and_every_link_and_picture_is_there() {
@@ -211,11 +188,10 @@ fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
     let book: String = pages().iter().chain([&readme]).map(read).collect();
     let entries = fs::read_dir(Path::new(ROOT).join("docs")).expect("shipped");
     let names = entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned());
-    let examples = EXAMPLES.map(|(name, _)| name);
     let wrong: Vec<String> = names
         .filter(|name| name.ends_with(".png"))
         .filter(|name| {
-            let is_made = book.contains(&format!(" as {name} -->")) || examples.contains(&name.as_str());
+            let is_made = book.contains(&format!(" as {name} -->"));
             let is_shown = book.contains(&format!("({name})")) || book.contains(&format!("(docs/{name})"));
             !is_made || !is_shown
         })

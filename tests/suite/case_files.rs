@@ -178,17 +178,6 @@ fn broken_overrides_say_what_to_write() {
     }
 }
 
-#[test]
-fn what_cannot_be_read_is_named() {
-    let says = |path: &str| case::load(path, &[]).unwrap_err().render(false);
-    assert!(says("cases/nothing.toml").contains("there is no file cases/nothing.toml"));
-    assert!(says("cases").contains("cases is a folder"), "{}", says("cases"));
-    let dir = temp_dir::TempDir::new().unwrap();
-    let path = dir.path().join("large.toml");
-    std::fs::write(&path, "# a comment that goes on\n".repeat(100_000)).unwrap();
-    assert!(says(path.to_str().unwrap()).contains("larger than 2 MB"));
-}
-
 /// All that is needed is read with the case: the shipped ones give the same where there is no disk.
 #[test]
 fn a_case_can_be_read_from_memory() {
@@ -280,24 +269,6 @@ fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
     assert_eq!(across.model(), radii.model());
     let set = load("cases/quickstart.toml", &["blank.diameter=104 mm"]);
     assert_eq!(set.model().blank.length, 52.0, "an override replaces the radius");
-}
-
-/// A profile drawn anywhere along z is the standard shape, moved to where it touches the sheet.
-#[test]
-fn a_drawn_punch_equals_the_standard_one() {
-    let drawn = r#"profile = [
-        { from = ["0 mm", "100 mm"] }, { to = ["24 mm", "100 mm"] },
-        { arc_to = ["30 mm", "94 mm"], center = ["24 mm", "94 mm"], turn = "right" }, { to = ["30 mm", "-506 mm"] },
-    ]"#;
-    let text = QUICKSTART.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, drawn);
-    let case = case::parse(&text, "drawn.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
-    let standard = load("cases/quickstart.toml", &[]);
-    let (a, b) = (case.model().tool(Role::Punch).unwrap(), standard.model().tool(Role::Punch).unwrap());
-    for i in 0..200 {
-        let x = stampflow::geometry::Point::new(0.2 * f64::from(i), 3.0 - 0.07 * f64::from(i));
-        assert!((a.profile.closest(x).distance - b.profile.closest(x).distance).abs() < 1e-9);
-    }
-    assert!(case.derived.iter().any(|line| line.to_string().contains("moved by -100.5")), "{:?}", case.derived);
 }
 
 /// Trust: by hand; what a stage does not say is that of the stage before, except that tools which went stand still.

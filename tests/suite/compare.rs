@@ -144,15 +144,6 @@ fn mistakes_in_the_file_are_named() {
     }
 }
 
-/// Trust: the curve itself is the reference, so every difference is rounding.
-#[test]
-fn a_curve_agrees_with_itself() {
-    let rows: String = history().iter().map(|step| format!("{},{}\n", step.travel, step.punch_force)).collect();
-    let csv = format!("travel_mm,punch_force_N\n{rows}");
-    let c = along(&csv, curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce), true).unwrap();
-    assert!(points(&c).0.iter().all(|p| p.difference().unwrap().abs() < 1e-14));
-}
-
 fn band(quantity: ComparedQuantity, columns: &[&str]) -> Against {
     let columns = columns.iter().map(|&c| c.to_owned()).collect();
     Against::Band(BandSpec { quantity, columns, error: Some("error_mm".to_owned()) })
@@ -178,14 +169,6 @@ fn a_band_spans_all_values_with_their_errors_and_says_by_how_much_it_is_left() {
         assert_eq!(c.verdict, verdict, "{csv}");
         assert_eq!(c.is_failure(), verdict == Verdict::Out);
     }
-}
-
-/// Trust: by hand; a share of nothing is no number.
-#[test]
-fn a_band_that_ends_at_nothing_is_left_by_a_length_and_no_share() {
-    let against = BandSpec { quantity: ComparedQuantity::DrawIn, columns: vec!["d_mm".to_owned()], error: None };
-    let c = compared("d_mm\n0\n", Against::Band(against), true).unwrap();
-    assert_eq!((c.verdict, c.worst().unwrap().as_str()), (Verdict::Out, "5 mm above"));
 }
 
 #[test]
@@ -220,16 +203,6 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
     assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));
     assert_eq!(fallen.target().as_deref(), Some("9.50–10.5 mm"));
     assert_eq!(of(&history()[..8]).verdict, Verdict::NotReached);
-}
-
-#[test]
-fn a_demonstration_shows_its_difference_and_does_not_fail() {
-    let against = BandSpec { quantity: ComparedQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
-    let spec = Spec { demonstration: true, ..spec(Some("d_mm\n95\n96\n"), Against::Band(against)) };
-    let c = against_drawn(&spec, true).unwrap();
-    assert_eq!((c.verdict, c.is_failure()), (Verdict::Out, false));
-    assert_eq!(c.outcome(), "OUT, demonstration");
-    assert_eq!((c.worst().unwrap(), c.accepted()), ("5.00 mm below (-5.3 %)".to_owned(), "95 to 96 mm".to_owned()));
 }
 
 /// Trust: by hand: the second element is the thinnest, its hoop strain is the minor one and half of the other; a name without a

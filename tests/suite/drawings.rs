@@ -256,19 +256,6 @@ fn faulty_drawings_give_the_expected_messages() {
     assert_eq!(files("tests/drawings/faulty", "txt").len(), faulty.len(), "an expectation without its drawing");
 }
 
-/// Trust: numbers of a file, not of an error: what is listed stays a few lines.
-#[test]
-fn names_in_messages_about_drawings_are_short_and_few() {
-    let line = |layer: &str| format!("0\nLINE\n8\n{layer}\n10\n1\n20\n0\n11\n2\n21\n0\n");
-    let many: String = (0..10_000).map(|i| line(&format!("L{i}"))).collect();
-    for entities in [line(&"W".repeat(100_000)), many, line(&"punch".repeat(1_000)), line(&"punch die".repeat(1_000))] {
-        let text = format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n");
-        let error = read(text.as_bytes(), &Options { unit: Some(DrawingUnit::Mm), ..Options::default() }).map(|_| ());
-        let length = error.map_or_else(|error| error.to_string().len() + error.help.len(), |()| 0);
-        assert!(length < 1_500, "a message of {length} bytes");
-    }
-}
-
 /// Trust: the whole way. The case that is written has the profiles of the drawing, placed; it can be checked and run.
 #[test]
 fn an_imported_case_can_be_checked_and_run() {

@@ -89,17 +89,3 @@ fn events_stand_where_other_figures_have_them() {
     let tears = matches!(stage.stop, Stop::Localised { .. });
     assert_eq!(found.iter().any(|event| event.kind == EventKind::Tears), tears);
 }
-
-/// Trust: the list of templates; a jump without an event would stand unexplained in every report.
-#[test]
-fn a_jump_of_the_load_has_an_event() {
-    for template in ["cup", "hemispherical-cup", "conical-cup", "hat-section"] {
-        for stage in &solved(template, &[]).stages {
-            let found = events(stage);
-            for [from, to] in jumps(stage) {
-                let told = found.iter().any(|event| event.travel > from && event.travel <= to);
-                assert!(told, "{template}: the load jumps between {from} and {to} mm, {found:?}");
-            }
-        }
-    }
-}

@@ -300,15 +300,6 @@ fn a_curve_of_the_programs_own_gives_its_keys_back() {
     assert!((case.model().material.hardening.at(1.0).stress / 520.0 - 1.0).abs() < 2e-2);
 }
 
-/// Trust: 0.08 lies outside of the range, below it.
-#[test]
-fn a_key_at_its_bound_is_told() {
-    let dir = TempDir::new().expect("a folder");
-    let fit = fit_to(&curve_of(&dir, 0.0, &mut Rng::with_seed(1)), &["friction=0.2 in 0.15..0.3"], &());
-    assert_eq!(fit.estimates[0].bound, Some(0.15));
-    assert!(fit.report().notes.iter().any(|note| note.contains("friction is at its bound")));
-}
-
 /// Ends after so many runs.
 struct After(AtomicUsize, usize);
 

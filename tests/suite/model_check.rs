@@ -231,23 +231,6 @@ fn what_does_not_go_together_is_refused() {
     }
 }
 
-#[test]
-fn lists_may_be_empty() {
-    let empties: [Change; 3] = [
-        ("no tools", |m| {
-            m.tools.clear();
-            flow(m).tools.clear();
-        }),
-        ("no beads and gas", |m| (m.beads, m.gas) = (Vec::new(), Vec::new())),
-        ("no heat", |m| m.heat = None),
-    ];
-    for (name, empty) in empties {
-        let mut model = cup();
-        empty(&mut model);
-        assert!(!refused(name, &model), "{name}: {:?}", model.check());
-    }
-}
-
 /// A later stage goes on with the points and the section of the one before.
 #[test]
 fn a_stage_that_cannot_go_on_is_refused() {

@@ -310,22 +310,6 @@ fn the_load_curve_has_its_peak_and_the_press() {
     }
 }
 
-/// Reference: the minor strain is never the larger one; engineering strains are e^ε − 1.
-#[test]
-fn the_limit_ends_at_equal_strains_in_either_measure() {
-    let run = shipped::shipped_case("stretch_limit", &[]).solve(&mut ()).stages.remove(0);
-    let mut view = StageView::alone("cup", &run);
-    let logarithmic = chart(&view, "forming_limit");
-    let series = &logarithmic.panels[0].series;
-    assert!(series.iter().flat_map(|s| &s.points).all(|p| p.0 <= p.1 + 1e-12), "points beyond equal strains");
-    view.pictures.engineering_strain = true;
-    for (a, b) in series.iter().zip(&chart(&view, "forming_limit").panels[0].series) {
-        for (a, b) in a.points.iter().zip(&b.points) {
-            assert!((a.0.exp_m1() - b.0).abs() < 1e-12 && (a.1.exp_m1() - b.1).abs() < 1e-12);
-        }
-    }
-}
-
 /// Reference: the thinnest element and the punch's travel by hand; every outline has a mirror image.
 #[test]
 fn the_part_is_whole_and_the_tools_stand_where_they_are() {

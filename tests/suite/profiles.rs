@@ -127,33 +127,6 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
     }
 }
 
-/// Trust: by hand. The punch's flange lies 8 mm below its top: it reaches the flat sheet's lower face after 8 mm, and
-/// the gap is then the thickness; it is `by` after 8 + 1 − 1.05 mm.
-#[test]
-fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
-    let die_section = r#"profile = { offset_of = "punch", by = "1.05 mm" }"#;
-    let case = read(&text(r#"profile = "embossing.csv""#, die_section, "", "7.9 mm"));
-    assert!(
-        case.derived.iter().any(|line| line.to_string().contains("closed at a travel of 7.95 mm")),
-        "{:?}",
-        case.derived
-    );
-    let (punch, die) = (profile(case.model(), Role::Punch), profile(case.model(), Role::Die));
-    for p in punch.shifted(7.95).polyline(0.02) {
-        assert!((die.closest(p).distance - 1.05).abs() < 1e-7, "{p:?}");
-    }
-    let report = check::report(&case).to_string();
-    assert!(report.contains("closed by a bottom that reaches the axis"), "{report}");
-    // 0.05 mm before closing, seen along the normal of the slope of 8 in 10: 1.05 + 0.05 cos 38.66° = 1.089.
-    assert!(report.contains("clearance         1.09 mm"), "{report}");
-    assert!(!report.contains("draw ratio"), "nothing is drawn in: {report}");
-    run(case.model());
-
-    let beyond = read(&text(r#"profile = "embossing.csv""#, die_section, "", "8.5 mm"));
-    let warnings = check::report(&beyond).warnings;
-    assert!(warnings.iter().any(|w| w.to_string().contains("punch and die are 0.5 mm apart")), "{warnings:?}");
-}
-
 #[test]
 fn a_holder_can_be_the_mirror_image_of_the_die() {
     let case = read(&text(FLAT, DIE, r#"holder = { profile = { mirror_of = "die" }, force = "10 kN" }"#, "25 mm"));

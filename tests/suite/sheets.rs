@@ -1,6 +1,5 @@
 //! The sheets of the library: fits against the points they are of, back-stresses, and every sheet on every template.
 
-use stampflow::assess::{self, Finding, Light};
 use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, library};
 use stampflow::material::hardening::{Ludwik, Swift};
@@ -103,29 +102,6 @@ fn tension_of_the_aluminium_is_the_measured_curve_with_back_stresses_and_without
         assert!((of(strain) / curve(strain) - 1.0).abs() < 3e-3, "{strain}: {} {}", of(strain), curve(strain));
     }
     assert!((of(0.002) - 86.4).abs() < 0.5 && curve(0.002) > 107.0, "as its note says: {}", of(0.002));
-}
-
-/// Trust: the quickstart strains its sheet to a quarter; limits on either side of it, and none.
-#[test]
-fn a_run_says_that_it_goes_beyond_the_range_of_the_fit() {
-    let range = |given: &[String]| {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
-        let case = case::load(path, given).unwrap_or_else(|e| panic!("{e}"));
-        let findings = assess::after(&case, &solve(&case.stages, &mut ()));
-        let of = |key: &str| findings.iter().find(|finding: &&Finding| finding.key == key).cloned();
-        (of("hardening_range").expect("a row"), of("extrapolated"))
-    };
-    let (row, warning) = range(&[]);
-    assert!(row.light == Light::Grey && warning.is_none() && row.advice.to_string().contains("fitted_up_to"));
-    let (row, warning) = range(&["material.fitted_up_to=0.9".to_owned()]);
-    assert!(row.light == Light::Green && warning.is_none());
-    let (row, warning) = range(&["material.fitted_up_to=0.1".to_owned()]);
-    assert_eq!((row.light, row.limit.to_string().as_str()), (Light::Amber, "it is fitted up to 0.1"));
-    let warning = warning.expect("a warning").found();
-    assert!(
-        warning.starts_with("the hardening law is fitted up to a strain of 0.1; the run extrapolates it to 0."),
-        "{warning}"
-    );
 }
 
 /// Trust: an end is the full travel, or a stop that the sheet has; a mesh of 40 elements is coarse and the ends are the same.

@@ -1,19 +1,12 @@
 //! The measured forming limit of a sheet of the library, and the table that is made of it.
 
 use crate::common::page::{plain, told};
-use crate::common::surfalex::{chart, fitted, measured, table};
+use crate::common::surfalex::{fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
 use stampflow::case::{self, library};
-use stampflow::plot::Chart;
 
 const DOCUMENT: &str = include_str!("../../docs/surfalex_limit.md");
-
-/// The picture of the document.
-pub fn picture() -> Chart {
-    let widths = measured();
-    chart(&widths, &fitted(&widths))
-}
 
 /// Trust: the points of the library are the means of what was measured, to the digits that they are written with.
 #[test]

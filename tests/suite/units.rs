@@ -56,23 +56,6 @@ fn units_convert_to_solver_units() {
     assert_relative_eq!(value::<Energy>("8.314 J/mol"), 8314.0, max_relative = 1e-12);
 }
 
-/// Trust: exact definitions of pound and inch; the three tons by their pounds and kilograms.
-#[test]
-fn units_of_the_shop_are_understood() {
-    assert_relative_eq!(value::<Force>("1 tonf"), 9806.65);
-    assert_relative_eq!(value::<Force>("1 tonf_us"), 2000.0 * 4.448_221_615_260_5, max_relative = 1e-12);
-    assert_relative_eq!(value::<Force>("1 tonf_uk"), 2240.0 * 4.448_221_615_260_5, max_relative = 1e-12);
-    for stress in ["30 N/mm2", "30 N/mm^2", "30 N/mm²", "30N/mm2", "300 bar"] {
-        assert_relative_eq!(value::<Stress>(stress), 30.0, max_relative = 1e-12);
-    }
-    assert_relative_eq!(value::<Density>("2700 kg/m3"), 2.7e-9, max_relative = 1e-12);
-    for inches in ["0.035\"", "0.035 \"", "0.035″", "0.035 in"] {
-        assert_relative_eq!(value::<Length>(inches), 0.889, max_relative = 1e-12);
-    }
-    assert_relative_eq!(value::<Length>("20 ga_steel"), 0.0359 * 25.4, max_relative = 1e-12);
-    assert_relative_eq!(value::<Length>("20 ga_al"), 0.0320 * 25.4, max_relative = 1e-12);
-}
-
 #[test]
 fn what_a_shop_word_leaves_open_is_asked_for() {
     let tons = "did you mean `tonf` (metric, 9.807 kN) or `tonf_us` (short, 8.896 kN) or `tonf_uk` (long, 9.964 kN)?";

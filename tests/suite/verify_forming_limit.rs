@@ -2,8 +2,6 @@
 
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
-use stampflow::plot::StageView;
-use stampflow::results::{OUTPUTS, Summary};
 use stampflow::solver;
 use stampflow::solver::solution::StageSolution;
 
@@ -49,25 +47,4 @@ fn another_curve_moves_the_margin_and_not_the_sheet() {
         assert!((high.margin() - low.margin() - 0.65).abs() < 1e-12);
     }
     assert!(low.reached.is_some() && high.reached.is_none());
-}
-
-/// The same numbers are in the summary, and the files are there; without a limit they are not, and no paths are kept.
-#[test]
-fn the_limit_reaches_summary_and_files() {
-    let (case, run, found) = solved(&["tools.punch.travel=10 mm"]);
-    let subject = StageView::alone(&case.name, &run);
-    let json: serde_json::Value = serde_json::to_value(Summary::of(&subject)).expect("a summary");
-    assert!((json["forming_margin"].as_f64().expect("a number") - found.worst().margin()).abs() < 1e-8);
-    assert_eq!(json["forming_limit_reached"], found.reached.is_some());
-    assert_eq!(json["forming_paths_crooked"], found.crooked());
-    let files = ["forming_limit.csv", "strain_paths.csv", "forming_limit.png"];
-    for output in OUTPUTS.iter().filter(|output| files.contains(&output.file)) {
-        assert!(output.bytes(&subject).is_some_and(|bytes| bytes.len() > 200), "{}", output.file);
-    }
-    let quick = format!("{}/cases/quickstart.toml", env!("CARGO_MANIFEST_DIR"));
-    let plain = case::load(quick, &["tools.punch.travel=2 mm".to_owned()]).expect("a case").model().clone();
-    let run = solver::run(&plain, &mut ());
-    assert!(run.paths.instants.is_empty());
-    let subject = StageView::alone("quickstart", &run);
-    assert!(OUTPUTS.iter().filter(|o| files.contains(&o.file)).all(|output| output.bytes(&subject).is_none()));
 }

@@ -1,12 +1,9 @@
 //! The split-ring test: rings of known moments, the mean of their curling, and where a ring is cut from a wall.
 
-use crate::common::shipped::shipped_case;
-use serde_json::Value;
 use stampflow::case;
 use stampflow::material::Elastic;
 use stampflow::measure::{CutRing, Ring};
 use stampflow::numerics::lobatto;
-use stampflow::results::Results;
 use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use std::f64::consts::TAU;
 
@@ -116,33 +113,6 @@ fn a_ring_is_cut_over_the_bottom_and_has_the_wall_s_moments() {
     assert_eq!(Ring { from: 20.0, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "beyond the rim");
     assert_eq!(Ring { from: 0.1, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "in the bottom");
     assert_eq!(Ring { from: 4.0, height: 5.0 }.cut(&wall(-1.0, 0.6, 100.0)), None, "no wall");
-}
-
-/// Trust: what is told in four places is one number; a quarter more of the same ring's place changes it, so that it is of the
-/// ring that was asked for.
-#[test]
-fn the_opening_is_a_key_number_a_line_of_the_summary_and_of_the_table() {
-    let solution = shipped_case("split_ring", &[]).solve(&mut ());
-    let ring = solution.case.springback.ring.expect("a ring");
-    let opening = ring.opening(&solution.stages).expect("an opening");
-    let other = Ring { from: 1.25 * ring.from, ..ring }.opening(&solution.stages).expect("an opening");
-    assert!(opening > 0.0 && (opening - other).abs() > 1e-3, "{opening} {other}");
-    let findings = stampflow::assess::after(&solution.case, &solution.stages);
-    let answer = stampflow::assess::Answer::of(&solution.case, &solution.stages, &findings);
-    let told = answer.numbers.iter().find(|number| number.key == "ring_opening").expect("a key number");
-    assert_eq!(told.amount.value, opening);
-    assert!(told.place.clone().contains("when slit"), "{}", told.place);
-    let results = Results::of(&solution).expect("results");
-    let summary: Value = serde_json::from_str(&serde_json::to_string(&results.summary().stages[1]).unwrap()).unwrap();
-    assert!((summary["ring_opening_mm"].as_f64().expect("a number") / opening - 1.0).abs() < 1e-8);
-    let folder = temp_dir::TempDir::new().unwrap();
-    let out = folder.path().join("out");
-    solution.write(&out).unwrap();
-    let table = std::fs::read_to_string(out.join("2-release/springback.csv")).unwrap();
-    let cell = table.lines().find_map(|line| line.strip_prefix("ring_opening,mm,,")).expect("a row");
-    assert!((cell.trim_end_matches(',').parse::<f64>().unwrap() / opening - 1.0).abs() < 1e-8, "{table}");
-    let comparison = &results.comparisons[0];
-    assert_eq!(comparison.farthest().map(|found| found.value), Some(opening));
 }
 
 /// A ring of the wall of a released cup only.

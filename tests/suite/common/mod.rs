@@ -13,4 +13,3 @@ pub mod random_work;
 pub mod shipped;
 pub mod simple;
 pub mod surfalex;
-pub mod woo_pole;

@@ -5,9 +5,6 @@
 use stampflow::case::library;
 use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
 use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
-use stampflow::plot::chart::{Chart, Panel, Scale, Series, Style};
-use stampflow::plot::palette::color;
-use stampflow::table::{Column, Unit};
 
 const DATA: &str = include_str!("../../../reference_data/surfalex_aa6016_flc_points.csv");
 const SHEET: &str = "aa6016a-surfalex";
@@ -141,54 +138,4 @@ pub fn table(widths: &[Width], fitted: &[Fitted]) -> Vec<String> {
         lines.push(format!("| {}{role} | {} | {majors} | {computed} |", width.name, signed(minor)));
     }
     lines
-}
-
-/// The points by each criterion and both curves; Hill's is dashed where the program ends it.
-pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
-    let axis = |key, label| Column::new(key, label, Unit::None, Vec::new()).axis();
-    let window = ((-0.17, 0.17), (0.0, 0.5));
-    let mut series = Vec::new();
-    let looks =
-        [Style::Dots { color: color(0) }, Style::Triangles { color: color(2) }, Style::Circles { color: color(4) }];
-    for (criterion, (look, (_, words))) in looks.into_iter().zip(CRITERIA).enumerate() {
-        let points = widths.iter().flat_map(|width| &width.points[criterion]).map(|p| (p[0], p[1])).collect();
-        series.push(Series::new(format!("Measured: {words}"), points, look));
-    }
-    for (i, one) in fitted.iter().enumerate() {
-        let tension = -one.material.yield_criterion.ratio() / (1.0 + one.material.yield_criterion.ratio());
-        let along = |low: f64, high: f64| -> Vec<(f64, f64)> {
-            let betas = (0..=16).map(|k| low + (high - low) * f64::from(k) / 16.0);
-            let points = betas.filter_map(|beta| one.limit(beta)).map(|p| (p[0], p[1]));
-            points.filter(|p| p.0 <= window.0.1 && p.1 <= window.1.1).collect()
-        };
-        let color = color(2 * i + 1);
-        let (line, dashed) =
-            (Style::Line { color, width: 2.2, dash: &[] }, Style::Line { color, width: 2.2, dash: &[6.0, 4.0] });
-        let name = format!("{}, f₀ = {:.4}", one.name, one.imperfection);
-        let ends = matches!(one.material.yield_criterion, YieldCriterion::Hill48(_));
-        series.push(Series::new(name, along(tension, 0.0), line));
-        let beyond = if ends {
-            Series::new("Hill 1948 beyond the end of its curve", along(0.0, 0.5), dashed)
-        } else {
-            Series::silent(along(0.0, 0.5), line)
-        };
-        series.push(beyond);
-    }
-    Chart {
-        title: "AA6016A Surfalex HF, 1.5 mm: forming limit measured and computed (Marciniak and Kuczyński)".to_owned(),
-        legend: String::new(),
-        panels: vec![
-            Panel::new(
-                axis("strain_minor", "Minor true strain"),
-                axis("strain_major", "Major true strain"),
-                Scale::Window { height: 450.0, x: window.0, y: window.1 },
-            )
-            .with(series),
-        ],
-        notes: vec![
-            "Measured: LightForm-group/surfalex_data_explorer, commit 21deff58, MIT, copyright 2020 LightForm."
-                .to_owned(),
-            "Computed: hardening of another AA6016 sheet (declared), r̄ = 0.47; f₀ fitted at 40 and 60 mm.".to_owned(),
-        ],
-    }
 }
