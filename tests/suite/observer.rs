@@ -81,7 +81,6 @@ fn an_iteration_allocates_nothing() {
         let mut seen = Allocations::default();
         let run = solver::run(&model, &mut seen);
         assert!(run.stop.is_complete(), "{name}: {}", run.stop);
-        println!("{name}: {} pairs of iterations", seen.compared);
         assert!(seen.compared > run.steps.len(), "{name}: {} pairs of iterations", seen.compared);
     }
 }

@@ -4,14 +4,13 @@ use crate::common::shipped::{self, shipped_case};
 use stampflow::assess;
 use stampflow::author::templates::find;
 use stampflow::case::files::sha256;
-use stampflow::case::{Press, Solution, parse};
+use stampflow::case::{Solution, parse};
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Bead, Role};
-use stampflow::plot::chart::{AnnotationKind, Style};
+use stampflow::plot::chart::Style;
 use stampflow::plot::{Chart, Format, Pictures, StageView, dimensioned, svg};
 use stampflow::report::{Report, dimensions};
 use stampflow::results::{Make, OUTPUTS, Summary, load_travel, profile};
-use stampflow::solver::solution::StageSolution;
 use stampflow::table::Table;
 use std::fs;
 use std::path::PathBuf;
@@ -287,54 +286,6 @@ fn a_width_on_paper_is_that_of_every_format() {
     for (dpi, width) in [(None, 1004), (Some(600.0), 2008)] {
         let (_, png) = Pictures { width: Some(85.0), dpi, ..Pictures::default() }.files("a", &chart).remove(0);
         assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), width);
-    }
-}
-
-/// Reference: the largest of the records; a rating that is not far off is a line, another one a note.
-#[test]
-fn the_load_curve_has_its_peak_and_the_press() {
-    let run = shipped::solve(&shipped::shipped("quickstart", &[]));
-    let mut view = StageView::alone("cup", &run);
-    let peak = run.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force)).unwrap();
-    let plain = chart(&view, "load_travel");
-    let flags = plain.panels[0].annotations.iter().filter(|a| a.kind == AnnotationKind::Flag);
-    let peaks: Vec<_> = flags.filter(|a| a.text.starts_with("peak")).map(|a| a.at).collect();
-    assert_eq!(peaks, [(peak.travel, 1e-3 * peak.punch_force)]);
-    for (rating, is_drawn) in [(60e3, true), (4e6, false)] {
-        view.press = Press { force: Some(rating), energy: None };
-        let chart = chart(&view, "load_travel");
-        let is_line = |label: &Option<String>| label.as_deref().is_some_and(|label| label.starts_with("Press rating"));
-        let line = chart.panels[0].series.iter().find(|series| is_line(&series.label));
-        assert_eq!(line.is_some_and(|line| line.points.iter().all(|p| p.1 == 1e-3 * rating)), is_drawn);
-        assert_eq!(chart.notes.concat().contains("Press rating"), !is_drawn);
-    }
-}
-
-/// Reference: the thinnest element and the punch's travel by hand; every outline has a mirror image.
-#[test]
-fn the_part_is_whole_and_the_tools_stand_where_they_are() {
-    let run: StageSolution = shipped::solve(&shipped::shipped("quickstart", &[]));
-    let view = StageView::alone("cup", &run);
-    let last = run.frames.last().unwrap();
-    let thinnest = last.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness)).unwrap();
-    let part = &chart(&view, "part").panels[0];
-    let callouts = part.annotations.iter().filter(|a| matches!(a.kind, AnnotationKind::Callout(_)));
-    assert_eq!(callouts.map(|a| a.at).collect::<Vec<_>>(), [(thinnest.r, thinnest.z)]);
-    let extent = |points: &[(f64, f64)]| {
-        let x = || points.iter().map(|p| p.0);
-        (x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max))
-    };
-    let areas = || part.series.iter().filter(|series| matches!(series.style, Style::Area { .. }));
-    for area in areas() {
-        let (low, high) = extent(&area.points);
-        assert!(areas().any(|other| extent(&other.points) == (-high, -low)), "{low} to {high} mm has no image");
-    }
-    let shapes = chart(&view, "shapes");
-    let small: Vec<_> = shapes.panels.iter().filter(|panel| panel.is_small).collect();
-    assert_eq!(small.len(), run.frames.len());
-    for (panel, frame) in small.iter().zip(&run.frames) {
-        let punch = panel.series[0].points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
-        assert!((punch - (frame.travel - 0.5)).abs() < 0.05, "{punch} at {}", frame.travel);
     }
 }
 

@@ -51,7 +51,8 @@ fn the_package_holds_what_building_needs_and_no_more() {
     let roots: BTreeSet<&str> = files.iter().map(|file| file.split('/').next().expect("a name")).collect();
     let known = ".cargo_vcs_info.json CHANGELOG.md CITATION.cff Cargo.lock Cargo.toml Cargo.toml.orig LICENSE-APACHE \
                  LICENSE-MIT README.md assets cases reference_data src";
-    let wanted = "assets/DejaVuSans-LICENSE.txt assets/DejaVuSans-subset.ttf cases/quickstart.toml src/lib.rs src/main.rs";
+    let wanted =
+        "assets/DejaVuSans-LICENSE.txt assets/DejaVuSans-subset.ttf cases/quickstart.toml src/lib.rs src/main.rs";
     assert!(wanted.split(' ').all(|file| files.contains(file)), "{files:?}");
     assert_eq!(roots, known.split(' ').filter(|name| !name.starts_with('.') || roots.contains(name)).collect());
     let read = [

@@ -1,7 +1,6 @@
 //! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
 
 use crate::common::cup::{LAW, MINIMAL};
-use proptest::prelude::*;
 use stampflow::assess::check;
 use stampflow::case::{self, Case};
 use stampflow::geometry::{Point, Profile};
@@ -173,33 +172,4 @@ fn a_line_that_ends_before_the_travel_is_warned_of() {
     assert!(found[0].to_string().ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
     assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
     assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
-}
-
-proptest! {
-    /// Points, headers and fillets of all kinds: a case or an error, never a panic.
-    #[test]
-    fn no_profile_file_makes_the_reader_panic(
-        header in prop::sample::select(vec!["r_mm,z_mm", "r_mm,z_mm,radius_mm", "x_in,z_in", "z_mm", "r;z", "\"r_mm,z_mm", ""]),
-        rows in prop::collection::vec(
-            prop_oneof![
-                (0.0..60.0_f64, -30.0..30.0_f64, 0.0..9.0_f64).prop_map(|(r, z, radius)| format!("{r},{z},{radius}")),
-                (0..60_i32, -9..9_i32).prop_map(|(r, z)| format!("{r},{z}")),
-                "\\PC{0,12}",
-            ],
-            0..9,
-        ),
-        section in prop::sample::select(vec![
-            r#""p.csv""#, r#"{ file = "p.csv", fillet = "0 mm" }"#, r#"{ file = "p.csv", fillet = "1 mm" }"#,
-        ]),
-        die in prop::sample::select(vec![DIE, r#"profile = { offset_of = "punch", by = "1.2 mm" }"#,
-            r#"profile = { offset_of = "punch", by = "0.4 mm", shoulder = "6 mm" }"#, r#"profile = "p.csv""#]),
-    ) {
-        let folder = temp_dir::TempDir::new().unwrap();
-        std::fs::write(folder.path().join("p.csv"), format!("{header}\n{}\n", rows.join("\n"))).unwrap();
-        let name = folder.path().join("case.toml");
-        let text = text(&format!("profile = {section}"), die, HOLDER, "25 mm");
-        if let Err(error) = case::parse(&text, &name.to_string_lossy(), &[]) {
-            prop_assert!(!error.render(false).is_empty());
-        }
-    }
 }

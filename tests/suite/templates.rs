@@ -77,7 +77,6 @@ fn a_cup_is_as_high_as_was_wanted() {
         let runs = solved(&case);
         let last = runs[0].frames.last().unwrap();
         let reached = height(last);
-        println!("{given:?}: {reached:.2} of {wanted} mm, {:+.1} %", 100.0 * (reached / wanted - 1.0));
         assert!((reached / wanted - 1.0).abs() < 0.005, "{given:?}: {reached:.2} mm instead of {wanted} mm");
         let die = case.model().tool(stampflow::model::Role::Die).unwrap();
         let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
@@ -96,7 +95,6 @@ fn an_erichsen_index_grows_with_hardening() {
         (peak.travel, run.steps.last().expect("steps").thinnest_s0)
     };
     let (index, torn) = peak(&[]);
-    println!("index {index:.2} mm, torn {torn:.2} mm from the axis");
     assert!(peak(&[("n", "0.3")]).0 > index + 0.2);
     assert!((peak(&[("thickness", "1.5 mm")]).0 / index - 1.0).abs() < 0.05);
     assert!(torn > 1.0 && peak(&[("friction", "0.15")]).1 > torn, "{torn}");
@@ -143,7 +141,6 @@ fn a_v_has_its_angle_before_it_springs_back() {
             180.0 - 2.0 * ((a.z - b.z) / (b.r - a.r)).atan().to_degrees()
         };
         let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
-        println!("{angle} {given:?}: {bent:.2}°, then {free:.2}°");
         assert!((bent - wanted).abs() < 1.0, "{angle} {given:?}: {bent}");
         assert!(free > bent + 0.3 && free < bent + 25.0, "{bent} {free}");
     }
@@ -232,7 +229,6 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
         .collect();
     let peak = |run: &StageSolution| run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max);
     let (usual, hard) = (peak(&runs[0]), peak(&runs[1]));
-    println!("redraw: {usual:.0} N, held with 20 kN {hard:.0} N");
     assert!(hard - usual > 0.08 * 19e3, "{usual} {hard}");
 }
 

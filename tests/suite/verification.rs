@@ -21,7 +21,6 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
         let (Some(half), Some(truth)) = (number.half(), checked.truth(number)) else { continue };
         let (key, value) = (number.quantity.key, number.quantity.value());
         let error = (truth - value).abs();
-        println!("{key}: {value} ± {half}, off by {error}");
         assert!(error <= half, "{key}: {error} is beyond {half}");
     }
     for (origin, key) in [(Origin::Answer, "punch_force"), (Origin::Part, "half_travel_force")] {
@@ -39,7 +38,6 @@ fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     for rows in [&tally.full, &tally.quick] {
         let (inside, all): (Vec<usize>, Vec<usize>) = rows.iter().map(|row| (row.inside, row.ratios.len())).unzip();
         let (inside, all) = (inside.iter().sum::<usize>(), all.iter().sum::<usize>());
-        println!("{inside} of {all} inside");
         assert!(all > 30 && inside as f64 >= 0.9 * all as f64, "{inside} of {all}");
     }
 }

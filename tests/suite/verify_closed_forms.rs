@@ -102,7 +102,6 @@ fn a_higher_anisotropy_keeps_the_cup_thicker() {
         solve(case.unwrap_or_else(|e| panic!("{e}")).model()).steps.last().expect("steps").thinnest
     };
     let found = ["0.5", "1.0", "2.0"].map(thinnest);
-    println!("thinnest place of the quickstart with r 0.5, 1, 2: {found:?} mm");
     assert!(found.is_sorted_by(|a, b| a < b), "{found:?}");
 }
 
@@ -132,9 +131,6 @@ fn capstan_converges_to_the_exponential() {
         let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n, foot)).collect();
         let sharp: Vec<f64> = [2, 4, 20].iter().map(|&n| error(mu, n, foot / 6.0)).collect();
         let order = orders(&[2.0, 1.0], &sharp[..2])[0];
-        println!(
-            "capstan, mu {mu}: errors {errors:?} at 5, 10, 20 elements per 90 degrees, {sharp:?} at 2, 4, 20: {order:.2}"
-        );
         assert!(errors.iter().all(|e| e.abs() < 2e-3) && sharp[2].abs() < 2e-4, "{errors:?} {sharp:?}");
         assert!(order > 1.8, "{order}");
         coarse_and_fine.push([errors[0], errors[2]]);
@@ -211,7 +207,6 @@ fn plastic_moment_converges_with_the_layers() {
     });
     let told = told.collect::<Vec<_>>().join(", ");
     agreement("fully plastic moment S t²/4", &[format!("{told} layers: use more where bending rules")]);
-    println!("plastic moment: errors {errors:?} with {layers:?} layers, orders {orders:.2?}");
     assert!(orders.iter().all(|p| (1.95..2.35).contains(p)), "{orders:?}");
     assert!(errors[4] < 1e-3, "{errors:?}");
 }
@@ -258,7 +253,6 @@ fn tension_that_bends_moves_the_neutral_fibre() {
         [tension, moment]
     };
     let found = [5, 10, 20, 40].map(errors);
-    println!("{found:?}");
     assert!(found[0][0] < 0.05 && found[0][1] < 0.06, "{found:?}");
     for pair in found.windows(2) {
         // Half as much with twice the parts, but for where in a part the fibre stands.

@@ -49,7 +49,6 @@ fn limit(set: &[&str]) -> f64 {
 fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
     let found = values.iter().map(|value| limit(&[&[format!("{key}={value}").as_str()], rest].concat()));
     let found: Vec<f64> = found.collect();
-    println!("limiting draw ratio with {key} {values:?}: {found:.3?}");
     found
 }
 

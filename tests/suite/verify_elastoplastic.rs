@@ -108,7 +108,6 @@ fn bending_and_unbending_converge_with_the_layers() {
          first yield: largest miss of moment and spring-back, by the points through the thickness",
         &[told.join(", ")],
     );
-    println!("layers, largest miss of moment, of spring-back: {misses:?}");
     for misses in [misses.map(|m| m.1), misses.map(|m| m.2)] {
         // Trust: a rule's error at the corner of the stress goes with the square of its points' distance.
         let orders = orders(&layers.map(|n| 1.0 / n as f64), &misses);
@@ -194,7 +193,6 @@ fn bending_under_tension_is_the_closed_form() {
         }
     }
     agreement("bending under tension of the same strip", &[format!("within {:.2} % with 51 layers", 100.0 * worst)]);
-    println!("bending under tension: largest miss {:.3} % of the plastic force or moment", 100.0 * worst);
     assert!(worst < 0.01, "{worst}");
 }
 
@@ -245,11 +243,6 @@ fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
         }
         let force = std::f64::consts::TAU * 44.0 * thickness * yields;
         let found = run.steps.last().expect("steps").edge_force;
-        println!(
-            "{theory:?}: ln J {volume:.5}, force {:+.1e}, thickness {:+.1e}",
-            found / force - 1.0,
-            run.end.thickness[0] / thickness - 1.0
-        );
         assert!((found / force - 1.0).abs() < lag, "{theory:?}: {found} {force}");
         worst = worst.max((found / force - 1.0).abs()).max((run.end.thickness[0] / thickness - 1.0).abs());
         ln_j = volume;
@@ -288,7 +281,6 @@ fn clamped_elastic_plate_converges_to_the_closed_form_in_second_order() {
     let misses = [10, 20, 40].map(|n| deflection(n, a, p) / exact - 1.0);
     let told = format!("{} with 10, 20, 40 elements: second order", percent(&misses, 2));
     agreement("clamped elastic plate", &[told]);
-    println!("clamped plate: misses {misses:?} with 10, 20, 40 elements");
     let orders = orders(&[4.0, 2.0, 1.0], &misses);
     assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.1), "{orders:?}");
     assert!(misses[2].abs() < 0.002, "{misses:?}");
@@ -342,7 +334,6 @@ fn a_strip_that_turns_by_sixty_degrees_is_the_elastica() {
         "the elastica: a strip pushed together until it stands at 60°, deflection of 60 thicknesses",
         &[format!("force {force}, deflection {deflection} with 20, 40, 80 elements")],
     );
-    println!("elastica: misses of force and deflection {misses:?} with 20, 40, 80 elements");
     for i in 0..2 {
         let order = orders_of_changes(&misses.map(|miss| miss[i]))[0];
         assert!((order - 2.0).abs() < 0.1, "{order}: {misses:?}");
@@ -418,7 +409,6 @@ fn thin_stretch_follows_the_continuum() {
         "above the continuum by {} % at {} mm, {} % at {}, {} % at {}, less beyond",
         &[9.5, 13.5, 20.7].map(|near| [100.0 * stiffer(near).1, stiffer(near).0]).map(|pair| plain(&pair, 1)).concat(),
     );
-    println!("elastoplastic against continuum [mm, %]: {misses:.2?}");
     assert!(misses.len() > 20 && misses.iter().all(|(_, miss)| miss.abs() < 1.0), "{misses:.2?}");
 }
 
@@ -435,10 +425,6 @@ fn elastoplastic_law_and_flow_law_agree_on_drawn_cups() {
         let difference = |x: f64| force_at(&flow, x) / force_at(&elastoplastic, x) - 1.0;
         let differences = (0..=40).map(|k| (1.0 + k as f64 / 20.0) / 3.0 * travel).map(|x| (x, difference(x)));
         let (at, worst) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).expect("some");
-        println!(
-            "{name}: largest difference of the load, flow over elastoplastic {:+.2} % at {at:.1} mm",
-            100.0 * worst
-        );
         assert!(worst.abs() < 0.02, "{name}: {worst} at {at}");
         largest.push(worst);
         for run in [&flow, &elastoplastic] {
@@ -469,13 +455,11 @@ fn cylindrical_bending_springs_back_as_in_two_published_codes() {
     let row = text.lines().find(|line| line.starts_with("0.0,")).expect("the frictionless row");
     let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();
     let angles = opening(&[]);
-    println!("cylindrical bending: {angles:.2?} before and after, published {values:?}");
     for (angle, pair) in angles.iter().zip([&values[1..3], &values[3..5]]) {
         let (low, high) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
         assert!((low - 1.5..=high + 1.5).contains(angle), "{angles:?}");
     }
     let others = [["blank.elements=320"], ["blank.layers=15"]].map(|other| opening(&other));
-    println!("  320 elements, 15 points: {others:.2?}");
     assert!(others.iter().all(|other| (0..2).all(|i| (other[i] - angles[i]).abs() < 0.8)), "{others:?}");
     let published = [[1, 2], [3, 4]].map(|[a, b]| [values[a].min(values[b]), values[a].max(values[b])]).concat();
     told(

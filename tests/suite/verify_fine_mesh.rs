@@ -72,7 +72,6 @@ fn fine_elements_thin_like_usual_ones() {
             assert!(run.stop.is_complete(), "{mode:?}, {per_thickness} elements a thickness: {}", run.stop);
             (thinnest(&run), alternation(&run))
         });
-        println!("{mode:?}: {runs:?}");
         let finest = runs[2].0;
         for (thinnest, alternation) in runs {
             assert!((thinnest - finest).abs() < 9e-4, "{mode:?}: {thinnest} against {finest}");
@@ -92,6 +91,5 @@ fn shorter_steps_thin_no_more() {
         assert!(run.stop.is_complete(), "{}", run.stop);
         thinnest(&run)
     });
-    println!("{thinnest:?}");
     assert!((thinnest[0] - thinnest[1]).abs() < 1e-3, "{thinnest:?}");
 }

@@ -77,7 +77,6 @@ fn adiabatic_softening_follows_its_closed_form() {
         (run.steps.last().expect("steps").hottest - 293.15) / rise - 1.0
     };
     let (coarse, fine) = (error(0.04), error(0.01));
-    println!("adiabatic rise: {:.3} % and {:.4} % off with 25 and 100 steps", 100.0 * coarse, 100.0 * fine);
     let row = "closed form of an exponential law | {} % with 25 steps, {} % with 100 |";
     told("docs/agreement.md", row, &signed(&[coarse, fine], 3));
     assert!(coarse.abs() < 4e-4 && fine.abs() < 1e-4, "{coarse} {fine}");
@@ -131,7 +130,6 @@ fn a_sheet_between_two_tools_cools_as_by_hand() {
     let last = run.steps.last().expect("steps");
     let middle = run.frames[0].elements.iter().find(|e| e.s0 > 20.0).expect("an element");
     let exact = 293.15 + 200.0 * (-2.0f64).exp();
-    println!("cooled to {:.2} K, exact {exact:.2} K", middle.temperature);
     let row = "{} K off, of 200 K, after two time constants with 100 steps; heat balance 1e-9 |";
     told("docs/agreement.md", row, &plain(&[(middle.temperature - exact).abs()], 1));
     assert!((middle.temperature - exact).abs() < 0.01 * 200.0 * 2.0 * (-2.0f64).exp() + 0.3, "{}", middle.temperature);
@@ -167,7 +165,6 @@ fn heat_is_conducted_along_the_sheet() {
     // What the steps leave is the same on every mesh, and the other way round.
     let in_space = orders_of_changes(&[10, 20, 40].map(|elements| error(elements, 2e-3)));
     let in_time = orders(&[4.0, 2.0, 1.0], &[0.02, 0.01, 0.005].map(|step| error(400, step)));
-    println!("conduction: orders {in_space:.2?} in the elements, {in_time:.2?} in the step");
     assert!(
         (in_space[0] - 2.0).abs() < 0.1 && in_time.iter().all(|p| (p - 1.0).abs() < 0.1),
         "{in_space:?} {in_time:?}"
@@ -250,12 +247,6 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
         let k = rates(f + 0.5 * h * k[0], strain + 0.5 * h * k[1]);
         (f, strain, volume) = (f + h * k[0], strain + h * k[1], volume + h * k[2]);
     }
-    println!(
-        "porosity {:.8} for {f:.8}, thickness {:.8} for {:.8}",
-        last.porosity,
-        last.thinnest,
-        (volume - 2.0 * end).exp()
-    );
     assert!((last.porosity - f).abs() < 1e-9, "{} {f}", last.porosity);
     let force = |step: f64| {
         let mut model = model.clone();
@@ -263,7 +254,6 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
         solve(&model).steps.last().expect("steps").edge_force
     };
     let orders = orders_of_changes(&[8e-3, 4e-3, 2e-3, 1e-3].map(force));
-    println!("force on the voided disc: orders {orders:.3?} in the step");
     assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.1), "{orders:?}");
     assert!((last.thinnest / (volume - 2.0 * end).exp() - 1.0).abs() < 1e-8);
     let middle = run.frames[0].elements[3];

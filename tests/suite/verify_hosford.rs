@@ -84,10 +84,6 @@ fn both_modes_agree_where_nothing_unloads() {
     let (flow, elastic) = (run("flow"), run("elasto_viscoplastic"));
     let end = |run: &StageSolution| *run.steps.last().expect("steps");
     let (flow, elastic) = (end(&flow), end(&elastic));
-    println!(
-        "force {} and {} N, thinnest {} and {} mm",
-        flow.punch_force, elastic.punch_force, flow.thinnest, elastic.thinnest
-    );
     assert!((flow.travel - elastic.travel).abs() < 1e-9);
     assert!((elastic.punch_force / flow.punch_force - 1.0).abs() < 0.02);
     assert!((elastic.thinnest / flow.thinnest - 1.0).abs() < 0.01);
@@ -107,7 +103,6 @@ fn a_stretched_dome_of_aluminium_thins_less_than_by_hills_condition() {
             .thinnest
     };
     let (hill, hosford) = (thinnest("\"hill48\""), thinnest("{ hosford = { crystal = \"fcc\" } }"));
-    println!("thinnest place: Hill {hill}, Hosford {hosford} mm");
     assert!(hosford > hill);
 }
 

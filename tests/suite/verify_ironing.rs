@@ -208,7 +208,6 @@ fn a_channel_is_ironed_as_the_slab_method_says() {
         let model = drawn(Geometry::PlaneStrain, clearance, 240);
         let run = solved(&model);
         let [force, thickness] = compare(&model, &run, clearance);
-        println!("{clearance}: force {force:?} N/mm, thickness {thickness:?} mm, ripple {:.3}", ripple(&run));
         // Trust: the sheet is unbent while it is pressed, which the slab method takes one after the other: the punch presses it
         // harder where it comes in, the die less, −5 %, −7 % and −10 %; unbending is the larger part where little is ironed.
         assert!((force[0] / force[1] - 1.0).abs() < 0.1, "{clearance}: {force:?} N/mm");
@@ -229,7 +228,6 @@ fn a_cup_is_ironed_as_the_slab_method_says() {
     let model = drawn(Geometry::Axisymmetric, 0.9, 240);
     let run = solved(&model);
     let [force, thickness] = compare(&model, &run, 0.9);
-    println!("cup: force {force:?} N, thickness {thickness:?} mm");
     // Trust: as of the channel; the wall also shrinks in the gap by what it comes nearer to the punch, under a percent.
     assert!((force[0] / force[1] - 1.0).abs() < 0.1, "{force:?} N");
     assert!((thickness[0] - thickness[1]).abs() < 0.005, "{thickness:?} mm");
@@ -243,7 +241,6 @@ fn ironing_converges() {
     let ripples = [0, 1, 2].map(|i| ripple(&runs[i]));
     let missed = [0, 1, 2].map(|i| runs[i].steps.last().expect("steps").work.imbalance());
     let thickness = [0, 1, 2].map(|i| behind(&runs[i]));
-    println!("forces {forces:?} ripples {ripples:?} missed {missed:?} thickness {thickness:?}");
     assert!((forces[2] - forces[1]).abs() < 0.8 * (forces[1] - forces[0]).abs(), "{forces:?}");
     assert!(ripples[1] < 0.75 * ripples[0] && ripples[2] < 0.75 * ripples[1], "{ripples:?}");
     assert!(missed[1] < 0.6 * missed[0] && missed[2] < 0.6 * missed[1], "{missed:?}");
@@ -264,7 +261,6 @@ fn a_stiffer_penalty_irons_to_the_gap() {
     model.settings.contact_stiffness *= 5.0;
     let run = solved(&model);
     let [_, thickness] = compare(&model, &run, 0.8);
-    println!("soft {soft}, stiff {thickness:?}");
     assert!(thickness[0] - 0.8 < 0.5 * soft && (thickness[0] - thickness[1]).abs() < 0.005, "{thickness:?} {soft}");
 }
 
@@ -296,7 +292,6 @@ force = "2166 N"
     let run = solved(case.model());
     let rim = run.frames.iter().flat_map(|frame| &frame.elements).map(|e| e.thickness).fold(0.0, f64::max);
     let last = *run.steps.last().expect("steps");
-    println!("rim {rim:.3} mm, {last:?}");
     assert!(rim > 1.35, "{rim} mm");
     // Trust: what is in the gap at the end is no thicker than the gap and what the penalty lets through on either face.
     let end = run.frames.last().expect("the end");

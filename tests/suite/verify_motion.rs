@@ -36,7 +36,6 @@ fn a_history_of_one_speed_equals_that_speed() {
     assert_eq!((history.travel, history.speed, history.duration), (speed.travel, speed.speed, speed.duration));
     assert_eq!(history.frames, speed.frames);
     let difference = difference(&solve(&history), &solve(&speed));
-    println!("one speed as a history: {difference:e}");
     assert!(difference < 1e-10, "{difference:e}");
 }
 
@@ -53,7 +52,6 @@ fn rate_free_sheet_does_not_feel_the_speed() {
         assert!((found - asked).abs() < 1e-9, "{travels:?}");
     }
     let difference = difference(&run, &solve(&cup(CONSTANT, &["output.frames=[\"12.5 mm\", \"20 mm\"]"])));
-    println!("0.1 mm/s, then 10 mm/s: {difference:e}");
     assert!(difference < 1e-9, "{difference:e}");
 }
 

@@ -115,7 +115,6 @@ fn analysis(m: f64, largest: f64) -> Vec<f64> {
 #[test]
 fn necking_strain_rises_with_the_rate_sensitivity_as_the_long_wavelength_analysis_says() {
     let (mut before, mut told) = (0.0, [Vec::new(), Vec::new()]);
-    println!("m, necking strain computed, analysis, difference, neck strain at the end, largest difference on the way");
     for m in EXPONENTS {
         let strains = pulled(m, &bar(m));
         let (neck, limit) = strains[strains.len() - 1];
@@ -123,7 +122,6 @@ fn necking_strain_rises_with_the_rate_sensitivity_as_the_long_wavelength_analysi
         let at = |neck: f64| expected[(neck / SPACING).round() as usize];
         let worst = strains.iter().map(|&(neck, outside)| (outside - at(neck)).abs()).fold(0.0, f64::max);
         let (error, worst) = (limit / at(neck) - 1.0, worst / limit);
-        println!("{m}, {limit:.4}, {:.4}, {:+.2} %, {neck:.2}, {:.2} %", at(neck), 100.0 * error, 100.0 * worst);
         assert!(error.abs() < 0.003, "m {m}: {limit} for {}", at(neck));
         assert!(worst < 0.003, "m {m}: {worst} on the way");
         // The neck has run away: what it still stretches hardly reaches the rest of the bar.
@@ -152,7 +150,6 @@ fn necking_strain_converges_with_the_square_of_the_step() {
             limit / analysis(m, neck)[(neck / SPACING).round() as usize] - 1.0
         });
         let orders = orders(&[4.0, 2.0, 1.0], &errors);
-        println!("m {m}: errors {errors:.5?}, orders {orders:.2?}");
         assert!(errors[0].abs() < 1e-3 && errors[2].abs() < 1e-4, "m {m}: {errors:?}");
         // With m = 0.05 the error goes through nothing.
         assert!(m == 0.05 || orders.iter().all(|p| *p > 1.8), "m {m}: {orders:?}");

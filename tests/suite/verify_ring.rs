@@ -1,6 +1,5 @@
 //! The split-ring test: rings of known moments, the mean of their curling, and where a ring is cut from a wall.
 
-use stampflow::case;
 use stampflow::material::Elastic;
 use stampflow::measure::{CutRing, Ring};
 use stampflow::numerics::lobatto;
@@ -113,16 +112,4 @@ fn a_ring_is_cut_over_the_bottom_and_has_the_wall_s_moments() {
     assert_eq!(Ring { from: 20.0, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "beyond the rim");
     assert_eq!(Ring { from: 0.1, height: 5.0 }.cut(&wall(-1.0, 0.0, 100.0)), None, "in the bottom");
     assert_eq!(Ring { from: 4.0, height: 5.0 }.cut(&wall(-1.0, 0.6, 100.0)), None, "no wall");
-}
-
-/// A ring of the wall of a released cup only.
-#[test]
-fn a_ring_that_no_stage_lets_go_is_refused() {
-    for (set, says) in
-        [("stages=[]", "takes no tools away"), ("springback.ring.height=\"0 mm\"", "springback.ring.height")]
-    {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/split_ring.toml");
-        let error = case::load(path, &[set.to_owned()]).expect_err("no ring").render(false);
-        assert!(error.contains(says), "{error}");
-    }
 }

@@ -48,7 +48,6 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
         let model = before_the_neck(name, &[]);
         let (full, run) = (solve(&model), solve(&with(Theory::Selective, &model)));
         let (difference, travel) = largest_difference(&run, &full);
-        println!("{name}: punch force off by {:+.2} % of the peak at most, at {travel:.1} mm", 100.0 * difference);
         assert!(difference.abs() < 0.01, "{name}: {difference:e} at {travel} mm");
         differences.push(difference);
         let elements = model.blank.elements;
@@ -111,16 +110,6 @@ fn every_shipped_case_runs_with_selective_bending() {
         let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let (difference, travel) = largest_difference(&run, &full);
         let change = peak(&run) / peak(&full) - 1.0;
-        println!(
-            "{name}: {:.0} % bent, {rejected} rejected, force {:+.2} % at {travel:.1} mm, peak {:+.2} %, thickness within {:.1} %, \
-             thinnest {:+.2} %, balance {:+.2} %",
-            100.0 * bent(&run),
-            100.0 * difference,
-            100.0 * change,
-            100.0 * thickness_apart(&run, &full),
-            100.0 * (last(&run).thinnest / last(&full).thinnest - 1.0),
-            100.0 * last(&run).work.imbalance(),
-        );
         assert!(rejected <= 3, "{name}: {rejected} rejected steps");
         // Trust: largest force of one on the other's curve is smooth there; full bending of a face with t/R = 0.02 adds less.
         assert!(change.abs() < 0.01, "{name}: the peak moves by {change:e}");

@@ -43,11 +43,6 @@ fn every_shipped_case_runs_smoothly_to_its_full_travel() {
         let run = solve(&model);
         let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let tick = largest_tick(&run);
-        println!(
-            "{name}: {} steps, {rejected} rejected, largest tick {:.2} % of the peak",
-            run.steps.len(),
-            100.0 * tick
-        );
         assert!(rejected <= 6, "{name}: {rejected} rejected steps");
         assert!(tick < 0.01, "{name}: the load ticks by {:.2} %", 100.0 * tick);
         // Trust: the trapezoidal rule along the path errs with the square of the step; 1 % is the promise.
@@ -155,7 +150,6 @@ fn all_iteration_matrices_find_the_same_state() {
             let run = solver::run_from(&model, start.clone(), &mut ());
             let state = run.end.clone();
             assert!(run.stop.is_complete() && run.steps.len() == 1, "{name} {iteration:?}: {}", run.stop);
-            println!("{name} {iteration:?}: {} iterations", run.steps[0].iterations);
             (run, state)
         };
         let (reference, state) = after(Iteration::PrimalDual);
@@ -189,7 +183,6 @@ fn doubling_elements_or_halving_steps_changes_little() {
             let run = solve(&model);
             let force = peak(&run) / peak(&base) - 1.0;
             let thin = last(&run).thinnest / last(&base).thinnest - 1.0;
-            println!("{name}, {what}: peak {:+.2} %, thinnest {:+.2} %", 100.0 * force, 100.0 * thin);
             assert!(force.abs() < 0.007, "{name}, {what}: peak moves by {force:e}");
             assert!(thin.abs() < 0.01, "{name}, {what}: thinnest place moves by {thin:e}");
             changes.extend([force, thin]);
@@ -209,7 +202,6 @@ fn woo_s_neck_hardly_hangs_on_the_mesh() {
         let elements = format!("blank.elements={}", 50 * finer);
         last(&solver::run(&shipped::shipped("woo_hemispherical", &[&elements]), &mut ())).thinnest
     });
-    println!("Woo's neck with 50, 100 and 200 elements: {left:.3?} mm");
     assert!(left.iter().all(|thickness| (0.3..0.42).contains(thickness)), "{left:?}");
     let finer = plain(&left[1..], 2);
     told("docs/agreement.md", "With twice and four times the elements {} and {} mm are left.", &finer);
@@ -242,9 +234,6 @@ fn whole_draws_converge_in_their_orders() {
         });
         let [force, drawn] = [0, 1].map(|k| orders_of_changes(&finer.map(|f| f[k]))[0]);
         let steps = orders_of_changes(&shorter)[0];
-        println!(
-            "{name}: orders {force:.2} of the force, {drawn:.2} of the draw-in in elements, {steps:.2} of the force in steps"
-        );
         // Where the peak moves by less than a thousandth there is nothing to see an order in.
         let settled = |peaks: [f64; 3]| peaks.windows(2).all(|f| (f[1] / f[0] - 1.0).abs() < 1e-3);
         assert!(force > 1.1 || settled(finer.map(|f| f[0])), "{name}: {force}");
@@ -279,7 +268,6 @@ fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
                 worst = worst.max((r.punch_force - force).abs() / peak(&exact));
             }
             let cost = iterations(&run) / iterations(&exact) - 1.0;
-            println!("{name}, {facets} facets: curve within {:.3} %, {:+.1} % iterations", 100.0 * worst, 100.0 * cost);
             assert!(worst < 0.005, "{name}, {facets} facets: {worst:e} of the peak");
             assert!(cost < 0.2, "{name}, {facets} facets: {:+.1} % iterations", 100.0 * cost);
             let of = if name == "strip_draw" { &mut of_strip } else { &mut of_others };
@@ -307,7 +295,6 @@ fn bare_facets_run_and_stay_near_exact_arcs() {
         faceted.settings.facets = Some(45);
         faceted.settings.round_facets = false;
         let change = peak(&solve(&faceted)) / exact - 1.0;
-        println!("{name}: bare facets change the peak load by {:+.2} %", 100.0 * change);
         assert!(change.abs() < 0.02, "{name}: {change:e}");
         changes.push(change);
     }

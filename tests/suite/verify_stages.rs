@@ -130,7 +130,6 @@ fn a_draw_in_two_stages_is_the_draw_in_one() {
     let thickness = largest(&one.end.thickness, &two.end.thickness);
     let z: Vec<f64> = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs()).collect();
     let shape = z.into_iter().fold(0.0, f64::max);
-    println!("two halves: force {apart:.2e}, thickness {thickness:.2e} mm, shape {shape:.2e} mm");
     assert!((one.end.tools[0] - two.end.tools[0]).norm() < 1e-9);
     assert!(apart < 5e-3 && thickness < 2e-3 && shape < 2e-2);
     let imbalance = two.steps.last().expect("steps").work.imbalance();
@@ -152,7 +151,6 @@ fn a_punch_that_goes_back_leaves_the_sheet() {
     let moved: Vec<f64> =
         drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
     let moved = moved.into_iter().fold(0.0, f64::max);
-    println!("a punch goes back: force {:.1e}, the sheet moves {moved:.1e} mm", force(left));
     assert!(moved < 0.05, "{moved}");
     let warnings = assess::warnings(left);
     assert!(warnings.is_empty(), "{warnings:?}");

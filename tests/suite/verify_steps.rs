@@ -41,7 +41,6 @@ fn thickness_force_and_pressure_do_not_hang_on_the_step() {
             (usual[i] - fine[i]) / scale
         });
         let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
-        println!("{name}: thinnest, peak, time, pressure, pole, edge off by {:.2?} %", errors.map(|e| 100.0 * e));
         assert!(worst < allowed, "{name}: {errors:?}");
     }
 }
@@ -58,6 +57,5 @@ fn a_bulge_is_of_second_order_in_the_step() {
         last(&solver::run(&shipped("bulge", &set), &mut ())).pole_height
     };
     let orders = orders_of_changes(&[1.0, 2.0, 4.0, 8.0].map(height));
-    println!("height of the bulge: orders {orders:.2?} in the step");
     assert!(orders.iter().all(|p| *p > 1.5), "{orders:?}");
 }

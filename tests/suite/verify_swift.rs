@@ -136,10 +136,8 @@ const APART: f64 = 0.05;
 fn the_limiting_draw_ratio_is_that_of_ideal_drawing_with_its_losses() {
     let [ideal, holder, rope, closed] =
         [[false; 3], [true, false, false], [true, true, false], ALL].map(|losses| BASE.closed(losses));
-    println!("ideal {ideal:.3}, with holder {holder:.3}, shoulder {rope:.3}, bending {closed:.3}");
     assert!(ideal > holder && holder > rope && rope > closed, "each loss takes of it");
     let found = BASE.searched();
-    println!("program {found:.3}");
     assert!((found / closed - 1.0).abs() < APART, "{found} against {closed}");
     for finer in [&["blank.elements=120"][..], &["solver.max_step=0.004", "solver.first_step=0.001"]] {
         assert!((BASE.searched_with(finer) - found).abs() < 0.01, "it hangs on {finer:?}");
@@ -153,7 +151,6 @@ fn it_goes_with_anisotropy_friction_and_hardening_as_the_closed_form_does() {
     let with = |sheets: &[(&str, Sheet)]| {
         let found = sheets.iter().map(|(name, sheet)| {
             let pair = [sheet.closed(ALL), sheet.searched()];
-            println!("{name}, closed form and program: {pair:.3?}");
             assert!((pair[1] / pair[0] - 1.0).abs() < APART, "{name}: {pair:?}");
             pair
         });

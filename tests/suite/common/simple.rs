@@ -52,40 +52,17 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
     let size = std::f64::consts::FRAC_PI_2 * (shoulder + 0.5 * t) / per_quarter as f64;
     let length = 120.0;
     let tool = |role, profile, friction, motion| Tool { role, profile, friction: Friction::from(friction), motion };
+    let plain = pulled(Geometry::PlaneStrain, Theory::Membrane, 50.0);
+    let elements = (length / size).round() as usize;
     Model {
         title: "capstan".into(),
-        notes: vec![],
-        geometry: Geometry::PlaneStrain,
-        depth: None,
-        blank: Blank {
-            length,
-            thickness: t,
-            elements: (length / size).round() as usize,
-            grading: Grading::Uniform,
-            theory: Theory::Membrane,
-            layers: 1,
-            rule: ThicknessRule::Lobatto,
-            edge: Edge::Free,
-        },
+        blank: Blank { length, thickness: t, elements, edge: Edge::Free, ..plain.blank.clone() },
         material: Material::plain(Hardening::Ludwik(Ludwik::new(150.0, 0.0, 1.0).expect("valid"))),
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(30.0, 10.0, t), 0.3, Motion::Travel),
             tool(Role::Die, Profile::die(31.3, shoulder, t), mu, Motion::Fixed),
             tool(Role::Holder, Profile::holder(41.3, t), 0.2 - mu, Motion::Pressed(Press::constant(holder))),
         ],
-        beads: vec![],
-        gas: vec![],
-        heat: None,
-        travel: 50.0,
-        schedule: None,
-        speed: 1.0,
-        duration: 50.0,
-        stop: StopRules::default(),
-        timed: true,
-        frames: vec![50.0],
-        settings: Settings::default(),
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
+        ..plain
     }
 }
