@@ -16,12 +16,6 @@ fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
     case::load(path, &overrides).unwrap_or_else(|error| panic!("{}", error.render(false)))
 }
 
-/// The rendered error of a case in `text`; panics when there is none.
-fn message(text: &str, overrides: &[&str]) -> String {
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::parse(text, "case.toml", &overrides).expect_err("the case is broken").render(false)
-}
-
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 
 #[test]
@@ -155,27 +149,6 @@ fn overrides_take_toml_values_and_bare_text() {
     );
     let woo = load("cases/woo_hemispherical.toml", &["material.hardening.piecewise_power.branches.0.n=0.5045"]);
     assert_ne!(woo.model().material, load("cases/woo_hemispherical.toml", &[]).model().material);
-}
-
-#[test]
-fn broken_overrides_say_what_to_write() {
-    let cases = [
-        ("tools.punh.friction=0.1", "there is no table [tools.punh]"),
-        ("tools.punh.friction=0.1", "did you mean `punch`?"),
-        ("friction", "there is no `=`"),
-        ("=3", "names no key"),
-        ("tools.punch.friction.x=3", "there is no table [tools.punch.friction]"),
-        ("blank.thicknes=1 mm", "unknown key `thicknes` in [blank]"),
-        ("blank.thickness=0.9", "0.9 needs a unit"),
-        ("blank.thickness=0.9", "case.toml (with overrides):13:13"),
-        ("tools.punch.friction=nan", "must lie between 0 and 1, found NaN"),
-        ("blank=3", "found number `3`, wanted a table of keys"),
-        ("output.count=0", "`count` must lie between 1 and 1000"),
-    ];
-    for (written, wanted) in cases {
-        let message = message(QUICKSTART, &[written]);
-        assert!(message.contains(wanted), "{written}\n{message}");
-    }
 }
 
 /// All that is needed is read with the case: the shipped ones give the same where there is no disk.

@@ -33,49 +33,45 @@ fn a_run_writes_every_file_and_a_trace() {
     assert!(fs::read_to_string(dir.path().join("trace.csv")).unwrap().lines().count() > 50);
 }
 
+/// Trust: by the table; what is refused is refused before anything is solved, so that no progress is shown.
 #[test]
-fn bad_input_ends_with_2_before_anything_is_solved_or_written() {
+fn bad_calls_end_with_2_and_leave_nothing_behind() {
     let dir = folder(CUP);
     let root = dir.path();
-    fs::write(root.join("cases/curveless.toml"), format!("{CUP}{COMPARE}")).unwrap();
-    let nan = format!("{CUP}{}", COMPARE.replace("curve", "nan"));
-    fs::write(root.join("cases/nan.toml"), nan).unwrap();
-    fs::write(root.join("cases/nan.csv"), "travel_mm,punch_force_kN\n1,3\n2,nan\n").unwrap();
-    fs::write(root.join("taken"), "mine").unwrap();
+    for (name, content) in [
+        ("cases/curveless.toml", format!("{CUP}{COMPARE}")),
+        ("cases/nan.toml", format!("{CUP}{}", COMPARE.replace("curve", "nan"))),
+        ("cases/nan.csv", "travel_mm,punch_force_kN\n1,3\n2,nan\n".to_owned()),
+        ("cases/large.toml", "# a comment that goes on\n".repeat(100_000)),
+        ("taken", "mine".to_owned()),
+        ("far.csv", "travel_mm,punch_force_kN\n100,30\n110,31\n120,32\n".to_owned()),
+        ("unit.csv", "travel_mm,punch_force\n1,30\n2,31\n3,32\n".to_owned()),
+        ("few.csv", "travel_mm,punch_force_kN\n1,3\n2,6\n".to_owned()),
+        ("good.csv", "travel_mm,punch_force_kN\n1,3\n2,6\n3,9\n4,11\n".to_owned()),
+        ("words.csv", "a,b\n1,2\n".to_owned()),
+        ("per_mm.csv", "travel_mm,punch_force_N_per_mm\n1,2\n2,3\n".to_owned()),
+    ] {
+        fs::write(root.join(name), content).unwrap();
+    }
     fs::create_dir(root.join("folder")).unwrap();
     fs::create_dir_all(root.join("half/summary.json")).unwrap();
     fs::File::create(root.join("die.dxf")).unwrap().set_len(3_000_000_000).unwrap();
-    let before = (files(root, "").len(), files(root.join("cases"), "").len());
-    let not_finite = "nan.csv, line 3, column `punch_force_kN`: \"nan\" is no finite number";
-    for call in [
-        (&["run", "cases/none.toml"][..], "no file"),
-        (&["run", "cases/cup.toml", "--set", "blank.thickness=thin"], "thin"),
-        (&["run", "cases/cup.toml", "--set", "no equals sign"], "="),
-        (&["run", "cases/cup.toml", "cases/cup.toml"], "twice"),
-        (&["run", "cases/curveless.toml"], "curve.csv"),
-        (&["run", "cases/cup.toml", "cases/curveless.toml", "--trace", "t.csv"], "--trace"),
-        (&["check", "cases/none.toml"], "no file"),
-        (&["check", "cases/nan.toml"], not_finite),
-        (&["run", "cases/nan.toml"], not_finite),
-        (&["report", "cases/nan.toml"], not_finite),
-        (&["check", "cases/cup.toml", "--error-bars"], "--run --error-bars"),
-        (&["run"], "Usage"),
-        (&["fly"], "fly"),
-        (&["man", "fly"], "fly"),
-        (&["completions", "dos"], "dos"),
-        (&["run", "cases/cup.toml", "--width", "5 mm"], "50 to 400 mm"),
-        (&["run", "cases/cup.toml", "--out", "taken"], "cannot write taken: not a directory"),
-        (&["run", "cases/cup.toml", "--out", "taken/deeper"], "--out"),
-        (&["run", "cases/cup.toml", "--out", "half"], "cannot write half/summary.json: is a directory"),
-        (&["run", "cases/cup.toml", "--trace", "folder"], "another place with --trace"),
-        (&["run", "cases/cup.toml", "--trace", "taken/t.csv"], "cannot write taken/t.csv"),
-        (&["import", "die.dxf"], "die.dxf cannot be read: it is larger than 50 MB"),
-    ] {
-        check_calls(root, &[(call.0, 2, call.1)]);
-        let done = stampflow(root, call.0);
-        assert!(done.stdout.is_empty() && !text(&done.stderr).contains("10 %"), "{call:?} was solved first");
-        assert_eq!((files(root, "").len(), files(root.join("cases"), "").len()), before, "{call:?} left something");
-    }
+    let count = || ["", "cases", "half"].map(|folder| files(root.join(folder), "").len());
+    let before = count();
+    let rows = include_str!("../bad_cases/calls.txt").lines().filter(|line| !line.starts_with('#'));
+    let wrong: Vec<String> = rows
+        .filter_map(|row| {
+            let (line, says) = row.split_once(" | ").expect("arguments and a message");
+            let command = format!("exec {} {line}", env!("CARGO_BIN_EXE_stampflow"));
+            let drawings = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings");
+            let mut shell = Command::new("sh");
+            let done = shell.args(["-c", &command]).env("DRAWINGS", drawings).current_dir(root).output().unwrap();
+            let errors = text(&done.stderr).replace("\n  │ ", " ").replace("\n ", "");
+            let is_refused = done.status.code() == Some(2) && done.stdout.is_empty() && count() == before;
+            (!is_refused || !errors.contains(says)).then(|| format!("{row}\n{:?} {errors}", done.status.code()))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert_eq!(fs::read_to_string(root.join("taken")).unwrap(), "mine");
 }
 

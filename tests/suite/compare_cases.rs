@@ -3,9 +3,8 @@
 use crate::common::cli::{CUP, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::case;
+use stampflow::study::Cell;
 use stampflow::study::compare::{Candidate, SideBySide, variant};
-use stampflow::study::{Cell, MeasuredCurve, MeasuredData};
-use std::fs;
 
 fn side_by_side(variants: &[&str]) -> SideBySide {
     let candidate =
@@ -60,28 +59,4 @@ fn a_runs_own_tables_lie_on_its_curves() {
     for file in value["files"].as_array().expect("files") {
         assert!(dir.path().join(file.as_str().expect("a path")).is_file(), "{file}");
     }
-}
-
-/// Trust: each is wrong in the way that its message says.
-#[test]
-fn what_cannot_be_compared_is_refused() {
-    let dir = folder(CUP);
-    let write = |name: &str, text: &str| fs::write(dir.path().join(name), text).unwrap();
-    write("strip.toml", &CUP.replace("axisymmetric", "plane_strain"));
-    write("words.csv", "a,b\n1,2\n");
-    write("curve.csv", "travel_mm,punch_force_N_per_mm\n1,2\n2,3\n");
-    for (args, says) in [
-        (&["cases/cup.toml", "--also", "friction"][..], "gives no key a value"),
-        (&["cases/cup.toml", "cases/cup.toml"], "is there twice"),
-        (&["cases/cup.toml", "words.csv"], "no curve of a run"),
-        (&["cases/cup.toml", "curve.csv"], "cannot be compared"),
-        (&["cases/cup.toml"], "no case in"),
-        (&["nowhere"], "nowhere"),
-    ] {
-        let done = stampflow(dir.path(), &[&["compare"], args].concat());
-        assert!(done.status.code() == Some(2) && text(&done.stderr).contains(says), "{args:?}: {}", text(&done.stderr));
-    }
-    let data = [("travel_mm".to_owned(), vec![1.0, 2.0]), ("punch_force_kN".to_owned(), vec![1.0, f64::NAN])];
-    let data = MeasuredData::columns("press", &data).expect("columns");
-    assert_eq!(MeasuredCurve::load(&data).expect("a curve").name(), "press");
 }

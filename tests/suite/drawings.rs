@@ -421,31 +421,6 @@ fn options_are_the_remedies_of_faulty_drawings() {
     sections("faulty/two_tools_in_one_name.dxf", &Options { layers: punch, ..Options::default() });
 }
 
-/// Arguments and the message on wrong options.
-#[test]
-fn wrong_options_are_refused() {
-    for (drawing, args, says) in [
-        ("faulty/unknown_layers.dxf", &["--layer", "Stempel=punches"][..], "give punch, die, holder, none"),
-        ("faulty/unknown_layers.dxf", &["--layer", "Stempel"], "NAME=punch"),
-        ("faulty/unknown_layers.dxf", &["--layer", "Nothing=punch"], "there is no layer \"Nothing\""),
-        ("faulty/unknown_layers.dxf", &["--unit", "parsec"], "give mm, cm"),
-        ("faulty/unknown_layers.dxf", &["--join", "1 kg"], "a length"),
-        ("ezdxf_lines_and_arcs.dxf", &["--layer", "DIE=none"], "--layer NAME=die"),
-        ("ezdxf_lines_and_arcs.dxf", &["--material", "butter"], "butter"),
-        ("ezdxf_cone_inches.dxf", &["--unit", "mm"], "7.2 mm wide"),
-        ("ezdxf_cone_inches.dxf", &["--travel", "50.5 mm"], "the punch is in the die"),
-        ("ezdxf_cone_inches.dxf", &["--travel", "49 mm"], "the sheet does not fit"),
-    ] {
-        let path = Path::new("tests/drawings").join(drawing);
-        let dir = folder(&path);
-        let name = path.file_name().unwrap().to_str().unwrap();
-        let done = stampflow(dir.path(), &[&["import", name], args].concat());
-        let message = text(&done.stderr).replace("\n  │ ", " ");
-        assert!(done.status.code() == Some(2) && message.contains(says), "{args:?}: {message}");
-        assert_eq!(files(dir.path(), "").len(), 1, "{args:?} left something behind");
-    }
-}
-
 /// Refused by number: two columns and rows that would be millions, and blocks whose copies double twenty times.
 #[test]
 fn blocks_that_would_fill_the_memory_are_refused() {

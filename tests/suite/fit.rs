@@ -307,43 +307,6 @@ fn the_osu_curve_gives_its_own_friction_and_strength_back() {
     assert!((k.value / 589.0 - 1.0).abs() < 0.05, "{k:?}");
 }
 
-/// Trust: each is wrong in the way that its message says.
-#[test]
-fn a_fit_that_cannot_be_is_told() {
-    let dir = TempDir::new().expect("a folder");
-    let write = |name: &str, text: &str| {
-        let path = dir.path().join(name);
-        fs::write(&path, text).expect("written");
-        path
-    };
-    let far = write("far.csv", "travel_mm,punch_force_kN\n100,30\n110,31\n120,32\n");
-    let unit = write("unit.csv", "travel_mm,punch_force\n10,30\n11,31\n12,32\n");
-    let few = write("few.csv", "travel_mm,punch_force_kN\n10,30\n12,32\n");
-    let other = write("other.csv", "time_s,temperature_C\n10,30\n11,31\n");
-    let good = write("good.csv", "travel_mm,punch_force_kN\n5,20\n10,30\n12,32\n15,35\n");
-    let sentence = |path: &PathBuf, texts: &[&str]| {
-        let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
-        let base = BaseCase::load(CASE, coarse()).expect("a case");
-        let request = CaseFitRequest::new(base, &texts, &[MeasuredData::File(path.clone())]);
-        request.and_then(|request| fit_case(&request, 2, &()).map(drop)).expect_err("a mistake").to_string()
-    };
-    for (path, texts, said) in [
-        (&far, &KEYS[..1], "does not overlap the run"),
-        (&unit, &KEYS[..1], "must end in a unit"),
-        (&few, &KEYS[..], "2 points for 2 keys"),
-        (&other, &KEYS[..1], "is no curve of a run"),
-        (&good, &[], "no key is to be fitted"),
-        (&good, &["tools.dye.friction=0.1 in 0..0.3"], "dye"),
-        (&good, &["friction=0.1 in 0..0.3", "friction=0.1 in 0..0.3"], "given twice"),
-    ] {
-        let error = sentence(path, texts);
-        assert!(error.contains(said), "{said}: {error}");
-    }
-    let base = BaseCase::load(CASE, coarse()).expect("a case");
-    let error = CaseFitRequest::new(base, &KEYS.map(str::to_owned), &[]).expect_err("no curve").to_string();
-    assert!(error.contains("no curve to fit to"), "{error}");
-}
-
 /// Trust: the same fit from a study file and from the command line; files as the page says.
 #[test]
 fn the_verb_reads_a_study_and_writes_numbers_case_and_picture() {

@@ -47,16 +47,6 @@ fn every_material_loads_runs_and_cites_its_source() {
     }
 }
 
-#[test]
-fn an_unknown_material_is_answered_with_the_nearest() {
-    let error = parsed("name = \"aa6061-t4\"", "").expect_err("unknown");
-    assert!(error.contains("no material \"aa6061-t4\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
-    assert!(error.contains("case.toml:7:8"), "{error}");
-    let error = parsed("name = \"aa60\"", "").expect_err("two");
-    assert!(error.contains("\"aa60\" may be aa6016-t4 or "), "{error}");
-    assert!(parsed("name = \"\"", "").expect_err("nothing").contains("no material \"\""));
-}
-
 /// Trust: EN 10130:1999 as a mill's leaflet tabulates it, DC06 by memory of the edition of 2006: yield stress, tensile strength [MPa], r and n at least.
 #[test]
 fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
@@ -110,26 +100,6 @@ fn a_tension_test_is_computed_from_the_law() {
     let strength = k * n.powf(n) * (offset - n).exp();
     assert!((entry.tensile_strength().expect("a maximum") / strength - 1.0).abs() < 1e-6);
     assert!((entry.uniform_elongation().expect("a maximum") - (n - offset).exp_m1()).abs() < 1e-6);
-}
-
-#[test]
-fn limits_are_one_and_say_what_is_wrong() {
-    let hardening = "name = \"drawing-steel\"";
-    for (limit, says) in [
-        ("", "names no law"),
-        ("hill = false", "names no law"),
-        ("hill = true\nswift = true", "more than one law"),
-        ("points = [[0, 0.3], [0.2, 0.4]]", "do not say which strains"),
-        ("points = [[0, 0.3]]\nstrain = \"true\"", "two points at least"),
-        ("points = [[0, 30], [20, 40]]\nstrain = \"engineering\"", "0.3 for 30 %"),
-        ("marciniak_kuczynski = { imperfection = 0.5 }", "between 0.9 and 0.9999"),
-        ("marciniak_kuczynski = {}\nn = 0.2", "`n` has no part"),
-        ("keeler_brazier = { thickness = \"5 mm\" }", "up to 3.1 mm"),
-        ("swift = true\nstrain = \"true\"", "`strain` has no part"),
-    ] {
-        let error = parsed(hardening, &format!("[forming_limit]\n{limit}")).expect_err(limit);
-        assert!(error.contains(says) && error.contains("case.toml:"), "{limit}\n{error}");
-    }
 }
 
 /// Trust: over the whole list: a law written with the examples of its own schema is accepted and named by the summary's

@@ -51,23 +51,6 @@ fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     assert!(report.headline.starts_with("No tear in 32 parts"), "{}", report.headline);
 }
 
-/// Trust: each is wrong in the way that its message says.
-#[test]
-fn bad_scatters_are_refused() {
-    for (vary, runs, says) in [
-        (&["friction"][..], 64, "gives no key a distribution"),
-        (&["friction=0.1..0.2"], 64, "is no distribution"),
-        (&["friction=uniform 0.1..0.2"], 2, "2 runs"),
-        (&["friction=uniform 0.1..0.2", "friction=normal ± 5 %"], 64, "set the same"),
-        (&["strength=normal ± 5 %", "material.hardening.swift.k=normal ± 5 %"], 64, "set the same"),
-        (&["tools.die.sholder=uniform 1..2 mm"], 64, "sholder"),
-        (&["press.force=normal ± 5 %"], 64, "writes no press.force"),
-    ] {
-        let error = scatter(vary, runs, 1).expect_err(says).to_string();
-        assert!(error.contains(says), "{vary:?}: {error}");
-    }
-}
-
 /// Trust: what is declared for a library sheet; the shipped study is read.
 #[test]
 fn the_program_scatters_by_default_and_reads_its_study() {

@@ -84,41 +84,6 @@ fn swifts_cup_has_its_limiting_draw_ratio() {
     assert!(table.runs[other.expect("a run")].tears());
 }
 
-/// Trust: each is wrong in the way that its message says.
-#[test]
-fn bad_searches_are_refused() {
-    let largest = Some(Side::Largest);
-    let goal = |name: &str| SearchRequest { goal: Some(name.to_owned()), ..SearchRequest::default() };
-    for (asked, says) in [
-        (request("friction=0.1,0.2", Some("no red"), None, largest), "gives no range"),
-        (request("friction=0.1..0.2", Some("no red"), None, None), "neither the largest nor the smallest"),
-        (request("friction=0.1..0.2", None, None, largest), "no condition is given"),
-        (request("friction=0.1..0.2", Some("red"), None, largest), "is no condition"),
-        (request("friction=0.1..0.2", Some("no red"), Some("draw_in=8 mm"), largest), "both a condition and a target"),
-        (request("tools.die.sholder=4..6 mm", Some("no red"), None, largest), "sholder"),
-        (goal("deepest"), "there is no search"),
-        (goal("bead-force"), "needs a bead"),
-        (goal("over-bend"), "needs a stage"),
-    ] {
-        let error = LimitSearch::new(base(&[]), &asked).expect_err(says).to_string();
-        assert!(error.contains(says), "{error}");
-    }
-    for (condition, says) in
-        [("thining < 20 %", "no number `thining`"), ("thinning < 20 mm", "is in %"), ("thining not red", "no row")]
-    {
-        let asked = request("friction=0.1..0.2", Some(condition), None, largest);
-        let mut search = LimitSearch::new(base(&[]), &asked).expect("a search");
-        let settings = stampflow::study::Evaluation {
-            threads: 1,
-            errors: false,
-            shard: stampflow::study::Shard::WHOLE,
-            watch: &(),
-        };
-        let error = stampflow::study::begin(&mut search, &settings).expect_err(says).to_string();
-        assert!(error.contains(says), "{condition}: {error}");
-    }
-}
-
 /// Trust: by hand.
 #[test]
 fn conditions_judge_lights_tears_and_quantities() {

@@ -60,22 +60,6 @@ fn a_design_that_cannot_be_built_is_a_row_with_its_reason() {
     assert!(table.runs[1].is_known());
 }
 
-/// Trust: none of its values makes a case.
-#[test]
-fn bad_requests_are_refused_before_anything_is_run() {
-    for (vary, says) in [
-        (&["tools.die.sholder=4..6 mm/3"][..], "sholder"),
-        (&["tools.die.shoulder=4..6/3"], "unit"),
-        (&["material=dc99,dc98"], "dc99"),
-        (&["friction=0.1,0.2", "friction=0.3"], "varied twice"),
-        (&["friction=0.1,0.2 & tools.die.shoulder=5 mm"], "as many values"),
-        (&[], "nothing of the case is varied"),
-    ] {
-        let error = sweep(vary, false).expect_err(says).to_string();
-        assert!(error.contains(says), "{vary:?}: {error}");
-    }
-}
-
 /// Trust: one key at a time changes one key at a time; the larger friction moves the force more.
 #[test]
 fn one_at_a_time_gives_the_sensitivity_of_each_key() {

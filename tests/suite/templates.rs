@@ -1,6 +1,5 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
-use crate::common::cli::{stampflow, text};
 use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::library::materials;
@@ -230,53 +229,6 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
     let peak = |run: &StageSolution| run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max);
     let (usual, hard) = (peak(&runs[0]), peak(&runs[1]));
     assert!(hard - usual > 0.08 * 19e3, "{usual} {hard}");
-}
-
-#[test]
-fn what_does_not_go_together_is_refused_with_exit_code_2() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    for (args, says) in [
-        (&["cup", "--nose", "31 mm"][..], "does not fit a punch of 30 mm"),
-        (&["cup", "--height", "80 mm"], "above the limit of one draw"),
-        (&["cup", "--height", "6 mm"], "leaves no wall"),
-        (&["cup", "--height", "9 mm"], "nothing to hold"),
-        (&["cup", "--height", "30"], "30 needs a unit"),
-        (&["cup", "--height", "3 kN"], "is a force, wanted a length"),
-        (&["cup", "--thickness", "0 mm"], "must be positive"),
-        (&["cup", "--n", "3"], "n must lie between 0 and 1"),
-        (&["cup", "--friction", "2"], "--friction: must lie between 0 and 1"),
-        (&["cup", "--trim", "8"], "--trim: 8 needs a unit help: write \"8 %\""),
-        (&["cup", "--trim", "40 %", "--height", "48 mm"], "--height of 42.5 mm or less; or a smaller --trim"),
-        (&["conical-cup", "--angle", "20"], "write \"20 deg\""),
-        (
-            &["cup", "--clearance", "0.2 mm"],
-            "the template cup with --clearance \"0.2 mm\" makes a case that is refused",
-        ),
-        (&["cup", "--material", "ap05x"], "did you mean `ap04xr`"),
-        (&["cup", "--material", "ap04xr", "--n", "0.2"], "--n is of another one"),
-        (&["cup", "--angle", "30 deg"], "unexpected argument '--angle'"),
-        (&["cupp"], "cup"),
-        (&["conical-cup", "--angle", "60 deg"], "narrows from"),
-        (&["bulge", "--height", "49 mm"], "it would burst"),
-        (&["bulge", "--pressure", "90 MPa"], "it would burst"),
-        (&["stretch-dome", "--height", "60 mm"], "higher than its punch"),
-        (&["hat-section", "--height", "5 mm"], "no wall"),
-        (&["erichsen", "--thickness", "3 mm"], "for sheets up to 2 mm"),
-        (&["hat-section", "--press", "250 tonf"], "give --length too"),
-        (&["hat-section", "--length", "60 in", "--press", "250 t"], "write 250 tonf (tonnes-force) or 2452 kN"),
-        (&["cup", "--thickness", "-0.8 mm"], "--thickness: must be positive, found -0.8 mm"),
-        (&["cup", "--punch-diameter", "-80 mm"], "--punch-diameter: must be positive, found -80 mm"),
-        (&["v-bend", "--angle", "20 deg"], "60 deg to 170 deg"),
-        (&["v-bend", "--width", "20 mm"], "no room for the punch"),
-        (&["u-bend", "--leg", "9 mm"], "hardly rests"),
-        (&["redraw", "--first-radius", "33 mm"], "no room for a holder"),
-        (&["hemispherical-cup", "--height", "5 mm"], "no cup"),
-    ] {
-        let done = stampflow(dir.path(), &[&["new"], args, &["-o", "case.toml"]].concat());
-        let message = text(&done.stderr).replace("\n  │ ", " ").replace("\n ", "");
-        assert!(done.status.code() == Some(2) && message.contains(says), "{args:?}: {message}");
-        assert!(!dir.path().join("case.toml").exists());
-    }
 }
 
 /// Trust: a tonne-force is 9.80665 kN; the rounding is upward, to 0.01 kN.

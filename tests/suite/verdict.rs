@@ -105,20 +105,6 @@ fn wrinkle_index_and_bottom_tearing_are_those_of_a_hand_calculation() {
     assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
 }
 
-#[test]
-fn presses_and_sources_that_say_nothing_are_refused() {
-    for (name, given, says) in [
-        ("quickstart", "press.force=80 N/mm", "whole ring"),
-        ("quickstart", "press.force=0 N", "forms nothing"),
-        ("strip_draw", "press.energy=2 kJ", "length of the part"),
-        ("quickstart", "friction.source=\" \"", "says nothing"),
-    ] {
-        let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        let error = case::load(path, &[given.to_owned()]).expect_err(given).to_string();
-        assert!(error.contains(says), "{given}: {error}");
-    }
-}
-
 /// Trust: by hand. A nose of 6 mm that ends at 27.338 mm in a wall leaning by 20°; a hemisphere has no bottom to tear off.
 #[test]
 fn a_cone_tears_where_its_nose_ends() {

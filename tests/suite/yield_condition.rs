@@ -81,18 +81,4 @@ fn r_by_direction_is_its_mean_and_tells_the_ears() {
         "{found:?}"
     );
     assert!(ears(of("material.anisotropy=0.3625")).is_none(), "nothing is known of directions");
-    let wrong = |given: &str| {
-        let template = templates::find("cup").expect("a template").fill(&[]).expect("a case");
-        case::parse(&template, "made.toml", &[format!("material.anisotropy={given}")]).expect_err(given).to_string()
-    };
-    for (given, says) in [
-        ("{ r0 = 1, r45 = 1 }", "r90"),
-        ("{ r0 = 1, r45 = 1, r90 = 1, r30 = 1 }", "r30"),
-        ("{ r0 = -1, r45 = 1, r90 = 1 }", "-1"),
-        ("{ r0 = 20, r45 = 20, r90 = 20 }", "between 0.1 and 10"),
-        ("\"high\"", "r45"),
-    ] {
-        let error = wrong(given);
-        assert!(error.contains(says), "{given}: {error}");
-    }
 }
