@@ -3,13 +3,10 @@
 use super::StudyError;
 use crate::case::files::{self, CSV, Disk, Files, sha256};
 use crate::case::{self, Case, CaseError, Solution};
-use crate::verification::Watch;
-use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use toml_edit::DocumentMut;
 
-/// Hex digits of a hash that identify inputs.
+/// Hex digits of a hash that identifies inputs.
 const DIGITS: usize = 16;
 
 /// The case that a study varies.
@@ -18,28 +15,18 @@ pub struct BaseCase {
     text: String,
     path: PathBuf,
     overrides: Vec<String>,
-    key: String,
+    /// Hash of the case file, the files beside it and the overrides.
+    pub(super) key: String,
 }
 
 impl BaseCase {
     /// Reads a case file with overrides for all designs.
-    ///
-    /// # Errors
-    /// When it is no case.
     pub fn load(path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self, StudyError> {
         let path = path.into();
-        let disk: &dyn Files = &Disk;
-        let text = disk.text(&path, files::CASE).map_err(|error| {
-            let help = error.remedy("give the path of a case file");
-            StudyError::new(format!("cannot read {}: {error}", path.display()), help)
-        })?;
-        Self::from_text(text, path, overrides)
+        Self::from_text(read_text(&path, "give the path of a case file")?, path, overrides)
     }
 
     /// Takes the text of a case file; files beside `path` are looked up from there.
-    ///
-    /// # Errors
-    /// When it is no case.
     pub fn from_text(text: String, path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self, StudyError> {
         let base = Self { text, path: path.into(), overrides, key: String::new() };
         let inputs = Self::input_hash(&base.case(&[])?);
@@ -48,57 +35,38 @@ impl BaseCase {
     }
 
     /// Puts settings before its own overrides.
-    ///
-    /// # Errors
-    /// When that makes no case.
     pub fn with_settings(&self, settings: &[String]) -> Result<Self, StudyError> {
         Self::from_text(self.text.clone(), self.path.clone(), [settings, &self.overrides].concat())
     }
 
-    /// Text of the case file and its path.
-    pub fn written(&self) -> (&str, &Path) {
-        (&self.text, &self.path)
-    }
-
-    /// Hash of the case file, the files beside it and the overrides.
-    pub fn key(&self) -> &str {
-        &self.key
-    }
-
     /// Builds the case with further overrides.
-    ///
-    /// # Errors
-    /// When that makes no case.
     pub fn case(&self, settings: &[String]) -> Result<Case, CaseError> {
-        let all: Vec<String> = self.overrides.iter().chain(settings).cloned().collect();
-        case::parse(&self.text, &self.path.to_string_lossy(), &all)
+        case::parse(&self.text, &self.path.to_string_lossy(), &[&self.overrides, settings].concat())
+    }
+
+    /// Fails like the first of some designs if none of them makes a case.
+    pub(super) fn check_any(&self, designs: [Vec<String>; 3]) -> Result<(), StudyError> {
+        match designs.map(|settings| self.case(&settings).map(drop)) {
+            [Err(error), Err(_), Err(_)] => Err(error.into()),
+            _ => Ok(()),
+        }
     }
 
     /// Value of a key as the case writes it; `None` if it has none, or several tools have different ones.
     pub fn value(&self, key: &str) -> Option<String> {
-        let document: DocumentMut = self.case(&[]).ok()?.text.parse().ok()?;
-        let at = |path: &str| {
-            let item = path.split('.').try_fold(document.as_item(), |item, key| match key.parse::<usize>() {
-                Ok(index) => item.get(index),
-                Err(_) => item.get(key),
-            })?;
-            let value = item.as_value().or_else(|| item.get("name")?.as_value())?;
-            Some(value.as_str().map_or_else(|| value.clone().decorated("", "").to_string(), str::to_owned))
-        };
-        let key = if key == "friction" { "tools.*.friction" } else { key };
-        let Some((above, below)) = key.split_once(".*.") else { return at(key) };
-        let tools = above.split('.').try_fold(document.as_item(), |item, key| item.get(key))?.as_table_like()?;
-        let mut values = tools.iter().filter_map(|(tool, _)| at(&format!("{above}.{tool}.{below}")));
+        let case = self.case(&[]).ok()?;
+        let values = [key.to_owned(), format!("{key}.name")].into_iter().flat_map(|key| case.written(&key));
+        let mut values = values.map(|(_, value)| value);
         let first = values.next()?;
         values.all(|other| other == first).then_some(first)
     }
 
-    /// Solves a case until `watch` asks to stop.
-    ///
-    /// # Errors
-    /// The message of a panic, which is a mistake of this program.
+    /// Solves a case until `watch` asks to stop; the error is the message of a panic.
     pub fn solve(case: Case, watch: &dyn Watch) -> Result<Solution, String> {
-        catch_unwind(AssertUnwindSafe(|| case.solve(&mut &*watch))).map_err(|panic| message(panic.as_ref()))
+        catch_unwind(AssertUnwindSafe(|| case.solve(&mut Watched(watch)))).map_err(|panic| {
+            let text = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+            format!("a mistake of this program: {}", text.unwrap_or("no message"))
+        })
     }
 
     /// Hash of a case's text with its overrides and of the files that it reads.
@@ -109,12 +77,12 @@ impl BaseCase {
     }
 }
 
-/// First digits of the SHA-256 of some bytes.
-pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
-    sha256(all)[..DIGITS].to_owned()
+pub(super) fn read_text(path: &Path, help: &str) -> Result<String, StudyError> {
+    let disk: &dyn Files = &Disk;
+    disk.text(path, files::CASE)
+        .map_err(|error| StudyError::new(format!("cannot read {}: {error}", path.display()), error.remedy(help)))
 }
 
-fn message(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
-    format!("a mistake of this program: {}", text.unwrap_or("no message"))
+pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
+    sha256(all)[..DIGITS].to_owned()
 }

@@ -10,6 +10,7 @@
 //!
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
+use super::error::fail;
 use super::{Run, RunTable, StudyError};
 use crate::assess::Light;
 use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
@@ -17,8 +18,7 @@ use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
 /// A condition on a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    /// Text as written.
-    pub text: String,
+    pub(super) text: String,
     terms: Vec<Term>,
 }
 
@@ -31,14 +31,13 @@ enum Term {
 
 /// A quantity and the value that it is compared with.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Comparison {
-    /// Name of the quantity.
+pub(super) struct Comparison {
     pub quantity: String,
     is_less: bool,
     or_equal: bool,
     limit: Parsed,
     /// Place of the response, and the limit in its unit, once they are known.
-    resolved: Option<(usize, f64)>,
+    pub resolved: Option<(usize, f64)>,
 }
 
 const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"ROW not red\" or \"QUANTITY < LIMIT\", \
@@ -46,26 +45,20 @@ const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"ROW n
 
 impl Condition {
     /// Reads a condition.
-    ///
-    /// # Errors
-    /// When a part of it is none.
     pub fn read(text: &str) -> Result<Self, StudyError> {
-        let terms = text.split(" and ").map(term).collect::<Result<_, _>>()?;
+        let terms = text.split(" and ").map(Term::read).collect::<Result<_, _>>()?;
         Ok(Self { text: text.split_whitespace().collect::<Vec<_>>().join(" "), terms })
     }
 
     /// Finds its quantities and rows among those of a study's runs.
-    ///
-    /// # Errors
-    /// When one is missing, or its limit has another unit.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
         for term in &mut self.terms {
             match term {
-                Term::Quantity(comparison) => drop(comparison.resolve(runs)?),
+                Term::Quantity(comparison) => comparison.resolve(runs)?,
                 Term::Light { row: Some(row), .. } if !runs.rows.iter().any(|(key, _)| key == row) => {
                     let keys = || runs.rows.iter().map(|(key, _)| key.as_str());
                     let help = format!("{}it has {}", did_you_mean(row, keys()), keys().collect::<Vec<_>>().join(", "));
-                    return Err(StudyError::new(format!("the verdict on this case has no row `{row}`"), help));
+                    return fail(format!("the verdict on this case has no row `{row}`"), help);
                 }
                 Term::Light { .. } | Term::NoTear => {}
             }
@@ -75,26 +68,18 @@ impl Condition {
 
     /// Whether a run satisfies it; `None` if it has no result or lacks a number.
     pub fn holds(&self, run: &Run) -> Option<bool> {
-        if !run.is_known() {
-            return None;
+        let all: Vec<Option<bool>> = self.terms.iter().map(|term| term.holds(run)).collect();
+        match run.is_known() {
+            true if all.contains(&Some(false)) => Some(false),
+            true if !all.contains(&None) => Some(true),
+            _ => None,
         }
-        let mut all = Some(true);
-        for term in &self.terms {
-            match term.holds(run) {
-                Some(false) => return Some(false),
-                Some(true) => {}
-                None => all = None,
-            }
-        }
-        all
     }
 
     /// Places of its responses, each with the limit.
-    pub fn limits(&self) -> impl Iterator<Item = (usize, f64)> {
-        self.terms.iter().filter_map(|term| match term {
-            Term::Quantity(comparison) => comparison.resolved,
-            _ => None,
-        })
+    pub(super) fn limits(&self) -> Vec<(usize, f64)> {
+        let limit = |term: &Term| if let Term::Quantity(comparison) = term { comparison.resolved } else { None };
+        self.terms.iter().filter_map(limit).collect()
     }
 }
 
@@ -109,94 +94,74 @@ impl Term {
             Self::Quantity(_) if run.tears() => Some(false),
             Self::Quantity(comparison) => {
                 let (place, limit) = comparison.resolved?;
-                let value = run.numbers[place];
-                match value == limit {
-                    _ if !value.is_finite() => None,
-                    true => Some(comparison.or_equal),
-                    false => Some((value < limit) == comparison.is_less),
-                }
+                let value = run.response(place)?;
+                Some(if value == limit { comparison.or_equal } else { (value < limit) == comparison.is_less })
             }
         }
+    }
+
+    fn read(text: &str) -> Result<Self, StudyError> {
+        let wrong = || StudyError::new(format!("`{}` is no condition", text.trim()), USAGE);
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let worst = |words: &[&str]| match words {
+            ["red"] => Some(Light::Red),
+            ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Some(Light::Amber),
+            _ => None,
+        };
+        if let ["no", "tear" | "tears" | "tearing"] = words[..] {
+            return Ok(Self::NoTear);
+        }
+        if let Some(worst) = words.strip_prefix(&["no"]).and_then(worst) {
+            return Ok(Self::Light { row: None, worst });
+        }
+        if let Some(at) = words.iter().position(|word| *word == "not") {
+            let row: Vec<&str> = words[..at].iter().filter(|word| **word != "is").copied().collect();
+            let worst = worst(&words[at + 1..]).filter(|_| !row.is_empty()).ok_or_else(wrong)?;
+            return Ok(Self::Light { row: Some(row.join("_").to_lowercase()), worst });
+        }
+        let (name, rest) = text.split_at(text.find(['<', '>', '≤', '≥']).ok_or_else(wrong)?);
+        let value = rest.trim_start_matches(['<', '>', '≤', '≥']);
+        let (is_less, or_equal) = (rest.starts_with(['<', '≤']), value.starts_with('=') || rest.starts_with(['≤', '≥']));
+        let comparison = Comparison::new(name, value.trim_start_matches('='))?.ok_or_else(wrong)?;
+        Ok(Self::Quantity(Comparison { is_less, or_equal, ..comparison }))
     }
 }
 
 impl Comparison {
     /// Reads `QUANTITY=VALUE`, a wanted value.
-    ///
-    /// # Errors
-    /// When there is no name, or no value with a unit.
     pub fn target(text: &str) -> Result<Self, StudyError> {
         let wrong =
             || StudyError::new(format!("`{text}` is no target"), "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"");
         let (quantity, value) = text.split_once('=').ok_or_else(wrong)?;
-        Self::new(quantity, quantity_of(value)?).ok_or_else(wrong)
+        Self::new(quantity, value)?.ok_or_else(wrong)
     }
 
-    fn new(quantity: &str, limit: Parsed) -> Option<Self> {
-        let quantity = quantity.trim().to_owned();
-        (!quantity.is_empty()).then_some(Self { quantity, is_less: false, or_equal: true, limit, resolved: None })
+    fn new(quantity: &str, value: &str) -> Result<Option<Self>, StudyError> {
+        let (quantity, value) = (quantity.trim().to_owned(), value.trim());
+        let value = if value.ends_with("°C") { value.to_owned() } else { value.replace('°', " deg") };
+        let limit = parse(&value)
+            .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))?;
+        let is_named = !quantity.is_empty();
+        Ok(is_named.then_some(Self { quantity, is_less: false, or_equal: true, limit, resolved: None }))
     }
 
     /// Finds its response and converts its value to the response's unit.
-    ///
-    /// # Errors
-    /// When no run has the quantity, or the value is of another dimension.
-    pub fn resolve(&mut self, runs: &RunTable) -> Result<(usize, f64), StudyError> {
+    pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
         let place = runs.response(&self.quantity)?;
-        let unit = runs.responses[place].number.quantity.amount.unit;
-        let symbol = if unit == Unit::Degree { "deg" } else { unit.symbol() };
-        let one = if unit == Unit::None { parse("1") } else { parse(&format!("1 {symbol}")) };
-        let given = self.limit;
-        let one = one.ok().filter(|one| one.dimension == given.dimension && one.has_unit == given.has_unit);
-        let value = match (one, unit) {
-            (Some(_), Unit::Celsius) => given.value - ZERO_CELSIUS,
-            (Some(one), _) => given.value / one.value,
-            (None, _) => {
-                let example = if unit == Unit::None { "1.5".to_owned() } else { format!("1.5 {symbol}") };
-                let what = format!("`{}` is in {symbol}, not {}", self.quantity, given.dimension.describe());
-                return Err(StudyError::new(what, format!("write the value as \"{example}\"")));
-            }
+        let unit = runs.responses[place].number.amount.unit;
+        let symbol = match unit {
+            Unit::None => "",
+            Unit::Degree => "deg",
+            unit => unit.symbol(),
         };
+        let given = self.limit;
+        let one = parse(format!("1 {symbol}").trim_end()).ok();
+        let Some(one) = one.filter(|one| one.dimension == given.dimension && one.has_unit == given.has_unit) else {
+            let what = format!("`{}` is in {}, not {}", self.quantity, unit.symbol(), given.dimension.describe());
+            return fail(what, format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end()));
+        };
+        let value = if unit == Unit::Celsius { given.value - ZERO_CELSIUS } else { given.value / one.value };
         self.resolved = Some((place, value));
-        Ok((place, value))
+        Ok(())
     }
-}
-
-fn term(text: &str) -> Result<Term, StudyError> {
-    let wrong = || StudyError::new(format!("`{}` is no condition", text.trim()), USAGE);
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let worst = |words: &[&str]| match words {
-        ["red"] => Some(Light::Red),
-        ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Some(Light::Amber),
-        _ => None,
-    };
-    if let ["no", "tear" | "tears" | "tearing"] = words[..] {
-        return Ok(Term::NoTear);
-    }
-    if let Some(worst) = words.strip_prefix(&["no"]).and_then(worst) {
-        return Ok(Term::Light { row: None, worst });
-    }
-    if let Some(at) = words.iter().position(|word| *word == "not") {
-        let row =
-            words[..at].iter().filter(|word| **word != "is").copied().collect::<Vec<_>>().join("_").to_lowercase();
-        let worst = worst(&words[at + 1..]).filter(|_| !row.is_empty()).ok_or_else(wrong)?;
-        return Ok(Term::Light { row: Some(row), worst });
-    }
-    let at = text.find(['<', '>', '≤', '≥']).ok_or_else(wrong)?;
-    let (name, rest) = text.split_at(at);
-    let sign = rest.chars().next().unwrap_or('<');
-    let rest = &rest[sign.len_utf8()..];
-    let (or_equal, value) = match rest.strip_prefix('=') {
-        Some(value) => (true, value),
-        None => (matches!(sign, '≤' | '≥'), rest),
-    };
-    let comparison = Comparison::new(name, quantity_of(value)?).ok_or_else(wrong)?;
-    Ok(Term::Quantity(Comparison { is_less: matches!(sign, '<' | '≤'), or_equal, ..comparison }))
-}
-
-fn quantity_of(text: &str) -> Result<Parsed, StudyError> {
-    let text = text.trim();
-    let text = if text.ends_with("°C") { text.to_owned() } else { text.replace('°', " deg") };
-    parse(&text)
-        .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))
 }

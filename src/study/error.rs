@@ -22,4 +22,16 @@ impl StudyError {
     pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { what: what.into(), help: help.into() }
     }
+
+    /// The error with words before its mistake.
+    pub(super) fn within(self, place: impl std::fmt::Display) -> Self {
+        match self {
+            Self::Request { what, help } => Self::new(format!("{place}{what}"), help),
+            of_case @ Self::Case(_) => of_case,
+        }
+    }
+}
+
+pub(super) fn fail<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, StudyError> {
+    Err(StudyError::new(what, help))
 }

@@ -2,7 +2,7 @@
 
 use super::parallel_map::parallel_map;
 use super::report::StudyReport;
-use super::run::{Design, Evaluated, Run, Silent, evaluate_design, evaluated, responses};
+use super::run::{Design, Evaluated, Run, evaluate_design, evaluated, responses};
 use super::run_table::RunTable;
 use super::shard::Shard;
 use super::{BaseCase, StudyError};
@@ -25,9 +25,6 @@ pub trait Study: Sync {
     fn designs(&self) -> u64;
 
     /// Checks the request against the base case's responses.
-    ///
-    /// # Errors
-    /// When it asks for a number that no run has.
     fn check(&mut self, _runs: &RunTable) -> Result<(), StudyError> {
         Ok(())
     }
@@ -55,28 +52,31 @@ pub struct Evaluation<'a> {
 pub type EarlierRuns = BTreeMap<u64, Run>;
 
 /// Runs the base case; the table has no rows yet.
-///
-/// # Errors
-/// When a mistake of this program ends the run.
 pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable, StudyError> {
-    let case = study.base().case(&[])?;
+    let (base, variables) = (study.base(), study.columns());
+    let case = base.case(&[])?;
     let inputs = BaseCase::input_hash(&case);
-    let solution = BaseCase::solve(case, settings.watch).map_err(|why| {
-        StudyError::new(format!("the case as it stands cannot be run: {why}"), "try `stampflow check`")
+    let solution = BaseCase::solve(case, settings.watch).map_err(|reason| {
+        StudyError::new(format!("the case as it stands cannot be run: {reason}"), "try `stampflow check`")
     })?;
-    let (_, responses, rows) = responses(&solution);
-    let values = vec![String::new(); study.columns().len()];
-    let design = Design { index: 0, values, settings: Vec::new() };
-    let base = evaluated(&solution, &design, inputs, &responses, settings.errors, &Silent(settings.watch));
-    let table = RunTable::new(study, responses, rows, base.run, settings.errors);
+    let (responses, rows) = responses(&solution);
+    let design = Design { index: 0, values: vec![String::new(); variables.len()], settings: Vec::new() };
+    let row = Run::failed(&design, inputs, responses.len(), settings.errors);
+    let table = RunTable {
+        study: study.key(),
+        designs: study.designs(),
+        variables,
+        rows,
+        has_errors: settings.errors,
+        base: evaluated(row, &solution, &responses, settings.watch).run,
+        responses,
+        runs: Vec::new(),
+    };
     study.check(&table)?;
     Ok(table)
 }
 
 /// Evaluates a study until it is done or `progress` breaks. Designs whose rows are among `earlier` are not run again.
-///
-/// # Errors
-/// Those of [`begin`].
 pub fn evaluate(
     study: &mut dyn Study,
     settings: &Evaluation,
@@ -85,49 +85,26 @@ pub fn evaluate(
     progress: &mut dyn FnMut(&RunTable, &Evaluated) -> ControlFlow<()>,
 ) -> RunTable {
     while !settings.watch.wants_to_stop() {
-        let designs: Vec<Design> =
-            study.next(&runs).into_iter().filter(|design| settings.shard.holds(design.index)).collect();
+        let mut designs = study.next(&runs);
+        designs.retain(|design| settings.shard.holds(design.index));
         if designs.is_empty() {
             break;
         }
-        let of = |design: &Design| earlier.get(&design.index).filter(|run| run.values == design.values);
-        let base = study.base().clone();
-        let responses = runs.responses.clone();
-        let counted = Counted { watch: settings.watch, before: runs.runs.len() };
-        let one = |design: &Design| match of(design) {
+        let (base, responses, all) = (study.base(), runs.responses.clone(), runs.runs.len() + designs.len());
+        let one = |design: &Design| match earlier.get(&design.index).filter(|run| run.values == design.values) {
             Some(run) => Evaluated { run: run.clone(), outcome: None },
-            None => evaluate_design(&base, design, &responses, settings.errors, &Silent(settings.watch)),
+            None => evaluate_design(base, design, &responses, settings.errors, settings.watch),
         };
-        let (mut count, wanted) = (0, designs.len());
-        let ended = parallel_map(&designs, settings.threads, &counted, one, |evaluated| {
-            count += 1;
-            let flow = if earlier.contains_key(&evaluated.run.index) {
-                ControlFlow::Continue(())
-            } else {
-                progress(&runs, &evaluated)
-            };
+        let ended = parallel_map(&designs, settings.threads, settings.watch, one, |evaluated| {
+            let is_new = !earlier.contains_key(&evaluated.run.index);
+            let flow = if is_new { progress(&runs, &evaluated) } else { ControlFlow::Continue(()) };
             runs.runs.push(evaluated.run);
+            settings.watch.ran(runs.runs.len(), all);
             if flow.is_break() { Err(()) } else { Ok(()) }
         });
-        if ended.is_err() || count < wanted || study.designs() > 0 {
+        if ended.is_err() || runs.runs.len() < all || study.designs() > 0 {
             break;
         }
     }
     runs
-}
-
-/// Watch that counts on from the runs before.
-struct Counted<'a> {
-    watch: &'a dyn Watch,
-    before: usize,
-}
-
-impl Watch for Counted<'_> {
-    fn wants_to_stop(&self) -> bool {
-        self.watch.wants_to_stop()
-    }
-
-    fn ran(&self, done: usize, all: usize) {
-        self.watch.ran(self.before + done, self.before + all);
-    }
 }

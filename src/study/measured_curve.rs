@@ -1,21 +1,23 @@
-//! Measured curves: a file whose columns say what it is a curve of.
+//! Measured curves: a CSV file whose columns name their quantities and end with their units.
 
-use super::{MeasuredData, StudyError};
+use super::StudyError;
+use super::error::fail;
 use crate::case::Case;
-use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
+use crate::case::files::{self, Disk, Files};
+use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity, Spec};
 use crate::model::Model;
-use crate::results::comparison::{CompareError, Computed, Point};
-use crate::table::{Axis, Csv, Record};
-use std::path::PathBuf;
+use crate::table::{Axis, Csv, CsvError, Record};
+use std::path::{Path, PathBuf};
 
 /// A measured curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredCurve {
-    /// Its file or name.
+    /// Its file.
     pub path: PathBuf,
     /// Its quantity and columns.
     pub spec: CurveSpec,
     csv: Csv,
+    /// Column of standard deviations.
     scatter: Option<usize>,
 }
 
@@ -35,25 +37,17 @@ const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s
                        maybe one such as standard_deviation_kN";
 
 impl MeasuredCurve {
-    /// Reads a curve; its columns say what it is of.
-    ///
-    /// # Errors
-    /// When it cannot be read, or no curve that is compared has such columns.
-    pub fn load(data: &MeasuredData) -> Result<Self, StudyError> {
-        let csv = data.table(EXAMPLE)?;
-        let words: Vec<Vec<String>> = csv.header.fields.iter().map(words).collect();
-        let find = |any: &[&str]| {
-            let is = |of: &[String]| {
-                of.iter().any(|w| any.contains(&w.as_str())) && !of.iter().any(|w| NOT.contains(&w.as_str()))
-            };
-            words.iter().position(|of| is(of))
+    /// Reads a curve, whose columns name its quantity.
+    pub fn load(path: &Path) -> Result<Self, StudyError> {
+        let csv = read_csv(path, EXAMPLE)?;
+        let find = |any: &[&str]| csv.header.fields.iter().position(|name| has_word(name, any) && !has_word(name, &NOT));
+        let Some((quantity, x, y)) = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)))
+        else {
+            return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
         };
-        let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
-        let (quantity, x, y) = found
-            .ok_or_else(|| StudyError::new(format!("{data} is no curve of a run; it has {}", csv.names()), EXAMPLE))?;
-        let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
-        let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
-        Ok(Self::new(data.path().to_owned(), spec, last_frame(csv)))
+        let [x, y] = [x, y].map(|i| csv.header.fields.get(i).unwrap_or_default().to_owned());
+        let spec = CurveSpec { quantity, x, y, range: None, tolerance: f64::INFINITY };
+        Ok(Self::new(path.to_owned(), spec, last_frame(csv)))
     }
 
     /// Curves that a case is compared with.
@@ -68,18 +62,14 @@ impl MeasuredCurve {
     }
 
     fn new(path: PathBuf, spec: CurveSpec, csv: Csv) -> Self {
-        let is_scatter = |header: &str| words(header).iter().any(|word| SCATTER.contains(&word.as_str()));
         let unit = |i: usize| csv.unit(i).ok().map(|(unit, _)| unit);
         let y = csv.column(&spec.y).and_then(unit);
-        let scatter = (0..csv.header.fields.len())
-            .find(|&i| csv.header.fields.get(i).is_some_and(is_scatter) && unit(i).is_some() && unit(i) == y);
+        let is_scatter = |(i, name): (usize, &str)| has_word(name, &SCATTER) && unit(i).is_some() && unit(i) == y;
+        let scatter = csv.header.fields.iter().enumerate().position(is_scatter);
         Self { path, spec, csv, scatter }
     }
 
     /// Its points with the computed values.
-    ///
-    /// # Errors
-    /// When a column is missing, has no unit or another one.
     pub fn points(&self, computed: &Computed) -> Result<Vec<Point>, CompareError> {
         computed.points(&self.spec, &self.path, &self.csv)
     }
@@ -88,18 +78,15 @@ impl MeasuredCurve {
     pub fn deviations(&self, points: &[Point]) -> Option<Vec<f64>> {
         let column = self.scatter?;
         let (_, factor) = self.csv.unit(column).ok()?;
-        let [x, y] = [&self.spec.x, &self.spec.y].map(|name| self.csv.column(name));
-        let (x, y) = (x?, y?);
-        let (_, of_x) = self.csv.unit(x).ok()?;
-        let has = |row: &&Record| matches!((row.number(x), row.number(y)), (Ok(Some(_)), Ok(Some(_))));
+        let (x, y) = (self.csv.column(&self.spec.x)?, self.csv.column(&self.spec.y)?);
         let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let inside = |row: &&Record| {
-            row.number(x).ok().flatten().is_some_and(|x| (low * of_x..=high * of_x).contains(&(x * of_x)))
+        let number = |row: &Record, column: usize| row.number(column).ok().flatten();
+        let is_point = |row: &&Record| {
+            number(row, x).is_some_and(|x| (low..=high).contains(&x)) && number(row, y).is_some()
         };
-        let rows = self.csv.rows.iter().filter(has).filter(inside);
-        let scatter: Option<Vec<f64>> =
-            rows.map(|row| row.number(column).ok().flatten().map(|s| s * factor).filter(|s| *s > 0.0)).collect();
-        scatter.filter(|scatter| scatter.len() == points.len())
+        let rows = self.csv.rows.iter().filter(is_point);
+        let scatter = rows.map(|row| number(row, column).map(|size| size * factor).filter(|size| *size > 0.0));
+        scatter.collect::<Option<Vec<f64>>>().filter(|scatter| scatter.len() == points.len())
     }
 
     /// Axes of abscissa and ordinate, in solver units.
@@ -114,8 +101,25 @@ impl MeasuredCurve {
     }
 }
 
-fn words(header: &str) -> Vec<String> {
-    header.to_lowercase().split(|c: char| !c.is_alphanumeric()).map(str::to_owned).collect()
+/// Reads a CSV file of numbers; messages end with `example`.
+pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {
+    let disk: &dyn Files = &Disk;
+    let shown = path.display();
+    let text = disk.text(path, files::CSV).map_err(|error| {
+        let help = error.remedy("give the path of a CSV file");
+        StudyError::new(format!("cannot read {shown}: {error}"), help)
+    })?;
+    Csv::read(&text, "the file", example).map_err(|error| csv_error(&shown.to_string(), &error))
+}
+
+pub(super) fn csv_error(name: &str, error: &CsvError) -> StudyError {
+    let line = error.line.map_or_else(String::new, |line| format!(", line {line}"));
+    StudyError::new(format!("{name}{line}: {}", error.what), error.help.clone())
+}
+
+/// Whether a header has one of some words.
+pub(super) fn has_word(header: &str, any: &[&str]) -> bool {
+    header.to_lowercase().split(|c: char| !c.is_alphanumeric()).any(|word| any.contains(&word))
 }
 
 /// Rows of the last frame, of a table of thickness with one frame after another.

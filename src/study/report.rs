@@ -1,4 +1,4 @@
-//! Results of a study: a headline, notes, tables and charts, the same for every kind of study.
+//! Results of a study: a headline, notes, tables and charts, for every kind of study.
 
 use crate::assess::Light;
 use crate::plot::chart::Chart;
@@ -51,24 +51,22 @@ impl ReportTable {
 
     /// Formats CSV; the unit of a number stands in a column behind it.
     pub fn csv(&self) -> Vec<u8> {
-        let has_unit: Vec<bool> = (0..self.columns.len())
-            .map(|i| self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_)))))
-            .collect();
-        let key = |header: &String| header.to_lowercase().replace([' ', '-'], "_").replace(['%', '²'], "");
-        let header = self.columns.iter().zip(&has_unit).flat_map(|(header, has_unit)| {
-            let key = key(header);
-            std::iter::once(key.clone()).chain(has_unit.then(|| format!("{key}_unit")))
+        let is_amount = |i: usize| self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_))));
+        let has_unit: Vec<bool> = (0..self.columns.len()).map(is_amount).collect();
+        let with_unit = |cells: Vec<[String; 2]>| -> Vec<String> {
+            let cells = cells.into_iter().zip(&has_unit);
+            cells.flat_map(|(cell, has_unit)| cell.into_iter().take(1 + usize::from(*has_unit))).collect()
+        };
+        let header = self.columns.iter().map(|column| {
+            let key = column.to_lowercase().replace([' ', '-'], "_").replace(['%', '²'], "");
+            [key.clone(), key + "_unit"]
         });
-        let mut lines = vec![header.collect::<Vec<_>>()];
-        lines.extend(self.rows.iter().map(|row| {
-            let cells = row.iter().zip(&has_unit).flat_map(|(cell, has_unit)| match cell {
-                Cell::Amount(amount) => vec![rounded(amount.value).to_string(), amount.unit.spelled().to_owned()],
-                cell if *has_unit => vec![cell.to_string(), String::new()],
-                cell => vec![cell.to_string()],
-            });
-            cells.collect::<Vec<_>>()
-        }));
-        lines.iter().flat_map(|line| super::run_table::record(line)).collect()
+        let pair = |cell: &Cell| match cell {
+            Cell::Amount(amount) => [rounded(amount.value).to_string(), amount.unit.spelled().to_owned()],
+            cell => [cell.to_string(), String::new()],
+        };
+        let rows = self.rows.iter().map(|row| row.iter().map(pair).collect());
+        std::iter::once(header.collect()).chain(rows).flat_map(|row| super::run_table::record(&with_unit(row))).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! One evaluation: a design and the responses of its run.
 
-use super::variable::Value;
-use super::{BaseCase, FailureMode};
+use super::verify::{Number, Of, Outcome, Watch, quick};
+use super::{BaseCase, FailureMode, variable};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::units::{Limits, rounded};
@@ -18,13 +18,6 @@ pub struct Design {
     pub settings: Vec<String>,
 }
 
-impl Design {
-    /// A design with these values and overrides.
-    pub fn new(index: u64, values: &[Value], settings: Vec<String>) -> Self {
-        Self { index, values: values.iter().map(|value| value.text.clone()).collect(), settings }
-    }
-}
-
 /// A number that every run of a study has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
@@ -34,13 +27,6 @@ pub struct Response {
     pub number: Number,
     /// Its limits, if a row of the verdict judges it.
     pub limits: Option<Limits>,
-}
-
-impl Response {
-    /// A value of it with its unit.
-    pub fn display(&self, value: f64) -> String {
-        self.number.quantity.amount.of(value).to_string()
-    }
 }
 
 /// A row of a run table.
@@ -64,9 +50,9 @@ pub struct Run {
     pub red: Vec<String>,
     /// Amber rows of the verdict.
     pub amber: Vec<String>,
-    /// How it ended: `full travel`.
+    /// End of the run: `full travel`.
     pub end: String,
-    /// Why it did not complete; else empty.
+    /// Reason of an early end; else empty.
     pub reason: String,
 }
 
@@ -79,7 +65,31 @@ pub struct Evaluated {
     pub outcome: Option<Outcome>,
 }
 
+impl Response {
+    /// A value of it with its unit.
+    pub fn display(&self, value: f64) -> String {
+        self.number.amount.of(value).to_string()
+    }
+}
+
 impl Run {
+    /// Row of a design without a result.
+    pub(super) fn failed(design: &Design, inputs: String, responses: usize, errors: bool) -> Self {
+        Self {
+            index: design.index,
+            values: design.values.clone(),
+            inputs,
+            numbers: vec![f64::NAN; responses],
+            errors: vec![f64::NAN; if errors { responses } else { 0 }],
+            light: None,
+            failures: vec![FailureMode::NoResult],
+            red: Vec::new(),
+            amber: Vec::new(),
+            end: "not run".into(),
+            reason: String::new(),
+        }
+    }
+
     /// Whether it came to a result.
     pub fn is_known(&self) -> bool {
         !self.failures.contains(&FailureMode::NoResult)
@@ -97,7 +107,12 @@ impl Run {
 
     /// A variable as a number.
     pub fn value(&self, variable: usize) -> f64 {
-        self.values.get(variable).and_then(|text| text.replace('−', "-").parse().ok()).unwrap_or(f64::NAN)
+        self.values.get(variable).and_then(|text| variable::number(text)).unwrap_or(f64::NAN)
+    }
+
+    /// A response, if the run came to one.
+    pub fn response(&self, place: usize) -> Option<f64> {
+        Some(self.numbers[place]).filter(|value| self.is_known() && value.is_finite())
     }
 }
 
@@ -107,24 +122,17 @@ pub(super) fn column(number: &Number, suffix: &str) -> String {
     number.quantity.amount.unit.keyed(&format!("{}{judged}{suffix}", number.quantity.key))
 }
 
-/// Responses of a solved base case.
-pub(super) fn responses(solution: &Solution) -> (Outcome, Vec<Response>, Vec<(String, String)>) {
+/// Responses of a solved base case, and keys and labels of its verdict's rows.
+pub(super) fn responses(solution: &Solution) -> (Vec<Response>, Vec<(String, String)>) {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let outcome = Outcome::with_findings(solution, None, &findings);
-    let limits = |number: &Number| {
-        assess::judgements(&findings)
-            .find(|row| number.origin == Origin::Verdict && row.key == number.quantity.key)?
-            .quantity
-            .as_ref()?
-            .limits
+    let rows = || assess::judgements(&findings);
+    let response = |number: Number| {
+        let row = rows().find(|row| number.of == Of::Verdict && row.key == number.key);
+        let limits = row.and_then(|row| row.quantity.as_ref()?.limits);
+        Response { column: column(&number, ""), number, limits }
     };
-    let responses = outcome.numbers.iter().map(|number| Response {
-        column: column(number, ""),
-        number: number.clone(),
-        limits: limits(number),
-    });
-    let rows = assess::judgements(&findings).map(|row| (row.key.to_owned(), row.label.to_owned())).collect();
-    (outcome.clone(), responses.collect(), rows)
+    let responses = Outcome::found(solution, None, &findings).numbers.into_iter().map(response).collect();
+    (responses, rows().map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
 }
 
 /// Runs a design; with `errors` also one coarser run for error bars.
@@ -135,70 +143,39 @@ pub(super) fn evaluate_design(
     errors: bool,
     watch: &dyn Watch,
 ) -> Evaluated {
-    let mut inputs = String::new();
-    let solved = base.case(&design.settings).map_err(|error| error.to_string()).and_then(|case| {
-        inputs = BaseCase::input_hash(&case);
-        BaseCase::solve(case, watch)
-    });
+    let case = base.case(&design.settings).map_err(|error| error.to_string());
+    let inputs = case.as_ref().map_or_else(|_| String::new(), BaseCase::input_hash);
+    let solved = case.and_then(|case| BaseCase::solve(case, watch));
+    let run = Run::failed(design, inputs, responses.len(), errors);
     match solved {
-        Ok(solution) => evaluated(&solution, design, inputs, responses, errors, watch),
-        Err(reason) => {
-            let none = vec![f64::NAN; responses.len()];
-            let run = Run {
-                index: design.index,
-                values: design.values.clone(),
-                inputs,
-                errors: if errors { none.clone() } else { Vec::new() },
-                numbers: none,
-                light: None,
-                failures: vec![FailureMode::NoResult],
-                red: Vec::new(),
-                amber: Vec::new(),
-                end: "not run".into(),
-                reason: one_line(&reason),
-            };
-            Evaluated { run, outcome: None }
-        }
+        Ok(solution) => evaluated(run, &solution, responses, watch),
+        Err(reason) => Evaluated { run: Run { reason: one_line(&reason), ..run }, outcome: None },
     }
 }
 
-/// The row of a solved design.
-pub(super) fn evaluated(
-    solution: &Solution,
-    design: &Design,
-    inputs: String,
-    responses: &[Response],
-    errors: bool,
-    watch: &dyn Watch,
-) -> Evaluated {
+/// Fills the row of a solved design.
+pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Response], watch: &dyn Watch) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let outcome = Outcome::with_findings(solution, None, &findings);
-    let of = |light: Light| {
+    let outcome = Outcome::found(solution, None, &findings);
+    for (value, response) in run.numbers.iter_mut().zip(responses) {
+        let own = outcome.numbers.iter().find(|number| number.is(&response.number));
+        *value = own.map_or(f64::NAN, |number| rounded(number.amount.value));
+    }
+    if !run.errors.is_empty() {
+        let verification = quick(solution, &Silent(watch));
+        let half = |r: &Response| verification.bar(r.number.of, r.number.key)?.half;
+        run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
+    }
+    let rows = |light: Light| {
         assess::judgements(&findings).filter(move |row| row.light == light).map(|row| row.key.to_owned()).collect()
     };
-    let own = |response: &Response| outcome.numbers.iter().find(|number| number.is(&response.number));
-    let numbers =
-        responses.iter().map(|r| own(r).map_or(f64::NAN, |number| rounded(number.quantity.value()))).collect();
-    let half_widths = if errors {
-        let verification = quick(solution, &Silent(watch));
-        let half = |r: &Response| verification.number(r.number.origin, r.number.quantity.key)?.half();
-        responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect()
-    } else {
-        Vec::new()
-    };
-    let run = Run {
-        index: design.index,
-        values: design.values.clone(),
-        inputs,
-        numbers,
-        errors: half_widths,
-        light: Some(assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey)),
-        failures: FailureMode::all(&solution.stages, &findings),
-        red: of(Light::Red),
-        amber: of(Light::Amber),
-        end: outcome.end.kind.to_owned(),
-        reason: if outcome.end.complete { String::new() } else { one_line(&outcome.end.why.to_string()) },
-    };
+    (run.red, run.amber) = (rows(Light::Red), rows(Light::Amber));
+    run.light = Some(assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey));
+    run.failures = FailureMode::all(&solution.stages, &findings);
+    run.end = outcome.end.kind.to_owned();
+    if !outcome.end.complete {
+        run.reason = one_line(&outcome.end.why.to_string());
+    }
     Evaluated { run, outcome: Some(outcome) }
 }
 

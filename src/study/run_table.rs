@@ -4,8 +4,9 @@
 //! study,designs,index,inputs_sha256, variables ..., responses ..., errors ..., verdict,fails,red,amber,end,reason,version
 //! ```
 
+use super::error::fail;
 use super::run::{Response, Run, column};
-use super::{FailureMode, Study, StudyError};
+use super::{FailureMode, StudyError};
 use crate::assess::Light;
 use crate::units::did_you_mean;
 use serde::Serialize;
@@ -54,47 +55,23 @@ pub struct LightCounts {
 }
 
 impl RunTable {
-    pub(super) fn new(
-        study: &dyn Study,
-        responses: Vec<Response>,
-        rows: Vec<(String, String)>,
-        base: Run,
-        has_errors: bool,
-    ) -> Self {
-        Self {
-            study: study.key(),
-            designs: study.designs(),
-            variables: study.columns(),
-            responses,
-            rows,
-            has_errors,
-            base,
-            runs: Vec::new(),
-        }
-    }
-
     /// Place of a response by its key, its column or its label.
-    ///
-    /// # Errors
-    /// When no run has a number of this name.
     pub fn response(&self, name: &str) -> Result<usize, StudyError> {
         let plain = |text: &str| text.trim().to_lowercase().replace([' ', '-'], "_");
         let wanted = plain(name);
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
-        let is = |response: &Response| {
-            let number = &response.number;
-            let key = number.quantity.key.to_string();
-            [plain(&key), format!("{key}_judged"), plain(&response.column), plain(number.quantity.label)]
-                .iter()
-                .any(|own| own == wanted)
+        let is = |Response { number, column, .. }: &Response| {
+            let names = [plain(number.key), format!("{}_judged", number.key), plain(column), plain(number.label)];
+            names.iter().any(|own| own == wanted)
         };
-        self.responses.iter().position(is).ok_or_else(|| {
-            let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.quantity.key).collect();
-            keys.dedup();
-            let near = did_you_mean(wanted, keys.iter().copied());
-            let what = format!("a run of this case has no number `{}`", name.trim());
-            StudyError::new(what, format!("{near}it has {}", keys.join(", ")))
-        })
+        if let Some(place) = self.responses.iter().position(is) {
+            return Ok(place);
+        }
+        let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.key).collect();
+        keys.dedup();
+        let near = did_you_mean(wanted, keys.iter().copied());
+        let what = format!("a run of this case has no number `{}`", name.trim());
+        fail(what, format!("{near}it has {}", keys.join(", ")))
     }
 
     /// Label of a row of the verdict.
@@ -102,29 +79,27 @@ impl RunTable {
         self.rows.iter().find(|(key, _)| key == row).map_or(row, |(_, label)| label)
     }
 
+    /// Labels of rows, the worst light's, of a run.
+    pub(super) fn worst_rows(&self, run: &Run) -> String {
+        let keys = if run.red.is_empty() { &run.amber } else { &run.red };
+        keys.iter().map(|key| self.label(key)).collect::<Vec<_>>().join(", ")
+    }
+
     /// Number of runs with each light.
     pub fn lights(&self) -> LightCounts {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();
-        LightCounts {
-            green: count(Some(Light::Green)),
-            amber: count(Some(Light::Amber)),
-            red: count(Some(Light::Red)),
-            grey: count(Some(Light::Grey)),
-            not_run: count(None),
-        }
+        let [grey, green, amber, red] = LIGHTS.map(|light| count(Some(light)));
+        LightCounts { green, amber, red, grey, not_run: count(None) }
     }
 
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
-        let numbers = self.responses.iter().map(|response| response.column.clone());
-        let errors = self.responses.iter().filter(|_| self.has_errors).map(|r| column(&r.number, "_error"));
-        let first = FIRST.map(str::to_owned).into_iter();
-        first
-            .chain(self.variables.iter().cloned())
-            .chain(numbers)
-            .chain(errors)
-            .chain(LAST.map(str::to_owned))
-            .collect()
+        let mut header: Vec<String> = FIRST.map(str::to_owned).to_vec();
+        header.extend(self.variables.iter().cloned());
+        header.extend(self.responses.iter().map(|response| response.column.clone()));
+        header.extend(self.responses.iter().filter(|_| self.has_errors).map(|r| column(&r.number, "_error")));
+        header.extend(LAST.map(str::to_owned));
+        header
     }
 
     /// Line of a run.
@@ -141,36 +116,25 @@ impl RunTable {
 
     /// Run of a line; `None` if it is of another study, or cut.
     pub fn read(&self, line: &csv::StringRecord) -> Option<Run> {
-        let mut fields = line.iter().map(str::to_owned);
-        let mut next = || fields.next();
-        let is_own = next()? == self.study && next()? == self.designs.to_string();
-        let index = next()?.parse().ok().filter(|_| is_own)?;
-        let inputs = next()?;
-        let values = (0..self.variables.len()).map(|_| next()).collect::<Option<_>>()?;
         let count = self.responses.len();
-        let mut numbers = |count| {
-            let parsed = (0..count).map(|_| Some(next()?.parse().unwrap_or(f64::NAN)));
-            parsed.collect::<Option<Vec<f64>>>()
-        };
-        let (numbers, errors) = (numbers(count)?, numbers(if self.has_errors { count } else { 0 })?);
-        let light = next()?;
-        let words = |text: String| text.split_whitespace().map(str::to_owned).collect::<Vec<String>>();
-        let failures = words(next()?).iter().filter_map(|key| FailureMode::from_key(key)).collect();
-        let (red, amber, end, reason) = (words(next()?), words(next()?), next()?, next()?);
+        let errors = if self.has_errors { count } else { 0 };
+        let (variables, all) = (self.variables.len(), line.len());
+        let is_own = line.get(0)? == self.study && line.get(1)? == self.designs.to_string();
+        let is_whole = all == FIRST.len() + variables + count + errors + LAST.len() && line.get(all - 1)? == VERSION;
+        let mut fields = line.iter().skip(2).filter(|_| is_own && is_whole);
+        let index = fields.next()?.parse().ok()?;
+        let inputs = fields.next()?.to_owned();
+        let values = fields.by_ref().take(variables).map(str::to_owned).collect();
+        let mut numbers =
+            |count| fields.by_ref().take(count).map(|text| text.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>();
+        let (numbers, errors) = (numbers(count), numbers(errors));
+        let light = fields.next()?;
+        let mut words = || Some(fields.next()?.split_whitespace().map(str::to_owned).collect::<Vec<String>>());
+        let failures = words()?.iter().filter_map(|key| FailureMode::from_key(key)).collect();
+        let (red, amber) = (words()?, words()?);
+        let (end, reason) = (fields.next()?.to_owned(), fields.next()?.to_owned());
         let light = LIGHTS.into_iter().find(|own| own.name() == light);
-        (next()? == VERSION).then_some(Run {
-            index,
-            values,
-            inputs,
-            numbers,
-            errors,
-            light,
-            failures,
-            red,
-            amber,
-            end,
-            reason,
-        })
+        Some(Run { index, values, inputs, numbers, errors, light, failures, red, amber, end, reason })
     }
 
     /// The whole table as CSV.

@@ -4,11 +4,11 @@
 
 use super::base_case::short_hash;
 use super::charts;
-use super::default_scatter::DefaultScatter;
+use super::default_scatter::default_scatter;
+use super::error::fail;
 use super::report::{Cell, ReportTable, StudyReport};
 use super::statistics::{Probability, quantile, rank_correlation, wilson};
 use super::uncertain_variable::UncertainVariable;
-use super::variable::{Value, split_pair};
 use super::{BaseCase, Design, Run, RunTable, Study, StudyError, StudyFile};
 use crate::assess::Light;
 use crate::units::Amount;
@@ -16,10 +16,11 @@ use sobol_burley::sample;
 use std::path::Path;
 
 /// Default sample size; a Sobol sequence is most even at a power of two.
-pub const RUNS: u64 = 1024;
+const RUNS: u64 = 1024;
 /// Points of one sequence; further points are of another scrambling.
 const LONGEST: u64 = 1 << 16;
 const MOST: u64 = 1 << 32;
+/// Dimensions of the sequence.
 const VARIABLES: usize = 128;
 /// Half the resolution of the sequence: no coordinate is 0 or 1.
 const HALF: f64 = 0.5 / (1u32 << 24) as f64;
@@ -87,9 +88,6 @@ pub struct Spread {
 
 impl Scatter {
     /// Reads a case or study file; `vary` replaces the study's own variables.
-    ///
-    /// # Errors
-    /// Those of [`new`](Self::new).
     pub fn load(
         path: &Path,
         set: Vec<String>,
@@ -97,59 +95,43 @@ impl Scatter {
         runs: Option<u64>,
         seed: Option<u32>,
     ) -> Result<Self, StudyError> {
-        let (file, vary) = StudyFile::load(path, set, vary)?;
-        let (runs, seed) = (runs.or(file.runs), seed.or(file.seed));
-        Self::new(BaseCase::load(file.case, file.set)?, &vary, runs.unwrap_or(RUNS), seed.unwrap_or(1))
+        let file = StudyFile::load(path, set, vary)?;
+        let (runs, seed) = (runs.or(file.runs).unwrap_or(RUNS), seed.or(file.seed).unwrap_or(1));
+        Self::new(BaseCase::load(file.case, file.set)?, &file.vary, runs, seed)
     }
 
     /// Samples `KEY=DISTRIBUTION` variables of a case; default distributions if there are none.
-    ///
-    /// # Errors
-    /// When a distribution makes no sense, two set the same key, a key makes no case, or the sample is too small or too large.
     pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self, StudyError> {
         let case = base.case(&[])?;
-        let DefaultScatter { vary, notes: defaults } = match vary.is_empty() {
-            true => DefaultScatter::new(&case),
-            false => DefaultScatter { vary: vary.to_vec(), notes: Vec::new() },
-        };
-        let read = |text: &String| {
-            let (key, scatter) = split_pair(text).ok_or_else(|| {
-                let help = "write KEY=DISTRIBUTION, such as \"friction=uniform 0.05..0.12\"";
-                StudyError::new(format!("`{text}` gives no key a distribution"), help)
-            })?;
-            UncertainVariable::new(&case, key, scatter)
-        };
-        let variables = vary.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-        let fail = |what: String, help: &str| Err(StudyError::new(what, help));
+        let (vary, defaults) = if vary.is_empty() { default_scatter(&case) } else { (vary.to_vec(), Vec::new()) };
+        let variables = vary.iter().map(|text| UncertainVariable::read(&case, text)).collect::<Result<Vec<_>, _>>()?;
         if variables.is_empty() {
-            return fail("nothing scatters: the case gives no friction".into(), "give --vary \"KEY=DISTRIBUTION\"");
+            return fail("nothing scatters: the case gives no friction", "give --vary \"KEY=DISTRIBUTION\"");
         }
         if variables.len() > VARIABLES {
             return fail(format!("{} keys scatter", variables.len()), "128 at most");
         }
         for (i, one) in variables.iter().enumerate() {
-            let conflicts = |other: &&UncertainVariable| one.conflicts_with(other) || other.conflicts_with(one);
-            if let Some(other) = variables[..i].iter().find(conflicts) {
-                return fail(format!("{} and {} set the same", other.key, one.key), "leave one out");
+            if let Some(other) = variables[..i].iter().find(|o| one.conflicts_with(o) || o.conflicts_with(one)) {
+                return fail(format!("{} and {} set the same", other.variable.key, one.variable.key), "leave one out");
             }
         }
         if !(8..=MOST).contains(&runs) {
             return fail(format!("{runs} runs"), "give 8 to 4294967296, best a power of two");
         }
         for variable in &variables {
-            let tried = [0.5, 0.001, 0.999].map(|u| base.case(&variable.settings(&variable.value(u))).map(drop));
-            if let [Err(error), Err(_), Err(_)] = tried {
-                return Err(error.into());
-            }
+            base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
         Ok(Self { base, variables, runs, seed, defaults })
     }
 
-    fn values(&self, index: u64) -> Vec<Value> {
+    fn design(&self, index: u64) -> Design {
         let seed = self.seed.wrapping_add((index / LONGEST) as u32);
         let point = (index % LONGEST) as u32;
         let coordinate = |i: usize| f64::from(sample(point, i as u32, seed)) + HALF;
-        self.variables.iter().enumerate().map(|(i, variable)| variable.value(coordinate(i))).collect()
+        let values: Vec<String> = (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
+        let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
+        Design { index, settings: settings.collect(), values }
     }
 
     /// Statistics of all runs.
@@ -164,53 +146,38 @@ impl Scatter {
             values.sort_by(f64::total_cmp);
             (!values.is_empty()).then(|| Spread { response, values, correlations: correlations(&all) })
         });
-        let event = |kind: EventKind, light: Light, has: &dyn Fn(&Run) -> bool| {
-            let hits: Vec<f64> = known.iter().map(|run| f64::from(u8::from(has(run)))).collect();
-            let count = hits.iter().filter(|hit| **hit > 0.0).count();
-            Some(Event {
-                kind,
-                light,
-                hits: count,
-                probability: wilson(count, known.len())?,
-                correlations: correlations(&hits),
-            })
+        let mut events = Vec::new();
+        let mut add = |kind: EventKind, light: Light, has: &dyn Fn(&Run) -> bool| {
+            let all: Vec<f64> = known.iter().map(|run| f64::from(u8::from(has(run)))).collect();
+            let hits = all.iter().filter(|hit| **hit > 0.0).count();
+            let is_named = hits > 0 || !matches!(kind, EventKind::Row(_));
+            if let Some(probability) = wilson(hits, known.len()).filter(|_| is_named) {
+                events.push(Event { kind, light, hits, probability, correlations: correlations(&all) });
+            }
         };
-        let mut events = vec![event(EventKind::Tear, Light::Red, &Run::tears)];
+        add(EventKind::Tear, Light::Red, &Run::tears);
         for light in [Light::Red, Light::Amber] {
-            events.push(event(EventKind::Verdict, light, &|run: &Run| run.light == Some(light)));
+            add(EventKind::Verdict, light, &|run: &Run| run.light == Some(light));
         }
         for (key, _) in &runs.rows {
-            let row = || EventKind::Row(key.clone());
-            let hit = |event: Option<Event>| event.filter(|event| event.hits > 0);
-            events.push(hit(event(row(), Light::Red, &|run: &Run| run.red.contains(key))));
-            events.push(hit(event(row(), Light::Amber, &|run: &Run| run.amber.contains(key))));
+            add(EventKind::Row(key.clone()), Light::Red, &|run: &Run| run.red.contains(key));
+            add(EventKind::Row(key.clone()), Light::Amber, &|run: &Run| run.amber.contains(key));
         }
-        UncertaintyResult { events: events.into_iter().flatten().collect(), spreads: spreads.collect() }
+        UncertaintyResult { events, spreads: spreads.collect() }
     }
 
     /// The variables with a noticeable rank correlation, the largest first: `friction +0.92, strength -0.31`.
-    fn influences(&self, correlations: &[Option<f64>]) -> String {
-        let mut all: Vec<(&str, f64)> =
-            self.variables.iter().zip(correlations).filter_map(|(v, c)| Some((v.key.as_str(), (*c)?))).collect();
+    fn influences(&self, correlations: &[Option<f64>]) -> Cell {
+        let pairs = self.variables.iter().zip(correlations);
+        let mut all: Vec<(&str, f64)> = pairs.filter_map(|(v, c)| Some((v.variable.key.as_str(), (*c)?))).collect();
         all.retain(|(_, c)| c.abs() >= NAMED);
         all.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-        all.iter().map(|(key, c)| format!("{key} {c:+.2}")).collect::<Vec<_>>().join(", ")
+        all.iter().map(|(key, c)| format!("{key} {c:+.2}")).collect::<Vec<_>>().join(", ").into()
     }
 
-    fn headline(&self, runs: &RunTable, result: &UncertaintyResult) -> String {
-        let n = runs.runs.len();
-        let percent = |share: f64| Amount::share(share).to_string();
-        let Some(tear) = result.events.first() else { return format!("None of {n} runs came to a result.") };
-        let p = tear.probability;
-        match tear.hits {
-            0 => format!("No tear in {n} parts: fewer than {} scrap, 95 % sure.", percent(p.high)),
-            hits => format!("{hits} of {n} parts tear: {} to {}, 95 % sure.", percent(p.low), percent(p.high)),
-        }
-    }
-
-    fn events_table(&self, runs: &RunTable, result: &UncertaintyResult) -> ReportTable {
+    fn tables(&self, runs: &RunTable, result: &UncertaintyResult) -> Vec<ReportTable> {
         let columns = ["Light", "Row", "Share of parts", "from", "to", "Rank correlation"];
-        let mut table = ReportTable::new("scatter_lights", &columns);
+        let mut lights = ReportTable::new("scatter_lights", &columns);
         for event in &result.events {
             let label = match &event.kind {
                 EventKind::Tear => "Tears",
@@ -218,28 +185,22 @@ impl Scatter {
                 EventKind::Row(key) => runs.label(key),
             };
             let Probability { value, low, high } = event.probability;
-            let mut row = vec![Cell::Light(event.light, String::new()), label.into()];
-            row.extend([value, low, high].map(|share| Cell::from(Amount::share(share))));
-            row.push(self.influences(&event.correlations).into());
-            table.rows.push(row);
+            let [value, low, high] = [value, low, high].map(|share| Amount::share(share).into());
+            let light = Cell::Light(event.light, String::new());
+            lights.rows.push(vec![light, label.into(), value, low, high, self.influences(&event.correlations)]);
         }
-        table
-    }
-
-    fn numbers_table(&self, runs: &RunTable, result: &UncertaintyResult) -> ReportTable {
-        let mut table = ReportTable::new("scatter_numbers", &["Number", "5 %", "Median", "95 %", "Rank correlation"]);
+        let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
+        let mut numbers = ReportTable::new("scatter_numbers", &columns);
         for spread in &result.spreads {
             let number = &runs.responses[spread.response].number;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
-            if quantiles[0] == quantiles[2] {
-                continue;
+            if quantiles[0] != quantiles[2] {
+                let [low, median, high] = quantiles.map(|value| number.amount.of(value).into());
+                let influences = self.influences(&spread.correlations);
+                numbers.rows.push(vec![number.label.into(), low, median, high, influences]);
             }
-            let mut row = vec![Cell::from(number.quantity.label)];
-            row.extend(quantiles.map(|value| Cell::from(number.quantity.amount.of(value))));
-            row.push(self.influences(&spread.correlations).into());
-            table.rows.push(row);
         }
-        table
+        vec![lights, numbers]
     }
 }
 
@@ -249,11 +210,11 @@ impl Study for Scatter {
     }
 
     fn key(&self) -> String {
-        short_hash([self.base.key(), &format!("{:?}{}{}", self.variables, self.runs, self.seed)])
+        short_hash([&self.base.key, &format!("{:?}{}{}", self.variables, self.runs, self.seed)])
     }
 
     fn columns(&self) -> Vec<String> {
-        self.variables.iter().map(UncertainVariable::header).collect()
+        self.variables.iter().map(|uncertain| uncertain.variable.header()).collect()
     }
 
     fn designs(&self) -> u64 {
@@ -261,34 +222,35 @@ impl Study for Scatter {
     }
 
     fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        let design = |index: u64| {
-            let values = self.values(index);
-            let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
-            Design::new(index, &values, settings.collect())
-        };
-        (0..self.runs).map(design).collect()
+        (0..self.runs).map(|index| self.design(index)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
         let result = self.result(runs);
-        let mut notes = Vec::new();
-        let verdict = |light: Light| {
-            let of = |event: &&Event| event.kind == EventKind::Verdict && event.light == light;
-            result.events.iter().find(of).map_or(0.0, |event| event.probability.value)
+        let n = runs.runs.len();
+        let headline = match result.events.first() {
+            None => format!("None of {n} runs came to a result."),
+            Some(Event { hits: 0, probability, .. }) => {
+                format!("No tear in {n} parts: fewer than {} scrap, 95 % sure.", Amount::share(probability.high))
+            }
+            Some(Event { hits, probability, .. }) => {
+                let [low, high] = [probability.low, probability.high].map(Amount::share);
+                format!("{hits} of {n} parts tear: {low} to {high}, 95 % sure.")
+            }
         };
-        let [red, amber] = [Light::Red, Light::Amber].map(|light| Amount::share(verdict(light)));
-        notes.push(format!("{red} of the parts are red, {amber} amber, if the distributions are as given."));
+        let [red, amber] = [Light::Red, Light::Amber].map(|light| {
+            let event = result.events.iter().find(|event| event.kind == EventKind::Verdict && event.light == light);
+            Amount::share(event.map_or(0.0, |event| event.probability.value))
+        });
+        let shares = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
-        if failed > 0 {
-            notes.push(format!("{failed} runs came to no result and are left out."));
-        }
-        notes.extend(self.defaults.iter().cloned());
+        let failed = (failed > 0).then(|| format!("{failed} runs came to no result and are left out."));
         StudyReport {
-            headline: self.headline(runs, &result),
-            notes,
-            tables: vec![self.events_table(runs, &result), self.numbers_table(runs, &result)],
+            headline,
+            notes: [shares].into_iter().chain(failed).chain(self.defaults.iter().cloned()).collect(),
+            tables: self.tables(runs, &result),
             found: true,
-            charts: charts::scatter(runs, &result).map(|chart| ("scatter".to_owned(), chart)).into_iter().collect(),
+            charts: charts::scatter(runs, &result),
         }
     }
 }

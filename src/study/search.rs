@@ -1,12 +1,13 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
 use super::base_case::short_hash;
-use super::bracket::{Aim, Bracket, Search, Side, Trial};
+use super::bracket::{Bracket, Search, Side, Trial};
 use super::charts;
 use super::condition::{Comparison, Condition};
+use super::error::fail;
 use super::goals::{Goal, GoalAim};
 use super::report::StudyReport;
-use super::variable::{SearchRange, Value, Variable};
+use super::variable::{SearchRange, Variable, split_number, written};
 use super::{BaseCase, Design, Run, RunTable, Study, StudyError};
 use crate::table::Spacing;
 use crate::units::{parse, significant};
@@ -15,15 +16,13 @@ use crate::units::{parse, significant};
 const PLACES: usize = 9;
 /// Default tolerance over the range \[–\].
 const TOLERANCE: f64 = 0.005;
-/// A target that is missed by less is met, over its size \[–\].
-pub(super) const MISSED: f64 = 0.005;
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SearchRequest {
     /// `KEY=FROM..TO UNIT`; a key alone is searched from half to twice its value.
     pub vary: Option<String>,
-    /// Name of a [`Goal`].
+    /// Name of a goal.
     pub goal: Option<String>,
     /// Wanted end of the range.
     pub side: Option<Side>,
@@ -38,27 +37,23 @@ pub struct SearchRequest {
 /// A search over one variable, with others that move along.
 #[derive(Clone, Debug)]
 pub struct LimitSearch {
-    base: BaseCase,
+    pub(super) base: BaseCase,
     /// The first is searched; each goes from its first end to its last.
-    pub(super) variables: Vec<Variable>,
-    pub(super) ranges: Vec<SearchRange>,
+    variables: Vec<(Variable, SearchRange)>,
     tolerance: Option<f64>,
     is_whole: bool,
-    pub(super) aim: SearchAim,
+    pub(super) aim: Aim,
     pub(super) side: Side,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum SearchAim {
+#[derive(Clone, Debug)]
+pub(super) enum Aim {
     Keep(Condition),
-    Reach(Comparison, Option<(usize, f64)>),
+    Reach(Comparison),
 }
 
 impl LimitSearch {
     /// Plans the search of a request.
-    ///
-    /// # Errors
-    /// When something is missing or makes no sense, or the case lacks it.
     pub fn new(base: BaseCase, request: &SearchRequest) -> Result<Self, StudyError> {
         let goal = match &request.goal {
             Some(name) => Some(Goal::request(name, &base.case(&[])?)?),
@@ -68,39 +63,40 @@ impl LimitSearch {
             Some(goal) if !goal.settings.is_empty() => base.with_settings(&goal.settings)?,
             _ => base,
         };
-        let vary = request.vary.as_ref().or(goal.as_ref().map(|goal| &goal.vary)).ok_or_else(|| {
-            StudyError::new("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for")
-        })?;
-        let texts =
-            vary.split('&').map(|text| if text.contains('=') { Ok(text.to_owned()) } else { around(text, &base) });
-        let variables = texts.map(|text| Variable::read(&text?)).collect::<Result<Vec<_>, _>>()?;
-        let mut ranges = variables.iter().map(Variable::search_range).collect::<Result<Vec<_>, _>>()?;
-        if ranges[0].ends[0] > ranges[0].ends[1] {
-            ranges.iter_mut().for_each(|range| range.ends.reverse());
+        let Some(vary) = request.vary.as_ref().or(goal.as_ref().map(|goal| &goal.vary)) else {
+            return fail("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for");
+        };
+        let variable = |text: &str| {
+            let text = if text.contains('=') { text.to_owned() } else { around(text, &base)? };
+            let variable = Variable::read(&text)?;
+            let range = variable.search_range()?;
+            Ok((variable, range))
+        };
+        let mut variables = vary.split('&').map(variable).collect::<Result<Vec<_>, StudyError>>()?;
+        if variables[0].1.ends[0] > variables[0].1.ends[1] {
+            variables.iter_mut().for_each(|(_, range)| range.ends.reverse());
         }
-        let aim = aim(request, goal.as_ref().map(|goal| goal.aim))?;
-        let side = match (request.side, &goal, &aim) {
-            (Some(side), ..) => side,
-            (_, Some(goal), _) => goal.side,
-            (.., SearchAim::Reach(..)) => Side::Smallest,
-            _ => {
-                let what = "neither the largest nor the smallest is asked for";
-                return Err(StudyError::new(what, "give --largest or --smallest"));
+        let aim = Aim::new(request, goal.as_ref().map(|goal| goal.aim))?;
+        let side = match (request.side.or(goal.map(|goal| goal.side)), &aim) {
+            (Some(side), _) => side,
+            (None, Aim::Reach(_)) => Side::Smallest,
+            (None, Aim::Keep(_)) => {
+                return fail("neither the largest nor the smallest is asked for", "give --largest or --smallest");
             }
         };
-        let tolerance = request.tolerance.as_ref().map(|text| tolerance(&variables[0], text)).transpose()?;
-        let mut search = Self { base, variables, ranges, tolerance, is_whole: false, aim, side };
+        let tolerance = request.tolerance.as_ref().map(|text| tolerance(&variables[0].0, text)).transpose()?;
+        let mut search = Self { base, variables, tolerance, is_whole: false, aim, side };
         search.is_whole = search.has_whole_numbers();
-        let tried = [0.5, 0.0, 1.0].map(|share| search.base.case(&search.settings(search.at(share))).map(drop));
-        match tried {
-            [Err(error), Err(_), Err(_)] => Err(error.into()),
-            _ => Ok(search),
-        }
+        search.base.check_any([0.5, 0.0, 1.0].map(|share| search.design(0, search.at(share)).settings))?;
+        Ok(search)
     }
 
-    /// The variable.
-    pub fn variable(&self) -> &Variable {
-        &self.variables[0]
+    pub(super) fn variable(&self) -> &Variable {
+        &self.variables[0].0
+    }
+
+    pub(super) fn range(&self) -> &SearchRange {
+        &self.variables[0].1
     }
 
     /// Result, with the run at the answer and the one on its other side.
@@ -108,57 +104,44 @@ impl LimitSearch {
         let trials = self.trials(runs);
         let found = self.search(|search| search.result(&trials));
         let place = |x: f64| runs.runs.iter().position(|run| run.value(0) == x);
-        match (found, &self.aim) {
-            (Bracket::Between([inner, outer]), SearchAim::Keep(_)) => (found, place(inner), place(outer)),
-            (Bracket::Between([inner, outer]), SearchAim::Reach(..)) => {
-                let size =
-                    |x: f64| trials.iter().find(|trial| trial.0 == x).and_then(|t| t.1).map_or(f64::MAX, f64::abs);
-                let nearest = if size(inner) <= size(outer) { [inner, outer] } else { [outer, inner] };
-                (found, place(nearest[0]), place(nearest[1]))
+        match found {
+            Bracket::Between([inner, outer]) => {
+                let trial = |x: f64| trials.iter().find(|trial| trial.0 == x).and_then(|trial| trial.1);
+                let size = |x: f64| trial(x).map_or(f64::MAX, f64::abs);
+                let is_swapped = matches!(self.aim, Aim::Reach(_)) && size(outer) < size(inner);
+                let [best, other] = if is_swapped { [outer, inner] } else { [inner, outer] };
+                (found, place(best), place(other))
             }
-            (Bracket::Everywhere(x) | Bracket::Open(x), _) => (found, place(x), None),
+            Bracket::Everywhere(x) | Bracket::Open(x) => (found, place(x), None),
             _ => (found, None, None),
         }
     }
 
-    /// The overrides of a run.
-    pub fn settings_of(&self, run: &Run) -> Vec<String> {
-        self.settings(run.value(0))
-    }
-
-    /// The case of a run's study.
-    pub fn base_case(&self) -> &BaseCase {
-        &self.base
-    }
-
     fn search<T>(&self, then: impl FnOnce(&Search) -> T) -> T {
-        let range = self.ranges[0];
+        let range = self.range();
         then(&Search {
             at: &|share| self.at(share),
             share: &|x| range.spacing.share(range.ends, x),
             tolerance: &|x| self.tolerance(x),
             places: range.count.unwrap_or(PLACES).max(3),
-            aim: match self.aim {
-                SearchAim::Keep(_) => Aim::Limit(self.side),
-                SearchAim::Reach(..) => Aim::Crossing(self.side),
-            },
+            is_limit: matches!(self.aim, Aim::Keep(_)),
+            side: self.side,
         })
     }
 
     pub(super) fn trials(&self, runs: &RunTable) -> Vec<Trial> {
         let value = |run: &Run| match &self.aim {
-            SearchAim::Keep(condition) => condition.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
-            SearchAim::Reach(_, target) => {
-                let (place, wanted) = (*target)?;
-                let usable = run.is_known() && !run.tears() && run.numbers[place].is_finite();
-                usable.then(|| run.numbers[place] - wanted)
+            Aim::Keep(condition) => condition.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
+            Aim::Reach(target) => {
+                let (place, wanted) = target.resolved?;
+                run.response(place).filter(|_| !run.tears()).map(|value| value - wanted)
             }
         };
         runs.runs.iter().map(|run| (run.value(0), value(run))).collect()
     }
 
     fn tolerance(&self, x: f64) -> f64 {
-        let SearchRange { ends: [low, high], spacing, .. } = self.ranges[0];
+        let SearchRange { ends: [low, high], spacing, .. } = *self.range();
         let tolerance = self.tolerance.unwrap_or_else(|| match spacing {
             Spacing::Logarithmic => x * ((high / low).ln() * TOLERANCE).exp_m1(),
             Spacing::Even => TOLERANCE * (high - low),
@@ -168,7 +151,7 @@ impl LimitSearch {
 
     /// Value at a share of the range, rounded to the decimal below half the tolerance.
     fn at(&self, share: f64) -> f64 {
-        let SearchRange { ends: [low, high], spacing, .. } = self.ranges[0];
+        let SearchRange { ends: [low, high], spacing, .. } = *self.range();
         if share <= 0.0 || share >= 1.0 {
             return if share <= 0.0 { low } else { high };
         }
@@ -177,22 +160,27 @@ impl LimitSearch {
         significant((x / step).round() * step, 12).clamp(low, high)
     }
 
-    /// Values of all variables where the first has this one.
-    fn values(&self, x: f64) -> Vec<Value> {
-        let share = self.ranges[0].spacing.share(self.ranges[0].ends, x);
-        let others = self.ranges[1..].iter().map(|range| Value::number(range.spacing.between(range.ends, share)));
-        std::iter::once(Value::number(x)).chain(others).collect()
-    }
-
-    fn settings(&self, x: f64) -> Vec<String> {
-        self.variables.iter().zip(self.values(x)).map(|(variable, value)| variable.setting(&value)).collect()
+    /// The first variable has this value, the others move along.
+    pub(super) fn design(&self, index: u64, x: f64) -> Design {
+        let share = self.range().spacing.share(self.range().ends, x);
+        let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
+        let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
+        let settings = self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value)).collect();
+        Design { index, values, settings }
     }
 
     fn has_whole_numbers(&self) -> bool {
-        let [low, high] = self.ranges[0].ends;
-        let is_case = |x: f64| self.base.case(&[self.variables[0].setting(&Value::number(x))]).is_ok();
-        let is_plain = self.variables[0].unit.is_empty() && low.fract() == 0.0 && high.fract() == 0.0;
+        let [low, high] = self.range().ends;
+        let is_case = |x: f64| self.base.case(&[self.variable().setting(&written(x))]).is_ok();
+        let is_plain = self.variable().unit.is_empty() && low.fract() == 0.0 && high.fract() == 0.0;
         is_plain && is_case(low) && !is_case(low + 0.5) && is_case(low + 1.0)
+    }
+
+    pub(super) fn limits(&self) -> Vec<(usize, f64)> {
+        match &self.aim {
+            Aim::Keep(condition) => condition.limits(),
+            Aim::Reach(target) => target.resolved.into_iter().collect(),
+        }
     }
 }
 
@@ -203,15 +191,15 @@ impl Study for LimitSearch {
 
     fn key(&self) -> String {
         let aim = match &self.aim {
-            SearchAim::Keep(condition) => condition.text.clone(),
-            SearchAim::Reach(target, _) => format!("{target:?}"),
+            Aim::Keep(condition) => condition.text.clone(),
+            Aim::Reach(target) => format!("{target:?}"),
         };
-        let own = format!("{:?}{:?}{:?}{aim}{:?}", self.variables, self.ranges, self.tolerance, self.side);
-        short_hash([self.base.key(), &own])
+        let own = format!("{:?}{:?}{aim}{:?}", self.variables, self.tolerance, self.side);
+        short_hash([&self.base.key, &own])
     }
 
     fn columns(&self) -> Vec<String> {
-        self.variables.iter().map(Variable::header).collect()
+        self.variables.iter().map(|(variable, _)| variable.header()).collect()
     }
 
     fn designs(&self) -> u64 {
@@ -220,55 +208,48 @@ impl Study for LimitSearch {
 
     fn check(&mut self, runs: &RunTable) -> Result<(), StudyError> {
         match &mut self.aim {
-            SearchAim::Keep(condition) => condition.resolve(runs),
-            SearchAim::Reach(target, resolved) => target.resolve(runs).map(|found| *resolved = Some(found)),
+            Aim::Keep(condition) => condition.resolve(runs),
+            Aim::Reach(target) => target.resolve(runs),
         }
     }
 
     fn next(&mut self, runs: &RunTable) -> Vec<Design> {
         let trials = self.trials(runs);
         let next = self.search(|search| search.next(&trials));
-        let first = runs.runs.len() as u64;
-        let design = |(index, x): (u64, f64)| Design::new(index, &self.values(x), self.settings(x));
-        (first..).zip(next).map(design).collect()
+        (runs.runs.len() as u64..).zip(next).map(|(index, x)| self.design(index, x)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
         let (found, best, _) = self.result(runs);
-        let limits: Vec<(usize, f64)> = match &self.aim {
-            SearchAim::Keep(condition) => condition.limits().collect(),
-            SearchAim::Reach(_, target) => target.iter().copied().collect(),
-        };
-        let chart = charts::search(&self.variables[0], self.ranges[0].spacing, runs, &limits, best);
         StudyReport {
             headline: self.headline(runs),
             notes: self.notes(runs),
             tables: vec![self.table(runs)],
             found: matches!(found, Bracket::Between(_) | Bracket::Everywhere(_)),
-            charts: chart.map(|chart| ("search".to_owned(), chart)).into_iter().collect(),
+            charts: charts::search(self.variable(), self.range().spacing, runs, &self.limits(), best),
         }
     }
 }
 
-fn aim(request: &SearchRequest, goal: Option<GoalAim>) -> Result<SearchAim, StudyError> {
-    let keep = |text: &str| Condition::read(text).map(SearchAim::Keep);
-    let reach = |text: &str| Comparison::target(text).map(|target| SearchAim::Reach(target, None));
-    match (&request.condition, &request.target, goal) {
-        (Some(_), Some(_), _) => {
-            Err(StudyError::new("both a condition and a target are given", "give --while or --target"))
-        }
-        (Some(condition), ..) => keep(condition),
-        (_, Some(target), Some(GoalAim::Quantity(quantity))) if !target.contains('=') => {
-            reach(&format!("{quantity}={target}"))
-        }
-        (_, Some(target), _) => reach(target),
-        (_, _, Some(GoalAim::Condition(condition))) => keep(condition),
-        (_, _, Some(GoalAim::Quantity(quantity))) => {
-            let help = format!("give it with --target, such as \"{quantity}=90 deg\" or \"{quantity}=8 mm\"");
-            Err(StudyError::new(format!("the wanted value of {quantity} is missing"), help))
-        }
-        (None, None, None) => {
-            Err(StudyError::new("no condition is given", "give --while \"no red\", or --target \"QUANTITY=VALUE\""))
+impl Aim {
+    fn new(request: &SearchRequest, goal: Option<GoalAim>) -> Result<Self, StudyError> {
+        let keep = |text: &str| Condition::read(text).map(Self::Keep);
+        let reach = |text: &str| Comparison::target(text).map(Self::Reach);
+        match (&request.condition, &request.target, goal) {
+            (Some(_), Some(_), _) => fail("both a condition and a target are given", "give --while or --target"),
+            (Some(condition), ..) => keep(condition),
+            (_, Some(target), Some(GoalAim::Quantity(quantity))) if !target.contains('=') => {
+                reach(&format!("{quantity}={target}"))
+            }
+            (_, Some(target), _) => reach(target),
+            (_, _, Some(GoalAim::Condition(condition))) => keep(condition),
+            (_, _, Some(GoalAim::Quantity(quantity))) => {
+                let help = format!("give it with --target, such as \"{quantity}=90 deg\" or \"{quantity}=8 mm\"");
+                fail(format!("the wanted value of {quantity} is missing"), help)
+            }
+            (None, None, None) => {
+                fail("no condition is given", "give --while \"no red\", or --target \"QUANTITY=VALUE\"")
+            }
         }
     }
 }
@@ -276,23 +257,24 @@ fn aim(request: &SearchRequest, goal: Option<GoalAim>) -> Result<SearchAim, Stud
 /// A range from half to twice the case's own value.
 fn around(key: &str, base: &BaseCase) -> Result<String, StudyError> {
     let key = key.trim();
-    let unknown = || {
+    let own = base.value(key);
+    let Some((value, unit)) = own.as_ref().and_then(|own| split_number(own.trim())).filter(|own| own.0 > 0.0) else {
         let what = format!("the case has no number at `{key}` to search about");
-        StudyError::new(what, format!("give the range: \"{key}=FROM..TO UNIT\""))
+        return fail(what, format!("give the range: \"{key}=FROM..TO UNIT\""));
     };
-    let own = base.value(key).ok_or_else(unknown)?;
-    let (value, unit) =
-        super::variable::split_number(own.trim()).filter(|(value, _)| *value > 0.0).ok_or_else(unknown)?;
     let [low, high] = [0.5, 2.0].map(|share| significant(share * value, 4));
     Ok(format!("{key}={low}..{high} {unit}"))
 }
 
 fn tolerance(variable: &Variable, text: &str) -> Result<f64, StudyError> {
     let unit = &variable.unit;
-    let wrong = || {
-        let example = format!("write a number above 0 in the unit of the key, such as \"0.1 {unit}\"");
-        StudyError::new(format!("`{text}` is no tolerance of {}", variable.key), example)
-    };
     let has_unit = parse(text).is_ok_and(|given| given.has_unit) != unit.is_empty();
-    variable.in_unit(text).filter(|size| *size > 0.0 && size.is_finite() && has_unit).ok_or_else(wrong)
+    let size = variable.in_unit(text).filter(|size| *size > 0.0 && size.is_finite() && has_unit);
+    size.map_or_else(
+        || {
+            let example = format!("write a number above 0 in the unit of the key, such as \"0.1 {unit}\"");
+            fail(format!("`{text}` is no tolerance of {}", variable.key), example)
+        },
+        Ok,
+    )
 }

@@ -1,45 +1,43 @@
 //! Results of a search in words and as a table.
 
-use super::bracket::{Bracket, Search, Side};
+use super::bracket::{Bracket, Side, stretches};
+use super::condition::{Comparison, Condition};
 use super::report::{Cell, ReportTable};
-use super::search::{LimitSearch, MISSED, SearchAim};
+use super::search::{Aim, LimitSearch};
+use super::verify::Of;
 use super::{Run, RunTable};
+use crate::assess::estimate;
 use crate::units::significant;
 use crate::verification::Origin;
 
+/// A target that is missed by less is met, over its size \[–\].
+const MISSED: f64 = 0.005;
+
 impl LimitSearch {
     pub(super) fn headline(&self, runs: &RunTable) -> String {
-        let variable = &self.variables[0];
-        let (key, at) = (variable.label(), |x: f64| variable.display(x));
-        let [low, high] = self.ranges[0].ends.map(at);
+        let (key, at) = (self.variable().label(), |x: f64| self.variable().display(x));
+        let [low, high] = self.range().ends.map(at);
         let (found, best, _) = self.result(runs);
         match (&self.aim, found) {
             (_, Bracket::Failed) => format!("{key}: no run came to a result from {low} to {high}."),
-            (SearchAim::Keep(condition), found) => {
-                let condition = &condition.text;
-                match (found, self.side) {
-                    (Bracket::Between([inner, outer]), Side::Largest) => {
-                        format!("{key}: “{condition}” holds up to {}, not at {}.", at(inner), at(outer))
+            (Aim::Keep(Condition { text, .. }), found) => {
+                let holds = match found {
+                    Bracket::Between([inner, outer]) => {
+                        let side = if self.side == Side::Largest { "up to" } else { "from" };
+                        format!("{side} {}, not at {}", at(inner), at(outer))
                     }
-                    (Bracket::Between([inner, outer]), Side::Smallest) => {
-                        format!("{key}: “{condition}” holds from {}, not at {}.", at(inner), at(outer))
-                    }
-                    (Bracket::Everywhere(x), _) => {
-                        format!("{key}: “{condition}” holds to the end of the range, {}.", at(x))
-                    }
-                    (Bracket::Open(x), _) => {
-                        format!("{key}: “{condition}” holds at {}; beyond it no run came to a result.", at(x))
-                    }
-                    _ => format!("{key}: “{condition}” holds nowhere from {low} to {high}."),
-                }
+                    Bracket::Everywhere(x) => format!("to the end of the range, {}", at(x)),
+                    Bracket::Open(x) => format!("at {}; beyond it no run came to a result", at(x)),
+                    _ => format!("nowhere from {low} to {high}"),
+                };
+                format!("{key}: “{text}” holds {holds}.")
             }
-            (SearchAim::Reach(target, resolved), _) => {
-                let (name, Some((place, wanted))) = (&target.quantity, *resolved) else { return String::new() };
+            (Aim::Reach(target), _) => {
+                let (name, Some((place, wanted))) = (&target.quantity, target.resolved) else { return String::new() };
                 let display = |value: f64| runs.responses[place].display(value);
-                let Some(best) = best else {
+                let Some(run) = best.map(|best| &runs.runs[best]) else {
                     return format!("{key}: {name} is {} nowhere from {low} to {high}.", display(wanted));
                 };
-                let run = &runs.runs[best];
                 let (x, value) = (at(run.value(0)), display(run.numbers[place]));
                 format!("{key} = {x}: {name} is {value}, wanted {}.", display(wanted))
             }
@@ -47,17 +45,16 @@ impl LimitSearch {
     }
 
     pub(super) fn notes(&self, runs: &RunTable) -> Vec<String> {
-        let at = |x: f64| self.variables[0].display(x);
+        let at = |x: f64| self.variable().display(x);
         let trials = self.trials(runs);
         let (found, best, other) = self.result(runs);
         let mut notes = Vec::new();
         match (found, &self.aim) {
-            (Bracket::Between([a, b]), SearchAim::Keep(_)) => {
+            (Bracket::Between([a, b]), Aim::Keep(_)) => {
                 notes.push(format!("Known within {}.", at(significant((b - a).abs(), 2))));
             }
-            (Bracket::Between(_), SearchAim::Reach(_, Some((place, wanted)))) => {
-                let number = |run: Option<usize>| run.map_or(f64::NAN, |run| runs.runs[run].numbers[*place]);
-                let [from, to] = [number(best), number(other)];
+            (Bracket::Between(_), Aim::Reach(Comparison { resolved: Some((place, wanted)), .. })) => {
+                let [from, to] = [best, other].map(|run| run.map_or(f64::NAN, |run| runs.runs[run].numbers[*place]));
                 if (from - wanted).abs().min((to - wanted).abs()) > MISSED * wanted.abs() {
                     let [from, to] = [from, to].map(|value| runs.responses[*place].display(value));
                     notes.push(format!("It jumps from {from} to {to} there."));
@@ -65,22 +62,23 @@ impl LimitSearch {
             }
             _ => {}
         }
-        if let Some([best, other]) = best
-            .zip(other)
-            .and_then(|(a, b)| Some([self.draw_ratio(runs, a)?, self.draw_ratio(runs, b)?]))
-            .filter(|[a, b]| a != b)
-        {
+        let draw_ratio = |run: usize| {
+            let case = self.base.case(&self.design(0, runs.runs[run].value(0)).settings).ok()?;
+            estimate::draw_ratio(case.model())
+        };
+        let ratios = best.zip(other).and_then(|(best, other)| draw_ratio(best).zip(draw_ratio(other)));
+        if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
         }
-        if let (SearchAim::Keep(_), [_, _, ..]) = (&self.aim, &Search::stretches(&trials)[..]) {
-            let stretches = Search::stretches(&trials);
-            let all: Vec<String> = stretches.iter().map(|[from, to]| format!("{} to {}", at(*from), at(*to))).collect();
-            notes.push(format!("It comes and goes over the range, and holds at {}.", all.join(", ")));
-        }
-        let red = best.map_or(&[][..], |best| &runs.runs[best].red);
-        if let (SearchAim::Keep(_), false) = (&self.aim, red.is_empty()) {
-            let labels: Vec<&str> = red.iter().map(|row| runs.label(row)).collect();
-            notes.push(format!("Careful: red there is {}.", labels.join(", ")));
+        if let Aim::Keep(_) = self.aim {
+            let all: Vec<String> =
+                stretches(&trials).iter().map(|[from, to]| format!("{} to {}", at(*from), at(*to))).collect();
+            if all.len() > 1 {
+                notes.push(format!("It comes and goes over the range, and holds at {}.", all.join(", ")));
+            }
+            if let Some(run) = best.map(|best| &runs.runs[best]).filter(|run| !run.red.is_empty()) {
+                notes.push(format!("Careful: red there is {}.", runs.worst_rows(run)));
+            }
         }
         let failed = trials.iter().filter(|trial| trial.1.is_none()).count();
         if failed > 0 {
@@ -89,41 +87,28 @@ impl LimitSearch {
         notes
     }
 
-    fn draw_ratio(&self, runs: &RunTable, run: usize) -> Option<f64> {
-        crate::assess::estimate::draw_ratio(self.base_case().case(&self.settings_of(&runs.runs[run])).ok()?.model())
-    }
-
     /// The answer and the run on its other side.
     pub(super) fn table(&self, runs: &RunTable) -> ReportTable {
         let (_, best, other) = self.result(runs);
         let sides: Vec<&Run> = best.into_iter().chain(other).map(|run| &runs.runs[run]).collect();
-        let mut columns = vec![self.variables[0].label()];
-        columns.extend(sides.iter().map(|run| self.variables[0].display(run.value(0))));
+        let values = sides.iter().map(|run| self.variable().display(run.value(0)));
+        let columns = [self.variable().label().to_owned()].into_iter().chain(values).collect();
         let mut table = ReportTable { name: "search_result", columns, rows: Vec::new() };
         if sides.is_empty() {
             return table;
         }
-        let light = |run: &&Run| {
-            let keys = if run.red.is_empty() { &run.amber } else { &run.red };
-            let labels: Vec<&str> = keys.iter().map(|key| runs.label(key)).collect();
-            run.light.map_or(Cell::from("–"), |light| Cell::Light(light, labels.join(", ")))
+        let mut add = |label: &str, cell: &dyn Fn(&Run) -> Cell| {
+            table.rows.push([label.into()].into_iter().chain(sides.iter().map(|run| cell(run))).collect());
         };
-        table.rows.push(std::iter::once("Verdict".into()).chain(sides.iter().map(light)).collect());
-        table.rows.push(std::iter::once("End".into()).chain(sides.iter().map(|run| run.end.clone().into())).collect());
-        let asked: Vec<usize> = match &self.aim {
-            SearchAim::Keep(condition) => condition.limits().map(|(place, _)| place).collect(),
-            SearchAim::Reach(_, target) => target.iter().map(|(place, _)| *place).collect(),
-        };
+        add("Verdict", &|run| run.light.map_or("–".into(), |light| Cell::Light(light, runs.worst_rows(run))));
+        add("End", &|run| run.end.clone().into());
+        let limits = self.limits();
         for (place, response) in runs.responses.iter().enumerate() {
-            if response.number.origin != Origin::Answer && !asked.contains(&place) {
-                continue;
+            if response.number.of == Of::Answer || limits.iter().any(|(limited, _)| *limited == place) {
+                let amount = |value| response.number.amount.of(value).into();
+                let value = |run: &Run| Some(run.numbers[place]).filter(|value| value.is_finite());
+                add(response.number.label, &|run| value(run).map_or("–".into(), amount));
             }
-            let cell = |run: &&Run| match run.numbers[place] {
-                value if value.is_finite() => Cell::from(response.number.quantity.amount.of(value)),
-                _ => Cell::from("–"),
-            };
-            let cells = std::iter::once(response.number.quantity.label.into()).chain(sides.iter().map(cell));
-            table.rows.push(cells.collect());
         }
         table
     }

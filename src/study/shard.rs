@@ -3,9 +3,9 @@
 //! Shard k of n has the designs k − 1, k − 1 + n, k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
 
 use super::StudyError;
+use super::error::fail;
 use super::run_table::BEGINNING;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -34,18 +34,9 @@ impl Shard {
 
     /// File of its table: `study-07-of-64.csv`, `study.csv` for the whole.
     pub fn file(self, stem: &str) -> String {
-        match self {
-            Self::WHOLE => format!("{stem}.csv"),
-            Self { number, count } => {
-                format!("{stem}-{number:0width$}-of-{count}.csv", width = count.to_string().len())
-            }
-        }
-    }
-}
-
-impl fmt::Display for Shard {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}/{}", self.number, self.count)
+        let Self { number, count } = self;
+        let width = count.to_string().len();
+        if self == Self::WHOLE { format!("{stem}.csv") } else { format!("{stem}-{number:0width$}-of-{count}.csv") }
     }
 }
 
@@ -62,34 +53,31 @@ impl FromStr for Shard {
 }
 
 /// Merges the tables of all shards of a study, in the order of the designs; returns the text and the number of rows.
-///
-/// # Errors
-/// When a row is missing, there twice, cut, or of another study.
 pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
     let wrong = |what: String| StudyError::new(what, "give every shard of one study once");
     let mut header: Option<String> = None;
     let mut study: Option<(String, u64)> = None;
     let mut rows: BTreeMap<u64, (String, &Path)> = BTreeMap::new();
     for path in shards {
-        let shown = path.display();
+        let (shown, before) = (path.display(), shards[0].display());
         let text = fs::read_to_string(path).map_err(|error| wrong(format!("cannot read {shown}: {error}")))?;
         let (first, lines) = text.split_once('\n').unwrap_or((&text, ""));
         if !first.starts_with(BEGINNING) {
             return Err(wrong(format!("{shown} is no table of a study")));
         }
         if header.get_or_insert_with(|| first.to_owned()) != first {
-            return Err(wrong(format!("{shown} has other columns than {}", shards[0].display())));
+            return Err(wrong(format!("{shown} has other columns than {before}")));
         }
         for line in lines.split_inclusive('\n') {
             let mut fields = line.splitn(4, ',');
             let key = fields.next().unwrap_or_default().to_owned();
-            let numbers = fields.next().and_then(|n| n.parse().ok()).zip(fields.next().and_then(|n| n.parse().ok()));
-            let Some((designs, index)) = numbers.filter(|_| line.ends_with('\n')) else {
+            let mut number = || fields.next()?.parse::<u64>().ok();
+            let Some((designs, index)) = number().zip(number()).filter(|_| line.ends_with('\n')) else {
                 let what = format!("{shown} has a line that is no row of a study");
-                return Err(StudyError::new(what, "run that shard again with --resume"));
+                return fail(what, "run that shard again with --resume");
             };
             if study.get_or_insert_with(|| (key.clone(), designs)) != &(key, designs) {
-                return Err(wrong(format!("{shown} is of another study than {}", shards[0].display())));
+                return Err(wrong(format!("{shown} is of another study than {before}")));
             }
             if let Some((_, other)) = rows.insert(index, (line.to_owned(), path)) {
                 return Err(wrong(format!("design {index} is both in {} and in {shown}", other.display())));

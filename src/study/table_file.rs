@@ -3,6 +3,7 @@
 //! A killed run may leave one incomplete last row, which resuming removes.
 
 use super::StudyError;
+use super::error::fail;
 use super::evaluate::EarlierRuns;
 use super::run::Run;
 use super::run_table::{BEGINNING, RunTable, record};
@@ -25,7 +26,8 @@ pub enum Earlier {
 #[derive(Debug)]
 pub struct TableFile {
     path: PathBuf,
-    part: PathBuf,
+    /// Path of the rows while some are missing.
+    pub part: PathBuf,
     file: File,
     /// Rows that an earlier run has left.
     pub earlier: EarlierRuns,
@@ -33,26 +35,27 @@ pub struct TableFile {
 
 impl TableFile {
     /// Opens the table file of a study and reads the rows that are there.
-    ///
-    /// # Errors
-    /// When it cannot be written, another process writes it, it is no table of this study, or it has rows and `earlier` refuses them.
     pub fn open(path: &Path, runs: &RunTable, earlier: Earlier) -> Result<Self, StudyError> {
-        let shown = path.display();
+        let (shown, elsewhere) = (path.display(), "choose another place with --out");
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let part = path.with_file_name(format!(".{name}.rows"));
-        let unwritable = |error: io::Error| {
-            StudyError::new(format!("cannot write {shown}: {error}"), "choose another place with --out")
-        };
+        let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), elsewhere);
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(unwritable)?;
         }
         if path.exists() && !is_table(path) {
-            let what = format!("{shown} is there and is no table of a study");
-            return Err(StudyError::new(what, "choose another place with --out"));
+            return fail(format!("{shown} is there and is no table of a study"), elsewhere);
         }
         let mut file = loop {
             let file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
-            lock(&file, path, earlier)?;
+            match file.try_lock() {
+                Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => file.lock().map_err(unwritable)?,
+                Err(TryLockError::WouldBlock) => {
+                    return fail(format!("another run writes {shown}"), format!("wait for it, or {elsewhere}"));
+                }
+                // File systems without locks are accepted.
+                Ok(()) | Err(TryLockError::Error(_)) => {}
+            }
             // The run that was waited for may have renamed its table.
             if part.exists() {
                 break file;
@@ -64,7 +67,7 @@ impl TableFile {
         }
         if !bytes.is_empty() && earlier == Earlier::Refuse {
             let what = format!("an earlier run has left rows of {shown} and did not end");
-            return Err(StudyError::new(what, "go on with them by --resume, or begin anew with --restart"));
+            return fail(what, "go on with them by --resume, or begin anew with --restart");
         }
         // Bytes behind the last whole line are a row that was cut.
         bytes.truncate(bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1));
@@ -73,29 +76,23 @@ impl TableFile {
             let is_whole = earlier == Earlier::Resume && path.exists();
             bytes = if is_whole { fs::read(path).map_err(unwritable)? } else { record(&runs.header()) };
         }
-        let rows = rows(&bytes, runs).ok_or_else(|| {
+        let Some(earlier) = rows(&bytes, runs) else {
             let what = format!("{shown} has rows of another study, or of another version");
-            StudyError::new(what, "begin anew with --restart, or choose another place with --out")
-        })?;
+            return fail(what, format!("begin anew with --restart, or {elsewhere}"));
+        };
         file.set_len(kept).and_then(|()| file.seek(SeekFrom::End(0))).map_err(unwritable)?;
         if kept == 0 {
             file.write_all(&bytes).map_err(unwritable)?;
         }
-        Ok(Self { path: path.to_owned(), part, file, earlier: rows })
+        Ok(Self { path: path.to_owned(), part, file, earlier })
     }
 
     /// Appends a row.
-    ///
-    /// # Errors
-    /// When it cannot be written.
     pub fn add(&mut self, runs: &RunTable, run: &Run) -> io::Result<()> {
         self.file.write_all(&record(&runs.line(run)))
     }
 
     /// Gives the whole table its name.
-    ///
-    /// # Errors
-    /// When that cannot be done; the rows stay where they are.
     pub fn finish(self) -> io::Result<()> {
         self.file.sync_all()?;
         fs::rename(&self.part, &self.path)
@@ -104,11 +101,6 @@ impl TableFile {
     /// Removes the rows once they are in the folder of the results.
     pub fn discard(self) {
         let _ = fs::remove_file(&self.part);
-    }
-
-    /// Path of the rows while some are missing.
-    pub fn part(&self) -> &Path {
-        &self.part
     }
 }
 
@@ -122,24 +114,7 @@ fn rows(text: &[u8], runs: &RunTable) -> Option<EarlierRuns> {
     rows.collect::<Option<_>>().filter(|_| is_own)
 }
 
-/// Keeps other processes from writing the same rows. A resumed run waits for one that is not over.
-fn lock(file: &File, path: &Path, earlier: Earlier) -> Result<(), StudyError> {
-    let shown = path.display();
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => file.lock().map_err(|error| {
-            StudyError::new(format!("cannot wait for the other run of {shown}: {error}"), "try again")
-        }),
-        Err(TryLockError::WouldBlock) => {
-            let help = "wait for it, or choose another place with --out";
-            Err(StudyError::new(format!("another run writes {shown}"), help))
-        }
-        // File systems without locks are accepted.
-        Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
-    }
-}
-
-/// Whether a file begins as a run table does.
-pub fn is_table(path: &Path) -> bool {
+fn is_table(path: &Path) -> bool {
     let mut beginning = Vec::new();
     let read = File::open(path).and_then(|file| file.take(BEGINNING.len() as u64).read_to_end(&mut beginning));
     read.is_ok() && beginning == BEGINNING.as_bytes()

@@ -1,126 +1,116 @@
 //! An uncertain variable: a key of the case with a distribution, or the strength of its sheet.
 
 use super::StudyError;
-use super::distribution::{Distribution, WrittenDistribution};
-use super::variable::{Domain, Value, Variable, split_number};
+use super::distribution::Distribution;
+use super::error::fail;
+use super::variable::{Domain, Variable, number, split_number, split_pair, written};
 use crate::case::Case;
 use crate::material::chaboche;
 use crate::units::{self, Dimensioned, Stress, significant};
-use toml_edit::{InlineTable, Value as Toml};
+use toml_edit::Value;
 
 /// Name of the factor on all stresses of the hardening law.
-pub const STRENGTH: &str = "strength";
+pub(super) const STRENGTH: &str = "strength";
 
 const HARDENING: &str = "material.hardening";
 
-/// A key with a distribution.
+/// A key with a distribution, or [`STRENGTH`].
 #[derive(Clone, Debug)]
-pub struct UncertainVariable {
-    /// Dotted path of keys, or [`STRENGTH`].
-    pub key: String,
-    /// In its unit.
-    pub distribution: Distribution,
-    variable: Variable,
-    /// The law that the strength scales.
-    hardening: Option<Toml>,
+pub(super) struct UncertainVariable {
+    pub variable: Variable,
+    distribution: Distribution,
+    /// The law that the strength scales, or that must be written into the case before one of its numbers can be changed.
+    hardening: Option<Value>,
 }
 
 impl UncertainVariable {
-    /// Reads the distribution of a key.
-    ///
-    /// # Errors
-    /// When that is no distribution, or asks for a value that the case does not write.
-    pub fn new(case: &Case, key: &str, scatter: &str) -> Result<Self, StudyError> {
-        let written = WrittenDistribution::read(key, scatter)?;
-        let hardening = if key == STRENGTH { Some(hardening(case)?) } else { law_of_library(case, key) };
-        let own = || if key == STRENGTH { Ok((1.0, String::new())) } else { own(case, key) };
-        let (distribution, unit) = written.of(key, own)?;
+    /// Reads `KEY=DISTRIBUTION`.
+    pub fn read(case: &Case, text: &str) -> Result<Self, StudyError> {
+        let help = "write KEY=DISTRIBUTION, such as \"friction=uniform 0.05..0.12\"";
+        let Some((key, distribution)) = split_pair(text) else {
+            return fail(format!("`{text}` gives no key a distribution"), help);
+        };
+        let is_strength = key == STRENGTH;
+        let own = || if is_strength { Ok((1.0, String::new())) } else { own_value(case, key) };
+        let (distribution, unit) = Distribution::read(key, distribution, own)?;
+        let hardening = if is_strength { Some(scalable_law(case)?) } else { library_law(case, key) };
         let variable = Variable { key: key.to_owned(), unit, domain: Domain::List(Vec::new()) };
-        Ok(Self { key: key.to_owned(), distribution, variable, hardening })
-    }
-
-    /// The column of its values.
-    pub fn header(&self) -> String {
-        self.variable.header()
+        Ok(Self { variable, distribution, hardening })
     }
 
     /// Its value at a coordinate between 0 and 1.
-    pub fn value(&self, coordinate: f64) -> Value {
-        Value::number(self.distribution.quantile(coordinate))
+    pub fn value(&self, coordinate: f64) -> String {
+        written(self.distribution.quantile(coordinate))
     }
 
     /// The overrides that set a value.
-    pub fn settings(&self, value: &Value) -> Vec<String> {
+    pub fn settings(&self, value: &str) -> Vec<String> {
+        let law = |law: &Value| format!("{HARDENING}={law}");
         match &self.hardening {
-            Some(law) if self.key == STRENGTH => {
-                let mut scaled = law.clone();
-                scale(&mut scaled, value.number.unwrap_or(1.0));
-                vec![format!("{HARDENING}={scaled}")]
+            Some(own) if self.variable.key == STRENGTH => {
+                let mut scaled = own.clone();
+                scale(&mut scaled, number(value).unwrap_or(1.0));
+                vec![law(&scaled)]
             }
-            law => law.iter().map(|law| format!("{HARDENING}={law}")).chain([self.variable.setting(value)]).collect(),
+            own => own.iter().map(law).chain([self.variable.setting(value)]).collect(),
         }
     }
 
     /// Whether both set the same key.
     pub fn conflicts_with(&self, other: &Self) -> bool {
-        self.key == other.key || self.key == STRENGTH && other.key.starts_with(HARDENING)
+        let (own, other) = (&self.variable.key, &other.variable.key);
+        own == other || own == STRENGTH && other.starts_with(HARDENING)
     }
 }
 
 /// The case's value of a key, with its unit.
-fn own(case: &Case, key: &str) -> Result<(f64, String), StudyError> {
-    let found = case.written(key);
+fn own_value(case: &Case, key: &str) -> Result<(f64, String), StudyError> {
+    let all = case.written(key);
     let wrong = |what: String| StudyError::new(what, "write the middle too: \"normal 1 ± 0.02 mm\"");
-    let (path, text) = found.first().ok_or_else(|| wrong(format!("the case writes no {key} to scatter about")))?;
-    if let Some((other, differs)) = found.iter().find(|(_, other)| other != text) {
+    let (path, text) = all.first().ok_or_else(|| wrong(format!("the case writes no {key} to scatter about")))?;
+    if let Some((other, differs)) = all.iter().find(|(_, other)| other != text) {
         return Err(wrong(format!("the case has {text} at {path} and {differs} at {other}")));
     }
     let (number, unit) = split_number(text).ok_or_else(|| wrong(format!("{path} is no number in the case: {text}")))?;
     Ok((number, unit.to_owned()))
 }
 
-/// The law of a library sheet, which must be written into the case before one of its numbers can be changed.
-fn law_of_library(case: &Case, key: &str) -> Option<Toml> {
-    let is_own = case
-        .text
-        .parse::<toml_edit::DocumentMut>()
-        .is_ok_and(|text| text.get("material").and_then(|material| material.get("hardening")).is_some());
-    if is_own || !key.starts_with(HARDENING) { None } else { case.hardening() }
+/// The law of a library sheet.
+fn library_law(case: &Case, key: &str) -> Option<Value> {
+    let text = case.text.parse::<toml_edit::DocumentMut>();
+    let is_own = text.is_ok_and(|text| text.get("material").and_then(|material| material.get("hardening")).is_some());
+    case.hardening().filter(|_| !is_own && key.starts_with(HARDENING))
 }
 
 /// The hardening law with stresses that a factor can scale.
-fn hardening(case: &Case) -> Result<Toml, StudyError> {
+fn scalable_law(case: &Case) -> Result<Value, StudyError> {
     let wrong = |what: &str| {
         let help = "vary the law's own numbers: \"material.hardening.swift.k=normal ± 5 %\"";
-        StudyError::new(format!("{STRENGTH}: {what}"), help)
+        fail(format!("{STRENGTH}: {what}"), help)
     };
-    if chaboche::shifting(case.model().material.chaboche).is_some() {
-        return Err(wrong("the sheet has back-stresses, which are not of its hardening law"));
-    }
-    let law = case.hardening().ok_or_else(|| wrong("the case writes no hardening law"))?;
-    match scale(&mut law.clone(), 1.0) {
-        0 => Err(wrong("the hardening law has no stresses in the case's text")),
-        _ => Ok(law),
+    match case.hardening() {
+        _ if chaboche::shifting(case.model().material.chaboche).is_some() => {
+            wrong("the sheet has back-stresses, which are not of its hardening law")
+        }
+        None => wrong("the case writes no hardening law"),
+        Some(law) if scale(&mut law.clone(), 1.0) == 0 => {
+            wrong("the hardening law has no stresses in the case's text")
+        }
+        Some(law) => Ok(law),
     }
 }
 
 /// Multiplies all stresses in a value; returns how many there are.
-fn scale(value: &mut Toml, factor: f64) -> usize {
+fn scale(value: &mut Value, factor: f64) -> usize {
     match value {
-        Toml::InlineTable(table) => in_table(table, factor),
-        Toml::Array(array) => array.iter_mut().map(|item| scale(item, factor)).sum(),
-        Toml::String(text) => {
-            let is_stress =
-                |text: &str| units::parse(text).is_ok_and(|found| found.dimension == Stress::KIND.dimension);
-            let Some((number, unit)) = split_number(text.value()).filter(|_| is_stress(text.value())) else { return 0 };
-            let scaled = format!("{} {unit}", significant(number * factor, 12));
-            *value = scaled.into();
+        Value::InlineTable(table) => table.iter_mut().map(|(_, value)| scale(value, factor)).sum(),
+        Value::Array(array) => array.iter_mut().map(|item| scale(item, factor)).sum(),
+        Value::String(text) => {
+            let is_stress = units::parse(text.value()).is_ok_and(|x| x.dimension == Stress::KIND.dimension);
+            let Some((number, unit)) = split_number(text.value()).filter(|_| is_stress) else { return 0 };
+            *value = format!("{} {unit}", significant(number * factor, 12)).into();
             1
         }
         _ => 0,
     }
-}
-
-fn in_table(table: &mut InlineTable, factor: f64) -> usize {
-    table.iter_mut().map(|(_, value)| scale(value, factor)).sum()
 }

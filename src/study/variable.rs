@@ -10,95 +10,49 @@
 //! ```
 
 use super::StudyError;
+use super::error::fail;
 use crate::table::Spacing;
 use crate::units::{Unit, parse, significant};
 
-/// Digits of computed values.
-const DIGITS: usize = 12;
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;
-const USAGE: &str = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
 
-/// A key of the case and its values.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Variable {
+#[derive(Clone, Debug)]
+pub(super) struct Variable {
     /// Dotted path of keys, as in an override.
     pub key: String,
-    /// Unit of all values; empty for plain numbers and words.
+    /// Empty for plain numbers and words.
     pub unit: String,
-    /// Its values.
     pub domain: Domain,
 }
 
-/// Values of a variable.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Domain {
-    /// A list, at least one.
-    List(Vec<Value>),
-    /// An interval.
+#[derive(Clone, Debug)]
+pub(super) enum Domain {
+    List(Vec<String>),
     Range(SearchRange),
 }
 
-/// An interval of a variable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SearchRange {
-    /// First and last value, in the variable's unit; not sorted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SearchRange {
+    /// In the variable's unit; not sorted.
     pub ends: [f64; 2],
-    /// Number of values, if given.
     pub count: Option<usize>,
-    /// Even differences or even ratios.
     pub spacing: Spacing,
-    /// Start of a fit, if given.
     pub start: Option<f64>,
 }
 
-/// A value of a variable.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Value {
-    /// Without the unit.
-    pub text: String,
-    /// In the variable's unit; `None` for a word.
-    pub number: Option<f64>,
-}
-
-impl Value {
-    /// A number.
-    pub fn number(number: f64) -> Self {
-        let number = significant(number, DIGITS);
-        Self { text: number.to_string(), number: Some(number) }
-    }
-
-    fn read(text: &str) -> Self {
-        Self { text: text.to_owned(), number: text.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite()) }
-    }
-}
-
 impl Variable {
-    /// Reads variables that move together, `KEY=VALUES` joined by `&`.
-    ///
-    /// # Errors
-    /// When one of them gives no values.
-    pub fn read_together(text: &str) -> Result<Vec<Self>, StudyError> {
-        text.split('&').map(Self::read).collect()
-    }
-
-    /// Reads `KEY=VALUES`.
-    ///
-    /// # Errors
-    /// When either is missing or the values cannot be read.
     pub fn read(text: &str) -> Result<Self, StudyError> {
+        let help = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
+        let pair = split_pair(text);
         let (key, values) =
-            split_pair(text).ok_or_else(|| StudyError::new(format!("`{}` gives no key values", text.trim()), USAGE))?;
-        Self::new(key, values)
-    }
-
-    /// Reads the values of a key.
-    ///
-    /// # Errors
-    /// When a range is empty, a value is missing, or units differ.
-    pub fn new(key: &str, values: &str) -> Result<Self, StudyError> {
-        let Some((from, to)) = values.split_once("..") else { return Self::list(key, values) };
-        reject_decimal_comma(key, values)?;
-        Self::range(key, values, from, to)
+            pair.ok_or_else(|| StudyError::new(format!("`{}` gives no key values", text.trim()), help))?;
+        match values.split_once("..") {
+            None => Self::list(key, values),
+            Some((from, to)) => {
+                reject_decimal_comma(key, values)?;
+                Self::range(key, values, from, to)
+            }
+        }
     }
 
     fn range(key: &str, values: &str, from: &str, to: &str) -> Result<Self, StudyError> {
@@ -107,15 +61,12 @@ impl Variable {
                 "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
             StudyError::new(format!("{key}: the range `{values}` {what}"), help)
         };
-        let number = |text, what| number_or(text, || wrong(what));
+        let number = |text: &str, what| split_number(text.trim()).map(|(x, unit)| (x, unit.to_owned())).ok_or_else(|| wrong(what));
         let (start, from) = match from.split_once(" in ") {
             Some((start, from)) => (Some(number(start, "does not start with a number")?.0), from),
             None => (None, from),
         };
-        let (to, is_log) = match to.trim_end().strip_suffix("log") {
-            Some(to) => (to.trim_end(), true),
-            None => (to, false),
-        };
+        let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to.trim_end(), true));
         let (to, count) = match to.rsplit_once('/').map(|(to, count)| (to, count.trim().parse::<usize>())) {
             Some((to, Ok(count))) => (to, Some(count)),
             _ => (to, None),
@@ -125,7 +76,7 @@ impl Variable {
         }
         let (low, low_unit) = number(from, "does not begin with a number")?;
         let (high, unit) = number(to, "does not end with a number")?;
-        one_unit([low_unit, unit]).map_err(|units| wrong(&units))?;
+        one_unit(&low_unit, &unit).map_err(|units| wrong(&units))?;
         if low == high {
             return Err(wrong("has no width"));
         }
@@ -135,80 +86,68 @@ impl Variable {
         if start.is_some_and(|start| !(low.min(high)..=low.max(high)).contains(&start)) {
             return Err(wrong("does not hold its start"));
         }
-        check_unit(key, unit)?;
+        check_unit(key, &unit)?;
         let range = SearchRange { ends: [low, high], count, spacing: Spacing::of(is_log), start };
-        Ok(Self { key: key.into(), unit: unit.into(), domain: Domain::Range(range) })
+        Ok(Self { key: key.into(), unit, domain: Domain::Range(range) })
     }
 
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
         if let Some(point) = decimal_point(values) {
             let what = format!("{key}: a decimal comma, or two values, in `{values}`");
-            let help = format!("write a point, {point}, or a blank behind a comma between values");
-            return Err(StudyError::new(what, help));
+            return fail(what, format!("write a point, {point}, or a blank behind a comma between values"));
         }
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
         let wrong = |what: &str| {
-            StudyError::new(
-                format!("{key}: {what} in `{values}`"),
-                "write A,B,C with one unit behind all: \"4,6,8 mm\"",
-            )
+            let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
+            StudyError::new(format!("{key}: {what} in `{values}`"), help)
         };
-        if items.iter().any(|item| item.is_empty()) {
+        if items.contains(&"") {
             return Err(wrong("a value is missing"));
         }
         let numbers: Option<Vec<_>> = items.iter().map(|item| split_number(item)).collect();
         let unit = numbers.as_ref().and_then(|numbers| numbers.last()).map_or("", |(_, unit)| unit);
         for (_, other) in numbers.iter().flatten() {
-            one_unit([other, unit]).map_err(|units| wrong(&units))?;
+            one_unit(other, unit).map_err(|units| wrong(&units))?;
         }
         check_unit(key, unit)?;
-        let list = items.iter().map(|item| Value::read(item.strip_suffix(unit).unwrap_or(item).trim())).collect();
+        let list = items.iter().map(|item| item.strip_suffix(unit).unwrap_or(item).trim().to_owned()).collect();
         Ok(Self { key: key.into(), unit: unit.into(), domain: Domain::List(list) })
     }
 
     /// All values, for a design of experiments.
-    ///
-    /// # Errors
-    /// When a range has no number of values.
-    pub fn values(&self) -> Result<Vec<Value>, StudyError> {
+    pub fn values(&self) -> Result<Vec<String>, StudyError> {
         match &self.domain {
             Domain::List(values) => Ok(values.clone()),
             Domain::Range(SearchRange { ends, count: Some(count), spacing, .. }) => {
                 let last = count - 1;
-                let at = |i: usize| match i {
-                    0 => ends[0],
-                    i if i == last => ends[1],
-                    i => spacing.between(*ends, i as f64 / last as f64),
-                };
-                Ok((0..*count).map(|i| Value::number(at(i))).collect())
+                let at = |i: usize| if i == last { ends[1] } else { spacing.between(*ends, i as f64 / last as f64) };
+                Ok((0..*count).map(|i| written(at(i))).collect())
             }
             Domain::Range(_) => {
-                let help = "write /N behind it: \"4..10 mm/7\"";
-                Err(StudyError::new(format!("{}: the range does not say how many values", self.key), help))
+                let what = format!("{}: the range does not say how many values", self.key);
+                fail(what, "write /N behind it: \"4..10 mm/7\"")
             }
         }
     }
 
     /// The interval, for a search or a fit.
-    ///
-    /// # Errors
-    /// When it is a list.
     pub fn search_range(&self) -> Result<SearchRange, StudyError> {
         match self.domain {
             Domain::Range(range) => Ok(range),
             Domain::List(_) => {
                 let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
-                Err(StudyError::new(format!("`{}` gives no range to search", self.key), help))
+                fail(format!("`{}` gives no range to search", self.key), help)
             }
         }
     }
 
-    /// The override that sets a value.
-    pub fn setting(&self, value: &Value) -> String {
-        match (&value.number, self.unit.as_str()) {
-            (None, _) => format!("{}={:?}", self.key, value.text),
-            (_, "") => format!("{}={}", self.key, value.text),
-            (_, unit) => format!("{}={} {unit}", self.key, value.text),
+    /// The override that sets a value, a number or a word.
+    pub fn setting(&self, value: &str) -> String {
+        let Self { key, unit, .. } = self;
+        match (number(value), unit.as_str()) {
+            (None, _) => format!("{key}={value:?}"),
+            (_, "") => format!("{key}={value}"),
+            (_, unit) => format!("{key}={value} {unit}"),
         }
     }
 
@@ -218,15 +157,13 @@ impl Variable {
         if unit.is_empty() { self.key.clone() } else { format!("{}_{unit}", self.key) }
     }
 
-    /// A value with its unit.
     pub fn display(&self, value: f64) -> String {
         format!("{} {}", significant(value, 6), self.unit).trim_end().to_owned()
     }
 
     /// Name for tables and axes; the key if it has none.
-    pub fn label(&self) -> String {
-        let name = NAMES.iter().find(|(key, _)| *key == self.key);
-        name.map_or_else(|| self.key.clone(), |(_, name)| (*name).to_owned())
+    pub fn label(&self) -> &str {
+        NAMES.iter().find(|(key, _)| *key == self.key).map_or(&self.key, |(_, name)| name)
     }
 
     /// Solver unit of an axis, and the factor from the variable's unit to it.
@@ -236,8 +173,7 @@ impl Variable {
 
     /// A quantity as written, in the variable's unit; `None` in another dimension.
     pub fn in_unit(&self, text: &str) -> Option<f64> {
-        let [own, one] = [text.to_owned(), format!("1 {}", self.unit)].map(|text| parse(&text).ok());
-        let (own, one) = (own?, one?);
+        let (own, one) = (parse(text).ok()?, parse(&format!("1 {}", self.unit)).ok()?);
         (own.dimension == one.dimension).then_some(own.value / one.value)
     }
 }
@@ -264,6 +200,22 @@ const NAMES: [(&str, &str); 18] = [
     ("press.force", "Rating of the press"),
 ];
 
+/// A value of a variable as a number; `None` for a word.
+pub(super) fn number(value: &str) -> Option<f64> {
+    value.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
+}
+
+/// A computed value of a variable, to 12 digits.
+pub(super) fn written(value: f64) -> String {
+    significant(value, 12).to_string()
+}
+
+/// A key that several variables have.
+pub(super) fn repeated<'a>(variables: impl Iterator<Item = &'a Variable>) -> Option<&'a str> {
+    let keys: Vec<&str> = variables.map(|variable| variable.key.as_str()).collect();
+    (1..keys.len()).find(|&i| keys[..i].contains(&keys[i])).map(|i| keys[i])
+}
+
 /// Key and values around the first `=`; `None` if either is empty.
 pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     let (key, values) = text.split_once('=')?;
@@ -279,19 +231,15 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
             || (matches!(c, 'e' | 'E') && is_exponent(&text[i + 1..]))
     };
     let end = text.char_indices().find(|&at| !is_of_number(at)).map_or(text.len(), |(i, _)| i);
-    let number: f64 = text[..end].replace('−', "-").parse().ok()?;
-    number.is_finite().then(|| (number, text[end..].trim()))
+    Some((number(&text[..end])?, text[end..].trim()))
 }
 
-fn number_or(text: &str, wrong: impl FnOnce() -> StudyError) -> Result<(f64, &str), StudyError> {
-    split_number(text.trim()).ok_or_else(wrong)
-}
-
-fn one_unit([first, unit]: [&str; 2]) -> Result<(), String> {
-    if first.is_empty() || first == unit {
-        return Ok(());
+fn one_unit(first: &str, unit: &str) -> Result<(), String> {
+    match first {
+        "" => Ok(()),
+        _ if first == unit => Ok(()),
+        _ => Err(format!("has two units, {first} and {}", if unit.is_empty() { "none" } else { unit })),
     }
-    Err(format!("has two units, {first} and {}", if unit.is_empty() { "none" } else { unit }))
 }
 
 /// Refuses a decimal comma in a text that has no list.
@@ -300,10 +248,7 @@ pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyErr
     let parts: Vec<&str> = text.split(',').collect();
     let is_decimal = |pair: &[&str]| is_digit(pair[0].chars().next_back()) && is_digit(pair[1].chars().next());
     match parts.windows(2).any(is_decimal) {
-        true => Err(StudyError::new(
-            format!("{key}: a decimal comma in `{text}`"),
-            format!("write a point: {}", parts.join(".")),
-        )),
+        true => fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", parts.join("."))),
         false => Ok(()),
     }
 }
@@ -322,16 +267,62 @@ fn decimal_point(list: &str) -> Option<String> {
     parts.windows(2).any(is_decimal).then(|| if parts.len() == 2 { parts.join(".") } else { "0.04".to_owned() })
 }
 
-/// Refuses a unit that case files do not know.
+/// Refuses a unit that case files do not have; "6 t" is six thicknesses of the sheet.
 pub(super) fn check_unit(key: &str, unit: &str) -> Result<(), StudyError> {
     match parse(&format!("1 {unit}")) {
-        // "6 t" is six thicknesses of the sheet.
-        Err(_) if unit == "t" => Ok(()),
-        Ok(_) => Ok(()),
-        Err(error) => Err(StudyError::new(format!("{key}: {error}"), "write a unit of case files behind the values")),
+        Err(error) if unit != "t" => fail(format!("{key}: {error}"), "write a unit of case files behind the values"),
+        _ => Ok(()),
     }
 }
 
 #[cfg(test)]
-#[path = "variable_tests.rs"]
-mod tests;
+mod tests {
+    use super::*;
+
+    fn settings(text: &str) -> Result<Vec<String>, StudyError> {
+        let variable = Variable::read(text)?;
+        Ok(variable.values()?.iter().map(|value| variable.setting(value)).collect())
+    }
+
+    /// Trust: by hand.
+    #[test]
+    fn ranges_and_lists_give_the_overrides_that_a_user_would_type() {
+        for (text, expected) in [
+            ("a.b=4..10 mm/4", "a.b=4 mm|a.b=6 mm|a.b=8 mm|a.b=10 mm"),
+            ("k=0.1 .. 0.3/3", "k=0.1|k=0.2|k=0.3"),
+            ("k=1..100 GPa/3 log", "k=1 GPa|k=10 GPa|k=100 GPa"),
+            ("friction=0.04,0.08", "friction=0.04|friction=0.08"),
+            ("f=0,5,10 kN", "f=0 kN|f=5 kN|f=10 kN"),
+            ("material=dc04,\"dc06\"", "material=\"dc04\"|material=\"dc06\""),
+            ("f=1e3,2E+3 N", "f=1e3 N|f=2E+3 N"),
+        ] {
+            assert_eq!(settings(text).unwrap_or_else(|error| panic!("{error}")).join("|"), expected);
+        }
+        let range = Variable::read("a.k = 500 in 300 .. 800 MPa").expect("a range").search_range().expect("a range");
+        assert_eq!((range.start, range.ends), (Some(500.0), [300.0, 800.0]));
+        assert_eq!(Variable::read("a.b=1,2 N/mm").expect("a variable").header(), "a.b_N_per_mm");
+    }
+
+    /// Trust: each is wrong in the way that its message says.
+    #[test]
+    fn bad_ranges_and_lists_are_refused() {
+        for (text, message) in [
+            ("tools.die.shoulder", "gives no key values"),
+            ("a=4..10 mm", "does not say how many"),
+            ("a=4..10 mm/1", "has 1 values"),
+            ("a=4..4 mm/3", "has no width"),
+            ("a=4 in..10 mm/3", "has two units, in and mm"),
+            ("a=0..10 mm/3 log", "has no logarithms"),
+            ("a=4..10 mmm/3", "mmm"),
+            ("a=4,,6 mm", "a value is missing"),
+            ("a=4 in,6 mm", "two units"),
+            ("a=x..3/4", "does not begin with a number"),
+            ("a=5 in 1..3", "does not hold its start"),
+            ("friction=0,04", "a decimal comma, or two values, in `0,04`\n  help: write a point, 0.04"),
+            ("friction=0,04..0,12/3", "a decimal comma in `0,04..0,12/3`\n  help: write a point: 0.04..0.12/3"),
+        ] {
+            let error = settings(text).expect_err(text).to_string();
+            assert!(error.contains(message), "{text}: {error}");
+        }
+    }
+}

@@ -1,20 +1,21 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
-use super::estimate::{Estimate, correlated, estimates, table};
+use super::estimate::{Correlated, Estimate, estimates, table};
+use crate::compare::{Computed, Point};
 use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
-use crate::results::comparison::{Computed, Point};
+use crate::study::error::fail;
 use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
-use crate::study::variable::{Value, Variable};
-use crate::study::{BaseCase, MeasuredData, StudyError, StudyFile};
-use crate::table::Axis;
-use crate::verification::Watch;
+use crate::study::variable::{Variable, repeated, written};
+use crate::study::verify::Watch;
+use crate::study::{BaseCase, StudyError, StudyFile};
+use crate::units::significant;
 use std::convert::Infallible;
-use std::path::Path;
-use std::sync::Mutex;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Keys and the curves that they are fitted to.
@@ -22,8 +23,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub struct CaseFitRequest {
     base: BaseCase,
     variables: Vec<Variable>,
-    /// Start and ends of each variable.
-    ranges: Vec<(f64, [f64; 2])>,
+    parameters: Vec<Parameter>,
     curves: Vec<MeasuredCurve>,
 }
 
@@ -32,33 +32,20 @@ pub struct CaseFitRequest {
 pub struct CaseFit {
     /// The keys, in the order of the request.
     pub estimates: Vec<Estimate>,
-    /// Pairs of keys that the curves cannot tell apart, with their correlation.
-    pub correlated: Vec<(usize, usize, f64)>,
+    /// Pairs of keys that the curves cannot tell apart.
+    pub correlated: Vec<Correlated>,
     /// Root mean square of the weighted residuals, at the start and at the end \[–\].
     pub rms: [f64; 2],
     /// Reason of the end.
     pub ended: Ended,
-    /// Number of runs, and of those that failed or ended before the curves.
-    pub runs: [usize; 2],
-    /// Overrides that make the fitted case.
-    pub settings: Vec<String>,
     /// The fitted case.
     pub text: String,
-    /// Each curve beside the runs.
-    pub misfits: Vec<CurveMisfit>,
-}
-
-/// A measured curve beside the first and the fitted run.
-#[derive(Clone, Debug)]
-pub struct CurveMisfit {
-    curve: MeasuredCurve,
-    axes: [Axis; 2],
-    /// The points with the fitted run's values.
-    pub points: Vec<Point>,
-    /// Points that the first run did not reach.
-    pub left_out: usize,
-    before: Vec<(f64, f64)>,
-    after: Vec<(f64, f64)>,
+    settings: Vec<String>,
+    /// Runs that failed or ended before the curves do.
+    failed: usize,
+    charts: Vec<Chart>,
+    /// Name, points that the first run did not reach, and all points of each curve.
+    left_out: Vec<(String, usize, usize)>,
 }
 
 const LIMITS: Limits = Limits { steps: 25, change: 1e-6 };
@@ -67,101 +54,85 @@ const DIFFERENCE: f64 = 0.01;
 /// Correlation from which keys cannot be told apart \[–\].
 const TIED: f64 = 0.95;
 
+/// Points with the values of a run, and the run's own curve.
+type RunCurve = (Vec<Point>, Vec<(f64, f64)>);
+
 impl CaseFitRequest {
     /// Reads a case or study file; `vary` and `to` replace the study's own.
-    ///
-    /// # Errors
-    /// When it cannot be read, or as [`new`](Self::new).
-    pub fn load(path: &Path, set: Vec<String>, vary: &[String], to: &[MeasuredData]) -> Result<Self, StudyError> {
-        let (file, vary) = StudyFile::load(path, set, vary)?;
-        let own: Vec<MeasuredData> = file.curves().iter().cloned().map(MeasuredData::File).collect();
-        let to = if to.is_empty() { &own } else { to };
-        Self::new(BaseCase::load(&file.case, file.set.clone())?, &vary, to)
+    pub fn load(path: &Path, set: Vec<String>, vary: &[String], to: &[PathBuf]) -> Result<Self, StudyError> {
+        let file = StudyFile::load(path, set, vary)?;
+        Self::new(BaseCase::load(&file.case, file.set)?, &file.vary, if to.is_empty() { &file.to } else { to })
     }
 
     /// Fits `KEY=START in LOW..HIGH UNIT` keys to curves; to those of the case's comparisons if there are none.
-    ///
-    /// # Errors
-    /// When a key has no range, is given twice or makes no case, or there is no curve.
-    pub fn new(base: BaseCase, vary: &[String], to: &[MeasuredData]) -> Result<Self, StudyError> {
+    pub fn new(base: BaseCase, vary: &[String], to: &[PathBuf]) -> Result<Self, StudyError> {
         let variables = vary.iter().map(|text| Variable::read(text)).collect::<Result<Vec<_>, _>>()?;
         if variables.is_empty() {
-            let help = "give --vary \"tools.punch.friction=0.1 in 0.01..0.3\"";
-            return Err(StudyError::new("no key is to be fitted", help));
+            return fail("no key is to be fitted", "give --vary \"tools.punch.friction=0.1 in 0.01..0.3\"");
         }
-        if let Some(i) = (1..variables.len()).find(|&i| variables[..i].iter().any(|v| v.key == variables[i].key)) {
-            return Err(StudyError::new(format!("{} is given twice", variables[i].key), "give each key once"));
+        if let Some(key) = repeated(variables.iter()) {
+            return fail(format!("{key} is given twice"), "give each key once");
         }
-        let range = |variable: &Variable| {
+        let parameter = |variable: &Variable| {
             let range = variable.search_range()?;
             let [low, high] = [range.ends[0].min(range.ends[1]), range.ends[0].max(range.ends[1])];
-            Ok((range.start.unwrap_or(0.5 * (low + high)), [low, high]))
+            Ok(Parameter { start: range.start.unwrap_or(0.5 * (low + high)), low, high, step: DIFFERENCE * (high - low) })
         };
-        let ranges = variables.iter().map(range).collect::<Result<Vec<_>, StudyError>>()?;
+        let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
         let curves = match to {
             [] => MeasuredCurve::of_case(&base.case(&[])?),
-            to => to.iter().map(MeasuredCurve::load).collect::<Result<_, _>>()?,
+            to => to.iter().map(|path| MeasuredCurve::load(path)).collect::<Result<_, _>>()?,
         };
         if curves.is_empty() {
             let what = "there is no curve to fit to, and the case has no [[compare]] with one";
-            return Err(StudyError::new(what, "give --to curve.csv"));
+            return fail(what, "give --to curve.csv");
         }
-        let request = Self { base, variables, ranges, curves };
+        let request = Self { base, variables, parameters, curves };
         request.base.case(&request.settings(&request.starts()))?;
         Ok(request)
     }
 
     fn starts(&self) -> Vec<f64> {
-        self.ranges.iter().map(|(start, _)| *start).collect()
+        self.parameters.iter().map(|parameter| parameter.start).collect()
     }
 
     fn settings(&self, values: &[f64]) -> Vec<String> {
-        self.variables.iter().zip(values).map(|(v, value)| v.setting(&Value::number(*value))).collect()
+        self.variables.iter().zip(values).map(|(variable, value)| variable.setting(&written(*value))).collect()
     }
 
-    /// Points of every curve with the values of a run, and the run's own curve.
     fn run(&self, values: &[f64], watch: &dyn Watch) -> Result<Vec<RunCurve>, String> {
         let case = self.base.case(&self.settings(values)).map_err(|error| error.to_string())?;
         let solution = BaseCase::solve(case, watch)?;
         let computed = Computed::of(solution.stages.first().ok_or("nothing was solved")?);
-        let of = |curve: &MeasuredCurve| {
-            let (x, y) = computed.columns(curve.spec.quantity);
+        let pair = |curve: &MeasuredCurve| {
+            let (x, y) = curve.spec.quantity.columns(&computed);
             let points = curve.points(&computed).map_err(|error| error.to_string())?;
             Ok((points, x.values.into_iter().zip(y.values).collect()))
         };
-        self.curves.iter().map(of).collect()
+        self.curves.iter().map(pair).collect()
     }
 
     /// One over each point's standard deviation, or over the mean height of its curve; 0 where the run has no value.
-    fn weights(&self, first: &[RunCurve]) -> Result<Vec<Vec<f64>>, StudyError> {
-        let is_known = self.is_weighted(first);
-        let of = |(curve, (points, _)): (&MeasuredCurve, &RunCurve)| -> Vec<f64> {
+    fn weights(&self, first: &[RunCurve], is_weighted: bool) -> Result<Vec<Vec<f64>>, StudyError> {
+        let weights = |(curve, (points, _)): (&MeasuredCurve, &RunCurve)| -> Vec<f64> {
             let mean = points.iter().map(|p| p.reference.abs()).sum::<f64>() / points.len() as f64;
-            let deviations = curve.deviations(points).filter(|_| is_known);
+            let deviations = curve.deviations(points).filter(|_| is_weighted);
             let sizes = deviations.unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
             points.iter().zip(sizes).map(|(p, size)| if p.computed.is_some() { 1.0 / size } else { 0.0 }).collect()
         };
-        let weights: Vec<Vec<f64>> = self.curves.iter().zip(first).map(of).collect();
-        let used = |weights: &Vec<f64>| weights.iter().filter(|weight| **weight > 0.0).count();
-        if let Some(i) = weights.iter().position(|weights| used(weights) == 0) {
+        let all: Vec<Vec<f64>> = self.curves.iter().zip(first).map(weights).collect();
+        let counts: Vec<usize> = all.iter().map(|weights| weights.iter().filter(|w| **w > 0.0).count()).collect();
+        if let Some(i) = counts.iter().position(|count| *count == 0) {
             let what = format!("{} does not overlap the run", self.curves[i].path.display());
-            return Err(StudyError::new(what, "check its unit and where its travel begins"));
+            return fail(what, "check its unit and where its travel begins");
         }
-        let count: usize = weights.iter().map(used).sum();
-        if count <= self.variables.len() {
-            let what = format!("{count} points for {} keys", self.variables.len());
-            return Err(StudyError::new(what, "a fit needs more points than keys"));
+        let (count, keys) = (counts.iter().sum::<usize>(), self.variables.len());
+        if count <= keys {
+            return fail(format!("{count} points for {keys} keys"), "a fit needs more points than keys");
         }
-        Ok(weights)
-    }
-
-    fn is_weighted(&self, first: &[RunCurve]) -> bool {
-        self.curves.iter().zip(first).all(|(curve, (points, _))| curve.deviations(points).is_some())
+        Ok(all)
     }
 }
-
-/// Points with the values of a run, and the run's curve.
-type RunCurve = (Vec<Point>, Vec<(f64, f64)>);
 
 struct Runner<'a> {
     request: &'a CaseFitRequest,
@@ -170,36 +141,10 @@ struct Runner<'a> {
     watch: &'a dyn Watch,
     done: AtomicUsize,
     failed: AtomicUsize,
-    why: Mutex<Option<String>>,
-}
-
-impl Watch for Runner<'_> {
-    fn wants_to_stop(&self) -> bool {
-        self.watch.wants_to_stop()
-    }
-
-    fn ran(&self, _: usize, _: usize) {
-        let done = 1 + self.done.fetch_add(1, Ordering::Relaxed);
-        let expected = 1 + 7 * (2 * self.request.variables.len() + 2);
-        self.watch.ran(done, expected.max(done + 1));
-    }
+    reason: OnceLock<String>,
 }
 
 impl Runner<'_> {
-    fn one(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let curves = self
-            .request
-            .run(values, self.watch)
-            .and_then(|curves| self.residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned()));
-        let failed = |why: &String| {
-            self.failed.fetch_add(1, Ordering::Relaxed);
-            if let Ok(mut first) = self.why.lock() {
-                first.get_or_insert_with(|| why.clone());
-            }
-        };
-        curves.inspect_err(failed).ok()
-    }
-
     fn residuals(&self, curves: &[RunCurve]) -> Option<Vec<f64>> {
         let all = curves.iter().zip(&self.weights).flat_map(|((points, _), weights)| points.iter().zip(weights));
         let used = all.filter(|(_, weight)| **weight > 0.0);
@@ -209,76 +154,80 @@ impl Runner<'_> {
 
 impl Residuals for Runner<'_> {
     fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
+        let one = |values: &Vec<f64>| {
+            let curves = self.request.run(values, self.watch);
+            let residuals = curves.and_then(|curves| {
+                self.residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned())
+            });
+            let residuals = residuals.map_err(|reason| {
+                self.failed.fetch_add(1, Ordering::Relaxed);
+                self.reason.get_or_init(|| reason);
+            });
+            residuals.ok()
+        };
         let mut all = Vec::with_capacity(points.len());
-        let Ok(()) = parallel_map(
-            points,
-            self.threads,
-            self,
-            |point| self.one(point),
-            |one| {
-                all.push(one);
-                Ok::<_, Infallible>(())
-            },
-        );
+        let expected = 1 + 7 * (2 * self.request.variables.len() + 2);
+        let Ok(()) = parallel_map(points, self.threads, self.watch, one, |one| {
+            all.push(one);
+            let done = 1 + self.done.fetch_add(1, Ordering::Relaxed);
+            self.watch.ran(done, expected.max(done + 1));
+            Ok::<_, Infallible>(())
+        });
         if all.len() < points.len() { Vec::new() } else { all }
     }
 }
 
 /// Fits the keys of a case. After `watch` asks to stop, the best so far is returned.
-///
-/// # Errors
-/// When the case cannot be run at the start, a curve does not overlap it, or all runs of a key fail.
 pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> Result<CaseFit, StudyError> {
-    let start = request.starts();
-    let first = request.run(&start, watch).map_err(|why| {
-        StudyError::new(format!("the case at the start of the fit: {why}"), "begin where it can be run")
+    let first = request.run(&request.starts(), watch).map_err(|reason| {
+        StudyError::new(format!("the case at the start of the fit: {reason}"), "begin where it can be run")
     })?;
-    let weights = request.weights(&first)?;
+    let is_weighted = request.curves.iter().zip(&first).all(|(curve, (points, _))| curve.deviations(points).is_some());
+    let weights = request.weights(&first, is_weighted)?;
     let (done, failed) = (AtomicUsize::new(1), AtomicUsize::new(0));
-    let runner = Runner { request, weights, threads, watch, done, failed, why: Mutex::new(None) };
-    let parameter = |(start, [low, high]): &(f64, [f64; 2])| Parameter {
-        start: *start,
-        low: *low,
-        high: *high,
-        step: DIFFERENCE * (high - low),
+    let runner = Runner { request, weights, threads, watch, done, failed, reason: OnceLock::new() };
+    let Some(minimum) = minimise(&request.parameters, &runner, LIMITS) else {
+        return fail("the fit was ended before its first step", "let it run");
     };
-    let parameters: Vec<Parameter> = request.ranges.iter().map(parameter).collect();
-    let stopped = || StudyError::new("the fit was ended before its first step", "let it run");
-    let minimum = minimise(&parameters, &runner, LIMITS).ok_or_else(stopped)?;
     if let Ended::Blind(j) = minimum.ended {
-        let why = runner.why.lock().ok().and_then(|why| why.clone()).unwrap_or_default();
         let (key, value) = (&request.variables[j].key, minimum.values[j]);
-        let what = format!("no run succeeds on either side of {key} = {value}: {why}");
-        return Err(StudyError::new(what, "begin elsewhere, or narrow the ranges"));
+        let reason = runner.reason.get().map_or("", String::as_str);
+        let what = format!("no run succeeds on either side of {key} = {value}: {reason}");
+        return fail(what, "begin elsewhere, or narrow the ranges");
     }
-    let names: Vec<(String, String)> = request.variables.iter().map(|v| (v.key.clone(), v.unit.clone())).collect();
-    let least = if request.is_weighted(&first) { 1.0 } else { 0.0 };
-    let (estimates, covariance) = estimates(&names, &parameters, &minimum, least);
+    let names: Vec<(&str, &str)> = request.variables.iter().map(|v| (v.key.as_str(), v.unit.as_str())).collect();
+    let (estimates, correlated) = estimates(&names, &request.parameters, &minimum, is_weighted, TIED);
     let written: Vec<f64> = estimates.iter().map(|e| e.written().parse().unwrap_or(e.value)).collect();
     let settings = request.settings(&written);
     // Also after an interruption: the best so far is shown.
-    let last = request.run(&minimum.values, &()).map_err(|why| StudyError::new(why, "begin elsewhere"))?;
+    let last = request.run(&minimum.values, &()).map_err(|reason| StudyError::new(reason, "begin elsewhere"))?;
     let rms = |residuals: &[f64]| (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
-    let before = rms(&runner.residuals(&first).unwrap_or_default());
     let case = request.base.case(&[])?;
-    let misfits = request.curves.iter().zip(first).zip(last).zip(&runner.weights);
-    let misfits = misfits.map(|(((curve, (_, before)), (points, after)), weights)| CurveMisfit {
-        curve: curve.clone(),
-        axes: curve.axes(case.model()),
-        points,
-        left_out: weights.iter().filter(|weight| **weight == 0.0).count(),
-        before,
-        after,
-    });
+    let before = rms(&runner.residuals(&first).unwrap_or_default());
+    let (mut charts, mut left_out) = (Vec::new(), Vec::new());
+    for (((curve, (_, before)), (points, after)), weights) in
+        request.curves.iter().zip(first).zip(last).zip(&runner.weights)
+    {
+        left_out.push((curve.name(), weights.iter().filter(|weight| **weight == 0.0).count(), points.len()));
+        let measured = points.iter().map(|p| (p.x, p.reference)).collect();
+        let series = [
+            Series::new("Run at the start", before, Style::curve(1)),
+            Series::new("Fitted run", after, Style::curve(0)),
+            Series::new(curve.name(), measured, Style::Circles { color: BLACK }),
+        ];
+        let [x, y] = curve.axes(case.model());
+        charts.push(Chart::new("", vec![Panel::fit(x, y, 350.0, 0.0).with(series)], Vec::new()));
+    }
     Ok(CaseFit {
         estimates,
-        correlated: correlated(covariance.as_ref(), TIED),
+        correlated,
         rms: [before, rms(&minimum.residuals)],
         ended: if watch.wants_to_stop() { Ended::Stopped } else { minimum.ended },
-        runs: [1 + runner.done.load(Ordering::Relaxed), runner.failed.load(Ordering::Relaxed)],
         text: request.base.case(&settings)?.text,
         settings,
-        misfits: misfits.collect(),
+        failed: runner.failed.into_inner(),
+        charts,
+        left_out,
     })
 }
 
@@ -286,10 +235,10 @@ impl CaseFit {
     /// Headline, notes, table and charts.
     pub fn report(&self) -> StudyReport {
         let keys = self.estimates.iter().map(|e| {
-            let error = e.error.map_or_else(String::new, |error| format!(" ± {}", crate::units::significant(error, 2)));
+            let error = e.error.map_or_else(String::new, |error| format!(" ± {}", significant(error, 2)));
             format!("{} = {}{error} {}", e.key, e.written(), e.unit).trim_end().to_owned()
         });
-        let [before, after] = self.rms.map(|rms| crate::units::significant(rms, 2));
+        let [before, after] = self.rms.map(|rms| significant(rms, 2));
         let mut notes = vec![format!("Weighted misfit {before} at the start, {after} at the end (r.m.s.).")];
         match self.ended {
             Ended::Found => {}
@@ -303,38 +252,20 @@ impl CaseFit {
             let [a, b] = [i, j].map(|i| &self.estimates[*i].key);
             notes.push(format!("{a} and {b} cannot be told apart by these curves (correlation {correlation:.2})."));
         }
-        for misfit in self.misfits.iter().filter(|misfit| misfit.left_out > 0) {
-            let (n, all, file) = (misfit.left_out, misfit.points.len(), misfit.curve.name());
+        for (file, n, all) in self.left_out.iter().filter(|(_, n, _)| *n > 0) {
             notes.push(format!("{n} of {all} points of {file} are left out: the run at the start ended before them."));
         }
-        if self.runs[1] > 0 {
-            notes.push(format!("{} runs failed or ended before the curves do.", self.runs[1]));
+        if self.failed > 0 {
+            notes.push(format!("{} runs failed or ended before the curves do.", self.failed));
         }
         notes.push(self.settings.iter().map(|s| format!("--set \"{s}\"")).collect::<Vec<_>>().join(" "));
-        let charts = self
-            .misfits
-            .iter()
-            .enumerate()
-            .map(|(i, misfit)| (if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) }, misfit.chart()));
+        let name = |i: usize| if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) };
         StudyReport {
             headline: format!("{}.", keys.collect::<Vec<_>>().join(", ")),
             notes,
-            tables: vec![table(&self.estimates.iter().map(|e| ("case", e)).collect::<Vec<_>>())],
+            tables: vec![table(self.estimates.iter().map(|e| ("case".to_owned(), e)))],
             found: true,
-            charts: charts.collect(),
+            charts: self.charts.iter().enumerate().map(|(i, chart)| (name(i), chart.clone())).collect(),
         }
-    }
-}
-
-impl CurveMisfit {
-    fn chart(&self) -> Chart {
-        let points = self.points.iter().map(|p| (p.x, p.reference)).collect();
-        let series = vec![
-            Series::new("Run at the start", self.before.clone(), Style::curve(1)),
-            Series::new("Fitted run", self.after.clone(), Style::curve(0)),
-            Series::new(self.curve.name(), points, Style::Circles { color: BLACK }),
-        ];
-        let [x, y] = self.axes.clone();
-        Chart::new("", vec![Panel::fit(x, y, 350.0, 0.0).with(series)], Vec::new())
     }
 }

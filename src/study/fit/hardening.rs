@@ -1,5 +1,6 @@
 //! Hardening and rate laws that can be fitted: parameters, ranges and starting points.
 
+use super::flow_curve::straight_line;
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 use std::str::FromStr;
@@ -17,30 +18,30 @@ pub enum HardeningKind {
     Ludwik,
 }
 
-/// Range of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ParameterRange {
     pub key: &'static str,
-    /// `MPa`, or none.
+    /// `MPa`, `/s`, or none.
     pub unit: &'static str,
     pub low: f64,
     pub high: f64,
 }
 
-const STRESS: [f64; 2] = [1.0, 1e5];
+const fn range(key: &'static str, unit: &'static str, low: f64, high: f64) -> ParameterRange {
+    ParameterRange { key, unit, low, high }
+}
+
+const fn stress(key: &'static str) -> ParameterRange {
+    range(key, "MPa", 1.0, 1e5)
+}
 
 impl HardeningKind {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Swift, Self::Voce, Self::HockettSherby, Self::Ludwik];
 
     /// Name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Swift => "swift",
-            Self::Voce => "voce",
-            Self::HockettSherby => "hockett-sherby",
-            Self::Ludwik => "ludwik",
-        }
+    pub fn name(self) -> String {
+        self.label().to_lowercase()
     }
 
     /// Name as people write it.
@@ -54,19 +55,16 @@ impl HardeningKind {
     }
 
     pub(super) fn parameters(self) -> Vec<ParameterRange> {
-        let stress = |key| ParameterRange { key, unit: "MPa", low: STRESS[0], high: STRESS[1] };
-        let plain = |key, low, high| ParameterRange { key, unit: "", low, high };
+        let [initial, saturation, rate] = [stress("initial"), stress("saturation"), range("rate", "", 0.0, 1e3)];
         match self {
-            Self::Swift => vec![stress("k"), plain("n", 0.0, 1.0), plain("offset", 1e-6, 1.0)],
-            Self::Voce => vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3)],
-            Self::HockettSherby => {
-                vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3), plain("exponent", 0.05, 1.0)]
-            }
-            Self::Ludwik => vec![stress("initial"), stress("k"), plain("n", 0.01, 1.0)],
+            Self::Swift => vec![stress("k"), range("n", "", 0.0, 1.0), range("offset", "", 1e-6, 1.0)],
+            Self::Voce => vec![initial, saturation, rate],
+            Self::HockettSherby => vec![initial, saturation, rate, range("exponent", "", 0.05, 1.0)],
+            Self::Ludwik => vec![initial, stress("k"), range("n", "", 0.01, 1.0)],
         }
     }
 
-    /// The solver's law of some parameters; `None` where they make none.
+    /// The solver's law of some parameters; `None` if they make none.
     pub fn law(self, p: &[f64]) -> Option<Hardening> {
         match self {
             Self::Swift => Swift::new(p[0], p[1], p[2]).ok().map(Hardening::Swift),
@@ -78,38 +76,29 @@ impl HardeningKind {
 
     /// Starting points: linear parameters by regression, for several values of the others.
     pub(super) fn starts(self, points: &[(f64, f64)]) -> Vec<Vec<f64>> {
-        let line = |x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64| {
-            let n = points.len() as f64;
-            let (sx, sy) = points.iter().fold((0.0, 0.0), |s, p| (s.0 + x(p.0) / n, s.1 + y(p.1) / n));
-            let (xy, xx) = points.iter().fold((0.0, 0.0), |s, p| {
-                let d = x(p.0) - sx;
-                (s.0 + d * (y(p.1) - sy), s.1 + d * d)
-            });
-            let slope = if xx > 0.0 { xy / xx } else { 0.0 };
-            (sy - slope * sx, slope)
+        let line = |x: &dyn Fn(f64) -> f64| {
+            let [intercept, slope, _] = straight_line(points.iter().map(|p| (x(p.0.max(0.0)), p.1)).collect());
+            (intercept, slope)
+        };
+        let swift = |offset: f64| {
+            let logarithms = points.iter().map(|p| ((offset + p.0.max(0.0)).ln(), p.1.max(1.0).ln()));
+            let [k, n, _] = straight_line(logarithms.collect());
+            vec![k.exp(), n, offset]
         };
         let saturating = |rate: f64, exponent: f64| {
-            let (end, span) = line(&|e: f64| (-rate * e.max(0.0).powf(exponent)).exp(), &|s| s);
+            let (end, span) = line(&|e| (-rate * e.powf(exponent)).exp());
             vec![end + span, end, rate, exponent]
+        };
+        let ludwik = |n: f64| {
+            let (initial, k) = line(&|e| e.powf(n));
+            vec![initial, k, n]
         };
         let rates = [1.0, 3.0, 8.0, 20.0, 60.0];
         match self {
-            Self::Swift => [1e-4, 1e-3, 5e-3, 2e-2, 0.1]
-                .map(|offset| {
-                    let (k, n) = line(&|e: f64| (offset + e.max(0.0)).ln(), &|s: f64| s.max(1.0).ln());
-                    vec![k.exp(), n, offset]
-                })
-                .to_vec(),
+            Self::Swift => [1e-4, 1e-3, 5e-3, 2e-2, 0.1].map(swift).to_vec(),
             Self::Voce => rates.map(|rate| saturating(rate, 1.0)[..3].to_vec()).to_vec(),
-            Self::HockettSherby => {
-                rates.iter().flat_map(|rate| [0.5, 0.75, 0.95].map(|exponent| saturating(*rate, exponent))).collect()
-            }
-            Self::Ludwik => [0.2, 0.4, 0.6, 0.8]
-                .map(|n| {
-                    let (initial, k) = line(&|e: f64| e.max(0.0).powf(n), &|s| s);
-                    vec![initial, k, n]
-                })
-                .to_vec(),
+            Self::HockettSherby => rates.map(|rate| [0.5, 0.75, 0.95].map(|n| saturating(rate, n))).concat(),
+            Self::Ludwik => [0.2, 0.4, 0.6, 0.8].map(ludwik).to_vec(),
         }
     }
 }
@@ -137,7 +126,6 @@ pub enum RateKind {
 impl RateKind {
     /// Parameters, each with its start.
     pub(super) fn parameters(self) -> Vec<(ParameterRange, f64)> {
-        let range = |key, unit, low, high| ParameterRange { key, unit, low, high };
         match self {
             Self::Power => vec![(range("rate.exponent", "", 0.0, 1.0), 0.02)],
             Self::JohnsonCook => vec![(range("rate.coefficient", "", 1e-9, 1.0), 0.02)],

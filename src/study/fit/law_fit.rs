@@ -1,12 +1,13 @@
 //! Hardening laws fitted to tension tests, with a rate law if the tests differ in their rate.
 
-use super::estimate::{Estimate, correlated, estimates};
+use super::estimate::{Correlated, Estimate, estimates};
 use super::flow_curve::{FlowCurve, FlowPoint};
-use super::hardening::{HardeningKind, RateKind};
+use super::hardening::{HardeningKind, ParameterRange, RateKind};
 use crate::material::hardening::Hardening;
 use crate::material::rate::Rate;
-use crate::numerics::least_squares::{Limits, Minimum, Parameter, minimise};
+use crate::numerics::least_squares::{Limits, Parameter, minimise};
 use crate::study::StudyError;
+use crate::study::error::fail;
 
 /// A fitted law.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +20,8 @@ pub struct LawFit {
     pub rate: Option<Rate>,
     /// Its parameters, those of the rate law last.
     pub estimates: Vec<Estimate>,
-    /// Pairs of parameters that the points cannot tell apart, with their correlation.
-    pub correlated: Vec<(usize, usize, f64)>,
+    /// Pairs of parameters that the points cannot tell apart.
+    pub correlated: Vec<Correlated>,
     /// Law less point, in the order of the points \[MPa\].
     pub misses: Vec<f64>,
     /// Root mean square of the misses \[MPa\].
@@ -40,23 +41,21 @@ pub struct LawFits {
     pub fits: Vec<LawFit>,
     /// Index of the law with the smallest criterion, of those within their ranges.
     pub best: usize,
-    /// Directions of the sheet; empty if none is given.
+    /// Directions of the sheet.
     pub directions: Vec<Direction>,
 }
 
 /// A direction of the sheet: means of its tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Direction {
-    /// To the rolling direction \[°\].
+    /// Angle to the rolling direction \[°\].
     pub angle: f64,
     /// Number of tests.
     pub tests: usize,
     /// Mean stress over that of the law, which is of the first direction \[–\].
     pub ratio: f64,
-    /// r-value \[–\].
-    pub r: Option<f64>,
-    /// Standard error of r \[–\].
-    pub r_error: Option<f64>,
+    /// r-value and its standard error \[–\].
+    pub r: Option<(f64, f64)>,
 }
 
 const LIMITS: Limits = Limits { steps: 200, change: 1e-9 };
@@ -69,134 +68,124 @@ const ROUND_OFF: f64 = 1e-8;
 /// Correlation from which parameters cannot be told apart \[–\].
 const TIED: f64 = 0.98;
 
-/// Fits laws to tests: all, or the wanted one. Tests in the first direction, 0° if there is one, are fitted to.
-///
-/// # Errors
-/// When no law can be fitted.
+/// Fits all laws, or the wanted one, to the tests in the first direction, 0° if there is one.
 pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<HardeningKind>, rate: RateKind) -> Result<LawFits, StudyError> {
     let kinds = wanted.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
-    let mut angles: Vec<f64> = tests.iter().filter_map(|test| test.direction).collect();
-    let first = angles.iter().copied().find(|angle| *angle == 0.0).or(angles.first().copied());
-    let fitted: Vec<&FlowCurve> = tests.iter().filter(|test| test.direction == first).collect();
-    let (mut fits, mut wrong) = (Vec::new(), None);
-    for kind in kinds {
-        match LawFit::new(kind, &fitted, rate) {
-            Ok(fit) => fits.push(fit),
-            Err(error) => wrong = wrong.or(Some(error)),
-        }
-    }
-    let rank = |fit: &LawFit| (fit.estimates.iter().any(|e| e.bound.is_some()), fit.aic);
+    let fitted: Vec<&FlowCurve> = in_first_direction(&tests).collect();
+    let results = kinds.into_iter().map(|kind| LawFit::new(kind, &fitted, rate));
+    let (fits, errors): (Vec<_>, Vec<_>) = results.partition(Result::is_ok);
+    let fits: Vec<LawFit> = fits.into_iter().flatten().collect();
+    let is_bound = |fit: &LawFit| fit.estimates.iter().any(|e| e.bound.is_some());
     let order = |a: &usize, b: &usize| {
-        let (a, b) = (rank(&fits[*a]), rank(&fits[*b]));
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        let (a, b) = (&fits[*a], &fits[*b]);
+        is_bound(a).cmp(&is_bound(b)).then(a.aic.total_cmp(&b.aic))
     };
     let Some(best) = (0..fits.len()).min_by(order) else {
-        return Err(wrong.unwrap_or_else(|| StudyError::new("no law is asked for", "name one by --law")));
+        let error = errors.into_iter().find_map(Result::err);
+        return error.map_or_else(|| fail("no law is asked for", "name one by --law"), Err);
     };
+    let mut angles: Vec<f64> = tests.iter().filter_map(|test| test.direction).collect();
     angles.sort_by(f64::total_cmp);
     angles.dedup();
-    let directions = angles.into_iter().map(|angle| direction(angle, &tests, &fits[best])).collect();
+    let directions = angles.into_iter().map(|angle| Direction::new(angle, &tests, &fits[best])).collect();
     Ok(LawFits { tests, fits, best, directions })
 }
 
-fn direction(angle: f64, tests: &[FlowCurve], law: &LawFit) -> Direction {
-    let own: Vec<&FlowCurve> = tests.iter().filter(|test| test.direction == Some(angle)).collect();
-    let stress = |test: &FlowCurve, point: &FlowPoint| point.stress / law.stress(point.strain, test.rate);
-    let ratios: Vec<f64> = own.iter().flat_map(|test| test.points.iter().map(|point| stress(test, point))).collect();
-    let r: Vec<(f64, f64)> = own.iter().filter_map(|test| test.r).collect();
-    let count = r.len() as f64;
-    Direction {
-        angle,
-        tests: own.len(),
-        ratio: ratios.iter().sum::<f64>() / ratios.len() as f64,
-        r: (!r.is_empty()).then(|| r.iter().map(|r| r.0).sum::<f64>() / count),
-        r_error: (!r.is_empty()).then(|| r.iter().map(|r| r.1 * r.1).sum::<f64>().sqrt() / count),
+fn in_first_direction(tests: &[FlowCurve]) -> impl Iterator<Item = &FlowCurve> {
+    let mut angles = tests.iter().filter_map(|test| test.direction);
+    let first = angles.clone().find(|angle| *angle == 0.0).or(angles.next());
+    tests.iter().filter(move |test| test.direction == first)
+}
+
+impl Direction {
+    fn new(angle: f64, tests: &[FlowCurve], law: &LawFit) -> Self {
+        let own: Vec<&FlowCurve> = tests.iter().filter(|test| test.direction == Some(angle)).collect();
+        let pairs = own.iter().flat_map(|test| test.points.iter().map(|point| (point, test.rate)));
+        let ratios: Vec<f64> = pairs.map(|(point, rate)| point.stress / law.stress(point.strain, rate)).collect();
+        let r: Vec<(f64, f64)> = own.iter().filter_map(|test| test.r).collect();
+        let count = r.len() as f64;
+        let mean = || r.iter().map(|r| r.0).sum::<f64>() / count;
+        let error = || r.iter().map(|r| r.1 * r.1).sum::<f64>().sqrt() / count;
+        let ratio = ratios.iter().sum::<f64>() / ratios.len() as f64;
+        Self { angle, tests: own.len(), ratio, r: (!r.is_empty()).then(|| (mean(), error())) }
     }
 }
 
 impl LawFit {
     /// Fits a law to tests, and a rate law if they have several rates.
-    ///
-    /// # Errors
-    /// When there are no more points than parameters, or the law cannot be fitted.
     pub fn new(kind: HardeningKind, tests: &[&FlowCurve], rate: RateKind) -> Result<Self, StudyError> {
-        let rates: Vec<f64> = tests.iter().filter_map(|test| test.rate).collect();
-        let slowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
-        let has_rate = rates.iter().any(|rate| *rate > slowest);
+        let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
+        let rate = Some(rate).filter(|_| tests.iter().any(|test| test.rate.is_some_and(|rate| rate > slowest)));
+        let (rate_ranges, rate_starts): (Vec<_>, Vec<f64>) = rate.into_iter().flat_map(RateKind::parameters).unzip();
         let mut ranges = kind.parameters();
         let split = ranges.len();
-        let rate_parameters = if has_rate { rate.parameters() } else { Vec::new() };
-        ranges.extend(rate_parameters.iter().map(|(range, _)| *range));
-        let points: Vec<(&FlowPoint, Option<f64>)> =
-            tests.iter().flat_map(|test| test.points.iter().map(|point| (point, test.rate))).collect();
+        ranges.extend(rate_ranges);
+        let points: Vec<(FlowPoint, Option<f64>)> =
+            tests.iter().flat_map(|test| test.points.iter().map(|point| (*point, test.rate))).collect();
         if points.len() <= ranges.len() {
             let what = format!("{} points for the {} parameters of {}", points.len(), ranges.len(), kind.label());
-            return Err(StudyError::new(
-                what,
-                "a fit needs more points than parameters: another --law, or more points",
-            ));
+            return fail(what, "a fit needs more points than parameters: another --law, or more points");
         }
         let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
         let weight = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).map_or(1.0, |scatter| 1.0 / scatter);
-        let stresses = |values: &[f64]| -> Option<Vec<f64>> {
-            let law = kind.law(&values[..split])?;
-            let rate = has_rate.then(|| rate.law(&values[split..], slowest));
-            let factor = |at: Option<f64>| rate.zip(at).map_or(1.0, |(law, at)| law.at(at).value);
-            Some(points.iter().map(|(point, at)| law.at(point.strain).stress * factor(*at)).collect())
+        let laws = |values: &[f64]| {
+            Some((kind.law(&values[..split])?, rate.map(|rate| rate.law(&values[split..], slowest))))
+        };
+        let misses = |values: &[f64]| -> Option<Vec<f64>> {
+            let (law, rate) = laws(values)?;
+            Some(points.iter().map(|(point, at)| stress(&law, rate, point.strain, *at) - point.stress).collect())
         };
         let residuals = |values: &[f64]| -> Option<Vec<f64>> {
-            let pairs = stresses(values)?.into_iter().zip(&points);
-            Some(pairs.map(|(stress, (point, _))| (stress - point.stress) * weight(point)).collect())
+            Some(misses(values)?.into_iter().zip(&points).map(|(miss, (point, _))| miss * weight(point)).collect())
         };
-        let parameters = |start: &[f64]| -> Vec<Parameter> {
-            let starts = start.iter().copied().chain(rate_parameters.iter().map(|(_, start)| *start));
-            let parameter = |(range, start): (&super::hardening::ParameterRange, f64)| {
+        let parameters = |start: Vec<f64>| -> Vec<Parameter> {
+            let parameter = |(range, start): (&ParameterRange, f64)| {
                 let start = start.clamp(range.low, range.high);
                 let step = DIFFERENCE * start.abs().max(1e-3 * (range.high - range.low).min(1.0));
                 Parameter { start, low: range.low, high: range.high, step }
             };
-            ranges.iter().zip(starts).map(parameter).collect()
+            ranges.iter().zip(start.into_iter().chain(rate_starts.iter().copied())).map(parameter).collect()
         };
-        let plain: Vec<(f64, f64)> = points.iter().map(|(point, _)| (point.strain, point.stress)).collect();
-        let sum = |start: &[f64]| {
-            let start: Vec<f64> = parameters(start).iter().map(|p| p.start).collect();
+        let sum = |start: &[Parameter]| {
+            let start: Vec<f64> = start.iter().map(|p| p.start).collect();
             residuals(&start).map_or(f64::INFINITY, |r| r.iter().map(|r| r * r).sum::<f64>())
         };
-        let mut starts = kind.starts(&plain);
+        let plain: Vec<(f64, f64)> = points.iter().map(|(point, _)| (point.strain, point.stress)).collect();
+        let mut starts: Vec<Vec<Parameter>> = kind.starts(&plain).into_iter().map(parameters).collect();
         starts.retain(|start| sum(start).is_finite());
         starts.sort_by(|a, b| sum(a).total_cmp(&sum(b)));
-        let minima = starts.iter().take(FOLLOWED).filter_map(|start| {
-            let parameters = parameters(start);
-            minimise(&parameters, &residuals, LIMITS).map(|minimum| (minimum, parameters))
-        });
-        let none = || {
-            let what = format!("{} cannot be fitted to the points", kind.label());
-            StudyError::new(what, "do stresses rise with the strain?")
-        };
+        let minima =
+            starts.iter().take(FOLLOWED).filter_map(|start| Some((minimise(start, &residuals, LIMITS)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
-        let (minimum, parameters) = best.ok_or_else(none)?;
-        let names: Vec<(String, String)> = ranges.iter().map(|r| (r.key.to_owned(), r.unit.to_owned())).collect();
-        let least = if is_weighted { 1.0 } else { 0.0 };
-        let (estimates, covariance) = estimates(&names, &parameters, &minimum, least);
-        let stresses = stresses(&minimum.values).unwrap_or_default();
-        let misses: Vec<f64> = stresses.iter().zip(&points).map(|(stress, (point, _))| stress - point.stress).collect();
+        let solved = best.and_then(|best| Some((laws(&best.0.values)?, misses(&best.0.values)?, best)));
+        let Some(((hardening, rate), misses, (minimum, parameters))) = solved else {
+            let what = format!("{} cannot be fitted to the points", kind.label());
+            return fail(what, "do stresses rise with the strain?");
+        };
+        let names: Vec<(&str, &str)> = ranges.iter().map(|range| (range.key, range.unit)).collect();
+        let (estimates, correlated) = estimates(&names, parameters, &minimum, is_weighted, TIED);
+        let squares = || points.iter().map(|(point, _)| (weight(point).powi(2), point.stress));
+        let mean = squares().map(|(w, stress)| w * stress).sum::<f64>() / squares().map(|(w, _)| w).sum::<f64>();
+        let variance = squares().map(|(w, stress)| w * (stress - mean).powi(2)).sum::<f64>();
+        // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
+        let (n, k) = (points.len() as f64, ranges.len() as f64 + 1.0);
+        let few = 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5);
         Ok(Self {
             kind,
-            hardening: kind.law(&minimum.values[..split]).ok_or_else(none)?,
-            rate: has_rate.then(|| rate.law(&minimum.values[split..], slowest)),
+            hardening,
+            rate,
             estimates,
-            correlated: correlated(covariance.as_ref(), TIED),
-            rms: (misses.iter().map(|miss| miss * miss).sum::<f64>() / misses.len() as f64).sqrt(),
+            correlated,
+            rms: (misses.iter().map(|miss| miss * miss).sum::<f64>() / n).sqrt(),
             misses,
-            r2: r2(&minimum, &points, weight),
-            aic: aic(&minimum, ranges.len()),
+            r2: 1.0 - minimum.sum() / variance,
+            aic: n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + few,
         })
     }
 
     /// Stress at a strain and a rate \[MPa\].
     pub fn stress(&self, strain: f64, rate: Option<f64>) -> f64 {
-        let factor = self.rate.zip(rate).map_or(1.0, |(law, rate)| law.at(rate).value);
-        self.hardening.at(strain).stress * factor
+        stress(&self.hardening, self.rate, strain, rate)
     }
 
     /// A parameter by its name.
@@ -205,16 +194,8 @@ impl LawFit {
     }
 }
 
-fn r2(minimum: &Minimum, points: &[(&FlowPoint, Option<f64>)], weight: impl Fn(&FlowPoint) -> f64) -> f64 {
-    let squares = || points.iter().map(|(point, _)| (weight(point).powi(2), point.stress));
-    let mean = squares().map(|(w, stress)| w * stress).sum::<f64>() / squares().map(|(w, _)| w).sum::<f64>();
-    1.0 - minimum.sum() / squares().map(|(w, stress)| w * (stress - mean).powi(2)).sum::<f64>()
-}
-
-/// n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
-fn aic(minimum: &Minimum, count: usize) -> f64 {
-    let (n, k) = (minimum.residuals.len() as f64, count as f64 + 1.0);
-    n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5)
+fn stress(law: &Hardening, rate: Option<Rate>, strain: f64, at: Option<f64>) -> f64 {
+    law.at(strain).stress * rate.zip(at).map_or(1.0, |(rate, at)| rate.at(at).value)
 }
 
 impl LawFits {
@@ -225,9 +206,7 @@ impl LawFits {
 
     /// Tests that laws are fitted to.
     pub fn fitted(&self) -> impl Iterator<Item = &FlowCurve> {
-        let zero = self.directions.iter().map(|d| d.angle).find(|angle| *angle == 0.0);
-        let first = zero.or(self.tests.iter().find_map(|test| test.direction));
-        self.tests.iter().filter(move |test| test.direction == first)
+        in_first_direction(&self.tests)
     }
 
     /// Largest plastic strain of the points \[–\].
@@ -237,7 +216,7 @@ impl LawFits {
 
     /// r-values at 0°, 45° and 90°, if all three were measured.
     pub fn r_values(&self) -> Option<[f64; 3]> {
-        let at = |angle: f64| self.directions.iter().find(|d| d.angle == angle)?.r;
+        let at = |angle: f64| Some(self.directions.iter().find(|d| d.angle == angle)?.r?.0);
         Some([at(0.0)?, at(45.0)?, at(90.0)?])
     }
 }

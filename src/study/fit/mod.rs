@@ -1,18 +1,17 @@
 //! Fits: hardening laws from tension tests, keys of a case from measured curves.
 
 mod case_fit;
-mod columns;
 mod estimate;
 mod flow_curve;
 mod hardening;
 mod law_fit;
 mod law_report;
 mod material_text;
-pub mod specimens;
+mod specimens;
 mod tension;
 
 pub use case_fit::{CaseFit, CaseFitRequest, fit_case};
-pub use estimate::Estimate;
+pub use estimate::{Correlated, Estimate};
 pub use flow_curve::{FlowCurve, FlowPoint, Reduction};
 pub use hardening::{HardeningKind, RateKind};
 pub use law_fit::{Direction, LawFit, LawFits, fit_laws};
