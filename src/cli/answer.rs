@@ -1,7 +1,7 @@
 //! The answer on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::say::Shown;
-use super::table::{Cell, Tone, table, toned, wrapped};
+use super::table::{Cell, table, toned, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
 use stampflow::units::joined;
@@ -11,7 +11,7 @@ use stampflow::verification::Verification;
 pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> Shown {
     let list = |lines: Vec<String>| wrapped(&lines.iter().map(|line| format!("- {line}\n")).collect::<String>());
     let numbers = answer.numbers.iter();
-    let numbers = numbers.map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()].map(Cell::plain));
+    let numbers = numbers.map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()].map(Cell::from));
     let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
     let bars = verification.map_or_else(Vec::new, Verification::sentences);
     let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
@@ -25,7 +25,7 @@ pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification
 /// One line: `cup: RED: it tears in the wall.`, with `more` at its end.
 pub fn sentence(case: &str, answer: &Answer, more: &str) -> Shown {
     let light = answer.light.name().to_uppercase();
-    toned(&format!("{case}: {light}: {}. {more}", answer.sentence), &light, Tone::of(answer.light))
+    toned(&format!("{case}: {light}: {}. {more}", answer.sentence), &light, answer.light)
 }
 
 /// Red rows, then amber ones; advice stands once under the rows that it is good for.
@@ -36,9 +36,9 @@ fn judged(findings: &[Finding]) -> Shown {
             rows.extend(alike.iter().map(|finding| row(finding)));
             let advice = &alike[0].advice;
             if !advice.is_empty() {
-                rows.push(["", "→ change", advice].map(Cell::plain));
+                rows.push(["", "→ change", advice].map(Cell::from));
             }
-            rows.push([""; 3].map(Cell::plain));
+            rows.push([""; 3].map(Cell::from));
         }
     }
     table(None, rows)
@@ -50,6 +50,6 @@ fn row(finding: &Finding) -> [Cell; 3] {
         Some(_) => format!("{}; limit: {}", finding.found(), finding.limit),
         None => finding.found(),
     };
-    let light = Cell { text: finding.light.name().to_owned(), tone: Tone::of(finding.light) };
-    [light, Cell::plain(finding.label), Cell::plain(found)]
+    let light = Cell::Light(finding.light, String::new());
+    [light, Cell::from(finding.label), Cell::from(found)]
 }

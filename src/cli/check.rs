@@ -7,7 +7,7 @@ use super::job;
 use super::options::{Json, Overrides};
 use super::progress::{Progress, Records};
 use super::say::{Shown, say, say_json};
-use super::table::{Cell, Tone, table, wrapped};
+use super::table::{Cell, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
@@ -82,8 +82,8 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
 fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> Shown {
     let rows = judgements(findings).map(|finding| {
         let limit = format!("{} ({})", finding.limit, finding.source);
-        let light = Cell { text: finding.light.name().to_owned(), tone: Tone::of(finding.light) };
-        [Cell::plain(finding.label), light, Cell::plain(finding.found()), Cell::plain(limit)]
+        let light = Cell::Light(finding.light, String::new());
+        [Cell::from(finding.label), light, Cell::from(finding.found()), Cell::from(limit)]
     });
     let mut text = format!("\n{}\n", headline(findings));
     let unchecked = advice(findings, |light| light == Light::Grey);

@@ -9,8 +9,8 @@ use stampflow::case::comparison::KINDS;
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::{BaseCase, Cell, MeasuredCurve, MeasuredData, ReportTable, parallel_map};
-use stampflow::verification::Watch;
+use stampflow::study::verify::Watch;
+use stampflow::study::{BaseCase, MeasuredCurve, ReportTable, parallel_map};
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
@@ -80,16 +80,17 @@ pub fn to_compare(
     overrides: &[String],
 ) -> anyhow::Result<(Vec<Candidate>, Vec<MeasuredCurve>)> {
     let (curves, cases): (Vec<&PathBuf>, Vec<&PathBuf>) = files.iter().partition(|file| is_curve(file));
-    let own = variants.also.iter().map(|text| variant(text)).collect::<Result<Vec<_>, _>>().map_err(request)?;
+    let mut changes = vec![Vec::new()];
+    for text in &variants.also {
+        changes.push(variant(text).map_err(request)?);
+    }
     let mut candidates = Vec::new();
-    for (i, path) in cases.iter().enumerate() {
-        let of_first = if i == 0 { &own[..] } else { &[] };
-        for own in [Vec::new()].iter().chain(of_first) {
-            let all: Vec<String> = overrides.iter().chain(own).cloned().collect();
-            candidates.push(Candidate { case: job::load(path, &all)?, overrides: own.clone() });
+    for (i, path) in cases.into_iter().enumerate() {
+        for own in changes.iter().take(if i == 0 { changes.len() } else { 1 }) {
+            candidates.push(Candidate { case: job::load(path, &[overrides, own].concat())?, overrides: own.clone() });
         }
     }
-    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&MeasuredData::File(path.clone())));
+    let curves = curves.into_iter().map(|path| MeasuredCurve::load(path));
     let curves = curves.collect::<Result<Vec<_>, _>>().map_err(request)?;
     check(&candidates, &curves).map_err(request)?;
     Ok((candidates, curves))
@@ -99,7 +100,7 @@ fn is_curve(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
-/// Every case of a folder, or one case, against its references.
+/// Compares every case of a folder, or one case, with its references.
 fn references(args: &Args, path: &Path) -> anyhow::Result<Code> {
     let files = if path.is_dir() { case_files(path)? } else { vec![path.to_owned()] };
     let (mut cases, mut failed) = job::load_all(&files, &args.options.overrides.all());
@@ -110,19 +111,21 @@ fn references(args: &Args, path: &Path) -> anyhow::Result<Code> {
     let dir = args.options.folder(path, "compare");
     let mut compared: Vec<(String, Comparison)> = Vec::new();
     let watch = args.options.count(path, "compared");
-    let one = |case: &stampflow::Case| {
+    let one = |case: &stampflow::Case| -> anyhow::Result<_> {
         let folder = place::results(case, &place::folder(&dir, case)?, comparison_folder)?;
         let solution = BaseCase::solve(case.clone(), &watch).map_err(BadRequest)?;
         let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures());
         results.write_comparisons(folder)?;
-        let name = &solution.case.name;
-        Ok(results.comparisons.into_iter().map(|comparison| (name.clone(), comparison)).collect::<Vec<_>>())
+        Ok((case.name.clone(), results.comparisons))
     };
-    let Ok(()) = parallel_map(&cases, args.options.threads(), &watch, one, |outcome: anyhow::Result<Vec<_>>| {
+    let mut done = 0;
+    let Ok(()) = parallel_map(&cases, args.options.threads(), &watch, one, |outcome| {
         match outcome {
-            Ok(comparisons) => compared.extend(comparisons),
+            Ok((name, all)) => compared.extend(all.into_iter().map(|comparison| (name.clone(), comparison))),
             Err(error) => failed.push(error),
         }
+        done += 1;
+        watch.ran(done, cases.len());
         Ok::<_, Infallible>(())
     });
     if args.options.json.json {
@@ -138,12 +141,12 @@ fn table(all: &[(String, Comparison)]) -> ReportTable {
     let columns = ["Case", "Kind", "Quantity", "Computed", "Reference", "Verdict"];
     let mut table = ReportTable::new("comparisons", &columns);
     for (case, comparison) in all {
-        let kind = comparison.source().map_or("–", |source| source.kind()).to_owned();
-        let computed = comparison.farthest().map_or_else(|| "–".to_owned(), |amount| amount.to_string());
-        let target = comparison.target().unwrap_or_else(|| "–".to_owned());
-        let quantity = comparison.spec.against.quantity().label().to_owned();
-        let cells = [case.clone(), kind, quantity, computed, target, comparison.outcome()];
-        table.rows.push(cells.map(Cell::from).to_vec());
+        let kind = comparison.source().map_or("–", |source| source.kind());
+        let quantity = comparison.spec.against.quantity().label();
+        let [computed, target] = [comparison.farthest().map(|amount| amount.to_string()), comparison.target()]
+            .map(|text| text.unwrap_or_else(|| "–".to_owned()).into());
+        let outcome = comparison.outcome().into();
+        table.rows.push(vec![case.clone().into(), kind.into(), quantity.into(), computed, target, outcome]);
     }
     table
 }
@@ -153,8 +156,8 @@ fn reasons(all: &[(String, Comparison)]) -> String {
     let mut lines: Vec<String> = Vec::new();
     for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {
         let reason = comparison.spec.reason.trim_end_matches('.');
-        let miss = comparison.worst().unwrap_or_default();
-        let line = format!("{case}, {} {miss}: {reason}.", comparison.spec.against.quantity().label());
+        let (quantity, miss) = (comparison.spec.against.quantity().label(), comparison.worst().unwrap_or_default());
+        let line = format!("{case}, {quantity} {miss}: {reason}.");
         if !lines.contains(&line) {
             lines.push(line);
         }
@@ -164,14 +167,14 @@ fn reasons(all: &[(String, Comparison)]) -> String {
 
 /// Comparisons inside, by kind of reference: `experiment: 1 of 3 inside`.
 fn counts(all: &[(String, Comparison)]) -> String {
-    let kind = |comparison: &Comparison| comparison.source().map_or("", |source| source.kind()).to_owned();
-    let known: Vec<&Comparison> = all.iter().map(|(_, c)| c).filter(|c| c.verdict != Verdict::NoData).collect();
-    let lines = KINDS.iter().filter_map(|name| {
-        let of = || known.iter().filter(|c| kind(c) == *name);
-        let inside = of().filter(|c| c.verdict == Verdict::In).count();
-        (of().count() > 0).then(|| format!("{name}: {inside} of {} inside", of().count()))
-    });
-    lines.collect::<Vec<_>>().join("\n")
+    let line = |name: &&str| {
+        let is_kind = |c: &&Comparison| c.source().is_some_and(|source| source.kind() == *name);
+        let known = all.iter().map(|(_, c)| c).filter(|c| c.verdict != Verdict::NoData).filter(is_kind);
+        let own: Vec<&Comparison> = known.collect();
+        let inside = own.iter().filter(|c| c.verdict == Verdict::In).count();
+        (!own.is_empty()).then(|| format!("{name}: {inside} of {} inside", own.len()))
+    };
+    KINDS.iter().filter_map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// Case files of a folder, sorted.

@@ -4,10 +4,10 @@ use super::code::{BadRequest, Code};
 use super::place;
 use super::study::{StudyOptions, request};
 use serde::Serialize;
-use stampflow::study::MeasuredData;
 use stampflow::study::fit::{
-    CaseFitRequest, Estimate, HardeningKind, RateKind, Reduction, Tests, fit_case, fit_laws, material_text, specimens,
+    CaseFitRequest, Estimate, HardeningKind, RateKind, Reduction, Tests, fit_case, fit_laws, material_text,
 };
+use stampflow::units::parse;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -40,22 +40,22 @@ pub struct Args {
     #[arg(long, value_name = "LAW")]
     law: Option<HardeningKind>,
     /// Young's modulus [default: the slope at the beginning]
-    #[arg(long, value_name = "STRESS", value_parser = specimens::stress)]
+    #[arg(long, value_name = "STRESS", value_parser = |text: &str| measured(text, "a stress", "210 GPa"))]
     young: Option<f64>,
     /// Plastic strain at yield
-    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = specimens::strain)]
+    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = strain)]
     offset: f64,
     /// Plastic strain where the fit begins [default: the offset]
-    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
+    #[arg(long, value_name = "STRAIN", value_parser = strain)]
     from: Option<f64>,
     /// Plastic strain where the fit ends [default: at the largest force]
-    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
+    #[arg(long, value_name = "STRAIN", value_parser = strain)]
     until: Option<f64>,
     /// Section of the specimen, for forces: "20 mm^2"
-    #[arg(long, value_name = "AREA", value_parser = specimens::section)]
+    #[arg(long, value_name = "AREA", value_parser = |text: &str| measured(text, "an area", "20 mm^2"))]
     section: Option<f64>,
     /// Gauge length, for elongations: "80 mm"
-    #[arg(long, value_name = "LENGTH", value_parser = specimens::gauge)]
+    #[arg(long, value_name = "LENGTH", value_parser = |text: &str| measured(text, "a length", "80 mm"))]
     gauge: Option<f64>,
     /// Strain rate of each test in 1/s, in their order: 0.001,1
     #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
@@ -78,16 +78,19 @@ pub struct Args {
 
 #[derive(Serialize)]
 struct Parameters<'a> {
-    law: Option<&'static str>,
+    law: Option<String>,
     parameters: &'a [Estimate],
 }
 
 pub fn fit(args: &Args) -> anyhow::Result<Code> {
     let is_test = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
     let dir = args.options.folder(&args.files[0], "fit");
-    let inputs = [args.files.as_slice(), &args.to].concat();
-    place::file(&dir.join("fit.csv"), &inputs, "--out")?;
-    if args.files.iter().all(is_test) { laws(args, &dir) } else { keys(args, &dir) }
+    place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
+    match args.files.as_slice() {
+        tests if tests.iter().all(is_test) => laws(args, &dir),
+        [file] => keys(args, file, &dir),
+        _ => Err(BadRequest("give tension tests, or one case or study file".into()).into()),
+    }
 }
 
 fn laws(args: &Args, dir: &Path) -> anyhow::Result<Code> {
@@ -95,7 +98,7 @@ fn laws(args: &Args, dir: &Path) -> anyhow::Result<Code> {
         return Err(BadRequest("--vary and --to are of a case: name its file in place of a test".into()).into());
     }
     let tests = Tests {
-        tests: args.files.iter().cloned().map(MeasuredData::File).collect(),
+        tests: args.files.clone(),
         reduction: Reduction { young: args.young, offset: args.offset, from: args.from, to: args.until },
         section: args.section,
         gauge: args.gauge,
@@ -109,17 +112,26 @@ fn laws(args: &Args, dir: &Path) -> anyhow::Result<Code> {
     args.options.present(&fits.report(), dir, files, &parameters)
 }
 
-fn keys(args: &Args, dir: &Path) -> anyhow::Result<Code> {
-    let [file] = args.files.as_slice() else {
-        return Err(BadRequest("give tension tests, or one case or study file".into()).into());
-    };
-    let to: Vec<MeasuredData> = args.to.iter().cloned().map(MeasuredData::File).collect();
-    let asked = CaseFitRequest::load(file, args.options.overrides.all(), &args.vary, &to).map_err(request)?;
-    let count = args.options.count(file, "fit");
-    let fit = match fit_case(&asked, args.options.threads(), &count) {
+fn keys(args: &Args, file: &Path, dir: &Path) -> anyhow::Result<Code> {
+    let fit = CaseFitRequest::load(file, args.options.overrides.all(), &args.vary, &args.to).map_err(request)?;
+    let fit = match fit_case(&fit, args.options.threads(), &args.options.count(file, "fit")) {
         Err(_) if super::interrupt::is_wanted() => return Ok(Code::Interrupted),
         fit => fit.map_err(request)?,
     };
     let files = vec![("fitted.toml".to_owned(), fit.text.clone().into_bytes())];
     args.options.present(&fit.report(), dir, files, &Parameters { law: None, parameters: &fit.estimates })
+}
+
+/// A quantity above 0 of a dimension.
+fn measured(text: &str, dimension: &str, example: &str) -> Result<f64, String> {
+    let parsed = parse(text).map_err(|error| error.to_string())?;
+    let fits = parsed.dimension.describe() == dimension && parsed.value > 0.0;
+    fits.then_some(parsed.value).ok_or_else(|| format!("{text} is not {dimension}: write \"{example}\""))
+}
+
+/// A plain number or one in per cent, 0 or more.
+fn strain(text: &str) -> Result<f64, String> {
+    let parsed = parse(text).map_err(|error| error.to_string())?;
+    let fits = parsed.dimension.describe() == "a plain number" && parsed.value >= 0.0;
+    fits.then_some(parsed.value).ok_or_else(|| format!("{text} is no strain: write 0.002 or \"0.2 %\""))
 }

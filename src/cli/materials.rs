@@ -64,7 +64,7 @@ pub fn materials(args: &Args) -> Result<Code> {
         return say_json(&as_json(&entry));
     }
     let Entry { name, title, text, .. } = &entry;
-    let rows = known(&entry).into_iter().map(|(label, value)| [format!("  {label}"), value].map(Cell::plain));
+    let rows = known(&entry).into_iter().map(|(label, value)| [format!("  {label}"), value].map(Cell::from));
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}{more}");
     say(Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into())
 }
@@ -88,10 +88,10 @@ fn list(entries: &[Entry]) -> Shown {
             number(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             or_unknown(entry.thickness.clone()).replace(" to ", "–"),
         ];
-        cells.map(Cell::plain)
+        cells.map(Cell::from)
     };
     let headers = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
-    let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(Cell::plain);
+    let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(Cell::from);
     let rows = [units].into_iter().chain(entries.iter().map(row)).collect();
     table(Some(headers), rows) + Shown::from(NOTES)
 }

@@ -209,7 +209,7 @@ impl Args {
             shown = shown + wrapped(&format!("\n{}", summary.lines));
         }
         for stage in summary.stages.iter().filter(|_| self.verbose) {
-            shown = shown + "\n".into() + table(None, stage.rows().map(|row| row.map(Cell::plain)).collect());
+            shown = shown + "\n".into() + table(None, stage.rows().map(|row| row.map(Cell::from)).collect());
         }
         let comparisons = results.comparisons.iter().map(|comparison| comparison.sentence() + "\n");
         shown + wrapped(&format!("\n{}{written}\n", comparisons.collect::<String>()))

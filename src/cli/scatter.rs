@@ -52,7 +52,6 @@ pub struct Args {
 pub fn scatter(args: &Args) -> anyhow::Result<Code> {
     let set = args.options.overrides.all();
     let mut scatter = Scatter::load(&args.file, set, &args.vary, args.runs, args.seed).map_err(request)?;
-    let names = (args.file.as_path(), "scatter", "scatter");
-    let done = run(&mut scatter, names, &args.options, &args.rows, Some(&args.shard), false, &mut |_| Ok(()))?;
-    Ok(done.map_or(Code::Done, |(.., code)| code))
+    let options = (&args.options, &args.rows, Some(&args.shard));
+    run(&mut scatter, (&args.file, "scatter", "scatter"), options, false, &mut |_| Ok(()))
 }

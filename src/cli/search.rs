@@ -78,7 +78,5 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
     };
     let base = BaseCase::load(&args.case, args.options.overrides.all()).map_err(request)?;
     let mut search = LimitSearch::new(base, &asked).map_err(request)?;
-    let names = (args.case.as_path(), "search", "search");
-    let done = run(&mut search, names, &args.options, &args.rows, None, false, &mut |_| Ok(()))?;
-    Ok(done.map_or(Code::Done, |(.., code)| code))
+    run(&mut search, (&args.case, "search", "search"), (&args.options, &args.rows, None), false, &mut |_| Ok(()))
 }

@@ -5,13 +5,13 @@ use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Count, Progress};
 use super::say::{Shown, say, say_json, warn};
-use super::table::{Cell, Tone, table_of, wrapped};
+use super::table::{table_of, wrapped};
 use anyhow::Context;
 use serde::Serialize;
 use stampflow::results::ResultFolder;
 use stampflow::study::{
-    self, Earlier, Evaluated, Evaluation, ReportTable, RunTable, Shard, Study, StudyError, StudyReport, TableFile,
-    begin, evaluate,
+    Earlier, Evaluated, Evaluation, LightCounts, ReportTable, Shard, Study, StudyError, StudyReport, TableFile, begin,
+    evaluate,
 };
 use stampflow::verification::Watch;
 use std::ops::ControlFlow;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 use std::time::Instant;
 
-/// Designs that are begun without --yes, and rows that are drawn.
+/// Designs that are begun without --yes.
 const MANY: u64 = 100_000;
 
 /// Options of every study.
@@ -87,66 +87,52 @@ impl StudyOptions {
         files: Vec<(String, Vec<u8>)>,
         extra: &T,
     ) -> anyhow::Result<Code> {
-        let written = self.write(report, dir, files)?;
-        self.print(report, dir, &written, extra)
-    }
-
-    fn write(&self, report: &StudyReport, dir: &Path, files: Vec<(String, Vec<u8>)>) -> anyhow::Result<Vec<PathBuf>> {
+        #[derive(Serialize)]
+        struct ReportJson<'a, T> {
+            #[serde(flatten)]
+            report: &'a StudyReport,
+            #[serde(flatten)]
+            extra: &'a T,
+            files: &'a [PathBuf],
+        }
         let pictures = self.pictures.pictures();
         let charts = report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart));
-        let tables = report.tables.iter().filter(|table| !table.rows.is_empty());
-        let tables = tables.map(|table| (format!("{}.csv", table.name), table.csv()));
+        let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());
         let mut folder = ResultFolder::open(dir, |_, _| false)?;
-        for (name, bytes) in files.into_iter().chain(tables).chain(charts) {
+        for (name, bytes) in
+            files.into_iter().chain(tables().map(|t| (format!("{}.csv", t.name), t.csv()))).chain(charts)
+        {
             folder.write(name, &bytes)?;
         }
-        Ok(folder.commit()?)
-    }
-
-    fn print<T: Serialize>(
-        &self,
-        report: &StudyReport,
-        dir: &Path,
-        files: &[PathBuf],
-        extra: &T,
-    ) -> anyhow::Result<Code> {
+        let files = &folder.commit()?;
         if self.json.json {
             say_json(&ReportJson { report, extra, files })?;
         } else {
-            say(screen(report) + wrapped(&format!("\n{}", dir.display())))?;
+            let notes: String = report.notes.iter().map(|note| format!("\n- {note}")).collect();
+            let text = wrapped(&format!("{}{notes}", report.headline));
+            let text = tables().fold(text, |text, table| text + "\n".into() + screen_table(table));
+            say(text + wrapped(&format!("\n{}", dir.display())))?;
         }
         Ok(if report.found { Code::Done } else { Code::Failed })
     }
 }
 
-#[derive(Serialize)]
-struct ReportJson<'a, T> {
-    #[serde(flatten)]
-    report: &'a StudyReport,
-    #[serde(flatten)]
-    extra: &'a T,
-    files: &'a [PathBuf],
-}
-
-/// Numbers of a run table, for JSON.
-#[derive(Serialize)]
-struct Summary {
-    designs: usize,
-    lights: study::LightCounts,
-    file: PathBuf,
-    wall_s: f64,
-}
-
-/// Evaluates a study into its table and presents it.
+/// Evaluates a study into its table and presents it; `each` sees every new run.
 pub fn run(
     study: &mut dyn Study,
-    (file, verb, stem): (&Path, &str, &str),
-    options: &StudyOptions,
-    rows: &TableOptions,
-    shard: Option<&ShardOptions>,
+    (file, verb, name): (&Path, &str, &str),
+    (options, rows, shard): (&StudyOptions, &TableOptions, Option<&ShardOptions>),
     errors: bool,
     each: &mut dyn FnMut(&Evaluated) -> anyhow::Result<()>,
-) -> anyhow::Result<Option<(RunTable, StudyReport, PathBuf, Code)>> {
+) -> anyhow::Result<Code> {
+    /// Numbers of a run table, for JSON.
+    #[derive(Serialize)]
+    struct Summary {
+        designs: usize,
+        lights: LightCounts,
+        file: PathBuf,
+        wall_s: f64,
+    }
     let dir = options.folder(file, verb);
     let own = shard.and_then(|shard| shard.shard).unwrap_or(Shard::WHOLE);
     let count = own.len(study.designs());
@@ -154,7 +140,7 @@ pub fn run(
         let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
         return Err(BadRequest(what).into());
     }
-    let path = dir.join(own.file(stem));
+    let path = dir.join(own.file(name));
     place::file(&path, &[file.to_owned()], "--out")?;
     let start = Instant::now();
     let watch = options.count(file, "runs");
@@ -167,39 +153,29 @@ pub fn run(
     };
     let mut table = TableFile::open(&path, &runs, earlier).map_err(request)?;
     let kept = std::mem::take(&mut table.earlier);
-    let mut failed = None;
+    let mut failed = Ok(());
     let runs = evaluate(study, &settings, runs, &kept, &mut |runs, evaluated| {
         let added = table.add(runs, &evaluated.run).with_context(|| format!("cannot write {}", path.display()));
-        match added.and_then(|()| each(evaluated)) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                failed = Some(error);
-                ControlFlow::Break(())
-            }
-        }
+        failed = added.and_then(|()| each(evaluated));
+        if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
-    if let Some(error) = failed {
-        return Err(error);
-    }
+    failed?;
     if watch.wants_to_stop() && (study.designs() == 0 || (runs.runs.len() as u64) < count) {
-        let part = table.part().display();
+        let part = table.part.display();
         warn(format!("{} runs are in {part}; --resume goes on with the others", runs.runs.len()));
-        return Ok(None);
+        return Ok(Code::Done);
     }
     if own != Shard::WHOLE {
         table.finish().with_context(|| format!("cannot write {}", path.display()))?;
-        let told = format!("{} runs in {}; `stampflow merge` joins the shards", runs.runs.len(), path.display());
-        say(wrapped(&told))?;
-        return Ok(None);
+        let (n, path) = (runs.runs.len(), path.display());
+        return say(wrapped(&format!("{n} runs in {path}; `stampflow merge` joins the shards")));
     }
-    let report = study.report(&runs);
+    let rows = std::fs::read(&table.part).with_context(|| format!("cannot read {}", table.part.display()))?;
     let wall_s = start.elapsed().as_secs_f64();
     let summary = Summary { designs: runs.runs.len(), lights: runs.lights(), file: path, wall_s };
-    let rows = std::fs::read(table.part()).with_context(|| format!("cannot read {}", table.part().display()))?;
-    let written = options.write(&report, &dir, vec![(own.file(stem), rows)])?;
+    let code = options.present(&study.report(&runs), &dir, vec![(own.file(name), rows)], &summary)?;
     table.discard();
-    let code = options.print(&report, &dir, &written, &summary)?;
-    Ok(Some((runs, report, dir, code)))
+    Ok(code)
 }
 
 /// A wrong study as bad input.
@@ -210,23 +186,9 @@ pub fn request(error: StudyError) -> anyhow::Error {
     }
 }
 
-fn screen(report: &StudyReport) -> Shown {
-    let mut shown = wrapped(&report.headline);
-    for note in &report.notes {
-        shown = shown + wrapped(&format!("- {note}"));
-    }
-    let tables = report.tables.iter().filter(|table| !table.rows.is_empty());
-    tables.fold(shown, |shown, table| shown + "\n".into() + screen_table(table))
-}
-
 /// A table of results on the screen.
-pub fn screen_table(of: &ReportTable) -> Shown {
-    let cell = |cell: &study::Cell| Cell {
-        text: cell.to_string(),
-        tone: if let study::Cell::Light(light, _) = cell { Tone::of(*light) } else { Tone::Plain },
-    };
-    let rows = of.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
-    table_of(Some(of.columns.iter().map(String::as_str).collect()), rows)
+pub fn screen_table(table: &ReportTable) -> Shown {
+    table_of(Some(table.columns.iter().map(String::as_str).collect()), table.rows.clone())
 }
 
 fn stem(path: &Path) -> String {

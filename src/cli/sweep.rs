@@ -7,7 +7,6 @@ use super::study::{ShardOptions, StudyOptions, TableOptions, request, run};
 use super::table::wrapped;
 use stampflow::results::write;
 use stampflow::study::{self, Evaluated, Sweep};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -84,23 +83,19 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     let set = args.options.overrides.all();
     let mut sweep = Sweep::load(&args.file, set, &args.vary, args.one_at_a_time).map_err(request)?;
     let errors = args.error_bars || sweep.has_error_bars() && !args.no_error_bars;
-    let dir = args.options.folder(&args.file, "sweep");
+    let dir = args.options.folder(&args.file, "sweep").join("curves");
     let mut each = |evaluated: &Evaluated| if args.keep.is_some() { curves(&dir, evaluated) } else { Ok(()) };
-    let names = (args.file.as_path(), "sweep", "study");
-    let done = run(&mut sweep, names, &args.options, &args.rows, Some(&args.shard), errors, &mut each)?;
-    Ok(done.map_or(Code::Done, |(.., code)| code))
+    let options = (&args.options, &args.rows, Some(&args.shard));
+    run(&mut sweep, (&args.file, "sweep", "study"), options, errors, &mut each)
 }
 
-fn curves(dir: &Path, evaluated: &Evaluated) -> anyhow::Result<()> {
-    let Some(outcome) = &evaluated.outcome else { return Ok(()) };
-    for (name, header, points) in
+fn curves(dir: &Path, Evaluated { run, outcome }: &Evaluated) -> anyhow::Result<()> {
+    let curves = outcome.iter().flat_map(|outcome| {
         [("load", "travel_mm,punch_force_N", &outcome.load), ("thickness", "s0_mm,thickness_mm", &outcome.thickness)]
-    {
-        let text = points.iter().fold(format!("{header}\n"), |mut text, (x, y)| {
-            let _ = writeln!(text, "{x},{y}");
-            text
-        });
-        write(&dir.join(format!("curves/{name}-{}.csv", evaluated.run.index)), text.as_bytes())?;
+    });
+    for (name, header, points) in curves {
+        let lines: String = points.iter().map(|(x, y)| format!("{x},{y}\n")).collect();
+        write(&dir.join(format!("{name}-{}.csv", run.index)), format!("{header}\n{lines}").as_bytes())?;
     }
     Ok(())
 }

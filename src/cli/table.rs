@@ -4,6 +4,7 @@ use super::say::Shown;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use stampflow::assess::Light;
 use stampflow::case::files::visible;
+pub use stampflow::study::Cell;
 use std::io::{self, IsTerminal};
 
 /// Columns without a terminal.
@@ -11,45 +12,15 @@ const WIDTH: usize = 80;
 /// Columns of a wide terminal: longer lines are hard to read.
 const WIDEST: usize = 120;
 
-/// Colour of a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tone {
-    Plain,
-    Good,
-    Bad,
-    Warning,
-}
-
-impl Tone {
-    pub fn of(light: Light) -> Self {
-        match light {
-            Light::Grey => Self::Plain,
-            Light::Green => Self::Good,
-            Light::Amber => Self::Warning,
-            Light::Red => Self::Bad,
-        }
-    }
-
-    fn color(self) -> Option<Color> {
-        match self {
-            Self::Plain => None,
-            Self::Good => Some(Color::Green),
-            Self::Bad => Some(Color::Red),
-            Self::Warning => Some(Color::Yellow),
-        }
-    }
-}
-
-#[derive(Clone, Debug)]
-pub struct Cell {
-    pub text: String,
-    pub tone: Tone,
-}
-
-impl Cell {
-    pub fn plain(text: impl Into<String>) -> Self {
-        Self { text: text.into(), tone: Tone::Plain }
-    }
+/// Colour of a light in tables and as an escape code; `None` without colours.
+fn color(light: Light) -> Option<(Color, u8)> {
+    let color = match light {
+        Light::Grey => None,
+        Light::Green => Some((Color::Green, 32)),
+        Light::Amber => Some((Color::Yellow, 33)),
+        Light::Red => Some((Color::Red, 31)),
+    };
+    color.filter(|_| colours(&io::stdout()))
 }
 
 /// Whether a stream takes colours: a terminal without `NO_COLOR` (<https://no-color.org>).
@@ -57,8 +28,7 @@ pub fn colours(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// Columns of the output stream.
-pub fn width() -> usize {
+fn width() -> usize {
     if io::stdout().is_terminal() { textwrap::termwidth().min(WIDEST) } else { WIDTH }
 }
 
@@ -70,20 +40,19 @@ pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -
 /// Like [`table`], for any number of columns.
 pub fn table_of(headers: Option<Vec<&str>>, rows: Vec<Vec<Cell>>) -> Shown {
     let count = headers.as_ref().map(Vec::len).or(rows.first().map(Vec::len)).unwrap_or(0);
-    let coloured = colours(&io::stdout());
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
     table.set_width(width() as u16);
     if let Some(headers) = headers {
-        let bold = Some(Attribute::Bold).filter(|_| coloured);
-        table.set_header(
-            headers.into_iter().map(|header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect())),
-        );
+        let bold = Some(Attribute::Bold).filter(|_| colours(&io::stdout()));
+        let header = |header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect());
+        table.set_header(headers.into_iter().map(header));
     }
     for row in rows {
-        table.add_row(row.into_iter().map(|Cell { text, tone }| {
-            let cell = comfy_table::Cell::new(visible(&text));
-            tone.color().filter(|_| coloured).map_or(cell.clone(), |color| cell.fg(color))
+        table.add_row(row.into_iter().map(|cell| {
+            let shown = comfy_table::Cell::new(visible(&cell.to_string()));
+            let color = if let Cell::Light(light, _) = cell { color(light) } else { None };
+            color.map_or(shown.clone(), |(color, _)| shown.fg(color))
         }));
     }
     for (i, column) in table.column_iter_mut().enumerate() {
@@ -100,22 +69,11 @@ pub fn wrapped(text: &str) -> Shown {
     visible(text).lines().map(|line| hanging(line, width()) + "\n").collect::<String>().into()
 }
 
-/// Text with the first occurrence of a word in a tone.
-pub fn toned(text: &str, word: &str, tone: Tone) -> Shown {
+/// Text with the first occurrence of a word in the colour of a light.
+pub fn toned(text: &str, word: &str, light: Light) -> Shown {
     let text = wrapped(text);
-    match tone.color().filter(|_| colours(&io::stdout())) {
-        Some(color) => {
-            let code = if color == Color::Red {
-                31
-            } else if color == Color::Green {
-                32
-            } else {
-                33
-            };
-            Shown::coloured(text.text().replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1))
-        }
-        None => text,
-    }
+    let Some((_, code)) = color(light) else { return text };
+    Shown::coloured(text.text().replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1))
 }
 
 fn hanging(line: &str, width: usize) -> String {

@@ -131,7 +131,7 @@ fn iterations(history: &IterationHistory) -> Shown {
     let is_shown = |i: usize| pass.len() <= SHOWN[0] + SHOWN[1] || i < SHOWN[0] || i + SHOWN[1] >= pass.len();
     let rows = (0..pass.len()).filter(|&i| is_shown(i) || i == SHOWN[0]);
     let rows =
-        rows.map(|i| if is_shown(i) { cells(&pass[i]) } else { ["…", "", "", "", "", "", "", ""].map(Cell::plain) });
+        rows.map(|i| if is_shown(i) { cells(&pass[i]) } else { ["…", "", "", "", "", "", "", ""].map(Cell::from) });
     wrapped(&head) + table(Some(headers), rows.collect()) + wrapped(&converges(history))
 }
 
@@ -147,7 +147,7 @@ fn cells(row: &IterationRecord) -> [Cell; 8] {
         row.touching.to_string(),
         row.sticking.to_string(),
     ]
-    .map(Cell::plain)
+    .map(Cell::from)
 }
 
 fn converges(history: &IterationHistory) -> String {

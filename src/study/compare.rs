@@ -122,7 +122,7 @@ impl SideBySide {
             let verification = quick(&solution, &Silent(watch));
             Ok((solution, verification))
         };
-        let ended = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
+        let ended: Result<(), String> = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
             solved.push(result?);
             watch.ran(solved.len(), candidates.len());
             Ok(())
@@ -213,11 +213,15 @@ impl SideBySide {
         let load = [step::TRAVEL.axis(extent), step::PUNCH_FORCE.axis(extent)];
         let thickness = [element::S0.axis(extent), element::THICKNESS.axis(extent)];
         let all = [
-            ("compare_load", "punch force over the travel", self.curve(|o| &o.load, Quantity::PunchForce, load)),
+            (
+                "compare_load",
+                "punch force over the travel",
+                self.curve(|o| &o.load, ComparedQuantity::PunchForce, load),
+            ),
             (
                 "compare_thickness",
                 "thickness over the blank",
-                self.curve(|o| &o.thickness, Quantity::ThicknessAtS0, thickness),
+                self.curve(|o| &o.thickness, ComparedQuantity::ThicknessAtS0, thickness),
             ),
             ("compare_sections", "the sections at the end", self.sections()),
         ];
@@ -226,7 +230,12 @@ impl SideBySide {
     }
 
     /// Curves of all runs with the measured ones of the same quantity.
-    fn curve(&self, curve: fn(&Outcome) -> &[(f64, f64)], quantity: Quantity, [x, y]: [Axis; 2]) -> Option<Panel> {
+    fn curve(
+        &self,
+        curve: fn(&Outcome) -> &[(f64, f64)],
+        quantity: ComparedQuantity,
+        [x, y]: [Axis; 2],
+    ) -> Option<Panel> {
         let mut series = self.series(|member| curve(member.outcome()).to_vec());
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
         for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
@@ -291,7 +300,7 @@ impl Member {
         let points = curve.points(&computed).ok()?;
         let squares: Vec<f64> = points.iter().filter_map(|p| Some((p.computed? - p.reference).powi(2))).collect();
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-        let amount = Amount::new(rms, curve.spec.quantity.columns(&computed).1.unit, Digits::Significant(3));
+        let amount = Amount::new(rms, computed.columns(curve.spec.quantity).1.unit, Digits::Significant(3));
         (!squares.is_empty()).then_some((amount, squares.len(), points.len()))
     }
 }

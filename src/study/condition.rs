@@ -121,7 +121,8 @@ impl Term {
         }
         let (name, rest) = text.split_at(text.find(['<', '>', '≤', '≥']).ok_or_else(wrong)?);
         let value = rest.trim_start_matches(['<', '>', '≤', '≥']);
-        let (is_less, or_equal) = (rest.starts_with(['<', '≤']), value.starts_with('=') || rest.starts_with(['≤', '≥']));
+        let (is_less, or_equal) =
+            (rest.starts_with(['<', '≤']), value.starts_with('=') || rest.starts_with(['≤', '≥']));
         let comparison = Comparison::new(name, value.trim_start_matches('='))?.ok_or_else(wrong)?;
         Ok(Self::Quantity(Comparison { is_less, or_equal, ..comparison }))
     }

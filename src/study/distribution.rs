@@ -63,7 +63,8 @@ impl Distribution {
         reject_decimal_comma(key, text)?;
         let plain = text.trim().replace("+/-", "±").replace("+-", "±");
         let mut reader = Reader { key, text: text.trim(), units: Vec::new() };
-        let (is_cut, rest) = plain.strip_prefix("truncated").map_or((false, plain.as_str()), |rest| (true, rest.trim_start()));
+        let (is_cut, rest) =
+            plain.strip_prefix("truncated").map_or((false, plain.as_str()), |rest| (true, rest.trim_start()));
         let (word, rest) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
         let (main, limits) = match (word, rest.rsplit_once(" in ")) {
             ("uniform", _) if !is_cut => (rest, None),
@@ -170,8 +171,7 @@ impl Reader<'_> {
     fn about(&mut self, text: &str) -> Result<(Option<f64>, Width), StudyError> {
         let (middle, width) = text.split_once('±').ok_or_else(|| self.wrong("has no ± and no .."))?;
         let middle = if middle.trim().is_empty() { None } else { Some(self.number(middle)?) };
-        let (number, unit) =
-            split_number(width.trim()).ok_or_else(|| self.wrong("has no number behind ±"))?;
+        let (number, unit) = split_number(width.trim()).ok_or_else(|| self.wrong("has no number behind ±"))?;
         if number <= 0.0 {
             return Err(self.wrong(&format!("scatters by {number}: more than 0 is wanted")));
         }

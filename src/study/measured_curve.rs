@@ -3,9 +3,10 @@
 use super::StudyError;
 use super::error::fail;
 use crate::case::Case;
+use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
 use crate::case::files::{self, Disk, Files};
-use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity, Spec};
 use crate::model::Model;
+use crate::results::comparison::{CompareError, Computed, Point};
 use crate::table::{Axis, Csv, CsvError, Record};
 use std::path::{Path, PathBuf};
 
@@ -40,7 +41,8 @@ impl MeasuredCurve {
     /// Reads a curve, whose columns name its quantity.
     pub fn load(path: &Path) -> Result<Self, StudyError> {
         let csv = read_csv(path, EXAMPLE)?;
-        let find = |any: &[&str]| csv.header.fields.iter().position(|name| has_word(name, any) && !has_word(name, &NOT));
+        let find =
+            |any: &[&str]| csv.header.fields.iter().position(|name| has_word(name, any) && !has_word(name, &NOT));
         let Some((quantity, x, y)) = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)))
         else {
             return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
@@ -81,9 +83,8 @@ impl MeasuredCurve {
         let (x, y) = (self.csv.column(&self.spec.x)?, self.csv.column(&self.spec.y)?);
         let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let number = |row: &Record, column: usize| row.number(column).ok().flatten();
-        let is_point = |row: &&Record| {
-            number(row, x).is_some_and(|x| (low..=high).contains(&x)) && number(row, y).is_some()
-        };
+        let is_point =
+            |row: &&Record| number(row, x).is_some_and(|x| (low..=high).contains(&x)) && number(row, y).is_some();
         let rows = self.csv.rows.iter().filter(is_point);
         let scatter = rows.map(|row| number(row, column).map(|size| size * factor).filter(|size| *size > 0.0));
         scatter.collect::<Option<Vec<f64>>>().filter(|scatter| scatter.len() == points.len())

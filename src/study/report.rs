@@ -66,7 +66,10 @@ impl ReportTable {
             cell => [cell.to_string(), String::new()],
         };
         let rows = self.rows.iter().map(|row| row.iter().map(pair).collect());
-        std::iter::once(header.collect()).chain(rows).flat_map(|row| super::run_table::record(&with_unit(row))).collect()
+        std::iter::once(header.collect())
+            .chain(rows)
+            .flat_map(|row| super::run_table::record(&with_unit(row)))
+            .collect()
     }
 }
 

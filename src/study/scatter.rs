@@ -129,7 +129,8 @@ impl Scatter {
         let seed = self.seed.wrapping_add((index / LONGEST) as u32);
         let point = (index % LONGEST) as u32;
         let coordinate = |i: usize| f64::from(sample(point, i as u32, seed)) + HALF;
-        let values: Vec<String> = (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
+        let values: Vec<String> =
+            (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
         let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
         Design { index, settings: settings.collect(), values }
     }

@@ -165,7 +165,8 @@ impl LimitSearch {
         let share = self.range().spacing.share(self.range().ends, x);
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
-        let settings = self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value)).collect();
+        let settings =
+            self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value)).collect();
         Design { index, values, settings }
     }
 

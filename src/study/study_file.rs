@@ -114,7 +114,9 @@ fn pairs(table: &Table, above: &str) -> Result<Vec<String>, StudyError> {
             Value::Array(values) => {
                 all.push(format!("{key}={}", values.iter().map(plain).collect::<Vec<_>>().join(", ")));
             }
-            Value::Datetime(_) => return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]"),
+            Value::Datetime(_) => {
+                return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]");
+            }
             value => all.push(format!("{key}={}", plain(value))),
         }
     }

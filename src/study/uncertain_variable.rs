@@ -93,9 +93,7 @@ fn scalable_law(case: &Case) -> Result<Value, StudyError> {
             wrong("the sheet has back-stresses, which are not of its hardening law")
         }
         None => wrong("the case writes no hardening law"),
-        Some(law) if scale(&mut law.clone(), 1.0) == 0 => {
-            wrong("the hardening law has no stresses in the case's text")
-        }
+        Some(law) if scale(&mut law.clone(), 1.0) == 0 => wrong("the hardening law has no stresses in the case's text"),
         Some(law) => Ok(law),
     }
 }

@@ -61,7 +61,9 @@ impl Variable {
                 "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
             StudyError::new(format!("{key}: the range `{values}` {what}"), help)
         };
-        let number = |text: &str, what| split_number(text.trim()).map(|(x, unit)| (x, unit.to_owned())).ok_or_else(|| wrong(what));
+        let number = |text: &str, what| {
+            split_number(text.trim()).map(|(x, unit)| (x, unit.to_owned())).ok_or_else(|| wrong(what))
+        };
         let (start, from) = match from.split_once(" in ") {
             Some((start, from)) => (Some(number(start, "does not start with a number")?.0), from),
             None => (None, from),

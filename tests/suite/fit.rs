@@ -5,12 +5,12 @@ use fastrand::Rng;
 use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
 use stampflow::numerics::least_squares::Ended;
+use stampflow::study::BaseCase;
 use stampflow::study::fit::{
     CaseFit, CaseFitRequest, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case, fit_laws,
     material_text,
 };
-use stampflow::study::{BaseCase, MeasuredData};
-use stampflow::verification::Watch;
+use stampflow::study::verify::Watch;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -173,8 +173,7 @@ fn a_test_is_cut_where_its_force_is_largest() {
 /// deviations are those of 8 specimens.
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
-    let test = Tension::load(&MeasuredData::File("reference_data/aisi304l_bar_flow_curve.csv".into()), None, None)
-        .expect("a test");
+    let test = Tension::load(Path::new("reference_data/aisi304l_bar_flow_curve.csv"), None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve], None, RateKind::Power).expect("a fit");
     let best = fits.best();
@@ -248,7 +247,7 @@ fn curve_of(dir: &TempDir, noise: f64, rng: &mut Rng) -> PathBuf {
 fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
     let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
     let base = BaseCase::load(CASE, coarse()).expect("a case");
-    let request = CaseFitRequest::new(base, &texts, &[MeasuredData::File(path.to_owned())]);
+    let request = CaseFitRequest::new(base, &texts, &[path.to_owned()]);
     fit_case(&request.unwrap_or_else(|error| panic!("{error}")), 2, watch).unwrap_or_else(|error| panic!("{error}"))
 }
 

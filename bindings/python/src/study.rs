@@ -10,8 +10,8 @@ use serde::Deserialize;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::fit::{CaseFitRequest, RateKind, Reduction, Tests, fit_case, fit_laws};
 use stampflow::study::{
-    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, MeasuredData, RunTable, Scatter, SearchRequest,
-    Shard, Side, Study, StudyError, StudyReport, Sweep, begin, evaluate,
+    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, RunTable, Scatter, SearchRequest, Shard, Side,
+    Study, StudyError, StudyReport, Sweep, begin, evaluate,
 };
 use stampflow::verification::Watch;
 use std::collections::BTreeMap;
@@ -81,7 +81,6 @@ fn run(
             Box::new(LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?)
         }
         _ => {
-            let to: Vec<MeasuredData> = to.into_iter().map(MeasuredData::File).collect();
             let fit = fit_case(&CaseFitRequest::new(base, &vary, &to)?, threads, watch)?;
             return Ok((fit.report(), None));
         }
@@ -96,7 +95,7 @@ fn run(
 #[pyfunction]
 pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
     let tests = Tests {
-        tests: files.into_iter().map(MeasuredData::File).collect(),
+        tests: files,
         reduction: Reduction { young: None, offset: 0.002, from: None, to: None },
         section: None,
         gauge: None,
@@ -125,7 +124,7 @@ pub fn compare(
             candidates.push(Candidate { case: varied, overrides });
         }
     }
-    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&MeasuredData::File(path)));
+    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&path));
     let curves = curves.collect::<Result<Vec<_>, _>>().map_err(wrong)?;
     check(&candidates, &curves).map_err(wrong)?;
     let (all, raised) =

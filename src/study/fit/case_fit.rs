@@ -1,10 +1,10 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Correlated, Estimate, estimates, table};
-use crate::compare::{Computed, Point};
 use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
+use crate::results::comparison::{Computed, Point};
 use crate::study::error::fail;
 use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
@@ -76,7 +76,12 @@ impl CaseFitRequest {
         let parameter = |variable: &Variable| {
             let range = variable.search_range()?;
             let [low, high] = [range.ends[0].min(range.ends[1]), range.ends[0].max(range.ends[1])];
-            Ok(Parameter { start: range.start.unwrap_or(0.5 * (low + high)), low, high, step: DIFFERENCE * (high - low) })
+            Ok(Parameter {
+                start: range.start.unwrap_or(0.5 * (low + high)),
+                low,
+                high,
+                step: DIFFERENCE * (high - low),
+            })
         };
         let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
         let curves = match to {
@@ -105,7 +110,7 @@ impl CaseFitRequest {
         let solution = BaseCase::solve(case, watch)?;
         let computed = Computed::of(solution.stages.first().ok_or("nothing was solved")?);
         let pair = |curve: &MeasuredCurve| {
-            let (x, y) = curve.spec.quantity.columns(&computed);
+            let (x, y) = computed.columns(curve.spec.quantity);
             let points = curve.points(&computed).map_err(|error| error.to_string())?;
             Ok((points, x.values.into_iter().zip(y.values).collect()))
         };

@@ -128,9 +128,8 @@ impl LawFit {
         }
         let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
         let weight = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).map_or(1.0, |scatter| 1.0 / scatter);
-        let laws = |values: &[f64]| {
-            Some((kind.law(&values[..split])?, rate.map(|rate| rate.law(&values[split..], slowest))))
-        };
+        let laws =
+            |values: &[f64]| Some((kind.law(&values[..split])?, rate.map(|rate| rate.law(&values[split..], slowest))));
         let misses = |values: &[f64]| -> Option<Vec<f64>> {
             let (law, rate) = laws(values)?;
             Some(points.iter().map(|(point, at)| stress(&law, rate, point.strain, *at) - point.stress).collect())

@@ -66,7 +66,8 @@ impl LawFits {
     fn directions(&self) -> ReportTable {
         let mut table = ReportTable::new("directions", &["Direction", "Tests", "Stress ratio", "r", "Error of r"]);
         for d in &self.directions {
-            let [r, error] = d.r.map_or(["–".to_owned(), "–".to_owned()], |(r, error)| [r, error].map(|x| trimmed(x, 4)));
+            let [r, error] =
+                d.r.map_or(["–".to_owned(), "–".to_owned()], |(r, error)| [r, error].map(|x| trimmed(x, 4)));
             let cells = [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error];
             table.rows.push(cells.map(Cell::from).to_vec());
         }
