@@ -135,7 +135,7 @@ pub fn run(
     }
     let dir = options.folder(file, verb);
     let own = shard.and_then(|shard| shard.shard).unwrap_or(Shard::WHOLE);
-    let count = own.len(study.designs());
+    let count = own.len(study.plan().designs);
     if count > MANY && shard.is_some_and(|shard| !shard.yes) {
         let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
         return Err(BadRequest(what).into());
@@ -160,7 +160,7 @@ pub fn run(
         if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
     failed?;
-    if watch.wants_to_stop() && (study.designs() == 0 || (runs.runs.len() as u64) < count) {
+    if watch.wants_to_stop() && (study.plan().designs == 0 || (runs.runs.len() as u64) < count) {
         let part = table.part.display();
         warn(format!("{} runs are in {part}; --resume goes on with the others", runs.runs.len()));
         return Ok(Code::Done);

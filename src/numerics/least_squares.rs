@@ -25,17 +25,8 @@ pub struct Parameter {
     pub step: f64,
 }
 
-/// Residuals of a fit.
-pub trait Residuals {
-    /// Residuals at some points, as many at each; `None` where there are none. Empty where no more are wanted.
-    fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>>;
-}
-
-impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
-    fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
-        points.iter().map(|point| self(point)).collect()
-    }
-}
+/// Residuals at some points, as many at each; `None` where there are none. Empty where no more are wanted.
+pub type Residuals<'a> = dyn FnMut(&[Vec<f64>]) -> Vec<Option<Vec<f64>>> + 'a;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,9 +72,9 @@ const LAST: f64 = 1e8;
 const LADDER: [f64; 2] = [1.0, 30.0];
 
 /// Goes downhill from the start; `None` where that has no residuals.
-pub fn minimise(parameters: &[Parameter], residuals: &dyn Residuals, limits: Limits) -> Option<Minimum> {
+pub fn minimise(parameters: &[Parameter], residuals: &mut Residuals, limits: Limits) -> Option<Minimum> {
     let start: Vec<f64> = parameters.iter().map(|p| p.start.clamp(p.low, p.high)).collect();
-    let first = residuals.at(std::slice::from_ref(&start)).into_iter().next().flatten()?;
+    let first = residuals(std::slice::from_ref(&start)).into_iter().next().flatten()?;
     let jacobian = DMatrix::zeros(first.len(), start.len());
     let free = vec![false; start.len()];
     let mut best = Minimum { values: start, residuals: first, jacobian, free, ended: Ended::Steps };
@@ -99,7 +90,7 @@ pub fn minimise(parameters: &[Parameter], residuals: &dyn Residuals, limits: Lim
         }
         let moved = loop {
             let trials = LADDER.map(|times| best.stepped(parameters, times * damping));
-            let found = residuals.at(&trials);
+            let found = residuals(&trials);
             if found.is_empty() {
                 return Some(Minimum { ended: Ended::Stopped, ..best });
             }
@@ -131,7 +122,7 @@ pub fn minimise(parameters: &[Parameter], residuals: &dyn Residuals, limits: Lim
 }
 
 /// Central differences, one-sided at a bound and where one side has no residuals.
-fn jacobian_at(parameters: &[Parameter], residuals: &dyn Residuals, best: &Minimum) -> Result<DMatrix<f64>, Ended> {
+fn jacobian_at(parameters: &[Parameter], residuals: &mut Residuals, best: &Minimum) -> Result<DMatrix<f64>, Ended> {
     let moving: Vec<usize> = (0..parameters.len()).filter(|&j| parameters[j].low < parameters[j].high).collect();
     let at = |j: usize, side: f64| {
         let mut point = best.values.clone();
@@ -139,7 +130,7 @@ fn jacobian_at(parameters: &[Parameter], residuals: &dyn Residuals, best: &Minim
         point
     };
     let points: Vec<Vec<f64>> = moving.iter().flat_map(|&j| [at(j, -1.0), at(j, 1.0)]).collect();
-    let found = residuals.at(&points);
+    let found = residuals(&points);
     if found.len() < points.len() {
         return Err(Ended::Stopped);
     }
@@ -247,7 +238,10 @@ fn square(residuals: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    const LIMITS: Limits = Limits { steps: 200, change: 1e-12 };
+    fn minimum(parameters: &[Parameter], residuals: impl Fn(&[f64]) -> Vec<f64>) -> Minimum {
+        let mut all = |points: &[Vec<f64>]| points.iter().map(|point| Some(residuals(point))).collect();
+        minimise(parameters, &mut all, Limits { steps: 200, change: 1e-12 }).expect("residuals")
+    }
 
     fn parameter(start: f64, low: f64, high: f64) -> Parameter {
         Parameter { start, low, high, step: 1e-6 }
@@ -256,10 +250,10 @@ mod tests {
     /// Trust: Rosenbrock's valley has its minimum, 0, at (1, 1); with x ≤ 0.5 it lies at (0.5, 0.25).
     #[test]
     fn the_end_of_a_bent_valley_is_found_and_a_bound_is_kept() {
-        let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
+        let valley = |x: &[f64]| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]];
         for (high, expected, free) in [(5.0, [1.0, 1.0], [true, true]), (0.5, [0.5, 0.25], [false, true])] {
             let parameters = [parameter(-1.2, -5.0, high), parameter(1.0, -5.0, 5.0)];
-            let found = minimise(&parameters, &valley, LIMITS).expect("residuals");
+            let found = minimum(&parameters, valley);
             assert!(found.values.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-6), "{:?}", found.values);
             assert_eq!((found.free, found.ended), (free.to_vec(), Ended::Found));
         }
@@ -269,9 +263,8 @@ mod tests {
     #[test]
     fn the_covariance_of_a_line_is_that_of_textbooks() {
         let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [1.1, 2.9, 5.2, 6.8, 9.1]);
-        let line = |p: &[f64]| Some(x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect());
-        let found =
-            minimise(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], &line, LIMITS).expect("residuals");
+        let line = |p: &[f64]| x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect();
+        let found = minimum(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], line);
         let covariance = found.covariance(found.variance()).expect("told apart");
         let middle = 2.0;
         let spread: f64 = x.iter().map(|x| (x - middle) * (x - middle)).sum();
@@ -283,8 +276,8 @@ mod tests {
     /// Trust: only the sum of both is seen.
     #[test]
     fn parameters_that_are_seen_together_have_no_covariance() {
-        let sum = |x: &[f64]| Some(vec![x[0] + x[1] - 2.0, 2.0 * (x[0] + x[1]) - 4.1]);
-        let found = minimise(&[parameter(0.3, -9.0, 9.0), parameter(0.3, -9.0, 9.0)], &sum, LIMITS).expect("residuals");
+        let sum = |x: &[f64]| vec![x[0] + x[1] - 2.0, 2.0 * (x[0] + x[1]) - 4.1];
+        let found = minimum(&[parameter(0.3, -9.0, 9.0), parameter(0.3, -9.0, 9.0)], sum);
         let huge = found.covariance(1.0).is_none_or(|c| c[(0, 0)] > 1e6);
         assert!(huge, "{found:?}");
     }

@@ -30,15 +30,14 @@ pub struct Candidate {
 #[derive(Clone, Debug)]
 pub struct Member {
     /// Letter in tables and legends.
-    pub mark: String,
+    mark: String,
     /// Its overrides, or the name of its case.
-    pub name: String,
+    name: String,
     /// The solved case.
     pub solution: Solution,
-    /// Error bars of its numbers.
-    pub verification: Verification,
+    verification: Verification,
     /// Worst light of its verdict, with the labels of its rows.
-    pub light: Cell,
+    light: Cell,
 }
 
 /// Runs and measured curves side by side; differences are from the first run.
@@ -46,8 +45,7 @@ pub struct Member {
 pub struct SideBySide {
     /// The runs.
     pub members: Vec<Member>,
-    /// The measured curves.
-    pub curves: Vec<MeasuredCurve>,
+    curves: Vec<MeasuredCurve>,
 }
 
 /// Numbers that differ by less, over their size, are the same \[–\].

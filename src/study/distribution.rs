@@ -122,11 +122,13 @@ impl Distribution {
 
 /// A number of one unit in another; `None` if they measure different things, or one needs more than a factor.
 fn converted(value: f64, from: &str, to: &str) -> Option<f64> {
+    if from == to {
+        return Some(value);
+    }
     let quantity = |number: f64, unit: &str| parse(&format!("{number} {unit}")).ok();
     let has_factor = [from, to].iter().all(|unit| quantity(0.0, unit).is_some_and(|zero| zero.value == 0.0));
     let (one, other) = (quantity(1.0, from)?, quantity(1.0, to)?);
-    let factor = if from == to { 1.0 } else { one.value / other.value };
-    (from == to || has_factor && one.dimension == other.dimension).then_some(value * factor)
+    (has_factor && one.dimension == other.dimension).then_some(value * one.value / other.value)
 }
 
 /// Reads parts of a text and collects their units.

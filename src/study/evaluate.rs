@@ -1,5 +1,6 @@
 //! The engine: evaluates the designs that a study asks for, on all cores, until it asks for no more.
 
+use super::base_case::short_hash;
 use super::parallel_map::parallel_map;
 use super::report::StudyReport;
 use super::run::{Design, Evaluated, Run, evaluate_design, evaluated, responses};
@@ -10,19 +11,31 @@ use crate::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+/// Plan of a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The case that it varies.
+    pub base: BaseCase,
+    /// Hash of everything that decides its designs.
+    pub key: String,
+    /// Columns of its variables.
+    pub columns: Vec<String>,
+    /// Number of designs; 0 if each depends on the runs before.
+    pub designs: u64,
+}
+
+impl Plan {
+    /// Plan of designs that `decided` describes.
+    pub(super) fn new(base: BaseCase, decided: &str, columns: Vec<String>, designs: u64) -> Self {
+        let key = short_hash([&base.key, decided]);
+        Self { base, key, columns, designs }
+    }
+}
+
 /// A kind of study.
 pub trait Study: Sync {
-    /// The case that it varies.
-    fn base(&self) -> &BaseCase;
-
-    /// Hash of everything that decides its designs.
-    fn key(&self) -> String;
-
-    /// Columns of its variables.
-    fn columns(&self) -> Vec<String>;
-
-    /// Number of designs; 0 if each depends on the runs before.
-    fn designs(&self) -> u64;
+    /// Its case, variables and number of designs.
+    fn plan(&self) -> &Plan;
 
     /// Checks the request against the base case's responses.
     fn check(&mut self, _runs: &RunTable) -> Result<(), StudyError> {
@@ -53,19 +66,17 @@ pub type EarlierRuns = BTreeMap<u64, Run>;
 
 /// Runs the base case; the table has no rows yet.
 pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable, StudyError> {
-    let (base, variables) = (study.base(), study.columns());
-    let case = base.case(&[])?;
+    let plan = study.plan().clone();
+    let case = plan.base.case(&[])?;
     let inputs = BaseCase::input_hash(&case);
     let solution = BaseCase::solve(case, settings.watch).map_err(|reason| {
         StudyError::new(format!("the case as it stands cannot be run: {reason}"), "try `stampflow check`")
     })?;
     let (responses, rows) = responses(&solution);
-    let design = Design { index: 0, values: vec![String::new(); variables.len()], settings: Vec::new() };
+    let design = Design { index: 0, values: vec![String::new(); plan.columns.len()], settings: Vec::new() };
     let row = Run::failed(&design, inputs, responses.len(), settings.errors);
     let table = RunTable {
-        study: study.key(),
-        designs: study.designs(),
-        variables,
+        plan,
         rows,
         has_errors: settings.errors,
         base: evaluated(row, &solution, &responses, settings.watch).run,
@@ -90,7 +101,7 @@ pub fn evaluate(
         if designs.is_empty() {
             break;
         }
-        let (base, responses, all) = (study.base(), runs.responses.clone(), runs.runs.len() + designs.len());
+        let (base, responses, all) = (&study.plan().base, runs.responses.clone(), runs.runs.len() + designs.len());
         let one = |design: &Design| match earlier.get(&design.index).filter(|run| run.values == design.values) {
             Some(run) => Evaluated { run: run.clone(), outcome: None },
             None => evaluate_design(base, design, &responses, settings.errors, settings.watch),
@@ -102,7 +113,7 @@ pub fn evaluate(
             settings.watch.ran(runs.runs.len(), all);
             if flow.is_break() { Err(()) } else { Ok(()) }
         });
-        if ended.is_err() || runs.runs.len() < all || study.designs() > 0 {
+        if ended.is_err() || runs.runs.len() < all || study.plan().designs > 0 {
             break;
         }
     }

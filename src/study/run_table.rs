@@ -5,6 +5,7 @@
 //! ```
 
 use super::error::fail;
+use super::evaluate::Plan;
 use super::run::{Response, Run, column};
 use super::{FailureMode, StudyError};
 use crate::assess::Light;
@@ -21,18 +22,12 @@ const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red]
 /// Evaluations of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
-    /// Hash of the base case and the variables.
-    pub study: String,
-    /// Number of designs; 0 if each depends on the runs before.
-    pub designs: u64,
-    /// Columns of the variables.
-    pub variables: Vec<String>,
+    pub(super) plan: Plan,
     /// Numbers of the base case.
     pub responses: Vec<Response>,
     /// Keys and labels of the verdict's rows.
     pub rows: Vec<(String, String)>,
-    /// Whether numbers have error bars.
-    pub has_errors: bool,
+    pub(super) has_errors: bool,
     /// The base case.
     pub base: Run,
     /// Evaluations, by their indices.
@@ -95,7 +90,7 @@ impl RunTable {
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
         let mut header: Vec<String> = FIRST.map(str::to_owned).to_vec();
-        header.extend(self.variables.iter().cloned());
+        header.extend(self.plan.columns.iter().cloned());
         header.extend(self.responses.iter().map(|response| response.column.clone()));
         header.extend(self.responses.iter().filter(|_| self.has_errors).map(|r| column(&r.number, "_error")));
         header.extend(LAST.map(str::to_owned));
@@ -105,7 +100,7 @@ impl RunTable {
     /// Line of a run.
     pub fn line(&self, run: &Run) -> Vec<String> {
         let number = |value: &f64| if value.is_finite() { value.to_string() } else { String::new() };
-        let mut line = vec![self.study.clone(), self.designs.to_string(), run.index.to_string(), run.inputs.clone()];
+        let mut line = vec![self.plan.key.clone(), self.plan.designs.to_string(), run.index.to_string(), run.inputs.clone()];
         line.extend(run.values.iter().cloned());
         line.extend(run.numbers.iter().chain(&run.errors).map(number));
         line.push(run.light.map_or("", Light::name).to_owned());
@@ -118,8 +113,8 @@ impl RunTable {
     pub fn read(&self, line: &csv::StringRecord) -> Option<Run> {
         let count = self.responses.len();
         let errors = if self.has_errors { count } else { 0 };
-        let (variables, all) = (self.variables.len(), line.len());
-        let is_own = line.get(0)? == self.study && line.get(1)? == self.designs.to_string();
+        let (variables, all) = (self.plan.columns.len(), line.len());
+        let is_own = line.get(0)? == self.plan.key && line.get(1)? == self.plan.designs.to_string();
         let is_whole = all == FIRST.len() + variables + count + errors + LAST.len() && line.get(all - 1)? == VERSION;
         let mut fields = line.iter().skip(2).filter(|_| is_own && is_whole);
         let index = fields.next()?.parse().ok()?;

@@ -2,10 +2,10 @@
 //!
 //! The sample is a scrambled Sobol sequence. Wilson's intervals take its points as independent, which is on the safe side.
 
-use super::base_case::short_hash;
 use super::charts;
 use super::default_scatter::default_scatter;
 use super::error::fail;
+use super::evaluate::Plan;
 use super::report::{Cell, ReportTable, StudyReport};
 use super::statistics::{Probability, quantile, rank_correlation, wilson};
 use super::uncertain_variable::UncertainVariable;
@@ -28,13 +28,15 @@ const HALF: f64 = 0.5 / (1u32 << 24) as f64;
 const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// Rank correlations that are named \[–\].
 const NAMED: f64 = 0.3;
+/// Labels of the torn parts and of the whole verdict.
+const TEARS: &str = "Tears";
+const ALL: &str = "All together";
 
 /// A sample of uncertain variables.
 #[derive(Clone, Debug)]
 pub struct Scatter {
-    base: BaseCase,
+    plan: Plan,
     variables: Vec<UncertainVariable>,
-    runs: u64,
     seed: u32,
     /// Sources of default distributions.
     defaults: Vec<String>,
@@ -49,22 +51,11 @@ pub struct UncertaintyResult {
     pub spreads: Vec<Spread>,
 }
 
-/// Object of an event.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum EventKind {
-    /// The sheet tears.
-    Tear,
-    /// The whole verdict.
-    Verdict,
-    /// A row of the verdict.
-    Row(String),
-}
-
 /// A light and its probability.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// Object that has the light.
-    pub kind: EventKind,
+    /// Label of the row that has the light, or of the whole verdict.
+    pub label: String,
     /// Red or amber.
     pub light: Light,
     /// Runs that have it.
@@ -97,7 +88,7 @@ impl Scatter {
     ) -> Result<Self, StudyError> {
         let file = StudyFile::load(path, set, vary)?;
         let (runs, seed) = (runs.or(file.runs).unwrap_or(RUNS), seed.or(file.seed).unwrap_or(1));
-        Self::new(BaseCase::load(file.case, file.set)?, &file.vary, runs, seed)
+        Self::new(BaseCase::load(file.case, file.set)?, &file.variables, runs, seed)
     }
 
     /// Samples `KEY=DISTRIBUTION` variables of a case; default distributions if there are none.
@@ -122,7 +113,9 @@ impl Scatter {
         for variable in &variables {
             base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
-        Ok(Self { base, variables, runs, seed, defaults })
+        let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
+        let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
+        Ok(Self { plan, variables, seed, defaults })
     }
 
     fn design(&self, index: u64) -> Design {
@@ -148,21 +141,22 @@ impl Scatter {
             (!values.is_empty()).then(|| Spread { response, values, correlations: correlations(&all) })
         });
         let mut events = Vec::new();
-        let mut add = |kind: EventKind, light: Light, has: &dyn Fn(&Run) -> bool| {
+        let mut add = |label: &str, light: Light, has: &dyn Fn(&Run) -> bool| {
             let all: Vec<f64> = known.iter().map(|run| f64::from(u8::from(has(run)))).collect();
             let hits = all.iter().filter(|hit| **hit > 0.0).count();
-            let is_named = hits > 0 || !matches!(kind, EventKind::Row(_));
+            let is_named = hits > 0 || label == TEARS || label == ALL;
             if let Some(probability) = wilson(hits, known.len()).filter(|_| is_named) {
-                events.push(Event { kind, light, hits, probability, correlations: correlations(&all) });
+                let (label, correlations) = (label.to_owned(), correlations(&all));
+                events.push(Event { label, light, hits, probability, correlations });
             }
         };
-        add(EventKind::Tear, Light::Red, &Run::tears);
+        add(TEARS, Light::Red, &Run::tears);
         for light in [Light::Red, Light::Amber] {
-            add(EventKind::Verdict, light, &|run: &Run| run.light == Some(light));
+            add(ALL, light, &|run: &Run| run.light == Some(light));
         }
-        for (key, _) in &runs.rows {
-            add(EventKind::Row(key.clone()), Light::Red, &|run: &Run| run.red.contains(key));
-            add(EventKind::Row(key.clone()), Light::Amber, &|run: &Run| run.amber.contains(key));
+        for (key, label) in &runs.rows {
+            add(label, Light::Red, &|run: &Run| run.red.contains(key));
+            add(label, Light::Amber, &|run: &Run| run.amber.contains(key));
         }
         UncertaintyResult { events, spreads: spreads.collect() }
     }
@@ -180,15 +174,10 @@ impl Scatter {
         let columns = ["Light", "Row", "Share of parts", "from", "to", "Rank correlation"];
         let mut lights = ReportTable::new("scatter_lights", &columns);
         for event in &result.events {
-            let label = match &event.kind {
-                EventKind::Tear => "Tears",
-                EventKind::Verdict => "All together",
-                EventKind::Row(key) => runs.label(key),
-            };
             let Probability { value, low, high } = event.probability;
             let [value, low, high] = [value, low, high].map(|share| Amount::share(share).into());
             let light = Cell::Light(event.light, String::new());
-            lights.rows.push(vec![light, label.into(), value, low, high, self.influences(&event.correlations)]);
+            lights.rows.push(vec![light, event.label.clone().into(), value, low, high, self.influences(&event.correlations)]);
         }
         let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
         let mut numbers = ReportTable::new("scatter_numbers", &columns);
@@ -206,24 +195,12 @@ impl Scatter {
 }
 
 impl Study for Scatter {
-    fn base(&self) -> &BaseCase {
-        &self.base
-    }
-
-    fn key(&self) -> String {
-        short_hash([&self.base.key, &format!("{:?}{}{}", self.variables, self.runs, self.seed)])
-    }
-
-    fn columns(&self) -> Vec<String> {
-        self.variables.iter().map(|uncertain| uncertain.variable.header()).collect()
-    }
-
-    fn designs(&self) -> u64 {
-        self.runs
+    fn plan(&self) -> &Plan {
+        &self.plan
     }
 
     fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..self.runs).map(|index| self.design(index)).collect()
+        (0..self.plan.designs).map(|index| self.design(index)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
@@ -240,7 +217,7 @@ impl Study for Scatter {
             }
         };
         let [red, amber] = [Light::Red, Light::Amber].map(|light| {
-            let event = result.events.iter().find(|event| event.kind == EventKind::Verdict && event.light == light);
+            let event = result.events.iter().find(|event| event.label == ALL && event.light == light);
             Amount::share(event.map_or(0.0, |event| event.probability.value))
         });
         let shares = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");

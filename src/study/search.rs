@@ -1,10 +1,10 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
-use super::base_case::short_hash;
 use super::bracket::{Bracket, Search, Side, Trial};
 use super::charts;
 use super::condition::{Comparison, Condition};
 use super::error::fail;
+use super::evaluate::Plan;
 use super::goals::{Goal, GoalAim};
 use super::report::StudyReport;
 use super::variable::{SearchRange, Variable, split_number, written};
@@ -37,7 +37,7 @@ pub struct SearchRequest {
 /// A search over one variable, with others that move along.
 #[derive(Clone, Debug)]
 pub struct LimitSearch {
-    pub(super) base: BaseCase,
+    pub(super) plan: Plan,
     /// The first is searched; each goes from its first end to its last.
     variables: Vec<(Variable, SearchRange)>,
     tolerance: Option<f64>,
@@ -85,9 +85,15 @@ impl LimitSearch {
             }
         };
         let tolerance = request.tolerance.as_ref().map(|text| tolerance(&variables[0].0, text)).transpose()?;
-        let mut search = Self { base, variables, tolerance, is_whole: false, aim, side };
+        let text = match &aim {
+            Aim::Keep(condition) => condition.text.clone(),
+            Aim::Reach(target) => format!("{target:?}"),
+        };
+        let columns = variables.iter().map(|(variable, _)| variable.header()).collect();
+        let plan = Plan::new(base, &format!("{variables:?}{tolerance:?}{text}{side:?}"), columns, 0);
+        let mut search = Self { plan, variables, tolerance, is_whole: false, aim, side };
         search.is_whole = search.has_whole_numbers();
-        search.base.check_any([0.5, 0.0, 1.0].map(|share| search.design(0, search.at(share)).settings))?;
+        search.plan.base.check_any([0.5, 0.0, 1.0].map(|share| search.design(0, search.at(share)).settings))?;
         Ok(search)
     }
 
@@ -172,7 +178,7 @@ impl LimitSearch {
 
     fn has_whole_numbers(&self) -> bool {
         let [low, high] = self.range().ends;
-        let is_case = |x: f64| self.base.case(&[self.variable().setting(&written(x))]).is_ok();
+        let is_case = |x: f64| self.plan.base.case(&[self.variable().setting(&written(x))]).is_ok();
         let is_plain = self.variable().unit.is_empty() && low.fract() == 0.0 && high.fract() == 0.0;
         is_plain && is_case(low) && !is_case(low + 0.5) && is_case(low + 1.0)
     }
@@ -186,25 +192,8 @@ impl LimitSearch {
 }
 
 impl Study for LimitSearch {
-    fn base(&self) -> &BaseCase {
-        &self.base
-    }
-
-    fn key(&self) -> String {
-        let aim = match &self.aim {
-            Aim::Keep(condition) => condition.text.clone(),
-            Aim::Reach(target) => format!("{target:?}"),
-        };
-        let own = format!("{:?}{:?}{aim}{:?}", self.variables, self.tolerance, self.side);
-        short_hash([&self.base.key, &own])
-    }
-
-    fn columns(&self) -> Vec<String> {
-        self.variables.iter().map(|(variable, _)| variable.header()).collect()
-    }
-
-    fn designs(&self) -> u64 {
-        0
+    fn plan(&self) -> &Plan {
+        &self.plan
     }
 
     fn check(&mut self, runs: &RunTable) -> Result<(), StudyError> {

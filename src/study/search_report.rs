@@ -63,7 +63,7 @@ impl LimitSearch {
             _ => {}
         }
         let draw_ratio = |run: usize| {
-            let case = self.base.case(&self.design(0, runs.runs[run].value(0)).settings).ok()?;
+            let case = self.plan.base.case(&self.design(0, runs.runs[run].value(0)).settings).ok()?;
             estimate::draw_ratio(case.model())
         };
         let ratios = best.zip(other).and_then(|(best, other)| draw_ratio(best).zip(draw_ratio(other)));

@@ -20,48 +20,33 @@
 use super::StudyError;
 use super::base_case::read_text;
 use super::error::fail;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
 /// Keys of every case, by which one is recognised.
 const CASE_KEYS: [&str; 3] = ["blank", "tools", "material"];
 
+/// A study; paths are relative to the working directory once it is loaded.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Written {
-    case: PathBuf,
+pub(super) struct StudyFile {
+    pub case: PathBuf,
     #[serde(default)]
-    set: Vec<String>,
+    pub set: Vec<String>,
     #[serde(default)]
-    one_at_a_time: bool,
-    runs: Option<u64>,
-    seed: Option<u32>,
-    to: Option<Curves>,
+    pub one_at_a_time: bool,
+    pub runs: Option<u64>,
+    pub seed: Option<u32>,
+    #[serde(default, deserialize_with = "one_or_many")]
+    pub to: Vec<PathBuf>,
+    /// `KEY=VALUES & KEY=VALUES`.
+    #[serde(skip)]
+    pub variables: Vec<String>,
     #[serde(default)]
     vary: Table,
     #[serde(default)]
     together: Vec<Table>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(untagged)]
-enum Curves {
-    One(PathBuf),
-    Many(Vec<PathBuf>),
-}
-
-/// A study; paths are relative to the working directory.
-#[derive(Debug)]
-pub(super) struct StudyFile {
-    pub case: PathBuf,
-    pub set: Vec<String>,
-    pub one_at_a_time: bool,
-    pub runs: Option<u64>,
-    pub seed: Option<u32>,
-    pub to: Vec<PathBuf>,
-    /// `KEY=VALUES & KEY=VALUES`.
-    pub vary: Vec<String>,
 }
 
 impl StudyFile {
@@ -71,36 +56,48 @@ impl StudyFile {
         let text = read_text(path, "give a case file, or a study file")?;
         let is_case = toml::from_str::<Table>(&text)
             .map_or(true, |table| !table.contains_key("case") && CASE_KEYS.iter().any(|key| table.contains_key(*key)));
+        let mut file = if is_case { Self::default() } else { Self::read(&text, path).map_err(|e| e.within(format!("{shown}: ")))? };
         if is_case {
-            let (case, vary) = (path.to_owned(), vary.to_vec());
-            return Ok(Self { case, set, one_at_a_time: false, runs: None, seed: None, to: Vec::new(), vary });
+            file.case = path.to_owned();
         }
-        let written: Written = toml::from_str(&text).map_err(|error| {
-            StudyError::new(format!("{shown}: {}", error.to_string().trim_end()), "see `stampflow sweep --help`")
-        })?;
+        file.set.extend(set);
+        if !vary.is_empty() {
+            file.variables = vary.to_vec();
+        }
+        Ok(file)
+    }
+
+    fn read(text: &str, path: &Path) -> Result<Self, StudyError> {
+        let wrong = |error: toml::de::Error| StudyError::new(error.to_string().trim_end(), "see `stampflow sweep --help`");
+        let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
-        let case = beside(&written.case);
-        if !case.exists() {
-            let what = format!("{shown}: there is no file {}", case.display());
+        (file.case, file.to) = (beside(&file.case), file.to.iter().map(beside).collect());
+        if !file.case.exists() {
+            let what = format!("there is no file {}", file.case.display());
             return fail(what, "`case` is the path of a case file, relative to the study file");
         }
-        let to = match &written.to {
-            None => Vec::new(),
-            Some(Curves::One(path)) => vec![beside(path)],
-            Some(Curves::Many(paths)) => paths.iter().map(beside).collect(),
-        };
-        let mut own = pairs(&written.vary, "").map_err(|error| error.within(format!("{shown}: ")))?;
-        for together in &written.together {
-            let keys = pairs(together, "").map_err(|error| error.within(format!("{shown}: ")))?;
-            if keys.is_empty() {
-                return fail(format!("{shown}: a [[together]] has no keys"), "give it two keys or more");
+        file.variables = pairs(&file.vary, "")?;
+        for together in &file.together {
+            match pairs(together, "")?.join(" & ") {
+                none if none.is_empty() => return fail("a [[together]] has no keys", "give it two keys or more"),
+                keys => file.variables.push(keys),
             }
-            own.push(keys.join(" & "));
         }
-        let Written { one_at_a_time, runs, seed, .. } = written;
-        let vary = if vary.is_empty() { own } else { vary.to_vec() };
-        Ok(Self { case, set: [written.set, set].concat(), one_at_a_time, runs, seed, to, vary })
+        Ok(file)
     }
+}
+
+fn one_or_many<'de, D: Deserializer<'de>>(paths: D) -> Result<Vec<PathBuf>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Paths {
+        One(PathBuf),
+        Many(Vec<PathBuf>),
+    }
+    Ok(match Paths::deserialize(paths)? {
+        Paths::One(path) => vec![path],
+        Paths::Many(paths) => paths,
+    })
 }
 
 /// `KEY=VALUES` of every dotted key below a table.
@@ -109,16 +106,16 @@ fn pairs(table: &Table, above: &str) -> Result<Vec<String>, StudyError> {
     let mut all = Vec::new();
     for (name, value) in table {
         let key = format!("{above}{name}");
-        match value {
-            Value::Table(table) => all.extend(pairs(table, &format!("{key}."))?),
-            Value::Array(values) => {
-                all.push(format!("{key}={}", values.iter().map(plain).collect::<Vec<_>>().join(", ")));
+        let values = match value {
+            Value::Table(table) => {
+                all.extend(pairs(table, &format!("{key}."))?);
+                continue;
             }
-            Value::Datetime(_) => {
-                return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]");
-            }
-            value => all.push(format!("{key}={}", plain(value))),
-        }
+            Value::Datetime(_) => return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]"),
+            Value::Array(values) => values.iter().map(plain).collect::<Vec<_>>().join(", "),
+            value => plain(value),
+        };
+        all.push(format!("{key}={values}"));
     }
     Ok(all)
 }

@@ -1,8 +1,8 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
-use super::base_case::short_hash;
 use super::charts;
 use super::error::fail;
+use super::evaluate::Plan;
 use super::report::{Cell, ReportTable, StudyReport};
 use super::variable::{Variable, number, repeated};
 use super::{BaseCase, Design, FailureMode, Run, RunTable, Study, StudyError, StudyFile};
@@ -14,7 +14,7 @@ use std::path::Path;
 /// A full factorial design, or one key at a time.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    base: BaseCase,
+    plan: Plan,
     /// The last axis varies fastest.
     pub(super) axes: Vec<Axis>,
     one_at_a_time: bool,
@@ -95,7 +95,7 @@ impl Sweep {
     /// Reads a case or study file; `vary` replaces the study's own variables.
     pub fn load(path: &Path, set: Vec<String>, vary: &[String], one_at_a_time: bool) -> Result<Self, StudyError> {
         let file = StudyFile::load(path, set, vary)?;
-        Self::new(BaseCase::load(file.case, file.set)?, &file.vary, one_at_a_time || file.one_at_a_time)
+        Self::new(BaseCase::load(file.case, file.set)?, &file.variables, one_at_a_time || file.one_at_a_time)
     }
 
     /// Varies a case by `KEY=VALUES` texts.
@@ -107,14 +107,19 @@ impl Sweep {
         if let Some(key) = repeated(axes.iter().flat_map(|axis| &axis.variables)) {
             return fail(format!("{key} is varied twice"), "give all its values at once");
         }
-        if axes.iter().try_fold(1u64, |count, axis| count.checked_mul(axis.count() as u64)).is_none() {
+        let counts = || axes.iter().map(|axis| axis.count() as u64);
+        let Some(all) = counts().try_fold(1u64, u64::checked_mul) else {
             return fail("more designs than can be counted", "fewer values, or `scatter` for a sample");
-        }
+        };
         for axis in &axes {
             let last = axis.count() - 1;
             base.check_any([0, last / 2, last].map(|i| axis.settings(i).collect()))?;
         }
-        Ok(Self { base, axes, one_at_a_time })
+        let designs = if one_at_a_time { 1 + counts().sum::<u64>() } else { all };
+        let columns = axes.iter().flat_map(|axis| &axis.variables).map(Variable::header).collect();
+        let values: Vec<_> = axes.iter().map(|axis| (&axis.variables, &axis.values)).collect();
+        let plan = Plan::new(base, &format!("{values:?}{one_at_a_time}"), columns, designs);
+        Ok(Self { plan, axes, one_at_a_time })
     }
 
     /// Whether error bars are usual: over one key.
@@ -249,26 +254,12 @@ impl Sensitivity {
 }
 
 impl Study for Sweep {
-    fn base(&self) -> &BaseCase {
-        &self.base
-    }
-
-    fn key(&self) -> String {
-        let variables: Vec<_> = self.axes.iter().map(|axis| (&axis.variables, &axis.values)).collect();
-        short_hash([&self.base.key, &format!("{variables:?}{}", self.one_at_a_time)])
-    }
-
-    fn columns(&self) -> Vec<String> {
-        self.axes.iter().flat_map(|axis| &axis.variables).map(Variable::header).collect()
-    }
-
-    fn designs(&self) -> u64 {
-        let counts = self.axes.iter().map(|axis| axis.count() as u64);
-        if self.one_at_a_time { 1 + counts.sum::<u64>() } else { counts.product() }
+    fn plan(&self) -> &Plan {
+        &self.plan
     }
 
     fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..self.designs()).map(|index| self.design(index)).collect()
+        (0..self.plan.designs).map(|index| self.design(index)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {

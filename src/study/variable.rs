@@ -246,11 +246,10 @@ fn one_unit(first: &str, unit: &str) -> Result<(), String> {
 
 /// Refuses a decimal comma in a text that has no list.
 pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyError> {
-    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
-    let parts: Vec<&str> = text.split(',').collect();
-    let is_decimal = |pair: &[&str]| is_digit(pair[0].chars().next_back()) && is_digit(pair[1].chars().next());
-    match parts.windows(2).any(is_decimal) {
-        true => fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", parts.join("."))),
+    let bytes = text.as_bytes();
+    let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
+    match bytes.windows(3).any(is_decimal) {
+        true => fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", text.replace(',', "."))),
         false => Ok(()),
     }
 }
@@ -258,12 +257,12 @@ pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyErr
 /// The list with a point if it is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
 fn decimal_point(list: &str) -> Option<String> {
     let parts: Vec<&str> = list.trim().split(',').collect();
-    let is_whole = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+    let is_whole = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     let is_decimal = |pair: &[&str]| {
-        let digits = pair[1].len() - pair[1].trim_start_matches(|c: char| c.is_ascii_digit()).len();
-        let ends = !pair[1][digits..].starts_with('.');
-        let is_padded = digits > 1 && pair[1].starts_with('0') && ends;
-        let is_share = parts.len() == 2 && pair[0] == "0" && digits > 0 && ends;
+        let rest = pair[1].trim_start_matches(|c: char| c.is_ascii_digit());
+        let digits = if rest.starts_with('.') { 0 } else { pair[1].len() - rest.len() };
+        let is_padded = digits > 1 && pair[1].starts_with('0');
+        let is_share = digits > 0 && parts.len() == 2 && pair[0] == "0";
         is_whole(pair[0].trim_start().trim_start_matches(['-', '−'])) && (is_padded || is_share)
     };
     parts.windows(2).any(is_decimal).then(|| if parts.len() == 2 { parts.join(".") } else { "0.04".to_owned() })

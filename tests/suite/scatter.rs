@@ -3,7 +3,7 @@
 use crate::common::cli::{stampflow, text};
 use crate::study::run;
 use serde_json::Value;
-use stampflow::study::{BaseCase, Evaluation, EventKind, Scatter, Shard, Study, StudyError, begin};
+use stampflow::study::{BaseCase, Evaluation, Scatter, Shard, Study, StudyError, begin};
 use std::path::Path;
 
 fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
@@ -45,7 +45,7 @@ fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     let median = stampflow::study::quantile(&spread.values, 0.5);
     assert!((median / table.base.numbers[force] - 1.0).abs() < 0.01, "{median}");
     let tear = &result.events[0];
-    assert_eq!((&tear.kind, tear.hits, tear.probability.low), (&EventKind::Tear, 0, 0.0));
+    assert_eq!((tear.label.as_str(), tear.hits, tear.probability.low), ("Tears", 0, 0.0));
     assert!(tear.probability.high > 0.05 && tear.probability.high < 0.15, "{:?}", tear.probability);
     let report = scatter.report(&table);
     assert!(report.headline.starts_with("No tear in 32 parts"), "{}", report.headline);

@@ -1,7 +1,7 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Correlated, Estimate, estimates, table};
-use crate::numerics::least_squares::{Ended, Limits, Parameter, Residuals, minimise};
+use crate::numerics::least_squares::{Ended, Limits, Parameter, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
 use crate::results::comparison::{Computed, Point};
@@ -15,8 +15,6 @@ use crate::study::{BaseCase, StudyError, StudyFile};
 use crate::units::significant;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Keys and the curves that they are fitted to.
 #[derive(Clone, Debug)]
@@ -61,7 +59,7 @@ impl CaseFitRequest {
     /// Reads a case or study file; `vary` and `to` replace the study's own.
     pub fn load(path: &Path, set: Vec<String>, vary: &[String], to: &[PathBuf]) -> Result<Self, StudyError> {
         let file = StudyFile::load(path, set, vary)?;
-        Self::new(BaseCase::load(&file.case, file.set)?, &file.vary, if to.is_empty() { &file.to } else { to })
+        Self::new(BaseCase::load(&file.case, file.set)?, &file.variables, if to.is_empty() { &file.to } else { to })
     }
 
     /// Fits `KEY=START in LOW..HIGH UNIT` keys to curves; to those of the case's comparisons if there are none.
@@ -76,12 +74,8 @@ impl CaseFitRequest {
         let parameter = |variable: &Variable| {
             let range = variable.search_range()?;
             let [low, high] = [range.ends[0].min(range.ends[1]), range.ends[0].max(range.ends[1])];
-            Ok(Parameter {
-                start: range.start.unwrap_or(0.5 * (low + high)),
-                low,
-                high,
-                step: DIFFERENCE * (high - low),
-            })
+            let (start, step) = (range.start.unwrap_or(0.5 * (low + high)), DIFFERENCE * (high - low));
+            Ok(Parameter { start, low, high, step })
         };
         let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
         let curves = match to {
@@ -139,49 +133,6 @@ impl CaseFitRequest {
     }
 }
 
-struct Runner<'a> {
-    request: &'a CaseFitRequest,
-    weights: Vec<Vec<f64>>,
-    threads: usize,
-    watch: &'a dyn Watch,
-    done: AtomicUsize,
-    failed: AtomicUsize,
-    reason: OnceLock<String>,
-}
-
-impl Runner<'_> {
-    fn residuals(&self, curves: &[RunCurve]) -> Option<Vec<f64>> {
-        let all = curves.iter().zip(&self.weights).flat_map(|((points, _), weights)| points.iter().zip(weights));
-        let used = all.filter(|(_, weight)| **weight > 0.0);
-        used.map(|(point, weight)| Some((point.computed? - point.reference) * weight)).collect()
-    }
-}
-
-impl Residuals for Runner<'_> {
-    fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
-        let one = |values: &Vec<f64>| {
-            let curves = self.request.run(values, self.watch);
-            let residuals = curves.and_then(|curves| {
-                self.residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned())
-            });
-            let residuals = residuals.map_err(|reason| {
-                self.failed.fetch_add(1, Ordering::Relaxed);
-                self.reason.get_or_init(|| reason);
-            });
-            residuals.ok()
-        };
-        let mut all = Vec::with_capacity(points.len());
-        let expected = 1 + 7 * (2 * self.request.variables.len() + 2);
-        let Ok(()) = parallel_map(points, self.threads, self.watch, one, |one| {
-            all.push(one);
-            let done = 1 + self.done.fetch_add(1, Ordering::Relaxed);
-            self.watch.ran(done, expected.max(done + 1));
-            Ok::<_, Infallible>(())
-        });
-        if all.len() < points.len() { Vec::new() } else { all }
-    }
-}
-
 /// Fits the keys of a case. After `watch` asks to stop, the best so far is returned.
 pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> Result<CaseFit, StudyError> {
     let first = request.run(&request.starts(), watch).map_err(|reason| {
@@ -189,15 +140,34 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     })?;
     let is_weighted = request.curves.iter().zip(&first).all(|(curve, (points, _))| curve.deviations(points).is_some());
     let weights = request.weights(&first, is_weighted)?;
-    let (done, failed) = (AtomicUsize::new(1), AtomicUsize::new(0));
-    let runner = Runner { request, weights, threads, watch, done, failed, reason: OnceLock::new() };
-    let Some(minimum) = minimise(&request.parameters, &runner, LIMITS) else {
+    let residuals = |curves: &[RunCurve]| -> Option<Vec<f64>> {
+        let all = curves.iter().zip(&weights).flat_map(|((points, _), weights)| points.iter().zip(weights));
+        let used = all.filter(|(_, weight)| **weight > 0.0);
+        used.map(|(point, weight)| Some((point.computed? - point.reference) * weight)).collect()
+    };
+    let (mut done, mut failed, mut reason) = (1, 0, None);
+    let expected = 1 + 7 * (2 * request.variables.len() + 2);
+    let mut run_all = |points: &[Vec<f64>]| {
+        let one = |values: &Vec<f64>| {
+            let curves = request.run(values, watch)?;
+            residuals(&curves).ok_or_else(|| "a run ended before the curve does".to_owned())
+        };
+        let mut all = Vec::new();
+        let Ok(()) = parallel_map(points, threads, watch, one, |result: Result<Vec<f64>, String>| {
+            done += 1;
+            watch.ran(done, expected.max(done + 1));
+            failed += usize::from(result.is_err());
+            all.push(result.map_err(|why| _ = reason.get_or_insert(why)).ok());
+            Ok::<_, Infallible>(())
+        });
+        if all.len() < points.len() { Vec::new() } else { all }
+    };
+    let Some(minimum) = minimise(&request.parameters, &mut run_all, LIMITS) else {
         return fail("the fit was ended before its first step", "let it run");
     };
     if let Ended::Blind(j) = minimum.ended {
         let (key, value) = (&request.variables[j].key, minimum.values[j]);
-        let reason = runner.reason.get().map_or("", String::as_str);
-        let what = format!("no run succeeds on either side of {key} = {value}: {reason}");
+        let what = format!("no run succeeds on either side of {key} = {value}: {}", reason.unwrap_or_default());
         return fail(what, "begin elsewhere, or narrow the ranges");
     }
     let names: Vec<(&str, &str)> = request.variables.iter().map(|v| (v.key.as_str(), v.unit.as_str())).collect();
@@ -208,10 +178,10 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let last = request.run(&minimum.values, &()).map_err(|reason| StudyError::new(reason, "begin elsewhere"))?;
     let rms = |residuals: &[f64]| (residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64).sqrt();
     let case = request.base.case(&[])?;
-    let before = rms(&runner.residuals(&first).unwrap_or_default());
+    let before = rms(&residuals(&first).unwrap_or_default());
     let (mut charts, mut left_out) = (Vec::new(), Vec::new());
     for (((curve, (_, before)), (points, after)), weights) in
-        request.curves.iter().zip(first).zip(last).zip(&runner.weights)
+        request.curves.iter().zip(first).zip(last).zip(&weights)
     {
         left_out.push((curve.name(), weights.iter().filter(|weight| **weight == 0.0).count(), points.len()));
         let measured = points.iter().map(|p| (p.x, p.reference)).collect();
@@ -230,7 +200,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
         ended: if watch.wants_to_stop() { Ended::Stopped } else { minimum.ended },
         text: request.base.case(&settings)?.text,
         settings,
-        failed: runner.failed.into_inner(),
+        failed,
         charts,
         left_out,
     })

@@ -14,16 +14,13 @@ use crate::study::error::fail;
 pub struct LawFit {
     /// Its kind.
     pub kind: HardeningKind,
-    /// The law with its parameters.
-    pub hardening: Hardening,
-    /// Rate law, if the tests differ in their rate.
-    pub rate: Option<Rate>,
+    hardening: Hardening,
+    pub(super) rate: Option<Rate>,
     /// Its parameters, those of the rate law last.
     pub estimates: Vec<Estimate>,
-    /// Pairs of parameters that the points cannot tell apart.
-    pub correlated: Vec<Correlated>,
+    pub(super) correlated: Vec<Correlated>,
     /// Law less point, in the order of the points \[MPa\].
-    pub misses: Vec<f64>,
+    pub(super) misses: Vec<f64>,
     /// Root mean square of the misses \[MPa\].
     pub rms: f64,
     /// Share of the points' variance that the law explains \[–\].
@@ -37,10 +34,9 @@ pub struct LawFit {
 pub struct LawFits {
     /// All tests.
     pub tests: Vec<FlowCurve>,
-    /// Each law.
-    pub fits: Vec<LawFit>,
+    pub(super) fits: Vec<LawFit>,
     /// Index of the law with the smallest criterion, of those within their ranges.
-    pub best: usize,
+    best: usize,
     /// Directions of the sheet.
     pub directions: Vec<Direction>,
 }
@@ -113,7 +109,7 @@ impl Direction {
 
 impl LawFit {
     /// Fits a law to tests, and a rate law if they have several rates.
-    pub fn new(kind: HardeningKind, tests: &[&FlowCurve], rate: RateKind) -> Result<Self, StudyError> {
+    fn new(kind: HardeningKind, tests: &[&FlowCurve], rate: RateKind) -> Result<Self, StudyError> {
         let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
         let rate = Some(rate).filter(|_| tests.iter().any(|test| test.rate.is_some_and(|rate| rate > slowest)));
         let (rate_ranges, rate_starts): (Vec<_>, Vec<f64>) = rate.into_iter().flat_map(RateKind::parameters).unzip();
@@ -137,6 +133,7 @@ impl LawFit {
         let residuals = |values: &[f64]| -> Option<Vec<f64>> {
             Some(misses(values)?.into_iter().zip(&points).map(|(miss, (point, _))| miss * weight(point)).collect())
         };
+        let mut all = |points: &[Vec<f64>]| points.iter().map(|point| residuals(point)).collect::<Vec<_>>();
         let parameters = |start: Vec<f64>| -> Vec<Parameter> {
             let parameter = |(range, start): (&ParameterRange, f64)| {
                 let start = start.clamp(range.low, range.high);
@@ -154,7 +151,7 @@ impl LawFit {
         starts.retain(|start| sum(start).is_finite());
         starts.sort_by(|a, b| sum(a).total_cmp(&sum(b)));
         let minima =
-            starts.iter().take(FOLLOWED).filter_map(|start| Some((minimise(start, &residuals, LIMITS)?, start)));
+            starts.iter().take(FOLLOWED).filter_map(|start| Some((minimise(start, &mut all, LIMITS)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
         let solved = best.and_then(|best| Some((laws(&best.0.values)?, misses(&best.0.values)?, best)));
         let Some(((hardening, rate), misses, (minimum, parameters))) = solved else {
@@ -183,7 +180,7 @@ impl LawFit {
     }
 
     /// Stress at a strain and a rate \[MPa\].
-    pub fn stress(&self, strain: f64, rate: Option<f64>) -> f64 {
+    pub(super) fn stress(&self, strain: f64, rate: Option<f64>) -> f64 {
         stress(&self.hardening, self.rate, strain, rate)
     }
 
@@ -204,7 +201,7 @@ impl LawFits {
     }
 
     /// Tests that laws are fitted to.
-    pub fn fitted(&self) -> impl Iterator<Item = &FlowCurve> {
+    pub(super) fn fitted(&self) -> impl Iterator<Item = &FlowCurve> {
         in_first_direction(&self.tests)
     }
 
