@@ -107,7 +107,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
     }
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
-    let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()].map(Cell::plain);
+    let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()].map(Cell::from);
     let rows = verification.numbers.iter().filter(is_printed).map(row).collect();
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
     let notes: String = verification.notes.iter().chain(&moved).map(|note| format!("- {note}\n")).collect();
@@ -115,70 +115,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
         + table(Some(["Quantity", "Value", "Made of (observed order)"]), rows)
         + wrapped(&format!("\n{notes}")))?;
     if let Some(path) = path {
-        say(format!("{file} is written", file = path.display()))?;
-    }
-    Ok((code, None))
-}
-
-impl Args {
-    fn path(&self, case: &Case) -> anyhow::Result<Option<PathBuf>> {
-        Ok(match &self.out {
-            Some(dir) if self.cases.len() > 1 => Some(place::folder(dir, case)?.join(FILE)),
-            Some(dir) => Some(dir.join(FILE)),
-            None => None,
-        })
-    }
-}
-
-/// A verification as it is told.
-struct Told<'a> {
-    verification: &'a Verification,
-    moved: &'a [String],
-    seconds: f64,
-}
-
-const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
-
-impl Told<'_> {
-    /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
-    fn rows(&self) -> Vec<[String; 3]> {
-        let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-        let row = |bar: &Bar| [String::from(bar.number.label), String::from(bar.amount()), bar.made_of().to_string()];
-        self.verification.bars.iter().filter(told).map(row).collect()
-    }
-
-    /// Number of runs and their time.
-    fn effort(&self) -> String {
-        let finer = self.verification.outcomes.len() - 1;
-        format!("{finer} finer runs, {time}", time = Amount::time(self.seconds))
-    }
-
-    fn sentences(&self) -> impl Iterator<Item = String> {
-        self.verification.told.iter().chain(self.moved).map(|told| told.to_string())
-    }
-
-    fn screen(&self, solution: &Solution) -> Shown {
-        let headers = HEADERS.map(String::from);
-        let rows = self.rows().into_iter().map(|row| row.map(Cell::from)).collect();
-        let mut text = String::from("\n");
-        for sentence in self.sentences() {
-            let _ = writeln!(text, "- {sentence}");
-        }
-        let title = format!("{}: {}\n\n", solution.case.name, self.effort());
-        wrapped(&title) + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
-    }
-
-    fn markdown(&self, solution: &Solution) -> String {
-        let headers = HEADERS.map(String::from);
-        let mut text = format!("### {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
-        for row in self.rows() {
-            let _ = writeln!(text, "| {} |", row.join(" | "));
-        }
-        text.push('\n');
-        for sentence in self.sentences() {
-            let _ = writeln!(text, "- {sentence}");
-        }
-        text
+        say(format!("{} is written", path.display()))?;
     }
     Ok((code, Value::Null))
 }

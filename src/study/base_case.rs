@@ -1,6 +1,7 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
 use super::StudyError;
+use crate::verification::Watch;
 use crate::case::files::{self, CSV, Disk, Files, sha256};
 use crate::case::{self, Case, CaseError, Solution};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -63,7 +64,7 @@ impl BaseCase {
 
     /// Solves a case until `watch` asks to stop; the error is the message of a panic.
     pub fn solve(case: Case, watch: &dyn Watch) -> Result<Solution, String> {
-        catch_unwind(AssertUnwindSafe(|| case.solve(&mut Watched(watch)))).map_err(|panic| {
+        catch_unwind(AssertUnwindSafe(|| case.solve(&mut &*watch))).map_err(|panic| {
             let text = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
             format!("a mistake of this program: {}", text.unwrap_or("no message"))
         })

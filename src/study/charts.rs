@@ -6,9 +6,9 @@ use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color, pale};
+use crate::verification::Origin;
 use crate::table::{Axis, Spacing};
 use crate::units::{Sense, Unit};
-use crate::verification::Origin;
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
@@ -40,9 +40,7 @@ type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
 pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
-    let place = |(origin, key): (Origin, &str)| {
-        runs.responses.iter().position(|r| r.number.origin == origin && r.number.quantity.key == key)
-    };
+    let place = |(of, key): (Origin, &str)| runs.responses.iter().position(|r| r.number.origin == of && r.number.quantity.key == key);
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
         let (low, high) = span(values);
@@ -103,8 +101,7 @@ fn trend(
     let known = positions.iter().filter_map(|(x, run)| Some(((*x, run.response(place)?), *run)));
     let points: Vec<((f64, f64), &Run)> = known.collect();
     let curve: Vec<(f64, f64)> = points.iter().map(|(point, _)| *point).collect();
-    let number = &runs.responses[place].number;
-    let y = Axis::named(number.label, number.amount.unit);
+    let y = named(runs, place);
     let (low, high) = span(curve.iter().map(|point| point.0));
     let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
     let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
@@ -119,7 +116,7 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
     let panel = |(i, place): (usize, usize)| {
         let line = Style::Line { color: color(2), width: 2.4, dash: &[] };
         let style = (Some(line).filter(|_| axis.names().is_empty()), if i == 0 { 230.0 } else { 150.0 });
-        let limit = runs.responses[place].limits.and_then(|limits| limits.red);
+        let limit = runs.responses[place].number.quantity.limits.and_then(|limits| limits.red);
         let panel = trend(runs, place, axis.drawn(), &positions, limit, style);
         let own = axis.own.zip(runs.base.response(place));
         let own = own.map(|own| Series::silent(vec![own], Style::Circles { color: BLACK }));
@@ -155,8 +152,11 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
         }
     }
     let mut series = markers(&points);
-    let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.number.of == Of::Verdict);
-    let limited = judged.filter_map(|(place, r)| Some((place, r.number.label, r.limits?.red?, r.limits?.sense)));
+    let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.number.origin == Origin::Verdict);
+    let limited = judged.filter_map(|(place, r)| {
+        let limits = r.number.quantity.limits?;
+        Some((place, r.number.quantity.label, limits.red?, limits.sense))
+    });
     for (n, (place, label, limit, sense)) in limited.enumerate() {
         // Runs without the number count as beyond the limit.
         let beyond = limit + limit.abs() * if sense == Sense::AtMost { 2.0 } else { -2.0 };
@@ -208,7 +208,6 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
     let panel = |place: usize| {
         let all: Vec<_> = sweep.sensitivities(runs, place).into_iter().take(12).collect();
         let own = all.first()?.own;
-        let number = &runs.responses[place].number;
         let (low, high) = span(all.iter().flat_map(|s| s.ends.iter().map(|end| end.number)).chain([own]));
         let room = 0.25 * (high - low);
         let (mut series, mut labels) = (Vec::new(), Vec::new());
@@ -228,8 +227,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
         series.push(Series::silent(vec![(own, up.0), (own, up.1)], DASHED));
         let names = all.iter().rev().map(|s| sweep.axes[s.axis].variables[0].label().to_owned()).collect();
         let scale = Scale::Window { height: 34.0 * all.len() as f64 + 12.0, x: (low - room, high + room), y: up };
-        let x = Axis::named(number.label, number.amount.unit);
-        Some(Panel::new(x, Axis::of_names("", names), scale).with(series).annotated(labels))
+        Some(Panel::new(named(runs, place), Axis::of_names("", names), scale).with(series).annotated(labels))
     };
     chart("sweep", deciding(runs, 4).into_iter().filter_map(panel).collect())
 }
@@ -281,14 +279,18 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
         let bins = counts.iter().enumerate();
         let bars = bins.map(|(i, count)| bar((from(i), from(i + 1)), (0.0, *count), pale(color(0)), color(0)));
         let top = counts.iter().copied().fold(0.0, f64::max);
-        let response = &runs.responses[place];
-        let limits = response.limits.into_iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
+        let limits = runs.responses[place].number.quantity.limits.into_iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
         let limits = limits.filter(|limit| (low - width..=high + width).contains(limit));
         let lines = limits.map(|limit| Series::silent(vec![(limit, 0.0), (limit, top)], DASHED));
-        let x = Axis::named(response.number.label, response.number.amount.unit);
-        Some(Panel::fit(x, Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
+        Some(Panel::fit(named(runs, place), Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
     };
     chart("scatter", deciding(runs, 4).into_iter().filter_map(panel).collect())
+}
+
+/// Axis of a response.
+fn named(runs: &RunTable, place: usize) -> Axis {
+    let quantity = &runs.responses[place].number.quantity;
+    Axis::named(quantity.label, quantity.amount.unit)
 }
 
 fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {

@@ -13,6 +13,7 @@ use crate::model::Geometry;
 use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::color;
 use crate::results::comparison::Computed;
+use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 use crate::table::Axis;
 use crate::table::fields::{element, step};
 use crate::units::{Amount, Digits, Unit};
@@ -170,14 +171,14 @@ impl SideBySide {
                 let own = member.number(number);
                 let value = own.map_or_else(|| "–".into(), Cell::from);
                 match first.filter(|_| i > 0).zip(own) {
-                    None => add(number.label, member, value, "".into(), ""),
+                    None => add(number.quantity.label, member, value, "".into(), ""),
                     Some((first, own)) => {
                         let change = own.value - first.value;
                         // Runs of one mesh err alike: the sum of the bars is on the safe side.
                         let open = first.bar().unwrap_or(0.0) + own.bar().unwrap_or(0.0);
                         let is_beyond = change.abs() > SAME * first.value.abs() && change.abs() > open;
                         let change = Amount::new(change, first.unit, first.digits).into();
-                        add(number.label, member, value, change, if is_beyond { "yes" } else { "no" });
+                        add(number.quantity.label, member, value, change, if is_beyond { "yes" } else { "no" });
                     }
                 }
             }
@@ -197,7 +198,7 @@ impl SideBySide {
     fn numbers(&self) -> Vec<&Number> {
         let mut numbers: Vec<&Number> = Vec::new();
         for number in self.members.iter().flat_map(|member| &member.outcome().numbers) {
-            if number.of != Of::Verdict && !numbers.iter().any(|known| known.is(number)) {
+            if number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number)) {
                 numbers.push(number);
             }
         }

@@ -1,11 +1,10 @@
 //! One evaluation: a design and the responses of its run.
 
-use super::verify::{Number, Of, Outcome, Watch, quick};
+use crate::verification::{Number, Origin, Outcome, Watch, quick};
 use super::{BaseCase, FailureMode, variable};
 use crate::assess::{self, Light};
 use crate::case::Solution;
-use crate::units::{Limits, rounded};
-use crate::verification::{Number, Origin, Outcome, Watch, quick};
+use crate::units::rounded;
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,10 +22,8 @@ pub struct Design {
 pub struct Response {
     /// Column of the table: `thinnest_mm`.
     pub column: String,
-    /// The base case's number.
+    /// The base case's number; it has limits if a row of the verdict judges it.
     pub number: Number,
-    /// Its limits, if a row of the verdict judges it.
-    pub limits: Option<Limits>,
 }
 
 /// A row of a run table.
@@ -68,7 +65,7 @@ pub struct Evaluated {
 impl Response {
     /// A value of it with its unit.
     pub fn display(&self, value: f64) -> String {
-        self.number.amount.of(value).to_string()
+        self.number.quantity.amount.of(value).to_string()
     }
 }
 
@@ -126,12 +123,12 @@ pub(super) fn column(number: &Number, suffix: &str) -> String {
 pub(super) fn responses(solution: &Solution) -> (Vec<Response>, Vec<(String, String)>) {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let rows = || assess::judgements(&findings);
-    let response = |number: Number| {
-        let row = rows().find(|row| number.of == Of::Verdict && row.key == number.key);
-        let limits = row.and_then(|row| row.quantity.as_ref()?.limits);
-        Response { column: column(&number, ""), number, limits }
+    let response = |mut number: Number| {
+        let row = rows().find(|row| number.origin == Origin::Verdict && row.key == number.quantity.key);
+        number.quantity.limits = row.and_then(|row| row.quantity.as_ref()?.limits);
+        Response { column: column(&number, ""), number }
     };
-    let responses = Outcome::found(solution, None, &findings).numbers.into_iter().map(response).collect();
+    let responses = Outcome::with_findings(solution, None, &findings).numbers.into_iter().map(response).collect();
     (responses, rows().map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
 }
 
@@ -156,14 +153,14 @@ pub(super) fn evaluate_design(
 /// Fills the row of a solved design.
 pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Response], watch: &dyn Watch) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let outcome = Outcome::found(solution, None, &findings);
+    let outcome = Outcome::with_findings(solution, None, &findings);
     for (value, response) in run.numbers.iter_mut().zip(responses) {
         let own = outcome.numbers.iter().find(|number| number.is(&response.number));
-        *value = own.map_or(f64::NAN, |number| rounded(number.amount.value));
+        *value = own.map_or(f64::NAN, |number| rounded(number.quantity.value()));
     }
     if !run.errors.is_empty() {
         let verification = quick(solution, &Silent(watch));
-        let half = |r: &Response| verification.bar(r.number.of, r.number.key)?.half;
+        let half = |r: &Response| verification.number(r.number.origin, r.number.quantity.key)?.half();
         run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
     }
     let rows = |light: Light| {

@@ -56,13 +56,13 @@ impl RunTable {
         let wanted = plain(name);
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
         let is = |Response { number, column, .. }: &Response| {
-            let names = [plain(number.key), format!("{}_judged", number.key), plain(column), plain(number.label)];
+            let names = [plain(number.quantity.key), format!("{}_judged", number.quantity.key), plain(column), plain(number.quantity.label)];
             names.iter().any(|own| own == wanted)
         };
         if let Some(place) = self.responses.iter().position(is) {
             return Ok(place);
         }
-        let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.key).collect();
+        let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.quantity.key).collect();
         keys.dedup();
         let near = did_you_mean(wanted, keys.iter().copied());
         let what = format!("a run of this case has no number `{}`", name.trim());

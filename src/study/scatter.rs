@@ -185,9 +185,9 @@ impl Scatter {
             let number = &runs.responses[spread.response].number;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
             if quantiles[0] != quantiles[2] {
-                let [low, median, high] = quantiles.map(|value| number.amount.of(value).into());
+                let [low, median, high] = quantiles.map(|value| number.quantity.amount.of(value).into());
                 let influences = self.influences(&spread.correlations);
-                numbers.rows.push(vec![number.label.into(), low, median, high, influences]);
+                numbers.rows.push(vec![number.quantity.label.into(), low, median, high, influences]);
             }
         }
         vec![lights, numbers]

@@ -4,11 +4,10 @@ use super::bracket::{Bracket, Side, stretches};
 use super::condition::{Comparison, Condition};
 use super::report::{Cell, ReportTable};
 use super::search::{Aim, LimitSearch};
-use super::verify::Of;
+use crate::verification::Origin;
 use super::{Run, RunTable};
 use crate::assess::estimate;
 use crate::units::significant;
-use crate::verification::Origin;
 
 /// A target that is missed by less is met, over its size \[–\].
 const MISSED: f64 = 0.005;
@@ -104,10 +103,10 @@ impl LimitSearch {
         add("End", &|run| run.end.clone().into());
         let limits = self.limits();
         for (place, response) in runs.responses.iter().enumerate() {
-            if response.number.of == Of::Answer || limits.iter().any(|(limited, _)| *limited == place) {
-                let amount = |value| response.number.amount.of(value).into();
+            if response.number.origin == Origin::Answer || limits.iter().any(|(limited, _)| *limited == place) {
+                let amount = |value| response.number.quantity.amount.of(value).into();
                 let value = |run: &Run| Some(run.numbers[place]).filter(|value| value.is_finite());
-                add(response.number.label, &|run| value(run).map_or("–".into(), amount));
+                add(response.number.quantity.label, &|run| value(run).map_or("–".into(), amount));
             }
         }
         table

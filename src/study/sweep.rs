@@ -174,7 +174,7 @@ impl Sweep {
                     let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
                     format!("{} ({})", response.display(run.numbers[place]), joined(values, ", "))
                 };
-                let (label, least, most) = (response.number.label, describe(least), describe(most));
+                let (label, least, most) = (response.number.quantity.label, describe(least), describe(most));
                 notes.push(format!("{label} of sound designs: {least} to {most}."));
             }
         }
@@ -211,8 +211,8 @@ impl Sweep {
             let number = &runs.responses[response].number;
             for s in self.sensitivities(runs, response) {
                 let Some(ends) = s.extremes() else { continue };
-                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.of(value)));
-                let mut row = vec![number.label.into(), axis.variables[0].label().into(), amount(s.own)];
+                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.quantity.amount.of(value)));
+                let mut row = vec![number.quantity.label.into(), axis.variables[0].label().into(), amount(s.own)];
                 row.extend(ends.iter().flat_map(|end| [amount(end.number), axis.display(end.place).into()]));
                 table.rows.push(row);
             }

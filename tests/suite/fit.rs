@@ -10,7 +10,7 @@ use stampflow::study::fit::{
     CaseFit, CaseFitRequest, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case, fit_laws,
     material_text,
 };
-use stampflow::study::verify::Watch;
+use stampflow::verification::Watch;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};

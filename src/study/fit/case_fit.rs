@@ -10,7 +10,7 @@ use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
 use crate::study::variable::{Variable, repeated, written};
-use crate::study::verify::Watch;
+use crate::verification::Watch;
 use crate::study::{BaseCase, StudyError, StudyFile};
 use crate::units::significant;
 use std::convert::Infallible;
