@@ -9,8 +9,8 @@ use stampflow::case::comparison::KINDS;
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::verification::Watch;
 use stampflow::study::{BaseCase, MeasuredCurve, ReportTable, parallel_map};
+use stampflow::verification::Watch;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 

@@ -31,12 +31,14 @@ Examples:
 
 Exit codes: 0 done, 2 bad input, 130 interrupted (the best so far is kept)";
 
+const STRAIN: &str = "a plain number";
+
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Tension tests, or one case or study file
     #[arg(required = true, value_name = "TEST.csv|CASE.toml")]
     files: Vec<PathBuf>,
-    /// Of tension tests: fit this law only
+    /// Fit only this law to tension tests
     #[arg(long, value_name = "LAW")]
     law: Option<HardeningKind>,
     /// Young's modulus [default: the slope at the beginning]
@@ -122,16 +124,14 @@ fn keys(args: &Args, file: &Path, dir: &Path) -> anyhow::Result<Code> {
     args.options.present(&fit.report(), dir, files, &Parameters { law: None, parameters: &fit.estimates })
 }
 
-/// A quantity above 0 of a dimension.
+/// A quantity above 0 of a dimension; a plain number may be 0.
 fn measured(text: &str, dimension: &str, example: &str) -> Result<f64, String> {
     let parsed = parse(text).map_err(|error| error.to_string())?;
-    let fits = parsed.dimension.describe() == dimension && parsed.value > 0.0;
+    let is_large = parsed.value > 0.0 || dimension == STRAIN && parsed.value == 0.0;
+    let fits = parsed.dimension.describe() == dimension && is_large;
     fits.then_some(parsed.value).ok_or_else(|| format!("{text} is not {dimension}: write \"{example}\""))
 }
 
-/// A plain number or one in per cent, 0 or more.
 fn strain(text: &str) -> Result<f64, String> {
-    let parsed = parse(text).map_err(|error| error.to_string())?;
-    let fits = parsed.dimension.describe() == "a plain number" && parsed.value >= 0.0;
-    fits.then_some(parsed.value).ok_or_else(|| format!("{text} is no strain: write 0.002 or \"0.2 %\""))
+    measured(text, STRAIN, "0.2 %")
 }

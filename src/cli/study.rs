@@ -10,10 +10,10 @@ use anyhow::Context;
 use serde::Serialize;
 use stampflow::results::ResultFolder;
 use stampflow::study::{
-    Earlier, Evaluated, Evaluation, LightCounts, ReportTable, Shard, Study, StudyError, StudyReport, TableFile, begin,
-    evaluate,
+    Evaluated, Evaluation, ReportTable, Shard, Study, StudyError, StudyReport, TableFile, begin, evaluate,
 };
 use stampflow::verification::Watch;
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -129,7 +129,7 @@ pub fn run(
     #[derive(Serialize)]
     struct Summary {
         designs: usize,
-        lights: LightCounts,
+        lights: BTreeMap<&'static str, usize>,
         file: PathBuf,
         wall_s: f64,
     }
@@ -146,12 +146,7 @@ pub fn run(
     let watch = options.count(file, "runs");
     let settings = Evaluation { threads: options.threads(), errors, shard: own, watch: &watch };
     let runs = begin(study, &settings).map_err(request)?;
-    let earlier = match (rows.resume, rows.restart) {
-        (true, _) => Earlier::Resume,
-        (_, true) => Earlier::Restart,
-        _ => Earlier::Refuse,
-    };
-    let mut table = TableFile::open(&path, &runs, earlier).map_err(request)?;
+    let mut table = TableFile::open(&path, &runs, rows.resume, rows.restart).map_err(request)?;
     let kept = std::mem::take(&mut table.earlier);
     let mut failed = Ok(());
     let runs = evaluate(study, &settings, runs, &kept, &mut |runs, evaluated| {

@@ -3,6 +3,10 @@
 //! Trials of a round are independent of each other; each round follows from all before, so that a search is resumed from its
 //! trials. A trial that failed is neither positive nor negative.
 
+use super::variable::SearchRange;
+use crate::table::Spacing;
+use crate::units::significant;
+
 /// End of the range, or which of several crossings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -30,6 +34,10 @@ pub enum Bracket {
     Failed,
 }
 
+/// Places of the first scan.
+const PLACES: usize = 9;
+/// Default tolerance over the range \[–\].
+const TOLERANCE: f64 = 0.005;
 /// Trials of one round that divide a bracket.
 const AT_ONCE: usize = 3;
 /// Distance of the two trials that close in on a secant's zero, over the bracket \[–\].
@@ -38,37 +46,61 @@ const CLOSE: f64 = 0.05;
 const ROUNDS: usize = 40;
 
 /// A range and the search in it.
-pub(super) struct Search<'a> {
-    /// Value at a share of the range, rounded.
-    pub at: &'a dyn Fn(f64) -> f64,
-    /// Share of the range at a value.
-    pub share: &'a dyn Fn(f64) -> f64,
-    /// Wanted width of the bracket at a value.
-    pub tolerance: &'a dyn Fn(f64) -> f64,
-    /// Trials of the scan.
-    pub places: usize,
+#[derive(Clone, Debug)]
+pub(super) struct Search {
+    /// Sorted.
+    pub range: SearchRange,
+    /// Wanted width of the bracket; a share of the range by default.
+    pub tolerance: Option<f64>,
+    pub is_whole: bool,
     /// Last positive value, else a zero crossing.
     pub is_limit: bool,
     pub side: Side,
 }
 
-impl Search<'_> {
+impl Search {
+    fn tolerance(&self, x: f64) -> f64 {
+        let SearchRange { ends: [low, high], spacing, .. } = self.range;
+        let tolerance = self.tolerance.unwrap_or_else(|| match spacing {
+            Spacing::Logarithmic => x * ((high / low).ln() * TOLERANCE).exp_m1(),
+            Spacing::Even => TOLERANCE * (high - low),
+        });
+        if self.is_whole { tolerance.max(1.0) } else { tolerance }
+    }
+
+    /// Value at a share of the range, rounded to the decimal below half the tolerance.
+    pub fn at(&self, share: f64) -> f64 {
+        let SearchRange { ends: [low, high], spacing, .. } = self.range;
+        if share <= 0.0 || share >= 1.0 {
+            return if share <= 0.0 { low } else { high };
+        }
+        let x = spacing.between([low, high], share);
+        let step = if self.is_whole { 1.0 } else { 10f64.powf((0.5 * self.tolerance(x)).log10().floor()) };
+        significant((x / step).round() * step, 12).clamp(low, high)
+    }
+
+    /// Share of the range at a value.
+    pub fn share(&self, x: f64) -> f64 {
+        self.range.spacing.share(self.range.ends, x)
+    }
+
     /// Values of the next round; empty when the search is over.
     pub fn next(&self, trials: &[Trial]) -> Vec<f64> {
         let even = |n: usize| (0..n).map(|i| i as f64 / (n - 1) as f64).collect::<Vec<_>>();
-        let scan = self.untried(trials, &even(self.places));
+        let places = self.range.count.unwrap_or(PLACES).max(3);
+        let scan = self.untried(trials, &even(places));
         if !scan.is_empty() {
             return scan;
         }
         let Bracket::Between(bracket) = self.result(trials) else {
             // A stretch may lie between the first places.
-            return self.untried(trials, &even(2 * self.places - 1));
+            return self.untried(trials, &even(2 * places - 1));
         };
         let width = (bracket[1] - bracket[0]).abs();
-        if width <= (self.tolerance)(bracket[0]) * (1.0 + 1e-9) || trials.len() > self.places + ROUNDS * AT_ONCE {
+        if width <= self.tolerance(bracket[0]) * (1.0 + 1e-9) || trials.len() > places + ROUNDS * AT_ONCE {
             return Vec::new();
         }
-        let [from, to] = bracket.map(self.share);
+        let [from, to] = bracket.map(|x| self.share(x));
         let part = |i: usize| from + (to - from) * i as f64 / (AT_ONCE + 1) as f64;
         let mut shares: Vec<f64> = (1..=AT_ONCE).map(part).collect();
         let [a, b] = bracket.map(|x| trials.iter().find(|trial| trial.0 == x).and_then(|trial| trial.1));
@@ -102,7 +134,7 @@ impl Search<'_> {
 
     fn untried(&self, trials: &[Trial], shares: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::new();
-        for x in shares.iter().map(|share| (self.at)(*share)) {
+        for x in shares.iter().map(|share| self.at(*share)) {
             if !values.contains(&x) && !trials.iter().any(|(tried, _)| *tried == x) {
                 values.push(x);
             }
@@ -124,8 +156,8 @@ mod tests {
     use super::*;
 
     fn search(is_limit: bool, side: Side, value: &dyn Fn(f64) -> Option<f64>) -> (Bracket, Vec<Trial>) {
-        let (at, share, tolerance) = (&|s: f64| 10.0 * s, &|x: f64| 0.1 * x, &|_: f64| 0.01);
-        let search = Search { at, share, tolerance, places: 9, is_limit, side };
+        let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
+        let search = Search { range, tolerance: Some(0.01), is_whole: false, is_limit, side };
         let mut trials: Vec<Trial> = Vec::new();
         loop {
             let next = search.next(&trials);

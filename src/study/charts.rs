@@ -6,9 +6,9 @@ use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::verification::Origin;
 use crate::table::{Axis, Spacing};
 use crate::units::{Sense, Unit};
+use crate::verification::Origin;
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
@@ -40,7 +40,7 @@ type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
 pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
-    let place = |(of, key): (Origin, &str)| runs.responses.iter().position(|r| r.number.origin == of && r.number.quantity.key == key);
+    let place = |(of, key): (Origin, &str)| runs.responses.iter().position(|r| r.origin == of && r.quantity.key == key);
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
         let (low, high) = span(values);
@@ -116,7 +116,7 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
     let panel = |(i, place): (usize, usize)| {
         let line = Style::Line { color: color(2), width: 2.4, dash: &[] };
         let style = (Some(line).filter(|_| axis.names().is_empty()), if i == 0 { 230.0 } else { 150.0 });
-        let limit = runs.responses[place].number.quantity.limits.and_then(|limits| limits.red);
+        let limit = runs.responses[place].quantity.limits.and_then(|limits| limits.red);
         let panel = trend(runs, place, axis.drawn(), &positions, limit, style);
         let own = axis.own.zip(runs.base.response(place));
         let own = own.map(|own| Series::silent(vec![own], Style::Circles { color: BLACK }));
@@ -152,10 +152,10 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
         }
     }
     let mut series = markers(&points);
-    let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.number.origin == Origin::Verdict);
+    let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.origin == Origin::Verdict);
     let limited = judged.filter_map(|(place, r)| {
-        let limits = r.number.quantity.limits?;
-        Some((place, r.number.quantity.label, limits.red?, limits.sense))
+        let limits = r.quantity.limits?;
+        Some((place, r.quantity.label, limits.red?, limits.sense))
     });
     for (n, (place, label, limit, sense)) in limited.enumerate() {
         // Runs without the number count as beyond the limit.
@@ -279,7 +279,8 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
         let bins = counts.iter().enumerate();
         let bars = bins.map(|(i, count)| bar((from(i), from(i + 1)), (0.0, *count), pale(color(0)), color(0)));
         let top = counts.iter().copied().fold(0.0, f64::max);
-        let limits = runs.responses[place].number.quantity.limits.into_iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
+        let limits =
+            runs.responses[place].quantity.limits.into_iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
         let limits = limits.filter(|limit| (low - width..=high + width).contains(limit));
         let lines = limits.map(|limit| Series::silent(vec![(limit, 0.0), (limit, top)], DASHED));
         Some(Panel::fit(named(runs, place), Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
@@ -289,7 +290,7 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
 
 /// Axis of a response.
 fn named(runs: &RunTable, place: usize) -> Axis {
-    let quantity = &runs.responses[place].number.quantity;
+    let quantity = &runs.responses[place].quantity;
     Axis::named(quantity.label, quantity.amount.unit)
 }
 

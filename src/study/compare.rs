@@ -13,10 +13,9 @@ use crate::model::Geometry;
 use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
 use crate::plot::palette::color;
 use crate::results::comparison::Computed;
-use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 use crate::table::Axis;
-use crate::table::fields::{element, step};
 use crate::units::{Amount, Digits, Unit};
+use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 
 /// A case to compare.
 #[derive(Clone, Debug)]
@@ -207,21 +206,10 @@ impl SideBySide {
 
     /// File name, subject and chart of load, thickness and section.
     pub fn charts(&self) -> Vec<(&'static str, &'static str, Chart)> {
-        let Some(first) = self.members.first() else { return Vec::new() };
-        let extent = first.solution.case.model().extent();
-        let load = [step::TRAVEL.axis(extent), step::PUNCH_FORCE.axis(extent)];
-        let thickness = [element::S0.axis(extent), element::THICKNESS.axis(extent)];
+        let (load, thickness) = (ComparedQuantity::PunchForce, ComparedQuantity::ThicknessAtS0);
         let all = [
-            (
-                "compare_load",
-                "punch force over the travel",
-                self.curve(|o| &o.load, ComparedQuantity::PunchForce, load),
-            ),
-            (
-                "compare_thickness",
-                "thickness over the blank",
-                self.curve(|o| &o.thickness, ComparedQuantity::ThicknessAtS0, thickness),
-            ),
+            ("compare_load", "punch force over the travel", self.curve(load, |outcome| &outcome.load)),
+            ("compare_thickness", "thickness over the blank", self.curve(thickness, |outcome| &outcome.thickness)),
             ("compare_sections", "the sections at the end", self.sections()),
         ];
         let charts = all.into_iter().filter_map(|(name, about, panel)| Some((name, about, panel?)));
@@ -229,14 +217,10 @@ impl SideBySide {
     }
 
     /// Curves of all runs with the measured ones of the same quantity.
-    fn curve(
-        &self,
-        curve: fn(&Outcome) -> &[(f64, f64)],
-        quantity: ComparedQuantity,
-        [x, y]: [Axis; 2],
-    ) -> Option<Panel> {
+    fn curve(&self, quantity: ComparedQuantity, curve: fn(&Outcome) -> &[(f64, f64)]) -> Option<Panel> {
         let mut series = self.series(|member| curve(member.outcome()).to_vec());
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
+        let (x, y) = Computed::nothing(model).columns(quantity);
         for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
             let points = measured.points(&Computed::nothing(model)).unwrap_or_default();
             let points: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.reference)).collect();
@@ -245,7 +229,7 @@ impl SideBySide {
             let style = if points.len() > CIRCLES { Style::curve(place) } else { circles };
             series.push(Series::new(format!("{}: {}", i + 1, measured.name()), points, style));
         }
-        Some(Panel::fit(x, y, 350.0, 0.0).with(series))
+        Some(Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series))
     }
 
     /// Mid-surfaces of all runs at the end.

@@ -149,7 +149,7 @@ impl Comparison {
     /// Finds its response and converts its value to the response's unit.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
         let place = runs.response(&self.quantity)?;
-        let unit = runs.responses[place].number.quantity.amount.unit;
+        let unit = runs.responses[place].quantity.amount.unit;
         let symbol = match unit {
             Unit::None => "",
             Unit::Degree => "deg",

@@ -6,8 +6,8 @@ use super::report::StudyReport;
 use super::run::{Design, Evaluated, Run, evaluate_design, evaluated, responses};
 use super::run_table::RunTable;
 use super::shard::Shard;
-use crate::verification::Watch;
 use super::{BaseCase, StudyError};
+use crate::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 

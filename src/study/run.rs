@@ -1,10 +1,10 @@
 //! One evaluation: a design and the responses of its run.
 
-use crate::verification::{Number, Origin, Outcome, Watch, quick};
 use super::{BaseCase, FailureMode, variable};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::units::rounded;
+use crate::verification::{Number, Origin, Outcome, Watch, quick};
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,15 +15,6 @@ pub struct Design {
     pub values: Vec<String>,
     /// Overrides of the case.
     pub settings: Vec<String>,
-}
-
-/// A number that every run of a study has.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Response {
-    /// Column of the table: `thinnest_mm`.
-    pub column: String,
-    /// The base case's number; it has limits if a row of the verdict judges it.
-    pub number: Number,
 }
 
 /// A row of a run table.
@@ -60,13 +51,6 @@ pub struct Evaluated {
     pub run: Run,
     /// Numbers and curves; `None` if it was not run.
     pub outcome: Option<Outcome>,
-}
-
-impl Response {
-    /// A value of it with its unit.
-    pub fn display(&self, value: f64) -> String {
-        self.number.quantity.amount.of(value).to_string()
-    }
 }
 
 impl Run {
@@ -119,14 +103,14 @@ pub(super) fn column(number: &Number, suffix: &str) -> String {
     number.quantity.amount.unit.keyed(&format!("{}{judged}{suffix}", number.quantity.key))
 }
 
-/// Responses of a solved base case, and keys and labels of its verdict's rows.
-pub(super) fn responses(solution: &Solution) -> (Vec<Response>, Vec<(String, String)>) {
+/// Numbers of a solved base case, judged ones with their limits, and keys and labels of its verdict's rows.
+pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, String)>) {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let rows = || assess::judgements(&findings);
     let response = |mut number: Number| {
         let row = rows().find(|row| number.origin == Origin::Verdict && row.key == number.quantity.key);
         number.quantity.limits = row.and_then(|row| row.quantity.as_ref()?.limits);
-        Response { column: column(&number, ""), number }
+        number
     };
     let responses = Outcome::with_findings(solution, None, &findings).numbers.into_iter().map(response).collect();
     (responses, rows().map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
@@ -136,7 +120,7 @@ pub(super) fn responses(solution: &Solution) -> (Vec<Response>, Vec<(String, Str
 pub(super) fn evaluate_design(
     base: &BaseCase,
     design: &Design,
-    responses: &[Response],
+    responses: &[Number],
     errors: bool,
     watch: &dyn Watch,
 ) -> Evaluated {
@@ -151,16 +135,16 @@ pub(super) fn evaluate_design(
 }
 
 /// Fills the row of a solved design.
-pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Response], watch: &dyn Watch) -> Evaluated {
+pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number], watch: &dyn Watch) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, None, &findings);
     for (value, response) in run.numbers.iter_mut().zip(responses) {
-        let own = outcome.numbers.iter().find(|number| number.is(&response.number));
+        let own = outcome.numbers.iter().find(|number| number.is(response));
         *value = own.map_or(f64::NAN, |number| rounded(number.quantity.value()));
     }
     if !run.errors.is_empty() {
         let verification = quick(solution, &Silent(watch));
-        let half = |r: &Response| verification.number(r.number.origin, r.number.quantity.key)?.half();
+        let half = |r: &Number| verification.number(r.origin, r.quantity.key)?.half();
         run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
     }
     let rows = |light: Light| {

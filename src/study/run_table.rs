@@ -6,11 +6,12 @@
 
 use super::error::fail;
 use super::evaluate::Plan;
-use super::run::{Response, Run, column};
+use super::run::{Run, column};
 use super::{FailureMode, StudyError};
 use crate::assess::Light;
 use crate::units::did_you_mean;
-use serde::Serialize;
+use crate::verification::Number;
+use std::collections::BTreeMap;
 
 /// Header of every table, up to the variables.
 pub(super) const BEGINNING: &str = "study,designs,index,";
@@ -23,8 +24,8 @@ const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red]
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
     pub(super) plan: Plan,
-    /// Numbers of the base case.
-    pub responses: Vec<Response>,
+    /// Numbers of the base case, judged ones with their limits.
+    pub responses: Vec<Number>,
     /// Keys and labels of the verdict's rows.
     pub rows: Vec<(String, String)>,
     pub(super) has_errors: bool,
@@ -34,39 +35,29 @@ pub struct RunTable {
     pub runs: Vec<Run>,
 }
 
-/// Counts of lights, for JSON.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct LightCounts {
-    /// Sound without a doubt.
-    pub green: usize,
-    /// In doubt.
-    pub amber: usize,
-    /// Beyond a limit.
-    pub red: usize,
-    /// Not judged.
-    pub grey: usize,
-    /// No case, or ended by the numerics.
-    pub not_run: usize,
-}
-
 impl RunTable {
     /// Place of a response by its key, its column or its label.
     pub fn response(&self, name: &str) -> Result<usize, StudyError> {
         let plain = |text: &str| text.trim().to_lowercase().replace([' ', '-'], "_");
         let wanted = plain(name);
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
-        let is = |Response { number, column, .. }: &Response| {
-            let names = [plain(number.quantity.key), format!("{}_judged", number.quantity.key), plain(column), plain(number.quantity.label)];
+        let is = |number: &Number| {
+            let (key, label) = (number.quantity.key, number.quantity.label);
+            let names = [plain(key), format!("{key}_judged"), plain(&column(number, "")), plain(label)];
             names.iter().any(|own| own == wanted)
         };
         if let Some(place) = self.responses.iter().position(is) {
             return Ok(place);
         }
-        let mut keys: Vec<&str> = self.responses.iter().map(|response| response.number.quantity.key).collect();
+        let mut keys: Vec<&str> = self.responses.iter().map(|response| response.quantity.key).collect();
         keys.dedup();
         let near = did_you_mean(wanted, keys.iter().copied());
         let what = format!("a run of this case has no number `{}`", name.trim());
         fail(what, format!("{near}it has {}", keys.join(", ")))
+    }
+
+    pub(super) fn display(&self, place: usize, value: f64) -> String {
+        self.responses[place].quantity.amount.of(value).to_string()
     }
 
     /// Label of a row of the verdict.
@@ -80,19 +71,19 @@ impl RunTable {
         keys.iter().map(|key| self.label(key)).collect::<Vec<_>>().join(", ")
     }
 
-    /// Number of runs with each light.
-    pub fn lights(&self) -> LightCounts {
+    /// Number of runs with each light, and of those that were not run.
+    pub fn lights(&self) -> BTreeMap<&'static str, usize> {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();
-        let [grey, green, amber, red] = LIGHTS.map(|light| count(Some(light)));
-        LightCounts { green, amber, red, grey, not_run: count(None) }
+        let counts = LIGHTS.map(|light| (light.name(), count(Some(light))));
+        counts.into_iter().chain([("not_run", count(None))]).collect()
     }
 
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
         let mut header: Vec<String> = FIRST.map(str::to_owned).to_vec();
         header.extend(self.plan.columns.iter().cloned());
-        header.extend(self.responses.iter().map(|response| response.column.clone()));
-        header.extend(self.responses.iter().filter(|_| self.has_errors).map(|r| column(&r.number, "_error")));
+        header.extend(self.responses.iter().map(|number| column(number, "")));
+        header.extend(self.responses.iter().filter(|_| self.has_errors).map(|r| column(r, "_error")));
         header.extend(LAST.map(str::to_owned));
         header
     }
@@ -100,7 +91,8 @@ impl RunTable {
     /// Line of a run.
     pub fn line(&self, run: &Run) -> Vec<String> {
         let number = |value: &f64| if value.is_finite() { value.to_string() } else { String::new() };
-        let mut line = vec![self.plan.key.clone(), self.plan.designs.to_string(), run.index.to_string(), run.inputs.clone()];
+        let mut line =
+            vec![self.plan.key.clone(), self.plan.designs.to_string(), run.index.to_string(), run.inputs.clone()];
         line.extend(run.values.iter().cloned());
         line.extend(run.numbers.iter().chain(&run.errors).map(number));
         line.push(run.light.map_or("", Light::name).to_owned());

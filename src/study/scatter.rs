@@ -177,12 +177,19 @@ impl Scatter {
             let Probability { value, low, high } = event.probability;
             let [value, low, high] = [value, low, high].map(|share| Amount::share(share).into());
             let light = Cell::Light(event.light, String::new());
-            lights.rows.push(vec![light, event.label.clone().into(), value, low, high, self.influences(&event.correlations)]);
+            lights.rows.push(vec![
+                light,
+                event.label.clone().into(),
+                value,
+                low,
+                high,
+                self.influences(&event.correlations),
+            ]);
         }
         let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
         let mut numbers = ReportTable::new("scatter_numbers", &columns);
         for spread in &result.spreads {
-            let number = &runs.responses[spread.response].number;
+            let number = &runs.responses[spread.response];
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
             if quantiles[0] != quantiles[2] {
                 let [low, median, high] = quantiles.map(|value| number.quantity.amount.of(value).into());

@@ -9,13 +9,7 @@ use super::goals::{Goal, GoalAim};
 use super::report::StudyReport;
 use super::variable::{SearchRange, Variable, split_number, written};
 use super::{BaseCase, Design, Run, RunTable, Study, StudyError};
-use crate::table::Spacing;
 use crate::units::{parse, significant};
-
-/// Places of the first scan.
-const PLACES: usize = 9;
-/// Default tolerance over the range \[–\].
-const TOLERANCE: f64 = 0.005;
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,10 +34,8 @@ pub struct LimitSearch {
     pub(super) plan: Plan,
     /// The first is searched; each goes from its first end to its last.
     variables: Vec<(Variable, SearchRange)>,
-    tolerance: Option<f64>,
-    is_whole: bool,
+    pub(super) search: Search,
     pub(super) aim: Aim,
-    pub(super) side: Side,
 }
 
 #[derive(Clone, Debug)]
@@ -91,24 +83,22 @@ impl LimitSearch {
         };
         let columns = variables.iter().map(|(variable, _)| variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{tolerance:?}{text}{side:?}"), columns, 0);
-        let mut search = Self { plan, variables, tolerance, is_whole: false, aim, side };
-        search.is_whole = search.has_whole_numbers();
-        search.plan.base.check_any([0.5, 0.0, 1.0].map(|share| search.design(0, search.at(share)).settings))?;
-        Ok(search)
+        let (range, is_limit) = (variables[0].1, matches!(aim, Aim::Keep(_)));
+        let search = Search { range, tolerance, is_whole: false, is_limit, side };
+        let mut limit = Self { plan, variables, search, aim };
+        limit.search.is_whole = limit.has_whole_numbers();
+        limit.plan.base.check_any([0.5, 0.0, 1.0].map(|share| limit.design(0, limit.search.at(share)).settings))?;
+        Ok(limit)
     }
 
     pub(super) fn variable(&self) -> &Variable {
         &self.variables[0].0
     }
 
-    pub(super) fn range(&self) -> &SearchRange {
-        &self.variables[0].1
-    }
-
     /// Result, with the run at the answer and the one on its other side.
     pub fn result(&self, runs: &RunTable) -> (Bracket, Option<usize>, Option<usize>) {
         let trials = self.trials(runs);
-        let found = self.search(|search| search.result(&trials));
+        let found = self.search.result(&trials);
         let place = |x: f64| runs.runs.iter().position(|run| run.value(0) == x);
         match found {
             Bracket::Between([inner, outer]) => {
@@ -123,18 +113,6 @@ impl LimitSearch {
         }
     }
 
-    fn search<T>(&self, then: impl FnOnce(&Search) -> T) -> T {
-        let range = self.range();
-        then(&Search {
-            at: &|share| self.at(share),
-            share: &|x| range.spacing.share(range.ends, x),
-            tolerance: &|x| self.tolerance(x),
-            places: range.count.unwrap_or(PLACES).max(3),
-            is_limit: matches!(self.aim, Aim::Keep(_)),
-            side: self.side,
-        })
-    }
-
     pub(super) fn trials(&self, runs: &RunTable) -> Vec<Trial> {
         let value = |run: &Run| match &self.aim {
             Aim::Keep(condition) => condition.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
@@ -146,29 +124,9 @@ impl LimitSearch {
         runs.runs.iter().map(|run| (run.value(0), value(run))).collect()
     }
 
-    fn tolerance(&self, x: f64) -> f64 {
-        let SearchRange { ends: [low, high], spacing, .. } = *self.range();
-        let tolerance = self.tolerance.unwrap_or_else(|| match spacing {
-            Spacing::Logarithmic => x * ((high / low).ln() * TOLERANCE).exp_m1(),
-            Spacing::Even => TOLERANCE * (high - low),
-        });
-        if self.is_whole { tolerance.max(1.0) } else { tolerance }
-    }
-
-    /// Value at a share of the range, rounded to the decimal below half the tolerance.
-    fn at(&self, share: f64) -> f64 {
-        let SearchRange { ends: [low, high], spacing, .. } = *self.range();
-        if share <= 0.0 || share >= 1.0 {
-            return if share <= 0.0 { low } else { high };
-        }
-        let x = spacing.between([low, high], share);
-        let step = if self.is_whole { 1.0 } else { 10f64.powf((0.5 * self.tolerance(x)).log10().floor()) };
-        significant((x / step).round() * step, 12).clamp(low, high)
-    }
-
     /// The first variable has this value, the others move along.
     pub(super) fn design(&self, index: u64, x: f64) -> Design {
-        let share = self.range().spacing.share(self.range().ends, x);
+        let share = self.search.share(x);
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
         let settings =
@@ -177,7 +135,7 @@ impl LimitSearch {
     }
 
     fn has_whole_numbers(&self) -> bool {
-        let [low, high] = self.range().ends;
+        let [low, high] = self.search.range.ends;
         let is_case = |x: f64| self.plan.base.case(&[self.variable().setting(&written(x))]).is_ok();
         let is_plain = self.variable().unit.is_empty() && low.fract() == 0.0 && high.fract() == 0.0;
         is_plain && is_case(low) && !is_case(low + 0.5) && is_case(low + 1.0)
@@ -205,8 +163,7 @@ impl Study for LimitSearch {
 
     fn next(&mut self, runs: &RunTable) -> Vec<Design> {
         let trials = self.trials(runs);
-        let next = self.search(|search| search.next(&trials));
-        (runs.runs.len() as u64..).zip(next).map(|(index, x)| self.design(index, x)).collect()
+        (runs.runs.len() as u64..).zip(self.search.next(&trials)).map(|(index, x)| self.design(index, x)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
@@ -216,7 +173,7 @@ impl Study for LimitSearch {
             notes: self.notes(runs),
             tables: vec![self.table(runs)],
             found: matches!(found, Bracket::Between(_) | Bracket::Everywhere(_)),
-            charts: charts::search(self.variable(), self.range().spacing, runs, &self.limits(), best),
+            charts: charts::search(self.variable(), self.search.range.spacing, runs, &self.limits(), best),
         }
     }
 }

@@ -4,10 +4,10 @@ use super::bracket::{Bracket, Side, stretches};
 use super::condition::{Comparison, Condition};
 use super::report::{Cell, ReportTable};
 use super::search::{Aim, LimitSearch};
-use crate::verification::Origin;
 use super::{Run, RunTable};
 use crate::assess::estimate;
 use crate::units::significant;
+use crate::verification::Origin;
 
 /// A target that is missed by less is met, over its size \[–\].
 const MISSED: f64 = 0.005;
@@ -15,14 +15,14 @@ const MISSED: f64 = 0.005;
 impl LimitSearch {
     pub(super) fn headline(&self, runs: &RunTable) -> String {
         let (key, at) = (self.variable().label(), |x: f64| self.variable().display(x));
-        let [low, high] = self.range().ends.map(at);
+        let [low, high] = self.search.range.ends.map(at);
         let (found, best, _) = self.result(runs);
         match (&self.aim, found) {
             (_, Bracket::Failed) => format!("{key}: no run came to a result from {low} to {high}."),
             (Aim::Keep(Condition { text, .. }), found) => {
                 let holds = match found {
                     Bracket::Between([inner, outer]) => {
-                        let side = if self.side == Side::Largest { "up to" } else { "from" };
+                        let side = if self.search.side == Side::Largest { "up to" } else { "from" };
                         format!("{side} {}, not at {}", at(inner), at(outer))
                     }
                     Bracket::Everywhere(x) => format!("to the end of the range, {}", at(x)),
@@ -33,7 +33,7 @@ impl LimitSearch {
             }
             (Aim::Reach(target), _) => {
                 let (name, Some((place, wanted))) = (&target.quantity, target.resolved) else { return String::new() };
-                let display = |value: f64| runs.responses[place].display(value);
+                let display = |value: f64| runs.display(place, value);
                 let Some(run) = best.map(|best| &runs.runs[best]) else {
                     return format!("{key}: {name} is {} nowhere from {low} to {high}.", display(wanted));
                 };
@@ -55,7 +55,7 @@ impl LimitSearch {
             (Bracket::Between(_), Aim::Reach(Comparison { resolved: Some((place, wanted)), .. })) => {
                 let [from, to] = [best, other].map(|run| run.map_or(f64::NAN, |run| runs.runs[run].numbers[*place]));
                 if (from - wanted).abs().min((to - wanted).abs()) > MISSED * wanted.abs() {
-                    let [from, to] = [from, to].map(|value| runs.responses[*place].display(value));
+                    let [from, to] = [from, to].map(|value| runs.display(*place, value));
                     notes.push(format!("It jumps from {from} to {to} there."));
                 }
             }
@@ -103,10 +103,10 @@ impl LimitSearch {
         add("End", &|run| run.end.clone().into());
         let limits = self.limits();
         for (place, response) in runs.responses.iter().enumerate() {
-            if response.number.origin == Origin::Answer || limits.iter().any(|(limited, _)| *limited == place) {
-                let amount = |value| response.number.quantity.amount.of(value).into();
+            if response.origin == Origin::Answer || limits.iter().any(|(limited, _)| *limited == place) {
+                let amount = |value| response.quantity.amount.of(value).into();
                 let value = |run: &Run| Some(run.numbers[place]).filter(|value| value.is_finite());
-                add(response.number.quantity.label, &|run| value(run).map_or("–".into(), amount));
+                add(response.quantity.label, &|run| value(run).map_or("–".into(), amount));
             }
         }
         table

@@ -56,7 +56,11 @@ impl StudyFile {
         let text = read_text(path, "give a case file, or a study file")?;
         let is_case = toml::from_str::<Table>(&text)
             .map_or(true, |table| !table.contains_key("case") && CASE_KEYS.iter().any(|key| table.contains_key(*key)));
-        let mut file = if is_case { Self::default() } else { Self::read(&text, path).map_err(|e| e.within(format!("{shown}: ")))? };
+        let mut file = if is_case {
+            Self::default()
+        } else {
+            Self::read(&text, path).map_err(|e| e.within(format!("{shown}: ")))?
+        };
         if is_case {
             file.case = path.to_owned();
         }
@@ -68,7 +72,8 @@ impl StudyFile {
     }
 
     fn read(text: &str, path: &Path) -> Result<Self, StudyError> {
-        let wrong = |error: toml::de::Error| StudyError::new(error.to_string().trim_end(), "see `stampflow sweep --help`");
+        let wrong =
+            |error: toml::de::Error| StudyError::new(error.to_string().trim_end(), "see `stampflow sweep --help`");
         let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
         (file.case, file.to) = (beside(&file.case), file.to.iter().map(beside).collect());
@@ -111,7 +116,9 @@ fn pairs(table: &Table, above: &str) -> Result<Vec<String>, StudyError> {
                 all.extend(pairs(table, &format!("{key}."))?);
                 continue;
             }
-            Value::Datetime(_) => return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]"),
+            Value::Datetime(_) => {
+                return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]");
+            }
             Value::Array(values) => values.iter().map(plain).collect::<Vec<_>>().join(", "),
             value => plain(value),
         };

@@ -168,13 +168,12 @@ impl Sweep {
             let by = |a: &&Run, b: &&Run| a.numbers[place].total_cmp(&b.numbers[place]);
             if let Some((least, most)) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)
             {
-                let response = &runs.responses[place];
                 let describe = |run: &Run| {
                     let values = self.axes.iter().zip(self.places(run.index));
                     let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
-                    format!("{} ({})", response.display(run.numbers[place]), joined(values, ", "))
+                    format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
                 };
-                let (label, least, most) = (response.number.quantity.label, describe(least), describe(most));
+                let (label, least, most) = (runs.responses[place].quantity.label, describe(least), describe(most));
                 notes.push(format!("{label} of sound designs: {least} to {most}."));
             }
         }
@@ -208,7 +207,7 @@ impl Sweep {
         let columns = ["Number", "Key", "As it stands", "Least", "at", "Largest", "at value"];
         let mut table = ReportTable::new("sensitivities", &columns);
         for response in charts::deciding(runs, 4) {
-            let number = &runs.responses[response].number;
+            let number = &runs.responses[response];
             for s in self.sensitivities(runs, response) {
                 let Some(ends) = s.extremes() else { continue };
                 let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.quantity.amount.of(value)));

@@ -11,17 +11,6 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// Treatment of rows that an earlier run has left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Earlier {
-    /// Keep them and run what is missing.
-    Resume,
-    /// Remove them.
-    Restart,
-    /// Refuse to begin.
-    Refuse,
-}
-
 /// A table on the disk.
 #[derive(Debug)]
 pub struct TableFile {
@@ -34,8 +23,8 @@ pub struct TableFile {
 }
 
 impl TableFile {
-    /// Opens the table file of a study and reads the rows that are there.
-    pub fn open(path: &Path, runs: &RunTable, earlier: Earlier) -> Result<Self, StudyError> {
+    /// Opens the table file of a study; rows of an earlier run are refused unless they are to `resume` or to `restart`.
+    pub fn open(path: &Path, runs: &RunTable, resume: bool, restart: bool) -> Result<Self, StudyError> {
         let (shown, elsewhere) = (path.display(), "choose another place with --out");
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let part = path.with_file_name(format!(".{name}.rows"));
@@ -49,7 +38,7 @@ impl TableFile {
         let mut file = loop {
             let file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
             match file.try_lock() {
-                Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => file.lock().map_err(unwritable)?,
+                Err(TryLockError::WouldBlock) if resume => file.lock().map_err(unwritable)?,
                 Err(TryLockError::WouldBlock) => {
                     return fail(format!("another run writes {shown}"), format!("wait for it, or {elsewhere}"));
                 }
@@ -62,10 +51,10 @@ impl TableFile {
             }
         };
         let mut bytes = Vec::new();
-        if earlier != Earlier::Restart {
+        if !restart {
             file.read_to_end(&mut bytes).map_err(unwritable)?;
         }
-        if !bytes.is_empty() && earlier == Earlier::Refuse {
+        if !bytes.is_empty() && !resume {
             let what = format!("an earlier run has left rows of {shown} and did not end");
             return fail(what, "go on with them by --resume, or begin anew with --restart");
         }
@@ -73,8 +62,7 @@ impl TableFile {
         bytes.truncate(bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1));
         let kept = bytes.len() as u64;
         if kept == 0 {
-            let is_whole = earlier == Earlier::Resume && path.exists();
-            bytes = if is_whole { fs::read(path).map_err(unwritable)? } else { record(&runs.header()) };
+            bytes = if resume && path.exists() { fs::read(path).map_err(unwritable)? } else { record(&runs.header()) };
         }
         let Some(earlier) = rows(&bytes, runs) else {
             let what = format!("{shown} has rows of another study, or of another version");

@@ -3,7 +3,7 @@
 use super::StudyError;
 use super::distribution::Distribution;
 use super::error::fail;
-use super::variable::{Domain, Variable, number, split_number, split_pair, written};
+use super::variable::{Variable, number, split_number, split_pair, written};
 use crate::case::Case;
 use crate::material::chaboche;
 use crate::units::{self, Dimensioned, Stress, significant};
@@ -34,8 +34,7 @@ impl UncertainVariable {
         let own = || if is_strength { Ok((1.0, String::new())) } else { own_value(case, key) };
         let (distribution, unit) = Distribution::read(key, distribution, own)?;
         let hardening = if is_strength { Some(scalable_law(case)?) } else { library_law(case, key) };
-        let variable = Variable { key: key.to_owned(), unit, domain: Domain::List(Vec::new()) };
-        Ok(Self { variable, distribution, hardening })
+        Ok(Self { variable: Variable::new(key, unit), distribution, hardening })
     }
 
     /// Its value at a coordinate between 0 and 1.

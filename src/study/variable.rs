@@ -22,13 +22,9 @@ pub(super) struct Variable {
     pub key: String,
     /// Empty for plain numbers and words.
     pub unit: String,
-    pub domain: Domain,
-}
-
-#[derive(Clone, Debug)]
-pub(super) enum Domain {
-    List(Vec<String>),
-    Range(SearchRange),
+    /// Empty with a range.
+    list: Vec<String>,
+    range: Option<SearchRange>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +37,11 @@ pub(super) struct SearchRange {
 }
 
 impl Variable {
+    /// A key without values of its own.
+    pub fn new(key: &str, unit: String) -> Self {
+        Self { key: key.to_owned(), unit, list: Vec::new(), range: None }
+    }
+
     pub fn read(text: &str) -> Result<Self, StudyError> {
         let help = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
         let pair = split_pair(text);
@@ -61,8 +62,9 @@ impl Variable {
                 "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
             StudyError::new(format!("{key}: the range `{values}` {what}"), help)
         };
-        let number = |text: &str, what| {
-            split_number(text.trim()).map(|(x, unit)| (x, unit.to_owned())).ok_or_else(|| wrong(what))
+        let number = |text: &str, what| match split_number(text.trim()) {
+            Some((number, unit)) => Ok((number, unit.to_owned())),
+            None => Err(wrong(what)),
         };
         let (start, from) = match from.split_once(" in ") {
             Some((start, from)) => (Some(number(start, "does not start with a number")?.0), from),
@@ -90,7 +92,7 @@ impl Variable {
         }
         check_unit(key, &unit)?;
         let range = SearchRange { ends: [low, high], count, spacing: Spacing::of(is_log), start };
-        Ok(Self { key: key.into(), unit, domain: Domain::Range(range) })
+        Ok(Self { range: Some(range), ..Self::new(key, unit) })
     }
 
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
@@ -113,34 +115,24 @@ impl Variable {
         }
         check_unit(key, unit)?;
         let list = items.iter().map(|item| item.strip_suffix(unit).unwrap_or(item).trim().to_owned()).collect();
-        Ok(Self { key: key.into(), unit: unit.into(), domain: Domain::List(list) })
+        Ok(Self { list, ..Self::new(key, unit.to_owned()) })
     }
 
     /// All values, for a design of experiments.
     pub fn values(&self) -> Result<Vec<String>, StudyError> {
-        match &self.domain {
-            Domain::List(values) => Ok(values.clone()),
-            Domain::Range(SearchRange { ends, count: Some(count), spacing, .. }) => {
-                let last = count - 1;
-                let at = |i: usize| if i == last { ends[1] } else { spacing.between(*ends, i as f64 / last as f64) };
-                Ok((0..*count).map(|i| written(at(i))).collect())
-            }
-            Domain::Range(_) => {
-                let what = format!("{}: the range does not say how many values", self.key);
-                fail(what, "write /N behind it: \"4..10 mm/7\"")
-            }
-        }
+        let Some(SearchRange { ends, count, spacing, .. }) = self.range else { return Ok(self.list.clone()) };
+        let Some(last) = count.map(|count| count - 1) else {
+            let what = format!("{}: the range does not say how many values", self.key);
+            return fail(what, "write /N behind it: \"4..10 mm/7\"");
+        };
+        let at = |i: usize| if i == last { ends[1] } else { spacing.between(ends, i as f64 / last as f64) };
+        Ok((0..=last).map(|i| written(at(i))).collect())
     }
 
     /// The interval, for a search or a fit.
     pub fn search_range(&self) -> Result<SearchRange, StudyError> {
-        match self.domain {
-            Domain::Range(range) => Ok(range),
-            Domain::List(_) => {
-                let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
-                fail(format!("`{}` gives no range to search", self.key), help)
-            }
-        }
+        let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
+        self.range.map_or_else(|| fail(format!("`{}` gives no range to search", self.key), help), Ok)
     }
 
     /// The override that sets a value, a number or a word.
@@ -249,7 +241,9 @@ pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyErr
     let bytes = text.as_bytes();
     let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
     match bytes.windows(3).any(is_decimal) {
-        true => fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", text.replace(',', "."))),
+        true => {
+            fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", text.replace(',', ".")))
+        }
         false => Ok(()),
     }
 }

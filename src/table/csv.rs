@@ -20,14 +20,12 @@ pub struct Csv {
     pub header: Record,
     /// Lines below the header.
     pub rows: Vec<Record>,
-    /// Word for the number of a record: `line` of a text from 1, `row` of columns from 0.
-    pub counted: &'static str,
 }
 
 /// Fields of one line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// Number, from 1 in a text, from 0 in columns.
+    /// Number, from 1.
     pub line: usize,
     /// Texts between the commas.
     pub fields: StringRecord,
@@ -85,35 +83,7 @@ impl Csv {
             let what = format!("{} numbers stand under {columns} columns", row.fields.len());
             return refused(row.line, what, DECIMALS);
         }
-        Ok(Self { header, rows, counted: "line" })
-    }
-
-    /// Takes columns with their names; NaN is an empty cell. Messages as in [`read`](Self::read).
-    ///
-    /// # Errors
-    /// If there is no column, they differ in length, have too many rows, or a number is infinite.
-    pub fn of_columns(columns: &[(String, Vec<f64>)], name: &str, example: &str) -> Result<Self, CsvError> {
-        let Some((first, values)) = columns.first() else {
-            return refused(None, format!("{name} has no columns"), example);
-        };
-        for (header, column) in columns {
-            if column.len() != values.len() {
-                let what = format!("`{first}` has {} rows, but `{header}` has {}", values.len(), column.len());
-                return refused(None, what, "give columns of one length");
-            }
-            if let Some(row) = column.iter().position(|value| value.is_infinite()) {
-                return refused(None, format!("row {row} of `{header}` is infinite"), "leave it out, or make it NaN");
-            }
-        }
-        if values.len() > MOST {
-            return refused(None, format!("there are more than {MOST} rows"), "thin them out");
-        }
-        let header = Record { line: 0, fields: columns.iter().map(|(header, _)| header.as_str()).collect() };
-        let cell = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
-        let row = |i: usize| Record { line: i, fields: columns.iter().map(|(_, values)| cell(values[i])).collect() };
-        let rows: Vec<Record> = (0..values.len()).map(row).collect();
-        header.names_columns(rows.first(), name, example).map_err(|error| CsvError { line: None, ..error })?;
-        Ok(Self { header, rows, counted: "row" })
+        Ok(Self { header, rows })
     }
 
     /// Number of the column of that name.

@@ -10,9 +10,9 @@ use crate::study::measured_curve::MeasuredCurve;
 use crate::study::parallel_map::parallel_map;
 use crate::study::report::StudyReport;
 use crate::study::variable::{Variable, repeated, written};
-use crate::verification::Watch;
 use crate::study::{BaseCase, StudyError, StudyFile};
 use crate::units::significant;
+use crate::verification::Watch;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
@@ -180,9 +180,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let case = request.base.case(&[])?;
     let before = rms(&residuals(&first).unwrap_or_default());
     let (mut charts, mut left_out) = (Vec::new(), Vec::new());
-    for (((curve, (_, before)), (points, after)), weights) in
-        request.curves.iter().zip(first).zip(last).zip(&weights)
-    {
+    for (((curve, (_, before)), (points, after)), weights) in request.curves.iter().zip(first).zip(last).zip(&weights) {
         left_out.push((curve.name(), weights.iter().filter(|weight| **weight == 0.0).count(), points.len()));
         let measured = points.iter().map(|p| (p.x, p.reference)).collect();
         let series = [

@@ -150,8 +150,7 @@ impl LawFit {
         let mut starts: Vec<Vec<Parameter>> = kind.starts(&plain).into_iter().map(parameters).collect();
         starts.retain(|start| sum(start).is_finite());
         starts.sort_by(|a, b| sum(a).total_cmp(&sum(b)));
-        let minima =
-            starts.iter().take(FOLLOWED).filter_map(|start| Some((minimise(start, &mut all, LIMITS)?, start)));
+        let minima = starts.iter().take(FOLLOWED).filter_map(|start| Some((minimise(start, &mut all, LIMITS)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
         let solved = best.and_then(|best| Some((laws(&best.0.values)?, misses(&best.0.values)?, best)));
         let Some(((hardening, rate), misses, (minimum, parameters))) = solved else {

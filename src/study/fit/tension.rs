@@ -90,7 +90,7 @@ impl Tension {
                 return fail(format!("{name} has force and elongation"), help);
             }
         };
-        let at = |line: usize| format!("{name}, {} {line}", csv.counted);
+        let at = |line: usize| format!("{name}, line {line}");
         let (mut rows, mut lines) = (Vec::new(), Vec::new());
         for row in &csv.rows {
             let at = at(row.line);
