@@ -4,7 +4,7 @@ use super::scatter::UncertaintyResult;
 use super::sweep::{Axis as SweepAxis, Sweep};
 use super::variable::Variable;
 use super::{FailureMode, Run, RunTable};
-use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style};
+use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::table::{Axis, Spacing};
 use crate::units::{Sense, Unit};
@@ -43,7 +43,7 @@ pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
     let place = |(of, key): (Origin, &str)| runs.responses.iter().position(|r| r.origin == of && r.quantity.key == key);
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
-        let (low, high) = span(values);
+        let (low, high) = bounds(values);
         high.abs().max(low.abs()) * VARIES < high - low
     };
     FIRST.into_iter().filter_map(place).filter(varies).take(most).collect()
@@ -102,7 +102,7 @@ fn trend(
     let points: Vec<((f64, f64), &Run)> = known.collect();
     let curve: Vec<(f64, f64)> = points.iter().map(|(point, _)| *point).collect();
     let y = named(runs, place);
-    let (low, high) = span(curve.iter().map(|point| point.0));
+    let (low, high) = bounds(curve.iter().map(|point| point.0));
     let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
     let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
     let line = line.map(|style| Series::silent(curve, style));
@@ -171,7 +171,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
     let own = axes[0].own.zip(axes[1].own);
     series.extend(own.map(|own| Series::new("the case as it stands", vec![own], Style::Triangles { color: BLACK })));
     let [along, up] = positions.map(|positions| {
-        let (low, high) = span(positions.into_iter());
+        let (low, high) = bounds(positions.into_iter());
         (low - 0.03 * (high - low), high + 0.03 * (high - low))
     });
     let scale = Scale::Window { height: if third.is_some() { 270.0 } else { 430.0 }, x: along, y: up };
@@ -208,7 +208,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
     let panel = |place: usize| {
         let all: Vec<_> = sweep.sensitivities(runs, place).into_iter().take(12).collect();
         let own = all.first()?.own;
-        let (low, high) = span(all.iter().flat_map(|s| s.ends.iter().map(|end| end.number)).chain([own]));
+        let (low, high) = bounds(all.iter().flat_map(|s| s.ends.iter().map(|end| end.number)).chain([own]));
         let room = 0.25 * (high - low);
         let (mut series, mut labels) = (Vec::new(), Vec::new());
         for (y, s) in (0..all.len()).rev().map(|y| y as f64).zip(&all) {
@@ -266,7 +266,7 @@ pub(super) fn search(
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
     let panel = |place: usize| {
         let spread = result.spreads.iter().find(|spread| spread.response == place)?;
-        let (low, high) = span(spread.values.iter().copied());
+        let (low, high) = bounds(spread.values.iter().copied());
         let width = (high - low) / BINS as f64;
         if width <= 0.0 {
             return None;
@@ -292,10 +292,4 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
 fn named(runs: &RunTable, place: usize) -> Axis {
     let quantity = &runs.responses[place].quantity;
     Axis::named(quantity.label, quantity.amount.unit)
-}
-
-fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values
-        .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }

@@ -55,8 +55,8 @@ impl Goal {
         request(case).map_err(|error| error.within(format!("{name} needs ")))
     }
 
-    fn new(vary: String, aim: GoalAim, side: Side) -> Self {
-        Self { settings: Vec::new(), vary, aim, side }
+    fn new(vary: String, aim: GoalAim, side: Side) -> Result<Self, StudyError> {
+        Ok(Self { settings: Vec::new(), vary, aim, side })
     }
 }
 
@@ -77,13 +77,13 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let travels = ends.map(|blank| 2.0 * radius * (0.25 * ((blank / radius).powi(2) - 1.0) + BEYOND));
     let (blank, travel) = (range("blank.radius", ends, "mm"), range("tools.punch.travel", travels, "mm"));
     let settings = vec!["stop.drawn_through=true".into(), "output.count=2".into()];
-    let goal = Goal::new(format!("{blank} & {travel}"), GoalAim::Condition("no tear"), Side::Largest);
-    Ok(Goal { settings, ..goal })
+    let (vary, aim) = (format!("{blank} & {travel}"), GoalAim::Condition("no tear"));
+    Ok(Goal { settings, vary, aim, side: Side::Largest })
 }
 
 fn height(case: &Case) -> Result<Goal, StudyError> {
     let vary = travels(one_stage(case)?, [0.2, 3.0])?;
-    Ok(Goal::new(vary, GoalAim::Condition("no red and stop not amber"), Side::Largest))
+    Goal::new(vary, GoalAim::Condition("no red and stop not amber"), Side::Largest)
 }
 
 fn holder_force(case: &Case) -> Result<Goal, StudyError> {
@@ -95,7 +95,7 @@ fn holder_force(case: &Case) -> Result<Goal, StudyError> {
         return missing("an axisymmetric flange, for it goes by the wrinkle index");
     }
     let vary = range("tools.holder.force", [0.1, 10.0].map(|share| share * press.force.largest()), "N") + " log";
-    Ok(Goal::new(vary, GoalAim::Condition("no red and wrinkling not red or amber"), Side::Smallest))
+    Goal::new(vary, GoalAim::Condition("no red and wrinkling not red or amber"), Side::Smallest)
 }
 
 fn radius(case: &Case) -> Result<Goal, StudyError> {
@@ -103,14 +103,14 @@ fn radius(case: &Case) -> Result<Goal, StudyError> {
     let shoulder = throat(die).map(|throat| shoulder_end(die) - throat).filter(|shoulder| *shoulder > 0.0);
     let Some(shoulder) = shoulder else { return missing("a die with a `shoulder`") };
     let vary = range("tools.die.shoulder", [0.15, 2.0].map(|share| share * shoulder), "mm");
-    Ok(Goal::new(vary, GoalAim::Condition("no red"), Side::Smallest))
+    Goal::new(vary, GoalAim::Condition("no red"), Side::Smallest)
 }
 
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     if case.stages.last().is_none_or(|stage| stage.model.release.is_none()) {
         return missing("a stage that takes the tools away: [[stages]] with release = true");
     }
-    Ok(Goal::new(travels(case.model(), [0.6, 1.3])?, GoalAim::Quantity("opening_angle"), Side::Smallest))
+    Goal::new(travels(case.model(), [0.6, 1.3])?, GoalAim::Quantity("opening_angle"), Side::Smallest)
 }
 
 fn bead_force(case: &Case) -> Result<Goal, StudyError> {
@@ -120,7 +120,7 @@ fn bead_force(case: &Case) -> Result<Goal, StudyError> {
     }
     let largest = RESTRAINT * tensile_strength(&model.material) * model.blank.thickness;
     let vary = range("tools.beads.0.restraining", [0.0, largest], "N/mm");
-    Ok(Goal::new(vary, GoalAim::Quantity("draw_in"), Side::Smallest))
+    Goal::new(vary, GoalAim::Quantity("draw_in"), Side::Smallest)
 }
 
 fn one_stage(case: &Case) -> Result<&Model, StudyError> {
