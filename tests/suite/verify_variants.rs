@@ -92,7 +92,7 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let test = Tension::read(points, "points.csv", None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift), RateKind::Power).expect("a fit");
-    let swift = &fits.fits[0];
+    let swift = fits.best();
     let Hardening::Swift(_) = swift.hardening else { panic!("{:?}", swift.hardening) };
     let off = curve.points.iter().map(|point| (swift.hardening.at(point.strain).stress / point.stress - 1.0).abs());
     let mut case = shipped_case("erichsen_304l", &[]);
