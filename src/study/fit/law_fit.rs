@@ -14,7 +14,8 @@ use crate::study::error::fail;
 pub struct LawFit {
     /// Its kind.
     pub kind: HardeningKind,
-    hardening: Hardening,
+    /// The law with its parameters.
+    pub hardening: Hardening,
     pub(super) rate: Option<Rate>,
     /// Its parameters, those of the rate law last.
     pub estimates: Vec<Estimate>,
