@@ -2,6 +2,7 @@
 
 use crate::common::cup::MINIMAL;
 use crate::common::files::files;
+use crate::common::shipped::parsed;
 use proptest::prelude::*;
 use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
@@ -40,7 +41,7 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
 fn a_temperature_is_given_by_zones_or_by_a_file() {
     let at = |heat: &stampflow::model::Heat, places: [f64; 4]| places.map(|s0| heat.initial.at(s0) - 273.15);
     let zones = format!("{MINIMAL}[heat]\ninitial = {{ punch = \"25 °C\", flange = \"225 °C\" }}\n");
-    let case = case::parse(&zones, "case.toml", &[]).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let case = parsed(&zones, &[]);
     let heat = case.model().heat.as_ref().expect("given");
     let found = at(heat, [10.0, 30.0, 30.625, 50.0]);
     for (found, expected) in found.into_iter().zip([25.0, 25.0, 125.0, 225.0]) {
@@ -89,9 +90,9 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
 #[test]
 fn a_twelve_line_case_is_enough_and_its_defaults_are_the_documented_ones() {
     assert!(MINIMAL.lines().count() <= 12);
-    let case = case::parse(MINIMAL, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = parsed(MINIMAL, &[]);
     let model = case.model();
-    assert_eq!(case.name, "cup");
+    assert_eq!(case.name, "case");
     assert_eq!((model.blank.elements, model.blank.layers), (100, 5));
     assert_eq!((model.blank.grading, model.blank.theory), (Grading::Radii, Theory::Bending));
     assert_eq!(model.settings, stampflow::model::Settings::default());
@@ -230,7 +231,7 @@ fn long_files_beside_a_case_are_read_or_refused_by_their_length() {
 /// Trust: half of a diameter, and thicknesses times 1 mm, by hand.
 #[test]
 fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
-    let radii = case::parse(MINIMAL, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let radii = parsed(MINIMAL, &[]);
     let across = MINIMAL
         .replace("blank = { radius = \"55 mm\"", "blank = { diameter = \"110 mm\"")
         .replace("radius = \"55 mm\"", "diameter = \"110 mm\"")
@@ -238,7 +239,7 @@ fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
         .replace("throat = \"31.25 mm\", shoulder = \"6 mm\"", "throat_diameter = \"62.5 mm\", shoulder = \"6 t\"")
         .replace("inner_radius = \"32 mm\"", "inner_diameter = \"64 mm\"");
     assert_eq!(across.matches("diameter").count(), 4, "{across}");
-    let across = case::parse(&across, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let across = parsed(&across, &[]);
     assert_eq!(across.model(), radii.model());
     let set = load("cases/quickstart.toml", &["blank.diameter=104 mm"]);
     assert_eq!(set.model().blank.length, 52.0, "an override replaces the radius");
@@ -316,7 +317,7 @@ release = "constant"
         "[material]\nyoung = \"210 GPa\"\npoisson = 0.3\nmode = \"elasto_viscoplastic\"\n[material.hardening",
     );
     let elastic = elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\"");
-    let case = case::parse(&elastic, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = parsed(&elastic, &[]);
     let modes: Vec<Mode> = case.stages.iter().map(|stage| stage.model.mode).collect();
     let elastoplastic = Mode::ElastoViscoplastic;
     assert_eq!(modes, [elastoplastic, elastoplastic, elastoplastic, Mode::Elastic, Mode::Elastic]);

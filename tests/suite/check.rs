@@ -1,10 +1,11 @@
 //! The check of a case before it is run: its numbers by hand, its doubts, its text.
 
+use crate::common::files::files;
 use crate::common::shipped::shipped_case;
 use approx::assert_relative_eq;
-use stampflow::assess::before;
+use stampflow::assess::{SIZE_CHECKS, before};
 use stampflow::assess::check::{Check, report};
-use stampflow::case::Case;
+use stampflow::case::{self, Case};
 
 fn quickstart(overrides: &[&str]) -> Case {
     shipped_case("quickstart", overrides)
@@ -49,4 +50,16 @@ fn every_doubt_has_its_warning() {
     // A weak law is to blame, not the holder.
     let weak = before(&quickstart(&["material.hardening.swift.k=520 kPa"]));
     assert!(weak.iter().all(|finding| finding.key != "holder_pressure"), "{weak:?}");
+}
+
+/// What is shipped has the sizes of stampings.
+#[test]
+fn no_shipped_case_is_doubted() {
+    let cases = files("cases", "toml");
+    assert!(cases.len() > 10);
+    for path in cases {
+        let case = case::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let doubts: Vec<_> = SIZE_CHECKS.iter().filter_map(|check| check(case.model())).collect();
+        assert!(doubts.is_empty(), "{}: {doubts:?}", path.display());
+    }
 }

@@ -1,15 +1,15 @@
 //! What forces and works of a plane section are of: both halves, and over a depth that is given the whole part; and which times
 //! are told.
 
-use stampflow::case::{Solution, parse};
+use crate::common::shipped::parsed;
+use stampflow::case::Solution;
 
 const STRIP: &str = include_str!("../../cases/strip_draw.toml");
 
 /// A case without its references.
 fn solved(text: &str, overrides: &[&str]) -> Solution {
     let text = text.split("[[compare]]").next().unwrap();
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    parse(text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).solve(&mut ())
+    parsed(text, overrides).solve(&mut ())
 }
 
 /// Trust: a part is as many sections as it has millimetres of depth, each pressed alike: the run is the same to the last digits

@@ -2,19 +2,13 @@
 
 use crate::common::shipped;
 use stampflow::assess::{after, judgements};
-use stampflow::author::templates::find;
-use stampflow::case::parse;
 use stampflow::measure::{Event, EventKind, events};
 use stampflow::model::Role;
 use stampflow::solver::solution::{StageSolution, Stop};
-use stampflow::{Case, Solution};
+use stampflow::Solution;
 
 fn solved(template: &str, overrides: &[&str]) -> Solution {
-    let text = find(template).unwrap().fill(&[]).unwrap();
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    let case: Case =
-        parse(&text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{template}: {}", e.render(false)));
-    case.solve(&mut ())
+    shipped::made(template, &[], overrides).solve(&mut ())
 }
 
 fn kinds(found: &[Event]) -> Vec<EventKind> {

@@ -45,7 +45,6 @@ mod scatter;
 mod scripts;
 mod search;
 mod sheets;
-mod sizes;
 mod springback;
 mod stops;
 mod study;

@@ -7,7 +7,7 @@ use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Elastic, Gtn, Hill48, Rate};
 use stampflow::model::{
-    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, ModelError, Motion, Press, Pressure, RateControl,
+    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl,
     Release, Role, Stage, Theory, ToolHeat,
 };
 use stampflow::numerics::PiecewiseLinear;
@@ -248,13 +248,4 @@ fn a_stage_that_cannot_go_on_is_refused() {
         assert_eq!(solutions.len(), 2);
         assert!(matches!(solutions[1].stop, Stop::Refused(_)), "{}", solutions[1].stop);
     }
-}
-
-#[test]
-fn an_error_names_the_value_and_its_bounds() {
-    let mut model = cup();
-    model.settings.tolerance = 5.0;
-    let error = model.check().expect_err("out of range");
-    assert_eq!(error, ModelError::Range { what: "settings.tolerance".into(), value: 5.0, least: 1e-12, most: 0.1 });
-    assert_eq!(error.to_string(), "`settings.tolerance` must lie between 1e-12 and 0.1, found 5.0");
 }

@@ -72,19 +72,6 @@ fn chords_of_a_punch_are_the_punch() {
     for (unit, mm) in [("mm", 1.0), ("in", 25.4)] {
         let case = with_punch(&chords(unit, mm), "\"punch.csv\"");
         assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-5, "{unit}");
-        assert!(
-            case.derived.iter().any(|line| line.to_string().contains("punch.csv: 33 points")),
-            "{:?}",
-            case.derived
-        );
-        assert!(
-            case.derived.iter().any(|line| line.to_string().contains("rounded off by tangent arcs")),
-            "{:?}",
-            case.derived
-        );
-        let check = check::report(&case);
-        assert!(check.warnings.iter().all(|w| w.to_string().contains("elements per 90°")), "{:?}", check.warnings);
-        assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 mm (6.0 t), friction"), "{check}");
     }
 }
 
@@ -99,10 +86,6 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
         let case = with_punch(points, section);
         assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
-        assert!(!case.derived.iter().any(|line| line.to_string().contains("rounded off")), "{:?}", case.derived);
-        let repeated =
-            "line 4 of punch.csv repeats the point of line 3 and is left out, as are 1 more that repeat the one before";
-        assert_eq!(case.derived.iter().any(|line| *line == repeated), points == marked, "{:?}", case.derived);
     }
 }
 
@@ -120,8 +103,6 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
         assert!(gaps.len() > 50 && gaps.iter().all(|gap| (gap - 1.25).abs() < 1e-7), "{gaps:?}");
         // The flat sheet lies on its face.
         assert!((die.closest(Point::new(50.0, 0.0)).distance - 0.5).abs() < 1e-9);
-        let said = format!("the die follows the punch at 1.25 mm: they have closed at a travel of {closed} mm");
-        assert!(case.derived.contains(&said), "{:?}", case.derived);
         run(case.model());
     }
 }
@@ -163,13 +144,8 @@ fn a_line_that_ends_before_the_travel_is_warned_of() {
         let case = read(&text(&format!("profile = [{nose}{wall}]"), DIE, HOLDER, travel).replace("\n        ", " "));
         check::report(&case).warnings.into_iter().filter(|w| w.to_string().contains("line ends")).collect::<Vec<_>>()
     };
-    let found = warned("", "25 mm");
-    assert!(
-        found.len() == 1 && found[0].to_string().contains("the punch's line ends at r = 28.243 mm, z = -2.257 mm"),
-        "{found:?}"
-    );
-    assert!(found[0].to_string().contains("1.757 mm of the 25 mm of travel"), "{found:?}");
-    assert!(found[0].to_string().ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
+    let [found] = &warned("", "25 mm")[..] else { panic!("one warning") };
+    assert!(found.contains("r = 28.243 mm, z = -2.257 mm") && found.contains("1.757 mm of the 25 mm"), "{found}");
     assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
     assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
 }

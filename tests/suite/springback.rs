@@ -1,19 +1,15 @@
 //! Spring-back held against the part's tolerance, what compensates it, and how it is told.
 
+use crate::common::shipped::parsed;
 use stampflow::assess::{self, Finding, Light};
 use stampflow::author::templates::find;
-use stampflow::case::{Case, Solution, parse};
+use stampflow::case::{Case, Solution};
 use stampflow::measure::{Change, Shape, changes};
 
 /// The steel strip of the template, bent to this angle under the tools \[°\], with more at the end of its case.
 fn v_bend(angle: f64, more: &str) -> Case {
     let text = find("v-bend").unwrap().fill(&[("angle", &format!("{angle} deg"))]).unwrap();
-    read(&(text + more), &[])
-}
-
-fn read(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    parse(text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)))
+    parsed(&(text + more), &[])
 }
 
 fn verdict(solution: &Solution) -> Finding {
@@ -82,7 +78,7 @@ fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
         "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n\n[material.hardening";
     let text = text.replacen("[material.hardening", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
     let elements = format!("blank.elements={elements}");
-    read(&text, &[&[elements.as_str()], overrides].concat()).solve(&mut ())
+    parsed(&text, &[&[elements.as_str()], overrides].concat()).solve(&mut ())
 }
 
 /// Trust: an upright wall between punch and die is straight, by a sag of some micrometres; released, the curl of a wall that was

@@ -1,8 +1,8 @@
 //! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
 
+use crate::common::shipped::{parsed, shipped_case};
 use stampflow::Observer;
 use stampflow::assess::{self, Light};
-use stampflow::case::{self, Case};
 use stampflow::solver::solution::{StageSolution, StepRecord, Stop};
 use stampflow::solver::solve;
 
@@ -11,7 +11,7 @@ const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset =
 /// Runs a case of one stage, whose advice must be there where it stops early.
 fn stop(geometry: &str, blank: &str, tools: &str) -> Stop {
     let text = format!("title = \"End\"\ngeometry = \"{geometry}\"\n[blank]\n{blank}\n[material]\n{METAL}\n{tools}");
-    let case: Case = case::parse(&text, "stops.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = parsed(&text, &[]);
     let stages: Vec<StageSolution> = solve(&case.stages, &mut ());
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
@@ -87,8 +87,7 @@ fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
 /// Trust: it would take a hundred thousand steps to the end; cups that come on take about as many as planned.
 #[test]
 fn a_run_that_creeps_ends_soon_and_says_where() {
-    let sets = ["solver.max_iterations=2", "solver.min_step=1e-12"].map(str::to_owned);
-    let case = case::load("cases/quickstart.toml", &sets).unwrap_or_else(|e| panic!("{e}"));
+    let case = shipped_case("quickstart", &["solver.max_iterations=2", "solver.min_step=1e-12"]);
     let mut tried = Tries::default();
     let stages = solve(&case.stages, &mut tried);
     let Stop::Creeping { travel, tries, step, worst_s0, ref seen, .. } = stages[0].stop else {
@@ -132,8 +131,7 @@ impl Observer for Tries {
 fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     let text = std::fs::read_to_string("cases/quickstart.toml").expect("shipped");
     let run = |overrides: &[&str]| {
-        let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-        let case = case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)));
+        let case = parsed(&text, overrides);
         let stages = solve(&case.stages, &mut ());
         let found = assess::after(&case, &stages);
         let run = found.into_iter().find(|finding| finding.key == "stop").expect("the stop is judged");

@@ -2,9 +2,6 @@
 
 use stampflow::table::{Column, Csv, CsvError, Unit};
 
-/// Rows that a file may have at most, as `stampflow::case::files` has it.
-const MOST: usize = 100_000;
-
 fn column(key: &'static str, label: &'static str, unit: Unit) -> Column {
     Column::new(key, label, unit, vec![1.0, 2.0])
 }
@@ -38,13 +35,4 @@ fn rows_know_their_lines_between_comments_and_empty_lines() {
         [(4, Ok(Some(0.0)), Ok(Some(1.0))), (8, Ok(Some(2.0)), Ok(None)), (9, Ok(Some(3.0)), Ok(Some(4.0)))]
     );
     assert_eq!((csv.column("z_in"), csv.unit(1)), (Some(1), Ok((Unit::Mm, 25.4))));
-}
-
-/// Looking for each line from the first one would take minutes.
-#[test]
-fn a_long_file_is_gone_through_once() {
-    let text = format!("# long\nr_mm,z_mm\n{}", "#\n1,2\n".repeat(MOST));
-    assert_eq!(read(&text).unwrap().rows.last().unwrap().line, 2 + 2 * MOST);
-    let error = read(&format!("{text}3,4\n")).unwrap_err();
-    assert_eq!((error.line, error.to_string()), (Some(3 + 2 * MOST), format!("there are more than {MOST} rows")));
 }

@@ -2,6 +2,7 @@
 //! the sheet back.
 
 use crate::common::files::files;
+use crate::common::shipped::parsed;
 use stampflow::assess::{self, Finding, Kind, Light};
 use stampflow::case::{self, Case};
 use stampflow::solver::solution::StageSolution;
@@ -85,7 +86,7 @@ fn drawn(
         {more}
         "#
     );
-    let case = case::parse(&text, "bead.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = parsed(&text, &[]);
     let stages = solve(&case.stages, &mut ());
     let found = assess::after(&case, &stages);
     (case, stages, found)

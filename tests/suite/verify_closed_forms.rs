@@ -2,19 +2,11 @@
 
 use crate::common::convergence::orders;
 use crate::common::page::{agreement, plain, signed, told};
-use crate::common::shipped::{peak, shipped};
+use crate::common::shipped::{peak, shipped, solve};
 use crate::common::simple;
 use stampflow::material::flow::{FlowLaw, Iteration};
 use stampflow::material::{Hardening, Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
-use stampflow::solver;
-use stampflow::solver::solution::StageSolution;
-
-fn solve(model: &stampflow::model::Model) -> StageSolution {
-    let run = solver::run(model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    run
-}
 
 /// Trust: plane-strain tension, T = t (2/√3) σ_y(2/√3 ε). The strain is homogeneous, so neither mesh nor step
 /// enters; what is left is the cut-off, (Δε₀/Δε̄)²/2 below 1e-6, and the corrector's tolerance 1e-5.

@@ -1,14 +1,13 @@
 //! A whole run held against a forming limit, and what it leaves behind.
 
-use stampflow::case::{self, Case};
+use crate::common::shipped::shipped_case;
+use stampflow::case::Case;
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
 use stampflow::solver;
 use stampflow::solver::solution::StageSolution;
 
 fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
-    let path = format!("{}/cases/stretch_limit.toml", env!("CARGO_MANIFEST_DIR"));
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    let case = case::load(&path, &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = shipped_case("stretch_limit", overrides);
     let run = solver::run(case.model(), &mut ());
     let curve = case.model().forming_limit.as_ref().expect("a curve");
     let assessment = assess(curve, &run.paths).expect("paths");

@@ -2,6 +2,7 @@
 
 use crate::common::convergence::{orders, orders_of_changes};
 use crate::common::page::{plain, signed, told};
+use crate::common::shipped::solve;
 use crate::common::simple;
 use stampflow::geometry::Profile;
 use stampflow::material::flow::ROOM_TEMPERATURE;
@@ -10,16 +11,10 @@ use stampflow::material::{Gtn, ThermalLaw};
 use stampflow::model::{Edge, Geometry, Heat, HeatFlow, Model, Motion, Press, Role, Settings, Theory, Tool, ToolHeat};
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::solver;
-use stampflow::solver::solution::{StageSolution, Stop};
+use stampflow::solver::solution::Stop;
 
 /// ρ c of aluminium, 2700 kg/m³ × 900 J/(kg K) [MPa/K].
 const CAPACITY: f64 = 2.43;
-
-fn solve(model: &Model) -> StageSolution {
-    let run = solver::run(model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    run
-}
 
 fn flow(plastic_share: f64) -> HeatFlow {
     HeatFlow { capacity: CAPACITY, plastic_share, conductivity: 0.0, tools: vec![] }

@@ -1,18 +1,13 @@
 //! Whole runs with Hosford's yield condition: closed forms, Hill's as its limit, and the elastic mode beside the flow mode.
 
+use crate::common::shipped::shipped_case as case;
 use crate::common::simple;
 use stampflow::material::{Hill48, Hosford, Rate, YieldCriterion};
 use stampflow::model::{Geometry, Theory};
-use stampflow::{Case, Model, StageSolution, solver};
+use stampflow::{Model, StageSolution, solver};
 
 fn solve(model: &Model) -> StageSolution {
     solver::run(model, &mut ())
-}
-
-fn case(name: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    stampflow::case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Trust: closed forms of a sheet that is pulled. In plane strain σ_s = c σ_y(c ε) with x^(a−1) = r̄ (1 − x)^(a−1), c^−a =

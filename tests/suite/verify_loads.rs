@@ -234,18 +234,6 @@ fn plane_strain_bulge_is_a_circular_arc() {
     assert!(last(&run).work.imbalance().abs() < 2e-3, "{}", last(&run).work.imbalance());
 }
 
-/// A dome under rising pressure has a largest pressure; asking for more ends the run there, in words.
-#[test]
-fn bulge_ends_at_the_pressure_maximum() {
-    for theory in [Theory::Membrane, Theory::Bending] {
-        let run = solver::run(&bulge(Geometry::Axisymmetric, theory, 30.0), &mut ());
-        let Stop::PressureMaximum { pressure: _, height, .. } = run.stop else { panic!("{theory:?}: {}", run.stop) };
-        // Trust: at the maximum of p = 2 σ t/ρ with σ = K ε^n the pole of a spherical dome has ε = (4/11)(2n + 1) (Hill
-        // 1950): 0.52 for n = 0.22, a height near 0.6 to 0.7 of the radius of 50 mm.
-        assert!((25.0..40.0).contains(&height), "{height}");
-    }
-}
-
 /// A flat sheet cannot bear a pressure at once: one pressure and no punch is raised over the run.
 #[test]
 fn one_pressure_alone_is_raised_over_the_run() {

@@ -2,7 +2,7 @@
 
 use crate::common::shipped::{self, solve};
 use crate::common::simple;
-use stampflow::case;
+use crate::common::shipped::parsed;
 use stampflow::geometry::Profile;
 use stampflow::material::rate::{PowerRate, Rate};
 use stampflow::model::{Geometry, Model, Theory};
@@ -12,8 +12,7 @@ use stampflow::solver::solution::{StageSolution, Stop};
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {
     let text = include_str!("../../cases/quickstart.toml").replace("travel = \"25 mm\"", &format!("motion = {motion}"));
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).model().clone()
+    parsed(&text, overrides).model().clone()
 }
 
 /// Largest difference of the punch forces of two runs with the same steps, over the largest force.

@@ -53,3 +53,15 @@ pub fn peak(run: &StageSolution) -> f64 {
 pub fn last(run: &StageSolution) -> &StepRecord {
     run.steps.last().expect("steps")
 }
+
+/// A case in `text`, with overrides.
+pub fn parsed(text: &str, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::parse(text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)))
+}
+
+/// The case of a template with these sizes, with overrides.
+pub fn made(template: &str, sizes: &[(&str, &str)], overrides: &[&str]) -> Case {
+    let text = stampflow::author::templates::find(template).and_then(|template| template.fill(sizes));
+    parsed(&text.unwrap_or_else(|e| panic!("{template} {sizes:?}: {e}")), overrides)
+}
