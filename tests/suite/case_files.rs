@@ -189,27 +189,6 @@ fn with_csv(what: &str, csv: impl Into<Vec<u8>>) -> Result<Case, String> {
     case::parse_with(&text, "cases/cup.toml", &[], &files).map_err(|error| error.render(false).replace("\n  │ ", " "))
 }
 
-#[test]
-fn a_file_beside_a_case_that_is_no_table_is_named_and_not_shown() {
-    for what in ["profile", "temperature", "reference"] {
-        for (csv, says) in [
-            ("root:x:0:0::/root:/bin/sh\nuser:x:1:1::/home/user:/bin/sh\n".as_bytes(), "it begins with \"root\""),
-            (b"\x7fELF\0\x01secret", "is no table of numbers"),
-            (b"r\xff_mm", "cannot be read: it is not UTF-8 text"),
-            (b"", "file is empty"),
-            (b"1,2\n3,4\n", "the first line must name the columns, found numbers"),
-            (b"r_mm;z_mm\n0;0\n", "the columns are separated by semicolons"),
-            (b"r_mm\tz_mm\n0\t0\n", "the columns are separated by tabs"),
-        ] {
-            let error = with_csv(what, csv).unwrap_err();
-            assert!(error.contains(says), "{what}: {says} is not in\n{error}");
-            assert!(!error.contains("/bin") && !error.contains("secret"), "{error}");
-        }
-    }
-    let ragged = with_csv("reference", "travel_mm,punch_force_kN\n1,2\n2\n").unwrap_err();
-    assert!(ragged.contains("a row of 1 under 2 columns") && ragged.contains("a.csv:3:1"), "{ragged}");
-}
-
 /// Gone through once: from the first line anew for each line, one of these files alone would take a minute.
 #[test]
 fn long_files_beside_a_case_are_read_or_refused_by_their_length() {

@@ -3,8 +3,8 @@
 use crate::common::files::files;
 use crate::common::shipped::shipped_case;
 use approx::assert_relative_eq;
-use stampflow::assess::{SIZE_CHECKS, before};
 use stampflow::assess::check::{Check, report};
+use stampflow::assess::{SIZE_CHECKS, before};
 use stampflow::case::{self, Case};
 
 fn quickstart(overrides: &[&str]) -> Case {

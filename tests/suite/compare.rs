@@ -110,40 +110,6 @@ fn a_missing_file_is_an_error_unless_it_is_optional() {
     assert!(!c.is_failure());
 }
 
-#[test]
-fn mistakes_in_the_file_are_named() {
-    let force = || curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce);
-    for (csv, says) in [
-        ("travel_mm,force_N\n1,2\n", "no column `punch_force_N`; it has travel_mm, force_N"),
-        ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "line 4, column `punch_force_N`: \"two\" is not a number"),
-        ("travel_mm,punch_force_N\n1,0\n", "is 0 at 1"),
-        ("travel_mm,punch_force_N\n", "no rows"),
-        ("travel_mm,punch_force_N\n1,2\n2,nan\n", "line 3, column `punch_force_N`: \"nan\" is no finite number"),
-        ("travel_mm,punch_force_N\n-inf,2\n", "line 2, column `travel_mm`: \"-inf\" is no finite number"),
-        ("travel_mm,punch_force_N\n1,2\n1.7e308,2\n", "line 3, column `travel_mm`: 1.7e308 is out of range"),
-        ("travel_mm,punch_force_N\n1,-2e9\n", "magnitude must be at most 1e9 N"),
-        ("travel_mm,punch_force_N\n1,1e-308\n", "line 2: the reference value is 1.00e-308 at 1"),
-    ] {
-        let message = along(csv, force(), true).unwrap_err().to_string();
-        assert!(message.contains(says), "{message}");
-    }
-    let kp = along("travel_mm,force_kp\n1,2\n", curve("travel_mm", "force_kp", ComparedQuantity::PunchForce), true);
-    assert!(kp.unwrap_err().to_string().contains("known units"));
-    let mm = along("travel_mm,force_mm\n1,2\n", curve("travel_mm", "force_mm", ComparedQuantity::PunchForce), true);
-    assert!(mm.unwrap_err().to_string().contains("Punch force [N]"));
-    for (csv, says) in [
-        ("a_mm,b_mm,error_mm\n,,0.01\n", "no values in a_mm, b_mm"),
-        ("a_mm,b_mm,error_mm\n1,1,inf\n", "line 2, column `error_mm`: \"inf\" is no finite number"),
-        ("a_mm,b_mm,error_mm\n1,1e300,\n", "line 2, column `b_mm`: 1e300 is out of range"),
-        ("a_mm,b_mm,error_mm\n1,1,-0.01\n", "line 2: the error of measurement in column `error_mm` is negative"),
-        ("a_mm,b_mm\n1,1\n", "no column `error_mm`"),
-    ] {
-        let message =
-            compared(csv, band(ComparedQuantity::Thickness, &["a_mm", "b_mm"]), true).unwrap_err().to_string();
-        assert!(message.contains(says), "{message}");
-    }
-}
-
 fn band(quantity: ComparedQuantity, columns: &[&str]) -> Against {
     let columns = columns.iter().map(|&c| c.to_owned()).collect();
     Against::Band(BandSpec { quantity, columns, error: Some("error_mm".to_owned()) })

@@ -1,11 +1,11 @@
 //! The events of a stage, and whether they explain what its load curve does.
 
 use crate::common::shipped;
+use stampflow::Solution;
 use stampflow::assess::{after, judgements};
 use stampflow::measure::{Event, EventKind, events};
 use stampflow::model::Role;
 use stampflow::solver::solution::{StageSolution, Stop};
-use stampflow::Solution;
 
 fn solved(template: &str, overrides: &[&str]) -> Solution {
     shipped::made(template, &[], overrides).solve(&mut ())

@@ -185,44 +185,6 @@ fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_interva
     assert!(best.r2 > 0.999 && best.rms < 4.0);
 }
 
-/// Trust: each is wrong in the way that its message says.
-#[test]
-fn what_is_no_tension_test_is_told() {
-    let rows = |header: &str, rows: &[(f64, f64)]| {
-        rows.iter().fold(format!("{header}\n"), |text, (x, y)| format!("{text}{x},{y}\n"))
-    };
-    let rising = [(0.01, 300.0), (0.02, 310.0), (0.03, 320.0), (0.04, 328.0), (0.05, 335.0), (0.06, 341.0)];
-    let falling = rising.map(|(x, y)| (-x, -y));
-    let back = [(0.01, 300.0), (0.02, 310.0), (0.03, 320.0), (0.005, 20.0), (0.05, 335.0), (0.06, 341.0)];
-    let percent = rising.map(|(x, y)| (100.0 * x, y));
-    for (text, said) in [
-        (rows("true_strain,true_stress", &rising), "must end in a unit"),
-        (rows("true_strain,hardness_MPa", &rising), "no columns of strain and stress"),
-        (rows("plastic_strain,engineering_stress_MPa", &rising), "plastic strain over engineering stress"),
-        (rows("elongation_mm,force_kN", &rising), "give --section"),
-        (rows("true_strain,true_stress_MPa", &falling), "compression"),
-        (rows("true_strain,true_stress_MPa", &back), "line 5: the strain goes back"),
-        (rows("strain,stress_MPa", &percent), "none of a tension test"),
-        (rows("strain,stress_mm", &rising), "does not fit its name"),
-        (rows("true_strain,true_stress_MPa", &rising[..3]), "fewer than 5"),
-        (rows("true_strain,true_stress_MPa", &rising), "elastic line"),
-        (rows("true_strain,true_stress_MPa", &rising) + "0.07\n", "line 8: 1 numbers stand under 2 columns"),
-    ] {
-        let reduced =
-            Tension::read(&text, "test.csv", None, None).and_then(|test| FlowCurve::of(&test, &Reduction::default()));
-        let error = reduced.expect_err(&text).to_string();
-        assert!(error.contains(said) && error.contains("help"), "{text}: {error}");
-    }
-    let few = rows(
-        "plastic_strain,true_stress_MPa",
-        &[(0.01, 100.0), (0.02, 150.0), (0.03, 180.0), (0.04, 200.0), (0.05, 215.0)],
-    );
-    let test = Tension::read(&few, "test.csv", None, None).expect("a test");
-    let curve = FlowCurve::of(&test, &Reduction { to: Some(0.035), ..Reduction::default() }).expect("a curve");
-    let error = fit_laws(vec![curve], Some(HardeningKind::Swift), RateKind::Power).expect_err("too few").to_string();
-    assert!(error.contains("3 points for the 3 parameters"), "{error}");
-}
-
 const CASE: &str = "cases/quickstart.toml";
 
 fn coarse() -> Vec<String> {

@@ -7,8 +7,8 @@ use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Elastic, Gtn, Hill48, Rate};
 use stampflow::model::{
-    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl,
-    Release, Role, Stage, Theory, ToolHeat,
+    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl, Release, Role,
+    Stage, Theory, ToolHeat,
 };
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::solver::solution::Stop;

@@ -286,61 +286,6 @@ fn a_folder_that_goes_away_or_is_blocked_during_a_run_loses_no_result() {
     assert!(text(&done.stdout).contains("Punch force"), "{}", text(&done.stdout));
 }
 
-/// Trust: a name may have 255 bytes; the hidden names have one of five letters more.
-#[test]
-fn a_name_that_is_too_long_is_refused_before_solving() {
-    let dir = folder(CUP);
-    let name = "a".repeat(250);
-    fs::rename(dir.path().join("cases/cup.toml"), dir.path().join(format!("cases/{name}.toml"))).unwrap();
-    let case = format!("cases/{name}.toml");
-    for args in [
-        &["run", &case][..],
-        &["run", &case, "--out", &"b".repeat(300)],
-        &["report", &case, "-o", &format!("new/{name}a.html")],
-    ] {
-        let done = stampflow(dir.path(), args);
-        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
-        assert!(!text(&done.stderr).contains("10 %"), "{args:?} was solved first");
-        assert_eq!(names(dir.path()), ["cases"], "{args:?} left something behind");
-    }
-}
-
-#[test]
-fn files_of_other_origin_are_not_written_over() {
-    let dir = folder(CUP);
-    let root = dir.path();
-    for name in ["mine", "read", "copies/1-draw", "file"] {
-        fs::create_dir_all(root.join(name)).unwrap();
-    }
-    for name in ["notes.txt", "mine/strains.png", "summary.json", "copies/1-draw/profile.csv", "file/1-draw", "my.html"]
-    {
-        fs::write(root.join(name), "mine").unwrap();
-    }
-    fs::write(root.join("read/profile.csv"), "r_mm,z_mm\n0,0\n30,0\n30,-60\n").unwrap();
-    let profile = CUP.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, "profile = \"../read/profile.csv\"");
-    fs::write(root.join("cases/profile.toml"), profile).unwrap();
-    fs::write(root.join("cases/stages.toml"), format!("{CUP}{STAGES}")).unwrap();
-    let before = tree(root);
-    for (args, reason) in [
-        (&["run", "cases/cup.toml", "--trace", "cases/cup.toml"][..], "--trace"),
-        (&["run", "cases/cup.toml", "--trace", "notes.txt"], "notes.txt is there already"),
-        (&["run", "cases/cup.toml", "--trace", "out/cup/profile.csv"], "is the name of a result"),
-        (&["run", "cases/cup.toml", "--out", "mine"], "nothing says that a run has written it"),
-        (&["run", "cases/cup.toml", "--out", "."], "summary.json"),
-        (&["run", "cases/profile.toml", "--out", "read"], "profile.csv is read by the case"),
-        (&["run", "cases/stages.toml", "--out", "copies"], "copies/1-draw/profile.csv"),
-        (&["run", "cases/stages.toml", "--out", "file"], "cannot write file/1-draw"),
-        (&["report", "cases/cup.toml", "-o", "my.html"], "--force"),
-        (&["report", "cases/cup.toml", "-o", "cases/cup.html", "--set", "bad=1"], "bad"),
-        (&["materials", "aa6016-t4", "--plot", "notes.txt"], "notes.txt is there already"),
-    ] {
-        let done = stampflow(root, args);
-        assert_eq!(done.status.code(), Some(2), "{args:?}: {}{}", text(&done.stdout), text(&done.stderr));
-        assert!(text(&done.stderr).contains(reason), "{args:?}: {}", text(&done.stderr));
-        assert!(tree(root) == before, "{args:?}: {:?}", tree(root).keys());
-    }
-}
-
 /// Trust: two signals that wait at the same time; the run alone would take far longer than the test.
 #[cfg(unix)]
 #[test]

@@ -3,9 +3,9 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stampflow::units::{
-    Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, PerKelvin,
-    Positive, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, parse, rounded, significant,
-    trimmed, without_zeros,
+    Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, PerKelvin, Positive,
+    QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, parse, rounded, significant, trimmed,
+    without_zeros,
 };
 
 fn value<Q: Dimensioned + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {

@@ -1,8 +1,8 @@
 //! A punch whose travel is given over time: where it is, what it does to sheet that feels the rate and to sheet that does not.
 
+use crate::common::shipped::parsed;
 use crate::common::shipped::{self, solve};
 use crate::common::simple;
-use crate::common::shipped::parsed;
 use stampflow::geometry::Profile;
 use stampflow::material::rate::{PowerRate, Rate};
 use stampflow::model::{Geometry, Model, Theory};
