@@ -1,6 +1,5 @@
 //! Fits: perfect data give their parameters back, noisy data within their standard errors.
 
-use crate::common::cli::{stampflow, text};
 use fastrand::Rng;
 use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
@@ -14,7 +13,6 @@ use stampflow::verification::Watch;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use temp_dir::TempDir;
 
 /// Laws as they are common for sheet, with the parameters in the order of their estimates.
@@ -231,26 +229,12 @@ fn a_curve_of_the_programs_own_gives_its_keys_back() {
     assert!((case.model().material.hardening.at(1.0).stress / 520.0 - 1.0).abs() < 2e-2);
 }
 
-/// Ends after so many runs.
-struct After(AtomicUsize, usize);
-
-impl Watch for After {
-    fn wants_to_stop(&self) -> bool {
-        self.0.load(Ordering::Relaxed) >= self.1
-    }
-
-    fn ran(&self, done: usize, all: usize) {
-        assert!(done < all);
-        self.0.store(done, Ordering::Relaxed);
-    }
-}
-
 /// Trust: the start misses the curve by more than what was found when it was ended in the middle.
 #[test]
 fn a_fit_that_is_ended_keeps_the_best_so_far() {
     let dir = TempDir::new().expect("a folder");
     let path = curve_of(&dir, 0.01, &mut Rng::with_seed(3));
-    let fit = fit_to(&path, &KEYS, &After(AtomicUsize::new(0), 18));
+    let fit = fit_to(&path, &KEYS, &crate::study::After(0.into(), 18));
     assert_eq!(fit.ended, Ended::Stopped);
     assert!(fit.rms[1] < fit.rms[0], "{:?}", fit.rms);
 }
@@ -266,28 +250,4 @@ fn the_osu_curve_gives_its_own_friction_and_strength_back() {
     }
     let k = &fit.estimates[1];
     assert!((k.value / 589.0 - 1.0).abs() < 0.05, "{k:?}");
-}
-
-/// Trust: the same fit from a study file and from the command line; files as the page says.
-#[test]
-fn the_verb_reads_a_study_and_writes_numbers_case_and_picture() {
-    let dir = TempDir::new().expect("a folder");
-    curve_of(&dir, 0.0, &mut Rng::with_seed(1));
-    let root = std::env::current_dir().expect("a folder");
-    let study = format!(
-        "case = {:?}\nset = [\"blank.elements=24\", \"solver.max_step=0.06\"]\nto = \"curve.csv\"\n\n[vary]\nfriction = \"0.12 in 0.01..0.3\"\n",
-        root.join(CASE)
-    );
-    fs::write(dir.path().join("study.toml"), study).expect("written");
-    let done = stampflow(dir.path(), &["fit", "study.toml", "--json", "--out", "fit"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let value: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
-    let found = value["parameters"][0]["value"].as_f64().expect("a number");
-    assert!((found / 0.08 - 1.0).abs() < 1e-4, "{found}");
-    for file in ["fit.csv", "fit.png", "fitted.toml"] {
-        assert!(dir.path().join("fit").join(file).is_file(), "{file}");
-    }
-    let wrong = stampflow(dir.path(), &["fit", "study.toml", "--vary", "friction=0.5 in 0.1..0.3"]);
-    assert_eq!(wrong.status.code(), Some(2));
-    assert!(text(&wrong.stderr).contains("does not hold its start"), "{}", text(&wrong.stderr));
 }

@@ -74,7 +74,7 @@ fn one_at_a_time_gives_the_sensitivity_of_each_key() {
 }
 
 /// Stops after so many runs.
-struct After(AtomicUsize, usize);
+pub struct After(pub AtomicUsize, pub usize);
 
 impl Watch for After {
     fn wants_to_stop(&self) -> bool {

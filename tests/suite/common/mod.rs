@@ -12,4 +12,3 @@ pub mod random_die;
 pub mod random_work;
 pub mod shipped;
 pub mod simple;
-pub mod surfalex;

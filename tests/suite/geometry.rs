@@ -1,0 +1,472 @@
+//! Sections of tools: distances, corners, offsets, and where they meet.
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+use stampflow::geometry::{Arc, CavityError, Closest, Fold, OffsetError, Piece, Point, Profile, Segment, fillet};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+fn all() -> Vec<Profile> {
+    vec![
+        Profile::hemispherical_punch(25.4, 0.9),
+        Profile::flat_punch(50.0, 9.0, 1.0),
+        Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8),
+        Profile::die(51.25, 7.0, 1.0),
+        Profile::holder(58.25, 1.0),
+        Profile::flat_punch(50.0, 9.0, 1.0).faceted(7),
+        Profile::die(51.25, 7.0, 1.0).faceted(20),
+    ]
+}
+
+/// Trust: brute force. No sampled point of the chain may be closer than the closest point, and one must be
+/// as close to within the sampling.
+#[test]
+fn distance_agrees_with_brute_force_sampling() {
+    for profile in all() {
+        let dense: Vec<Point> = profile.pieces().iter().flat_map(|p| p.sample(20_000)).collect();
+        for i in 0..60 {
+            let x = Point::new(((i * 37) % 60) as f64 * 1.3, ((i * 17) % 23) as f64 * 1.9 - 20.0);
+            let closest = profile.closest(x);
+            let brute = dense.iter().map(|p| (p - x).norm()).fold(f64::INFINITY, f64::min);
+            assert!(closest.distance.abs() <= brute + 1e-9);
+            // Sampling error: half a spacing (0.03 mm on the longest wall) squared over twice the distance.
+            assert!(brute - closest.distance.abs() < 0.3, "{brute} {}", closest.distance);
+        }
+    }
+}
+
+/// Trust: the normal is the gradient and the curvature the second derivative of the distance, by
+/// central differences (h = 1e-4 mm: truncation near 1e-9).
+#[test]
+fn normal_and_curvature_are_derivatives_of_the_distance() {
+    let h = 1e-4;
+    for profile in all() {
+        for i in 0..80 {
+            let x = Point::new(0.7 + i as f64 * 0.83, ((i * 7) % 11) as f64 * 0.31 - 1.1);
+            let c = profile.closest(x);
+            let near: Vec<Closest> = [(h, 0.0), (-h, 0.0), (0.0, h), (0.0, -h)]
+                .iter()
+                .map(|d| profile.closest(x + Point::new(d.0, d.1)))
+                .collect();
+            if near.iter().any(|n| (n.normal - c.normal).norm() > 0.01 || n.piece != c.piece) {
+                continue; // a kink of the distance field (medial axis) has no derivative
+            }
+            let gradient =
+                Point::new(near[0].distance - near[1].distance, near[2].distance - near[3].distance) / (2.0 * h);
+            assert_relative_eq!(gradient, c.normal, epsilon = 1e-6);
+            let tangent = Point::new(c.normal.y, -c.normal.x);
+            let (a, b) = (profile.closest(x + h * tangent), profile.closest(x - h * tangent));
+            if a.piece == c.piece && b.piece == c.piece {
+                let dn = (a.normal - b.normal) / (2.0 * h);
+                assert_relative_eq!(dn, c.curvature * tangent, epsilon = 1e-5);
+            }
+        }
+    }
+}
+
+#[test]
+fn shapes_touch_the_flat_sheet_and_point_at_it() {
+    let t = 1.0;
+    for (profile, r, below) in [
+        (Profile::hemispherical_punch(25.0, t), 0.0, true),
+        (Profile::flat_punch(50.0, 5.0, t), 10.0, true),
+        (Profile::crowned_punch(330.0, 2800.0, 10.0, t), 0.0, true),
+        (Profile::holder(60.0, t), 80.0, true),
+        (Profile::die(51.0, 7.0, t), 80.0, false),
+    ] {
+        let c = profile.closest(Point::new(r, 0.0));
+        assert_relative_eq!(c.distance, 0.5 * t, epsilon = 1e-9);
+        assert_relative_eq!(c.normal.y, if below { 1.0 } else { -1.0 }, epsilon = 1e-9);
+    }
+}
+
+/// Trust: a mirror keeps distances, and turning round changes only their sign (1e-9: a few rounded sums of
+/// coordinates up to 1e3).
+#[test]
+fn distances_follow_the_moves() {
+    for profile in [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.0, 7.0, 1.0), Profile::holder(60.0, 1.0)] {
+        for i in 0..200 {
+            let x = Point::new(f64::from(i) * 0.4, f64::from((i * 7) % 31) - 15.3);
+            let d = profile.closest(x).distance;
+            let image = Point::new(x.x, -x.y);
+            assert!((profile.mirrored().closest(image).distance - d).abs() < 1e-9);
+            assert!((profile.reversed().closest(x).distance + d).abs() < 1e-9);
+            let across = Profile::new(profile.pieces().iter().map(Piece::across_axis).collect()).unwrap().reversed();
+            assert!((across.closest(Point::new(-x.x, x.y)).distance - d).abs() < 1e-9);
+            assert!((profile.shifted(3.0).closest(x + Point::new(0.0, 3.0)).distance - d).abs() < 1e-9);
+        }
+    }
+}
+
+/// Trust: by hand. Whole lengths are kept, and parts lie on one side each.
+#[test]
+fn parts_lie_on_one_side_each_and_add_up() {
+    let line = Piece::Segment(Segment::new(Point::new(-3.0, 1.0), Point::new(6.0, 4.0)));
+    let dome = Piece::Arc(Arc::new(Point::new(0.0, 0.0), 5.0, 0.0, PI));
+    let twice = Piece::Arc(Arc::new(Point::new(1.0, 0.0), 2.0, -0.5 * PI, -PI));
+    for (piece, parts) in [(line, 2), (dome, 2), (twice, 3)] {
+        let cut = piece.cut_at_axis(1e-6);
+        assert_eq!(cut.len(), parts, "{cut:?}");
+        assert!((cut.iter().map(Piece::length).sum::<f64>() - piece.length()).abs() < 1e-9);
+        for pair in cut.windows(2) {
+            assert!((pair[0].last() - pair[1].first()).norm() < 1e-9);
+            assert!(pair[0].last().x.abs() < 1e-9);
+        }
+    }
+    assert_eq!(line.across_axis().cut_at_axis(4.0).len(), 1, "a crossing that is an end");
+}
+
+/// Trust: dense sampling finds nothing beyond the extreme, and comes near it (1e-4 mm: chords of 1e-3 rad on
+/// radii up to 330 mm).
+#[test]
+fn no_sampled_point_lies_beyond() {
+    let tilted = Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8).shifted(4.0);
+    for profile in [tilted.clone(), tilted.mirrored(), Profile::die(51.25, 7.0, 1.0), Profile::holder(60.0, 1.0)] {
+        for within in [70.0, 325.0, 400.0] {
+            for (highest, sign) in [(true, 1.0), (false, -1.0)] {
+                let sampled = profile.pieces().iter().flat_map(|p| p.sample(20_000)).filter(|p| p.x <= within);
+                let brute = sampled.map(|p| sign * p.y).fold(f64::NEG_INFINITY, f64::max);
+                let found = sign * profile.extreme(highest, within).unwrap().y;
+                assert!(found >= brute - 1e-9, "{found} {brute}");
+                // A long wall that is cut by `within` is sampled every 0.7 mm only; all of them are vertical or flat.
+                assert_relative_eq!(found, brute, epsilon = 0.02);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_slope_is_cut_at_the_edge_of_the_sheet() {
+    let slope = Profile::new(vec![Piece::Segment(Segment::new(Point::new(100.0, 0.0), Point::new(20.0, 40.0)))]);
+    let slope = slope.unwrap();
+    assert_relative_eq!(slope.extreme(false, 60.0).unwrap(), Point::new(60.0, 20.0), epsilon = 1e-9);
+    assert_eq!(slope.extreme(false, 10.0), None);
+}
+
+fn line(x: [f64; 4]) -> Piece {
+    Piece::Segment(Segment::new(Point::new(x[0], x[1]), Point::new(x[2], x[3])))
+}
+
+fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
+    Piece::Arc(Arc::new(Point::new(center[0], center[1]), radius, start, sweep))
+}
+
+fn chain(points: &[[f64; 2]]) -> Profile {
+    let lines = points.windows(2).map(|w| line([w[0][0], w[0][1], w[1][0], w[1][1]]));
+    Profile::new(lines.collect()).unwrap()
+}
+
+#[test]
+fn folds_are_found_with_their_place() {
+    let loops = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.0, 5.0], [5.0, -5.0]]);
+    assert_eq!(loops.fold(), Some(Fold::Crossing { at: Point::new(5.0, 0.0), pieces: [0, 3] }));
+    let touches = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.0, 0.0], [5.0, 9.0]]);
+    assert!(matches!(touches.fold(), Some(Fold::Crossing { pieces: [0, 2], .. })));
+    let spur = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 0.1], [4.0, -9.0]]);
+    assert!(matches!(spur.fold(), Some(Fold::Back { after: 0, .. })));
+    let narrow = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 1.0], [4.0, 9.0]]);
+    assert_eq!(narrow.fold(), None);
+}
+
+/// Trust: by hand. The circle about (8, 1) through (9, 0) comes down again at (7, 0), after three quarters.
+#[test]
+fn an_arc_that_swings_round_through_its_neighbour_is_found() {
+    let with_sweep = |sweep: f64| {
+        let round = arc([8.0, 1.0], 2.0_f64.sqrt(), -FRAC_PI_4, sweep);
+        Profile::new(vec![line([0.0, 0.0, 9.0, 0.0]), round]).unwrap().fold()
+    };
+    assert_eq!(with_sweep(3.0 * FRAC_PI_2 - 0.1), None);
+    let Some(Fold::Crossing { at, pieces: [0, 1] }) = with_sweep(3.0 * FRAC_PI_2 + 0.1) else {
+        panic!("the crossing is missed");
+    };
+    assert!((at - Point::new(7.0, 0.0)).norm() < 1e-9);
+}
+
+/// A million million pairs of pieces would take hours.
+#[test]
+fn a_long_chain_is_gone_through_piece_by_piece() {
+    let at = |i: u32, n: u32| f64::from(i) * f64::from(n).recip();
+    let wave = |n: u32| (0..=n).map(move |i| [100.0 * at(i, n), (40.0 * at(i, n)).sin()]);
+    let points: Vec<[f64; 2]> = wave(1_000_000).collect();
+    assert_eq!(chain(&points).fold(), None);
+    // A wall is gone through along its height.
+    let wall: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*y, *x]).collect();
+    assert_eq!(chain(&wall).fold(), None);
+    let back = [[100.0, 8.0], [50.0, 8.0], [50.000_05, -8.0]];
+    let crossing: Vec<[f64; 2]> = points.into_iter().chain(back).collect();
+    assert!(matches!(chain(&crossing).fold(), Some(Fold::Crossing { pieces: [500_000, 1_000_002], .. })));
+}
+
+#[test]
+fn standard_shapes_do_not_fold() {
+    for profile in [
+        Profile::hemispherical_punch(25.4, 0.9),
+        Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8),
+        Profile::die(51.25, 7.0, 1.0),
+        Profile::holder(58.25, 1.0),
+        Profile::die(51.25, 7.0, 1.0).faceted(45).rounded(),
+    ] {
+        assert_eq!(profile.fold(), None);
+    }
+}
+
+proptest! {
+    /// Trust: brute force. Polylines cross where the signs of four areas say so.
+    #[test]
+    fn crossing_chains_are_those_of_the_orientation_test(
+        points in prop::collection::vec((0.0..50.0_f64, -20.0..20.0_f64), 3..9),
+    ) {
+        let points: Vec<[f64; 2]> = points.iter().map(|p| [p.0, p.1]).collect();
+        let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let lines: Vec<_> = points.windows(2).collect();
+        let crosses = (0..lines.len()).any(|i| (i + 2..lines.len()).any(|j| {
+            let (a, b, c, d) = (lines[i][0], lines[i][1], lines[j][0], lines[j][1]);
+            area(a, b, c) * area(a, b, d) < 0.0 && area(c, d, a) * area(c, d, b) < 0.0
+        }));
+        let fold = chain(&points).fold();
+        prop_assume!(!matches!(fold, Some(Fold::Back { .. })));
+        prop_assert_eq!(fold.is_some(), crosses);
+    }
+}
+
+fn points(list: &[[f64; 2]]) -> Vec<Point> {
+    list.iter().map(|p| Point::new(p[0], p[1])).collect()
+}
+
+/// Trust: the flat punch is three points and one fillet.
+#[test]
+fn a_filleted_rectangle_is_the_flat_punch() {
+    let exact = Profile::flat_punch(50.0, 9.0, 1.0);
+    let bottom = exact.last().y;
+    let corner = points(&[[0.0, -0.5], [50.0, -0.5], [50.0, bottom]]);
+    let pieces = fillet(&corner, &[0.0, 9.0, 0.0]).unwrap();
+    let profile = Profile::new(pieces).unwrap();
+    for i in 0..200 {
+        let x = Point::new(0.3 * f64::from(i), 4.0 - 0.1 * f64::from(i));
+        assert_relative_eq!(profile.closest(x).distance, exact.closest(x).distance, epsilon = 1e-9);
+    }
+}
+
+/// Trust: by hand. A right angle takes its radius from each side.
+#[test]
+fn the_largest_radius_is_named_and_fits() {
+    let step = points(&[[0.0, 0.0], [10.0, 0.0], [10.0, -6.0], [30.0, -6.0]]);
+    let error = fillet(&step, &[0.0, 4.0, 4.0, 0.0]).unwrap_err();
+    assert_eq!(error.vertex, 1);
+    assert_relative_eq!(error.largest, 3.0, epsilon = 1e-12);
+    let error = fillet(&step, &[0.0, 1.0, 8.0, 0.0]).unwrap_err();
+    assert_eq!(error.vertex, 2);
+    assert_relative_eq!(error.largest, 5.0, epsilon = 1e-12);
+    assert!(fillet(&step, &[0.0, 1.0, error.largest, 0.0]).is_ok());
+    assert!(error.to_string().contains("r = 10.0000 mm, z = -6.0000 mm: at most 5.0000 mm"), "{error}");
+}
+
+proptest! {
+    /// Trust: the definition. Radii that fit leave no corner: every vertex is smooth (1e-7 rad: the centre is
+    /// found to round-off, and its error is seen over the radius), every arc has its radius.
+    #[test]
+    fn fillets_are_tangent(
+        steps in prop::collection::vec((5.0..20.0_f64, -1.4..1.4_f64), 2..7),
+        share in 0.05..0.95_f64,
+    ) {
+        let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
+        let mut chain = vec![here];
+        for (length, turn) in steps {
+            here += length * Point::new(heading.cos(), heading.sin());
+            chain.push(here);
+            heading += turn;
+        }
+        let huge = vec![1e9; chain.len()];
+        let largest = match fillet(&chain, &huge) {
+            Err(error) => error.largest,
+            Ok(_) => return Ok(()), // straight
+        };
+        // The first failing vertex speaks for its own sides only.
+        let mut radius = largest;
+        while let Err(error) = fillet(&chain, &vec![radius; chain.len()]) {
+            prop_assert!(error.largest < radius);
+            radius = error.largest;
+        }
+        radius *= share;
+        prop_assume!(radius > 1e-3);
+        let profile = Profile::new(fillet(&chain, &vec![radius; chain.len()]).unwrap()).unwrap();
+        for vertex in profile.vertices() {
+            prop_assert!(vertex.turn.abs() < 1e-7, "{vertex:?}");
+        }
+        prop_assert_eq!(profile.first(), chain[0]);
+        prop_assert_eq!(profile.last(), chain[chain.len() - 1]);
+    }
+}
+
+/// Every point of the offset has the distance `by` from the profile (1e-7 mm: tangents agree to 1e-9 only, seen
+/// over lengths up to 1e2).
+fn assert_distance(profile: &Profile, by: f64) {
+    let offset = profile.offset(by).unwrap();
+    for p in offset.polyline(0.05) {
+        assert_relative_eq!(profile.closest(p).distance, by, epsilon = 1e-7);
+    }
+}
+
+/// Trust: the standard shapes know their own offsets.
+#[test]
+fn the_offset_of_a_punch_is_a_larger_punch() {
+    let offset = Profile::flat_punch(50.0, 9.0, 1.0).offset(1.2).unwrap();
+    let larger = Profile::flat_punch(51.2, 10.2, 1.0).shifted(1.2);
+    for i in 0..200 {
+        let x = Point::new(0.3 * f64::from(i), 4.0 - 0.1 * f64::from(i));
+        assert_relative_eq!(offset.closest(x).distance, larger.closest(x).distance, epsilon = 1e-9);
+    }
+    assert_distance(&Profile::hemispherical_punch(25.0, 1.0), 2.0);
+    assert_distance(&Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8), 1.0);
+    assert_distance(&Profile::holder(60.0, 1.0), 1.5);
+    assert_distance(&Profile::die(51.0, 7.0, 1.0), 1.5);
+}
+
+/// Trust: around a tip on the axis the offset is an arc of radius `by`, its top above the tip.
+#[test]
+fn a_tip_on_the_axis_is_a_corner() {
+    let cone = chain(&[[0.0, 0.0], [10.0, -10.0], [10.0, -40.0]]);
+    let offset = cone.offset(2.0).unwrap();
+    assert_relative_eq!(offset.first(), Point::new(0.0, 2.0), epsilon = 1e-12);
+    assert_distance(&cone, 2.0);
+    let dish = chain(&[[0.0, -10.0], [10.0, 0.0]]);
+    assert!(matches!(dish.offset(2.0), Err(OffsetError::TooTight { radius: 0.0, .. })));
+    let from_outside = cone.mirrored();
+    assert_relative_eq!(from_outside.offset(2.0).unwrap().last(), Point::new(0.0, -2.0), epsilon = 1e-12);
+}
+
+#[test]
+fn narrow_hollows_are_refused_with_their_place() {
+    let slot = [[0.0, 0.0], [10.0, 0.0], [10.0, -8.0], [13.0, -8.0], [13.0, 0.0], [40.0, 0.0]];
+    let points: Vec<Point> = slot.iter().map(|p| Point::new(p[0], p[1])).collect();
+    let rounded = Profile::new(fillet(&points, &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0]).unwrap()).unwrap();
+    let error = rounded.offset(1.2).unwrap_err();
+    assert!(matches!(error, OffsetError::TooTight { radius, .. } if (radius - 1.0).abs() < 1e-9), "{error}");
+    assert!((error.at() - Point::new(10.3, -7.7)).norm() < 0.1, "{error}");
+    let soft = Profile::new(fillet(&points, &[0.0, 1.0, 1.5, 1.5, 1.0, 0.0]).unwrap()).unwrap();
+    assert!(soft.offset(1.2).is_ok());
+    let sharp = chain(&slot).offset(1.2).unwrap_err();
+    assert!(matches!(sharp, OffsetError::TooTight { radius: 0.0, .. }), "{sharp}");
+    // Two hollow bends of 4 mm with walls that come within 3 mm of each other further out.
+    let neck = [[0.0, 0.0], [10.0, 0.0], [8.0, -30.0], [30.0, -30.0], [12.5, 0.5], [40.0, 0.5]];
+    let points: Vec<Point> = neck.iter().map(|p| Point::new(p[0], p[1])).collect();
+    let bottle = Profile::new(fillet(&points, &[0.0, 0.1, 4.0, 4.0, 0.1, 0.0]).unwrap()).unwrap();
+    assert!(matches!(bottle.offset(2.0), Err(OffsetError::Crosses { .. })), "{:?}", bottle.offset(2.0));
+}
+
+proptest! {
+    /// Trust: the definition. Any smooth chain that has an offset has it at the distance `by` everywhere, and the
+    /// offset, turned round, has the profile at that distance.
+    #[test]
+    fn random_chains_have_their_offset_at_its_distance(
+        steps in prop::collection::vec((12.0..30.0_f64, -1.2..0.9_f64), 2..6),
+        by in 0.2..2.5_f64,
+    ) {
+        let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
+        let mut points = vec![here];
+        for (length, turn) in steps {
+            here += length * Point::new(heading.cos(), heading.sin());
+            points.push(here);
+            heading += turn;
+        }
+        let profile = Profile::new(fillet(&points, &vec![3.0; points.len()]).unwrap()).unwrap();
+        let Ok(offset) = profile.offset(by) else { return Ok(()) };
+        for p in offset.polyline(0.1) {
+            prop_assert!((profile.closest(p).distance - by).abs() < 1e-7, "{p:?}");
+        }
+        for p in profile.polyline(0.1) {
+            prop_assert!((offset.reversed().closest(p).distance - by).abs() < 1e-7, "{p:?}");
+        }
+    }
+}
+
+/// Trust: the standard die, where the cavity has a straight wall.
+#[test]
+fn a_wall_and_a_shoulder_are_the_standard_die() {
+    let cavity = Profile::flat_punch(31.25, 7.0, 1.0).shifted(25.5);
+    let die = cavity.cavity(0.5, 6.0, 500.0).unwrap();
+    let standard = Profile::die(31.25, 6.0, 1.0);
+    for i in 0..100 {
+        let x = Point::new(25.0 + 0.3 * f64::from(i), 10.0 - 0.1 * f64::from(i));
+        assert_relative_eq!(die.closest(x).distance, standard.closest(x).distance, epsilon = 1e-9);
+    }
+    // Its bottom: 25 mm above the face.
+    assert_relative_eq!(die.closest(Point::new(0.0, 5.0)).distance, 20.5 - 0.5, epsilon = 1e-9);
+    assert_eq!(die.fold(), None);
+    assert!(die.vertices().all(|v| v.turn.abs() < 1e-9));
+}
+
+/// Trust: a shallow bowl is left on its arc: the shoulder touches the sphere from outside.
+#[test]
+fn a_shoulder_may_run_into_an_arc() {
+    let bowl = Profile::hemispherical_punch(50.0, 0.0).shifted(20.0);
+    let die = bowl.cavity(0.0, 8.0, 500.0).unwrap();
+    let corner = die.corners().next().unwrap();
+    assert_relative_eq!((corner.center - Point::new(0.0, -30.0)).norm(), 58.0, epsilon = 1e-9);
+    assert_relative_eq!(corner.center.y, 8.0, epsilon = 1e-9);
+    assert!(die.vertices().all(|v| v.turn.abs() < 1e-9));
+}
+
+#[test]
+fn lines_that_are_no_cavity_are_refused() {
+    let short = Profile::new(vec![Piece::Segment(Segment::new(Point::new(0.0, 9.0), Point::new(20.0, 2.0)))]).unwrap();
+    assert_eq!(short.cavity(0.5, 6.0, 500.0), Err(CavityError::Above { above: 1.5 }));
+    assert_eq!(short.cavity(10.0, 6.0, 500.0), Err(CavityError::Below { below: 1.0 }));
+    assert!(matches!(short.cavity(4.0, 200.0, 500.0), Err(CavityError::Shoulder { .. })));
+}
+
+/// Trust: chords of a circle, rounded, lie on the circle again, also next to straight walls: to round-off
+/// while the wall is longer than four chords.
+#[test]
+fn chords_of_an_arc_give_the_arc_back() {
+    for exact in
+        [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.25, 7.0, 1.0), Profile::hemispherical_punch(25.4, 0.9)]
+    {
+        for n in [8, 20, 45, 90] {
+            let rounded = exact.faceted(n).rounded();
+            for i in 0..400 {
+                let x = Point::new(30.0 + (i as f64) * 0.08, if i % 2 == 0 { -4.0 } else { 3.0 });
+                let (a, b) = (exact.closest(x), rounded.closest(x));
+                if a.distance.abs() < 2.0 {
+                    assert!((a.distance - b.distance).abs() < 1e-9, "{n} {x:?} {} {}", a.distance, b.distance);
+                    assert!((a.normal - b.normal).norm() < 1e-9, "{n} {x:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Trust: a hemisphere is level on the axis, and its chords give it back there too.
+#[test]
+fn chords_that_meet_the_axis_are_level_there() {
+    let exact = Profile::hemispherical_punch(25.4, 0.9);
+    for chain in [exact.faceted(20), exact.faceted(20).mirrored()] {
+        let rounded = chain.rounded();
+        for i in 0..200 {
+            let side = if chain.first().x.abs() < 1e-9 { 1.0 } else { -1.0 };
+            let x = Point::new(0.1 * f64::from(i), side * (1.0 - 0.05 * f64::from(i)));
+            let image = Point::new(x.x, side * x.y);
+            assert!((exact.closest(image).distance - rounded.closest(x).distance).abs() < 1e-9, "{x:?}");
+        }
+    }
+}
+
+/// Trust: the corner that was cut into chords is found as one again (1e-6: the angles of 45 arcs added up).
+#[test]
+fn a_rounded_corner_is_one_corner() {
+    for exact in [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.25, 7.0, 1.0)] {
+        let (corners, found): (Vec<Arc>, Vec<Arc>) =
+            (exact.corners().collect(), exact.faceted(45).rounded().corners().collect());
+        assert_eq!(found.len(), corners.len());
+        for (a, b) in corners.iter().zip(&found) {
+            assert!((a.radius / b.radius - 1.0).abs() < 1e-6 && (a.sweep / b.sweep - 1.0).abs() < 1e-6, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn corners_and_arcs_stay() {
+    let die = Profile::die(51.25, 7.0, 1.0);
+    assert_eq!(die.rounded(), die);
+    let holder = Profile::holder(60.0, 1.0);
+    assert_eq!(holder.rounded(), holder);
+}
