@@ -12,9 +12,9 @@ mod coverage;
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 
-use coverage::{Checked, Row, Tally, case_of, check};
+use coverage::{Checked, case_of, check};
 use rayon::prelude::*;
-use stampflow::verification::Direction;
+use stampflow::verification::{Direction, Verification};
 use std::time::Instant;
 
 fn main() {
@@ -92,4 +92,47 @@ fn median(row: &Row) -> f64 {
 /// Share of the bars with the truth inside \[–\].
 fn share(row: &Row) -> f64 {
     row.inside as f64 / row.ratios.len().max(1) as f64
+}
+
+/// How often the truth lies inside the bars of a number, and how long these are.
+#[derive(Default)]
+struct Row {
+    name: String,
+    without: usize,
+    inside: usize,
+    /// Bar over true error, of each die that has both.
+    ratios: Vec<f64>,
+}
+
+/// Of all numbers, by `verify` and by the quick estimate.
+struct Tally {
+    full: Vec<Row>,
+    quick: Vec<Row>,
+}
+
+impl Tally {
+    fn of(checked: &[Checked]) -> Self {
+        let rows = |of: fn(&Checked) -> &Verification| {
+            let mut rows: Vec<Row> = Vec::new();
+            for (number, truth) in checked.iter().flat_map(|one| one.with_truth(of(one))) {
+                let label = number.quantity.label;
+                let i = rows.iter().position(|row| row.name == label).unwrap_or_else(|| {
+                    rows.push(Row { name: label.to_owned(), ..Row::default() });
+                    rows.len() - 1
+                });
+                let error = (truth - number.quantity.value()).abs();
+                match number.half() {
+                    None => rows[i].without += 1,
+                    Some(half) => {
+                        rows[i].inside += usize::from(error <= half);
+                        // What nothing moves has no bar, and needs none.
+                        rows[i].ratios.push(if half == error { 1.0 } else { half / error });
+                    }
+                }
+            }
+            rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
+            rows
+        };
+        Self { full: rows(|one| &one.full), quick: rows(|one| &one.quick) }
+    }
 }

@@ -101,15 +101,6 @@ fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
     assert!((points(&c).0[0].computed.unwrap() - 1.1).abs() < 1e-12);
 }
 
-#[test]
-fn a_missing_file_is_an_error_unless_it_is_optional() {
-    let strict = spec(None, Against::Curve(curve("travel_mm", "punch_force_N", ComparedQuantity::PunchForce)));
-    assert!(against_drawn(&strict, true).unwrap_err().to_string().contains("nowhere/curve.csv is not there"));
-    let c = against_drawn(&Spec { optional: true, ..strict }, true).unwrap();
-    assert_eq!((c.verdict, &c.compared, c.worst()), (Verdict::NoData, &Compared::NoData, None));
-    assert!(!c.is_failure());
-}
-
 fn band(quantity: ComparedQuantity, columns: &[&str]) -> Against {
     let columns = columns.iter().map(|&c| c.to_owned()).collect();
     Against::Band(BandSpec { quantity, columns, error: Some("error_mm".to_owned()) })

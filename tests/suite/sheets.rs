@@ -2,8 +2,8 @@
 
 use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, library};
-use stampflow::material::hardening::{Ludwik, Swift};
-use stampflow::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
+use stampflow::material::hardening::Ludwik;
+use stampflow::material::rate::JohnsonCook;
 use stampflow::material::{Hardening, Rate};
 use stampflow::solve;
 use stampflow::units;
@@ -59,15 +59,6 @@ fn the_laws_of_the_stainless_bar_are_least_squares_of_its_points() {
             let moved = bar(law(225.1, 1235.0, 0.7286), rate(0.0214 * coefficient, 0.00315 * reference))[1];
             assert!(moved > ratio, "{coefficient} {reference}: {moved}");
         }
-    }
-    // The best of other laws.
-    let swift = Hardening::Swift(Swift::new(1354.3, 0.575, 0.0496).expect("in range"));
-    let cowper_symonds = Rate::CowperSymonds(CowperSymonds { rate: 2.157e7, exponent: 9.067 });
-    let power = Rate::PowerRate(PowerRate { exponent: 0.01477, reference: 3e-4 });
-    assert!(bar(swift, rate(0.0214, 0.00315))[0] > 1.4 * stress);
-    for (other, rms) in [(cowper_symonds, 0.0207), (power, 0.0307)] {
-        let found = bar(law(225.1, 1235.0, 0.7286), other)[1];
-        assert!((found - rms).abs() < 2e-4 && found > ratio, "{other}: {found}");
     }
 }
 

@@ -7,7 +7,7 @@ use stampflow::element::Node;
 use stampflow::model::Iteration;
 use stampflow::solver::Start;
 use stampflow::solver::solution::IterationRecord;
-use stampflow::solver::trace::{ConvergenceRate, NoSuchStep, Trace, TraceRequest, trace};
+use stampflow::solver::trace::{ConvergenceRate, Trace, TraceRequest, trace};
 
 /// The iterations of a step, and the end of the run behind it.
 struct OfStep {
@@ -103,17 +103,4 @@ fn cut_off_and_contact_are_counted() {
     // Every force of tools on the sheet: with the residual they are in balance along z but for what the edge holds.
     let sum: f64 = iterate.contacts.iter().map(|contact| contact.force[1]).sum();
     assert!(sum.abs() < 1e-3 * midst.record.punch_force, "{sum} of {}", midst.record.punch_force);
-}
-
-#[test]
-fn a_step_that_is_not_there_says_how_many_there_are() {
-    let case = shipped_case("quickstart", &["blank.elements=30", "tools.punch.travel=3 mm"]);
-    let of = |stage, step| {
-        trace(&case.stages, &TraceRequest { stage, step, ..TraceRequest::default() }, &mut ()).map(|trace| trace.record)
-    };
-    let Err(NoSuchStep::Step { steps, .. }) = of(1, 9999) else { panic!("a step") };
-    assert_eq!(of(1, steps + 1), Err(NoSuchStep::Step { step: steps + 1, steps }));
-    assert!(of(1, steps).is_ok());
-    assert!(matches!(of(1, 0), Err(NoSuchStep::Step { .. })));
-    assert!(matches!(of(2, 1), Err(NoSuchStep::Stage { stages: 1, .. })));
 }

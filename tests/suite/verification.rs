@@ -1,7 +1,7 @@
 //! Error bars: that the truth lies inside them, and how they are told.
 
 use crate::common::cli::{stampflow, text};
-use crate::common::coverage::{Tally, case_of, check};
+use crate::common::coverage::{Checked, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
 use stampflow::verification::{Number, Origin, Verification};
@@ -34,11 +34,14 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
 #[test]
 fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     let checked: Vec<_> = (60_000..60_006).map(|seed| check(case_of(random_die(seed).model))).collect();
-    let tally = Tally::of(&checked);
-    for rows in [&tally.full, &tally.quick] {
-        let (inside, all): (Vec<usize>, Vec<usize>) = rows.iter().map(|row| (row.inside, row.ratios.len())).unzip();
-        let (inside, all) = (inside.iter().sum::<usize>(), all.iter().sum::<usize>());
-        assert!(all > 30 && inside as f64 >= 0.9 * all as f64, "{inside} of {all}");
+    let both: [fn(&Checked) -> &Verification; 2] = [|one| &one.full, |one| &one.quick];
+    for of in both {
+        let numbers = checked.iter().flat_map(|one| one.with_truth(of(one)));
+        let is_inside =
+            |(number, truth): (&Number, f64)| Some((truth - number.quantity.value()).abs() <= number.half()?);
+        let inside: Vec<bool> = numbers.filter_map(is_inside).collect();
+        let share = inside.iter().filter(|is_inside| **is_inside).count() as f64 / inside.len() as f64;
+        assert!(inside.len() > 30 && share >= 0.9, "{share} of {}", inside.len());
     }
 }
 

@@ -48,50 +48,10 @@ impl Checked {
         });
         Some(own + deviations.sum::<Option<f64>>()?)
     }
-}
 
-/// How often the truth lies inside the bars of a number, and how long these are.
-#[derive(Default)]
-pub struct Row {
-    pub name: String,
-    pub without: usize,
-    pub inside: usize,
-    /// Bar over true error, of each die that has both.
-    pub ratios: Vec<f64>,
-}
-
-/// Of all numbers, by `verify` and by the quick estimate.
-pub struct Tally {
-    pub full: Vec<Row>,
-    pub quick: Vec<Row>,
-}
-
-impl Tally {
-    pub fn of(checked: &[Checked]) -> Self {
-        let rows = |of: fn(&Checked) -> &Verification| {
-            let mut rows: Vec<Row> = Vec::new();
-            for (one, number) in checked.iter().flat_map(|one| of(one).numbers.iter().map(move |number| (one, number)))
-            {
-                let shown = number.origin != Origin::Verdict || number.quantity.key == "forming_limit";
-                let Some(truth) = one.truth(number).filter(|_| shown) else { continue };
-                let label = number.quantity.label;
-                let i = rows.iter().position(|row| row.name == label).unwrap_or_else(|| {
-                    rows.push(Row { name: label.to_owned(), ..Row::default() });
-                    rows.len() - 1
-                });
-                let error = (truth - number.quantity.value()).abs();
-                match number.half() {
-                    None => rows[i].without += 1,
-                    Some(half) => {
-                        rows[i].inside += usize::from(error <= half);
-                        // What nothing moves has no bar, and needs none.
-                        rows[i].ratios.push(if half == error { 1.0 } else { half / error });
-                    }
-                }
-            }
-            rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
-            rows
-        };
-        Self { full: rows(|one| &one.full), quick: rows(|one| &one.quick) }
+    /// Numbers of a verification that are shown and have a truth, with it.
+    pub fn with_truth<'a>(&'a self, of: &'a Verification) -> impl Iterator<Item = (&'a Number, f64)> {
+        let shown = |number: &&Number| number.origin != Origin::Verdict || number.quantity.key == "forming_limit";
+        of.numbers.iter().filter(shown).filter_map(|number| Some((number, self.truth(number)?)))
     }
 }
