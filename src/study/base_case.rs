@@ -45,7 +45,6 @@ impl BaseCase {
         case::parse(&self.text, &self.path.to_string_lossy(), &[&self.overrides, settings].concat())
     }
 
-    /// Fails like the first of some designs if none of them makes a case.
     pub(super) fn check_any(&self, designs: [Vec<String>; 3]) -> Result<(), StudyError> {
         match designs.map(|settings| self.case(&settings).map(drop)) {
             [Err(error), Err(_), Err(_)] => Err(error.into()),

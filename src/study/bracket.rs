@@ -34,7 +34,6 @@ pub enum Bracket {
     Failed,
 }
 
-/// Places of the first scan.
 const PLACES: usize = 9;
 /// Default tolerance over the range \[–\].
 const TOLERANCE: f64 = 0.005;
@@ -42,10 +41,8 @@ const TOLERANCE: f64 = 0.005;
 const AT_ONCE: usize = 3;
 /// Distance of the two trials that close in on a secant's zero, over the bracket \[–\].
 const CLOSE: f64 = 0.05;
-/// Most rounds of division.
 const ROUNDS: usize = 40;
 
-/// A range and the search in it.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     /// Sorted.

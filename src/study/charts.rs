@@ -35,7 +35,6 @@ const PANELS: usize = 5;
 const BINS: usize = 24;
 const DASHED: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] };
 
-/// Charts with their file names.
 type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
@@ -58,7 +57,6 @@ fn chart(name: &str, mut panels: Vec<Panel>) -> Charts {
     if panels.is_empty() { Vec::new() } else { vec![(name.to_owned(), Chart::new("", panels, Vec::new()))] }
 }
 
-/// Chart of a sweep over one to three axes with several values.
 pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
     let wide: Vec<usize> = (0..sweep.axes.len()).filter(|i| sweep.axes[*i].count() > 1).collect();
     let panels = match wide[..] {
@@ -70,7 +68,6 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
     chart("sweep", panels)
 }
 
-/// Dots of runs, in the colours of their failure modes.
 fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
     let dots = |mode: Option<FailureMode>| {
         let color = match mode {
@@ -109,7 +106,6 @@ fn trend(
     Panel::fit(x, y, height, LEAST * largest).with(line).with(markers(&points)).with(limit)
 }
 
-/// The deciding numbers over one variable, with their error bands.
 fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
     let mut positions: Vec<(f64, &Run)> = axis.positions().into_iter().zip(&runs.runs).collect();
     positions.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -180,7 +176,6 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
     Panel { is_small: third.is_some(), caption, ..panel }
 }
 
-/// Contour lines of values on a grid, in grid coordinates from 0.
 fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec<Vec<(f64, f64)>> {
     let Ok(lines) = ContourBuilder::new(columns, rows, true).lines(values, &[level]) else { return Vec::new() };
     let (right, top) = ((columns - 1) as f64, (rows - 1) as f64);
@@ -196,14 +191,12 @@ fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec
     all
 }
 
-/// Value between the entries of a list at a fractional place.
 fn between(values: &[f64], place: f64) -> f64 {
     let below = (place.floor().max(0.0) as usize).min(values.len() - 1);
     let above = (below + 1).min(values.len() - 1);
     values[below] + (place - below as f64) * (values[above] - values[below])
 }
 
-/// Bars of every variable's effect on the deciding numbers, the largest on top.
 pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
     let panel = |place: usize| {
         let all: Vec<_> = sweep.sensitivities(runs, place).into_iter().take(12).collect();
@@ -237,7 +230,6 @@ fn bar(x: (f64, f64), y: (f64, f64), fill: (u8, u8, u8), edge: (u8, u8, u8)) -> 
     Series::silent(outline, Style::Area { fill, edge: Some(edge) })
 }
 
-/// Trials of a search: the limited quantities, or the most important number, over the variable.
 pub(super) fn search(
     variable: &Variable,
     spacing: Spacing,
@@ -262,7 +254,6 @@ pub(super) fn search(
     chart("search", limits.into_iter().map(panel).collect())
 }
 
-/// Histograms of the deciding numbers with their limits.
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
     let panel = |place: usize| {
         let spread = result.spreads.iter().find(|spread| spread.response == place)?;
@@ -288,7 +279,6 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
     chart("scatter", deciding(runs, 4).into_iter().filter_map(panel).collect())
 }
 
-/// Axis of a response.
 fn named(runs: &RunTable, place: usize) -> Axis {
     let quantity = &runs.responses[place].quantity;
     Axis::named(quantity.label, quantity.amount.unit)

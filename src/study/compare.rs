@@ -216,7 +216,6 @@ impl SideBySide {
         charts.map(|(name, about, panel)| (name, about, Chart::new("", vec![panel], Vec::new()))).collect()
     }
 
-    /// Curves of all runs with the measured ones of the same quantity.
     fn curve(&self, quantity: ComparedQuantity, curve: fn(&Outcome) -> &[(f64, f64)]) -> Option<Panel> {
         let mut series = self.series(|member| curve(member.outcome()).to_vec());
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
@@ -232,7 +231,6 @@ impl SideBySide {
         Some(Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series))
     }
 
-    /// Mid-surfaces of all runs at the end.
     fn sections(&self) -> Option<Panel> {
         let series = self.series(|member| {
             let frame = member.solution.stages.last().and_then(|stage| stage.frames.last());
@@ -272,7 +270,6 @@ impl Member {
         &self.verification.outcomes[0]
     }
 
-    /// A number with its error bar.
     fn number(&self, number: &Number) -> Option<Amount> {
         self.verification.numbers.iter().find(|own| own.is(number)).map(|own| own.quantity.amount)
     }

@@ -29,7 +29,6 @@ enum Term {
     Quantity(Comparison),
 }
 
-/// A quantity and the value that it is compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Comparison {
     pub quantity: String,
@@ -76,7 +75,6 @@ impl Condition {
         }
     }
 
-    /// Places of its responses, each with the limit.
     pub(super) fn limits(&self) -> Vec<(usize, f64)> {
         let limit = |term: &Term| if let Term::Quantity(comparison) = term { comparison.resolved } else { None };
         self.terms.iter().filter_map(limit).collect()

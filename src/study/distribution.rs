@@ -24,11 +24,11 @@ pub(super) enum Distribution {
         low: f64,
         high: f64,
     },
-    /// Mean and deviation before it is cut off at its limits.
+    /// Mean and deviation before it is cut off at its limits, which may be infinite.
     Normal {
         mean: f64,
         deviation: f64,
-        limits: Option<(f64, f64)>,
+        limits: (f64, f64),
     },
 }
 
@@ -46,8 +46,7 @@ impl Distribution {
         let normal = Normal::standard();
         match *self {
             Self::Uniform { low, high } => low + probability * (high - low),
-            Self::Normal { mean, deviation, limits: None } => mean + deviation * normal.inverse_cdf(probability),
-            Self::Normal { mean, deviation, limits: Some((low, high)) } => {
+            Self::Normal { mean, deviation, limits: (low, high) } => {
                 let [a, b] = [low, high].map(|end| normal.cdf((end - mean) / deviation));
                 (mean + deviation * normal.inverse_cdf(a + probability * (b - a))).clamp(low, high)
             }
@@ -108,7 +107,7 @@ impl Distribution {
             return Ok((Self::Uniform { low: middle - deviation, high: middle + deviation }, unit));
         }
         let limits = match limits {
-            None => return Ok((Self::Normal { mean: middle, deviation, limits: None }, unit)),
+            None => (f64::NEG_INFINITY, f64::INFINITY),
             Some(Limits::Ends(low, high)) => (low, high),
             Some(Limits::About(limit)) => (middle - size(limit)?, middle + size(limit)?),
         };
@@ -116,7 +115,7 @@ impl Distribution {
         if b - a < LEAST {
             return Err(reader.wrong("has next to nothing between its limits"));
         }
-        Ok((Self::Normal { mean: middle, deviation, limits: Some(limits) }, unit))
+        Ok((Self::Normal { mean: middle, deviation, limits }, unit))
     }
 }
 
@@ -131,7 +130,6 @@ fn converted(value: f64, from: &str, to: &str) -> Option<f64> {
     (has_factor && one.dimension == other.dimension).then_some(value * one.value / other.value)
 }
 
-/// Reads parts of a text and collects their units.
 struct Reader<'a> {
     key: &'a str,
     text: &'a str,
@@ -145,7 +143,6 @@ impl Reader<'_> {
         StudyError::new(format!("{}: `{}` {what}", self.key, self.text), help)
     }
 
-    /// The one unit of all numbers.
     fn unit(&self) -> Result<String, StudyError> {
         let unit = self.units.first().cloned().unwrap_or_default();
         if let Some(other) = self.units.iter().find(|other| **other != unit) {
@@ -169,7 +166,6 @@ impl Reader<'_> {
         if low < high { Ok((low, high)) } else { Err(self.wrong(&format!("has no width from {low} to {high}"))) }
     }
 
-    /// Middle and width around ±.
     fn about(&mut self, text: &str) -> Result<(Option<f64>, Width), StudyError> {
         let (middle, width) = text.split_once('±').ok_or_else(|| self.wrong("has no ± and no .."))?;
         let middle = if middle.trim().is_empty() { None } else { Some(self.number(middle)?) };
@@ -195,7 +191,10 @@ mod tests {
     #[test]
     fn distributions_are_read_as_they_are_written() {
         let uniform = |low, high| Distribution::Uniform { low, high };
-        let normal = |mean, deviation, limits| Distribution::Normal { mean, deviation, limits };
+        let normal = |mean, deviation, limits: Option<(f64, f64)>| {
+            let limits = limits.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            Distribution::Normal { mean, deviation, limits }
+        };
         for (text, wanted, unit) in [
             ("uniform 0.05..0.12", uniform(0.05, 0.12), ""),
             ("uniform 4 .. 6 mm", uniform(4.0, 6.0), "mm"),
@@ -238,8 +237,9 @@ mod tests {
     #[test]
     fn quantiles_are_those_of_tables() {
         let normal = |limits| Distribution::Normal { mean: 1.0, deviation: 0.1, limits };
-        assert_relative_eq!(normal(None).quantile(0.975), 1.195_996_398, max_relative = 1e-9);
-        let cut = normal(Some((0.9, 1.1)));
+        let whole = normal((f64::NEG_INFINITY, f64::INFINITY));
+        assert_relative_eq!(whole.quantile(0.975), 1.195_996_398, max_relative = 1e-9);
+        let cut = normal((0.9, 1.1));
         assert_relative_eq!(cut.quantile(0.5), 1.0, max_relative = 1e-9);
         // Φ(−1) = 0.158 655 and Φ(1) − Φ(−1) = 0.682 689: the quarter is at Φ⁻¹(0.329 327) = −0.441 78.
         assert_relative_eq!(cut.quantile(0.25), 1.0 - 0.044_178, max_relative = 1e-5);

@@ -23,7 +23,6 @@ impl StudyError {
         Self::Request { what: what.into(), help: help.into() }
     }
 
-    /// The error with words before its mistake.
     pub(super) fn within(self, place: impl std::fmt::Display) -> Self {
         match self {
             Self::Request { what, help } => Self::new(format!("{place}{what}"), help),

@@ -14,18 +14,14 @@ use std::ops::ControlFlow;
 /// Plan of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// The case that it varies.
-    pub base: BaseCase,
-    /// Hash of everything that decides its designs.
-    pub key: String,
-    /// Columns of its variables.
-    pub columns: Vec<String>,
+    pub(super) base: BaseCase,
+    pub(super) key: String,
+    pub(super) columns: Vec<String>,
     /// Number of designs; 0 if each depends on the runs before.
     pub designs: u64,
 }
 
 impl Plan {
-    /// Plan of designs that `decided` describes.
     pub(super) fn new(base: BaseCase, decided: &str, columns: Vec<String>, designs: u64) -> Self {
         let key = short_hash([&base.key, decided]);
         Self { base, key, columns, designs }

@@ -9,7 +9,6 @@ use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
 use crate::units::significant;
 
-/// Request of a goal, each part as on the command line.
 pub(super) struct Goal {
     /// Overrides of all runs.
     pub settings: Vec<String>,
@@ -131,7 +130,6 @@ fn punch_and_die(model: &Model) -> Result<(&Tool, &Tool), StudyError> {
     model.tool(Role::Punch).zip(model.tool(Role::Die)).map_or_else(|| missing("a punch and a die"), Ok)
 }
 
-/// Travels over the case's own.
 fn travels(model: &Model, shares: [f64; 2]) -> Result<String, StudyError> {
     if model.tool(Role::Punch).is_none() || model.travel <= 0.0 {
         return missing("a punch with a travel");

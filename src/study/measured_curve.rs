@@ -18,7 +18,6 @@ pub struct MeasuredCurve {
     /// Its quantity and columns.
     pub spec: CurveSpec,
     csv: Csv,
-    /// Column of standard deviations.
     scatter: Option<usize>,
 }
 
@@ -31,7 +30,6 @@ const RULES: [Rule; 4] = [
     (ComparedQuantity::ThicknessAtS0, &["s0"], &["thickness"]),
     (ComparedQuantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
-/// Words of other forces and of scatter.
 const NOT: [&str; 9] = ["holder", "edge", "binder", "deviation", "stdev", "std", "scatter", "sd", "error"];
 const SCATTER: [&str; 5] = ["deviation", "stdev", "std", "scatter", "sd"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \
@@ -102,7 +100,6 @@ impl MeasuredCurve {
     }
 }
 
-/// Reads a CSV file of numbers; messages end with `example`.
 pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {
     let disk: &dyn Files = &Disk;
     let shown = path.display();
@@ -118,7 +115,6 @@ pub(super) fn csv_error(name: &str, error: &CsvError) -> StudyError {
     StudyError::new(format!("{name}{line}: {}", error.what), error.help.clone())
 }
 
-/// Whether a header has one of some words.
 pub(super) fn has_word(header: &str, any: &[&str]) -> bool {
     header.to_lowercase().split(|c: char| !c.is_alphanumeric()).any(|word| any.contains(&word))
 }

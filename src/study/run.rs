@@ -13,8 +13,7 @@ pub struct Design {
     pub index: u64,
     /// One per variable; empty texts stand for the case's own value.
     pub values: Vec<String>,
-    /// Overrides of the case.
-    pub settings: Vec<String>,
+    pub(super) settings: Vec<String>,
 }
 
 /// A row of a run table.
@@ -24,8 +23,7 @@ pub struct Run {
     pub index: u64,
     /// Values of the variables, see [`Design::values`].
     pub values: Vec<String>,
-    /// Hash of all inputs; empty if the design is no case.
-    pub inputs: String,
+    pub(super) inputs: String,
     /// Responses, rounded as they are written; NaN if the run has none.
     pub numbers: Vec<f64>,
     /// Half the error bars; empty without error bars, NaN where a number has none.
@@ -38,8 +36,7 @@ pub struct Run {
     pub red: Vec<String>,
     /// Amber rows of the verdict.
     pub amber: Vec<String>,
-    /// End of the run: `full travel`.
-    pub end: String,
+    pub(super) end: String,
     /// Reason of an early end; else empty.
     pub reason: String,
 }
@@ -54,7 +51,6 @@ pub struct Evaluated {
 }
 
 impl Run {
-    /// Row of a design without a result.
     pub(super) fn failed(design: &Design, inputs: String, responses: usize, errors: bool) -> Self {
         Self {
             index: design.index,
@@ -116,7 +112,6 @@ pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, Strin
     (responses, rows().map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
 }
 
-/// Runs a design; with `errors` also one coarser run for error bars.
 pub(super) fn evaluate_design(
     base: &BaseCase,
     design: &Design,
@@ -134,7 +129,6 @@ pub(super) fn evaluate_design(
     }
 }
 
-/// Fills the row of a solved design.
 pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number], watch: &dyn Watch) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, None, &findings);

@@ -13,7 +13,6 @@ use crate::units::did_you_mean;
 use crate::verification::Number;
 use std::collections::BTreeMap;
 
-/// Header of every table, up to the variables.
 pub(super) const BEGINNING: &str = "study,designs,index,";
 const FIRST: [&str; 4] = ["study", "designs", "index", "inputs_sha256"];
 const LAST: [&str; 7] = ["verdict", "fails", "red", "amber", "end", "reason", "version"];
@@ -24,10 +23,8 @@ const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red]
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
     pub(super) plan: Plan,
-    /// Numbers of the base case, judged ones with their limits.
-    pub responses: Vec<Number>,
-    /// Keys and labels of the verdict's rows.
-    pub rows: Vec<(String, String)>,
+    pub(super) responses: Vec<Number>,
+    pub(super) rows: Vec<(String, String)>,
     pub(super) has_errors: bool,
     /// The base case.
     pub base: Run,
@@ -65,7 +62,6 @@ impl RunTable {
         self.rows.iter().find(|(key, _)| key == row).map_or(row, |(_, label)| label)
     }
 
-    /// Labels of rows, the worst light's, of a run.
     pub(super) fn worst_rows(&self, run: &Run) -> String {
         let keys = if run.red.is_empty() { &run.amber } else { &run.red };
         keys.iter().map(|key| self.label(key)).collect::<Vec<_>>().join(", ")

@@ -24,11 +24,9 @@ const MOST: u64 = 1 << 32;
 const VARIABLES: usize = 128;
 /// Half the resolution of the sequence: no coordinate is 0 or 1.
 const HALF: f64 = 0.5 / (1u32 << 24) as f64;
-/// Quantiles of the tables.
 const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// Rank correlations that are named \[–\].
 const NAMED: f64 = 0.3;
-/// Labels of the torn parts and of the whole verdict.
 const TEARS: &str = "Tears";
 const ALL: &str = "All together";
 
@@ -38,7 +36,6 @@ pub struct Scatter {
     plan: Plan,
     variables: Vec<UncertainVariable>,
     seed: u32,
-    /// Sources of default distributions.
     defaults: Vec<String>,
 }
 
@@ -56,14 +53,12 @@ pub struct UncertaintyResult {
 pub struct Event {
     /// Label of the row that has the light, or of the whole verdict.
     pub label: String,
-    /// Red or amber.
-    pub light: Light,
+    pub(super) light: Light,
     /// Runs that have it.
     pub hits: usize,
     /// Its probability.
     pub probability: Probability,
-    /// Rank correlation with each variable.
-    pub correlations: Vec<Option<f64>>,
+    pub(super) correlations: Vec<Option<f64>>,
 }
 
 /// Spread of a response.

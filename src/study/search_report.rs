@@ -86,7 +86,6 @@ impl LimitSearch {
         notes
     }
 
-    /// The answer and the run on its other side.
     pub(super) fn table(&self, runs: &RunTable) -> ReportTable {
         let (_, best, other) = self.result(runs);
         let sides: Vec<&Run> = best.into_iter().chain(other).map(|run| &runs.runs[run]).collect();

@@ -2,7 +2,6 @@
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Confidence level of intervals.
 const CONFIDENCE: f64 = 0.95;
 
 /// A probability with its interval of 95 %.

@@ -25,15 +25,12 @@ pub struct Sweep {
 pub(super) struct Axis {
     pub variables: Vec<Variable>,
     values: Vec<Vec<String>>,
-    /// Position of the base case along the axis; `None` if it is unknown.
-    pub own: Option<f64>,
+    pub(super) own: Option<f64>,
 }
 
-/// Most runs that are drawn.
 const DRAWN: usize = 10_000;
 
 impl Axis {
-    /// Reads `KEY=VALUES & KEY=VALUES`.
     fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
         let variables = text.split('&').map(Variable::read).collect::<Result<Vec<_>, _>>()?;
         let values = variables.iter().map(Variable::values).collect::<Result<Vec<_>, _>>()?;
@@ -230,7 +227,6 @@ pub struct Sensitivity {
     pub(super) ends: Vec<End>,
 }
 
-/// A number at a value of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct End {
     pub number: f64,
@@ -240,7 +236,6 @@ pub(super) struct End {
 }
 
 impl Sensitivity {
-    /// Runs with the least and the largest number.
     pub(super) fn extremes(&self) -> Option<[End; 2]> {
         let by = |a: &&End, b: &&End| a.number.total_cmp(&b.number);
         Some([*self.ends.iter().min_by(by)?, *self.ends.iter().max_by(by)?])

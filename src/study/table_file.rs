@@ -92,7 +92,6 @@ impl TableFile {
     }
 }
 
-/// Rows of a text; `None` if one is of another study.
 fn rows(text: &[u8], runs: &RunTable) -> Option<EarlierRuns> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text);
     let mut records = reader.records();

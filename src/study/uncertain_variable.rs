@@ -9,7 +9,6 @@ use crate::material::chaboche;
 use crate::units::{self, Dimensioned, Stress, significant};
 use toml_edit::Value;
 
-/// Name of the factor on all stresses of the hardening law.
 pub(super) const STRENGTH: &str = "strength";
 
 const HARDENING: &str = "material.hardening";
@@ -62,7 +61,6 @@ impl UncertainVariable {
     }
 }
 
-/// The case's value of a key, with its unit.
 fn own_value(case: &Case, key: &str) -> Result<(f64, String), StudyError> {
     let all = case.written(key);
     let wrong = |what: String| StudyError::new(what, "write the middle too: \"normal 1 ± 0.02 mm\"");
@@ -74,14 +72,12 @@ fn own_value(case: &Case, key: &str) -> Result<(f64, String), StudyError> {
     Ok((number, unit.to_owned()))
 }
 
-/// The law of a library sheet.
 fn library_law(case: &Case, key: &str) -> Option<Value> {
     let text = case.text.parse::<toml_edit::DocumentMut>();
     let is_own = text.is_ok_and(|text| text.get("material").and_then(|material| material.get("hardening")).is_some());
     case.hardening().filter(|_| !is_own && key.starts_with(HARDENING))
 }
 
-/// The hardening law with stresses that a factor can scale.
 fn scalable_law(case: &Case) -> Result<Value, StudyError> {
     let wrong = |what: &str| {
         let help = "vary the law's own numbers: \"material.hardening.swift.k=normal ± 5 %\"";

@@ -172,7 +172,6 @@ impl Variable {
     }
 }
 
-/// Names of keys on the shop floor.
 const NAMES: [(&str, &str); 18] = [
     ("friction", "Friction"),
     ("tools.punch.friction", "Friction at the punch"),
@@ -194,17 +193,14 @@ const NAMES: [(&str, &str); 18] = [
     ("press.force", "Rating of the press"),
 ];
 
-/// A value of a variable as a number; `None` for a word.
 pub(super) fn number(value: &str) -> Option<f64> {
     value.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// A computed value of a variable, to 12 digits.
 pub(super) fn written(value: f64) -> String {
     significant(value, 12).to_string()
 }
 
-/// A key that several variables have.
 pub(super) fn repeated<'a>(variables: impl Iterator<Item = &'a Variable>) -> Option<&'a str> {
     let keys: Vec<&str> = variables.map(|variable| variable.key.as_str()).collect();
     (1..keys.len()).find(|&i| keys[..i].contains(&keys[i])).map(|i| keys[i])
@@ -236,7 +232,6 @@ fn one_unit(first: &str, unit: &str) -> Result<(), String> {
     }
 }
 
-/// Refuses a decimal comma in a text that has no list.
 pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyError> {
     let bytes = text.as_bytes();
     let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();

@@ -52,7 +52,6 @@ pub(super) fn estimates(
     (estimates, correlations.filter(|(.., correlation)| correlation.abs() >= tied).collect())
 }
 
-/// Table of parameters, each with the law or case that has it.
 pub(super) fn table<'a>(all: impl Iterator<Item = (String, &'a Estimate)>) -> ReportTable {
     let mut table = ReportTable::new("fit", &["Of", "Parameter", "Unit", "Value", "Standard error", "At bound"]);
     for (owner, e) in all {

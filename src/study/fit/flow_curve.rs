@@ -134,7 +134,6 @@ impl FlowCurve {
         self.points.iter().map(|point| point.strain).fold(0.0, f64::max)
     }
 
-    /// Whether another file has the same specimen.
     pub(super) fn is_again(&self, other: &Self) -> bool {
         let is_alike = self.direction == other.direction && self.rate == other.rate;
         is_alike && self.points == other.points && self.others == other.others

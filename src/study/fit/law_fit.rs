@@ -26,8 +26,7 @@ pub struct LawFit {
     pub rms: f64,
     /// Share of the points' variance that the law explains \[–\].
     pub r2: f64,
-    /// Akaike's criterion with the correction for few points; the smaller, the better.
-    pub aic: f64,
+    pub(super) aic: f64,
 }
 
 /// Laws fitted to the same tests.
@@ -46,17 +45,15 @@ pub struct LawFits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Direction {
     /// Angle to the rolling direction \[°\].
-    pub angle: f64,
-    /// Number of tests.
-    pub tests: usize,
+    pub(super) angle: f64,
+    pub(super) tests: usize,
     /// Mean stress over that of the law, which is of the first direction \[–\].
     pub ratio: f64,
     /// r-value and its standard error \[–\].
-    pub r: Option<(f64, f64)>,
+    pub(super) r: Option<(f64, f64)>,
 }
 
 const LIMITS: Limits = Limits { steps: 200, change: 1e-9 };
-/// Starting points that are followed.
 const FOLLOWED: usize = 3;
 /// Half of a central difference over the parameter \[–\].
 const DIFFERENCE: f64 = 1e-5;
@@ -109,7 +106,6 @@ impl Direction {
 }
 
 impl LawFit {
-    /// Fits a law to tests, and a rate law if they have several rates.
     fn new(kind: HardeningKind, tests: &[&FlowCurve], rate: RateKind) -> Result<Self, StudyError> {
         let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
         let rate = Some(rate).filter(|_| tests.iter().any(|test| test.rate.is_some_and(|rate| rate > slowest)));
@@ -200,7 +196,6 @@ impl LawFits {
         &self.fits[self.best]
     }
 
-    /// Tests that laws are fitted to.
     pub(super) fn fitted(&self) -> impl Iterator<Item = &FlowCurve> {
         in_first_direction(&self.tests)
     }

@@ -9,7 +9,6 @@ use crate::study::report::{Cell, ReportTable, StudyReport};
 use crate::table::Axis;
 use crate::units::{Amount, Digits, Unit, trimmed};
 
-/// Points of a drawn law, and most points of a drawn test.
 const POINTS: usize = 160;
 const DRAWN: usize = 120;
 /// Strain that is drawn, over the end of the points \[–\].
@@ -74,7 +73,6 @@ impl LawFits {
         table
     }
 
-    /// Laws and points above, misses of the best law below.
     fn chart(&self) -> Chart {
         let (best, end) = (self.best(), self.end());
         let strains = || (0..=POINTS).map(|i| BEYOND * end * i as f64 / POINTS as f64);
