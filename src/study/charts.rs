@@ -1,9 +1,7 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
-use super::scatter::UncertaintyResult;
-use super::sweep::{Axis as SweepAxis, Sweep};
-use super::variable::Variable;
-use super::{FailureMode, Run, RunTable};
+use super::sweep::Axis as SweepAxis;
+use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::table::{Axis, Spacing};

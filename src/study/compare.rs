@@ -1,11 +1,7 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
-use super::error::fail;
-use super::measured_curve::MeasuredCurve;
-use super::parallel_map::parallel_map;
-use super::report::{Cell, ReportTable, StudyReport};
 use super::run::Silent;
-use super::{BaseCase, StudyError};
+use super::{BaseCase, Cell, MeasuredCurve, ReportTable, StudyError, StudyReport, fail, parallel_map};
 use crate::assess::{self, Light};
 use crate::case::comparison::ComparedQuantity;
 use crate::case::{Case, Solution};

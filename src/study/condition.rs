@@ -10,8 +10,7 @@
 //!
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
-use super::error::fail;
-use super::{Run, RunTable, StudyError};
+use super::{Run, RunTable, StudyError, fail};
 use crate::assess::Light;
 use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
 

@@ -1,12 +1,7 @@
 //! The engine: evaluates the designs that a study asks for, on all cores, until it asks for no more.
 
-use super::base_case::short_hash;
-use super::parallel_map::parallel_map;
-use super::report::StudyReport;
-use super::run::{Design, Evaluated, Run, evaluate_design, evaluated, responses};
-use super::run_table::RunTable;
-use super::shard::Shard;
-use super::{BaseCase, StudyError};
+use super::run::{evaluate_design, evaluated, responses};
+use super::{BaseCase, Design, Evaluated, Run, RunTable, Shard, StudyError, StudyReport, parallel_map, short_hash};
 use crate::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;

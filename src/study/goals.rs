@@ -1,8 +1,6 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
-use super::StudyError;
-use super::bracket::Side;
-use super::error::fail;
+use super::{Side, StudyError, fail};
 use crate::assess::design::tensile_strength;
 use crate::case::Case;
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};

@@ -1,7 +1,6 @@
 //! Measured curves: a CSV file whose columns name their quantities and end with their units.
 
-use super::StudyError;
-use super::error::fail;
+use super::{StudyError, fail};
 use crate::case::Case;
 use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
 use crate::case::files::{self, Disk, Files};

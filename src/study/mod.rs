@@ -42,9 +42,11 @@ mod variable;
 
 pub use crate::assess::FailureMode;
 pub use base_case::BaseCase;
+use base_case::short_hash;
 pub use bracket::{Bracket, Side};
 pub use condition::Condition;
 pub use error::StudyError;
+use error::fail;
 pub use evaluate::{EarlierRuns, Evaluation, Plan, Study, begin, evaluate};
 pub use measured_curve::MeasuredCurve;
 pub use parallel_map::parallel_map;
@@ -58,3 +60,4 @@ pub use statistics::{Probability, quantile};
 use study_file::StudyFile;
 pub use sweep::{Sensitivity, Sweep};
 pub use table_file::TableFile;
+use variable::Variable;

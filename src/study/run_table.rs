@@ -4,10 +4,8 @@
 //! study,designs,index,inputs_sha256, variables ..., responses ..., errors ..., verdict,fails,red,amber,end,reason,version
 //! ```
 
-use super::error::fail;
-use super::evaluate::Plan;
-use super::run::{Run, column};
-use super::{FailureMode, StudyError};
+use super::run::column;
+use super::{FailureMode, Plan, Run, StudyError, fail};
 use crate::assess::Light;
 use crate::units::did_you_mean;
 use crate::verification::Number;

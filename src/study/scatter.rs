@@ -4,12 +4,12 @@
 
 use super::charts;
 use super::default_scatter::default_scatter;
-use super::error::fail;
-use super::evaluate::Plan;
-use super::report::{Cell, ReportTable, StudyReport};
-use super::statistics::{Probability, quantile, rank_correlation, wilson};
+use super::statistics::{quantile, rank_correlation, wilson};
 use super::uncertain_variable::UncertainVariable;
-use super::{BaseCase, Design, Run, RunTable, Study, StudyError, StudyFile};
+use super::{
+    BaseCase, Cell, Design, Plan, Probability, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
+    fail,
+};
 use crate::assess::Light;
 use crate::units::Amount;
 use sobol_burley::sample;

@@ -1,14 +1,13 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
-use super::bracket::{Bracket, Search, Side, Trial};
+use super::bracket::{Search, Trial};
 use super::charts;
-use super::condition::{Comparison, Condition};
-use super::error::fail;
-use super::evaluate::Plan;
+use super::condition::Comparison;
 use super::goals::{Goal, GoalAim};
-use super::report::StudyReport;
-use super::variable::{SearchRange, Variable, split_number, written};
-use super::{BaseCase, Design, Run, RunTable, Study, StudyError};
+use super::variable::{SearchRange, split_number, written};
+use super::{
+    BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, fail,
+};
 use crate::units::{parse, significant};
 
 /// Request of a search, as on the command line.

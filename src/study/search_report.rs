@@ -1,10 +1,9 @@
 //! Results of a search in words and as a table.
 
-use super::bracket::{Bracket, Side, stretches};
-use super::condition::{Comparison, Condition};
-use super::report::{Cell, ReportTable};
-use super::search::{Aim, LimitSearch};
-use super::{Run, RunTable};
+use super::bracket::stretches;
+use super::condition::Comparison;
+use super::search::Aim;
+use super::{Bracket, Cell, Condition, LimitSearch, ReportTable, Run, RunTable, Side};
 use crate::assess::estimate;
 use crate::units::significant;
 use crate::verification::Origin;

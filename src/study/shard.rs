@@ -2,9 +2,8 @@
 //!
 //! Shard k of n has the designs k − 1, k − 1 + n, k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
 
-use super::StudyError;
-use super::error::fail;
 use super::run_table::BEGINNING;
+use super::{StudyError, fail};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -17,9 +17,8 @@
 //! tools.punch.travel = "30..36 mm/3"
 //! ```
 
-use super::StudyError;
 use super::base_case::read_text;
-use super::error::fail;
+use super::{StudyError, fail};
 use serde::{Deserialize, Deserializer};
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};

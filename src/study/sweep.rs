@@ -1,11 +1,11 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
 use super::charts;
-use super::error::fail;
-use super::evaluate::Plan;
-use super::report::{Cell, ReportTable, StudyReport};
-use super::variable::{Variable, number, repeated};
-use super::{BaseCase, Design, FailureMode, Run, RunTable, Study, StudyError, StudyFile};
+use super::variable::{number, repeated};
+use super::{
+    BaseCase, Cell, Design, FailureMode, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
+    Variable, fail,
+};
 use crate::assess::Light;
 use crate::table;
 use crate::units::joined;

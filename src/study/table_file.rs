@@ -2,11 +2,8 @@
 //!
 //! A killed run may leave one incomplete last row, which resuming removes.
 
-use super::StudyError;
-use super::error::fail;
-use super::evaluate::EarlierRuns;
-use super::run::Run;
-use super::run_table::{BEGINNING, RunTable, record};
+use super::run_table::{BEGINNING, record};
+use super::{EarlierRuns, Run, RunTable, StudyError, fail};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

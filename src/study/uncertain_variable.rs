@@ -1,9 +1,8 @@
 //! An uncertain variable: a key of the case with a distribution, or the strength of its sheet.
 
-use super::StudyError;
 use super::distribution::Distribution;
-use super::error::fail;
-use super::variable::{Variable, number, split_number, split_pair, written};
+use super::variable::{number, split_number, split_pair, written};
+use super::{StudyError, Variable, fail};
 use crate::case::Case;
 use crate::material::chaboche;
 use crate::units::{self, Dimensioned, Stress, significant};

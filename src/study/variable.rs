@@ -9,8 +9,7 @@
 //! KEY=... & KEY=...             variables that move together
 //! ```
 
-use super::StudyError;
-use super::error::fail;
+use super::{StudyError, fail};
 use crate::table::Spacing;
 use crate::units::{Unit, parse, significant};
 

@@ -1,7 +1,7 @@
 //! Fitted parameters with one standard error each.
 
 use crate::numerics::least_squares::{Minimum, Parameter};
-use crate::study::report::{Cell, ReportTable};
+use crate::study::{Cell, ReportTable};
 use crate::units::{rounded, significant, trimmed};
 use serde::Serialize;
 

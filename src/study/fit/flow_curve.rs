@@ -1,8 +1,7 @@
 //! Reduction of a tension test: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::tension::{Tension, TensionRow};
-use crate::study::StudyError;
-use crate::study::error::fail;
+use crate::study::{StudyError, fail};
 use crate::units::{Amount, significant};
 
 /// Settings of the reduction of tests.

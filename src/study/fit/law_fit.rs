@@ -6,8 +6,7 @@ use super::hardening::{HardeningKind, ParameterRange, RateKind};
 use crate::material::hardening::Hardening;
 use crate::material::rate::Rate;
 use crate::numerics::least_squares::{Limits, Parameter, minimise};
-use crate::study::StudyError;
-use crate::study::error::fail;
+use crate::study::{StudyError, fail};
 
 /// A fitted law.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::flow_curve::FlowCurve;
 use super::law_fit::LawFits;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color};
-use crate::study::report::{Cell, ReportTable, StudyReport};
+use crate::study::{Cell, ReportTable, StudyReport};
 use crate::table::Axis;
 use crate::units::{Amount, Digits, Unit, trimmed};
 

@@ -2,8 +2,7 @@
 
 use super::flow_curve::{FlowCurve, Reduction};
 use super::tension::Tension;
-use crate::study::StudyError;
-use crate::study::error::fail;
+use crate::study::{StudyError, fail};
 use std::path::PathBuf;
 
 /// Tension tests and the settings of their reduction.

@@ -1,8 +1,7 @@
 //! A tension test as its file has it: columns by their headers, true strain and stress row by row.
 
-use crate::study::StudyError;
-use crate::study::error::fail;
 use crate::study::measured_curve::{csv_error, has_word, read_csv};
+use crate::study::{StudyError, fail};
 use crate::table::{Csv, Unit};
 use std::path::Path;
 
