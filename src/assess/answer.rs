@@ -58,50 +58,44 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
         }
         _ => {}
     }
-    let at = || stages.last().and_then(thinnest).map_or_else(String::new, |(_, s0)| place(stages, s0));
+    let at = stages.last().and_then(thinnest).map_or_else(String::new, |(_, s0)| place(stages, s0));
     let share = |key: &str| row(key)?.value().map(|percent| 0.01 * percent);
-    let bottom = share("bottom_tearing").filter(|used| *used > 1.0);
     let labels = |light: Light| {
         let labels = judgements(findings).filter(|finding| finding.light == light).map(|finding| finding.label);
         labels.collect::<Vec<_>>().join(", ")
     };
-    let amber = labels(Light::Amber);
-    match failures.first() {
-        Some(FailureMode::Tears) if is("bottom_tearing", Light::Red) => {
+    let (red, amber) = (labels(Light::Red), labels(Light::Amber));
+    let bottom = share("bottom_tearing").filter(|used| *used > 1.0).map(Amount::share);
+    let limit_used = share("forming_limit");
+    let limit_is_amber = is("forming_limit", Light::Amber);
+    let thinning = share("thinning").unwrap_or_default();
+    let thins = format!("it thins by {} {at}", Amount::share(thinning));
+    match (failures.first(), bottom) {
+        (Some(FailureMode::Tears), _) if is("bottom_tearing", Light::Red) => {
             "it tears at the bottom: the punch pulls harder than the wall can bear".into()
         }
-        Some(FailureMode::Tears) => joined(["it thins too far".into(), at()], " "),
-        Some(FailureMode::Wrinkles) => "it wrinkles: the holder presses too little for this flange".into(),
-        Some(_) if bottom.is_some() => {
-            format!("it may tear at the bottom, and is refused: {}", labels(Light::Red))
+        (Some(FailureMode::Tears), _) => joined(["it thins too far".into(), at], " "),
+        (Some(FailureMode::Wrinkles), _) => "it wrinkles: the holder presses too little for this flange".into(),
+        (Some(_), Some(_)) => format!("it may tear at the bottom, and is refused: {red}"),
+        (Some(_), None) => format!("it does not tear, but is refused: {red}"),
+        (None, Some(used)) => {
+            format!("it may tear at the bottom: the punch needs {used} of what the wall surely carries")
         }
-        Some(_) => format!("it does not tear, but is refused: {}", labels(Light::Red)),
-        None if bottom.is_some() => format!(
-            "it may tear at the bottom: the punch needs {} of what the wall surely carries",
-            Amount::share(bottom.unwrap_or_default())
-        ),
-        None if is("forming_limit", Light::Amber) && share("forming_limit").is_none() => format!(
-            "whether it tears is not known: it thins by {} {}, and the forming limit ends before",
-            Amount::share(share("thinning").unwrap_or_default()),
-            at()
-        ),
+        (None, None) if limit_is_amber && limit_used.is_none() => {
+            format!("whether it tears is not known: {thins}, and the forming limit ends before")
+        }
         // Decided by the number: a row that only its error bar makes amber is one of the others.
-        None if is("forming_limit", Light::Amber) && share("forming_limit") > Some(forming_limit::CAREFUL) => {
-            joined(["it comes near to tearing".into(), at()], " ")
+        (None, None) if limit_is_amber && limit_used > Some(forming_limit::CAREFUL) => {
+            joined(["it comes near to tearing".into(), at], " ")
         }
-        None if is("thinning", Light::Amber) && share("thinning") > Some(thinning::CAREFUL) => {
-            let limit = match share("forming_limit") {
+        (None, None) if is("thinning", Light::Amber) && thinning > thinning::CAREFUL => {
+            let limit = match limit_used {
                 Some(used) => format!("the forming limit is used to {}", Amount::share(used)),
                 None => "no forming limit is given".into(),
             };
-            format!(
-                "it thins by {} {}, more than the {} rule of thumb; {limit}",
-                Amount::share(share("thinning").unwrap_or_default()),
-                at(),
-                Amount::given_share(thinning::CAREFUL)
-            )
+            format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(thinning::CAREFUL))
         }
-        None if !amber.is_empty() => format!("it does not tear; look at {amber}"),
-        None => "it does not tear, and nothing speaks against it".into(),
+        _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
+        _ => "it does not tear, and nothing speaks against it".into(),
     }
 }

@@ -1,7 +1,7 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
 use super::bottom_tearing::nose;
-use super::{Finding, Light, run::Run};
+use super::{Finding, run::Run};
 use crate::assess::design::{SHARP, THIN, bent_strength};
 use crate::geometry::{Arc, CORNER, Point};
 use crate::model::tool_sizes::extent;
@@ -12,15 +12,6 @@ use crate::units::{Amount, Digits};
 /// For sharp bends. A shell's normal stress is of second order in t/R, and only if the whole section is stretched.
 const ADVICE: &str = "take larger radii; below 5 t strains and spring-back are computed only roughly";
 
-fn light(ratio: f64) -> Light {
-    match ratio {
-        r if r < SHARP => Light::Red,
-        r if r < THIN => Light::Amber,
-        _ => Light::Green,
-    }
-}
-
-/// Smallest radius of a tool over the thickness.
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
     let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius))?;
     let ratio = smallest.radius / model.blank.thickness;
@@ -30,25 +21,20 @@ pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
     };
     (smallest.radius < THIN * model.blank.thickness).then(|| {
         let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));
-        Finding::warning("tool_radius", "Tool radius", text)
-            .number(Amount::thicknesses(ratio))
-            .limit(format!("{} at least", Amount::given_thicknesses(THIN)))
-            .at_least(THIN, None)
+        let warning = Finding::warning("tool_radius", "Tool radius", text).number(Amount::thicknesses(ratio));
+        warning.at_least(format!("{} at least", Amount::given_thicknesses(THIN)), THIN, None)
     })
 }
 
-/// Smallest bending radius of the mid-surface over the thickness.
 pub(super) fn radius(run: &Run) -> Option<Finding> {
     let sharpest = run.largest(|step| step.sharpest_bend).filter(|sharpest| *sharpest > 0.0)?;
     let ratio = 1.0 / sharpest;
     let [thin, sharp] = [THIN, SHARP].map(Amount::given_thicknesses);
-    Some(
-        Finding::judged("bend_radius", "Bending radius", light(ratio), "{} at the sharpest bend")
-            .number(Amount::thicknesses(ratio))
-            .limit(format!("{thin} at least, red below {sharp}: thin-shell theory"))
-            .at_least(THIN, SHARP)
-            .advice(ADVICE),
-    )
+    Finding::judged("bend_radius", "Bending radius", "{} at the sharpest bend")
+        .number(Amount::thicknesses(ratio))
+        .at_least(format!("{thin} at least, red below {sharp}: thin-shell theory"), THIN, SHARP)
+        .advice(ADVICE)
+        .into()
 }
 
 /// Strength that the sheet keeps over the sharpest of punch noses and die shoulders.
@@ -64,23 +50,16 @@ pub(super) fn strength(run: &Run) -> Option<Finding> {
     let (radius, times) = (Amount::size(radius), Amount::thicknesses(ratio));
     let text = format!("the {name} of {radius} is {times}: the sheet keeps {{}} of its strength there");
     let [wanted, least] = [THIN, SHARP].map(bent_strength);
-    let limit = format!(
-        "{} = ρ ln(1 + 1/ρ) at ρ = {}, red below {}",
-        Amount::share(wanted),
-        Amount::given_thicknesses(THIN),
-        Amount::given_thicknesses(SHARP)
-    );
-    Some(
-        Finding::judged("bent_strength", "Strength over radii", light(ratio), run.of_stage(text, stage))
-            .number(Amount::share(bent_strength(ratio)))
-            .limit(limit)
-            .at_least(100.0 * wanted, 100.0 * least)
-            .source("4ming, Forming handbook, Punch radius: 4 to 5 thicknesses; the share: equilibrium of a bent strip")
-            .advice(ADVICE),
-    )
+    let ([thin, sharp], share) = ([THIN, SHARP].map(Amount::given_thicknesses), Amount::share(wanted));
+    let limit = format!("{share} = ρ ln(1 + 1/ρ) at ρ = {thin}, red below {sharp}");
+    Finding::judged("bent_strength", "Strength over radii", run.of_stage(text, stage))
+        .number(Amount::share(bent_strength(ratio)))
+        .at_least(limit, 100.0 * wanted, 100.0 * least)
+        .source("4ming, Forming handbook, Punch radius: 4 to 5 thicknesses; the share: equilibrium of a bent strip")
+        .advice(ADVICE)
+        .into()
 }
 
-/// Nose and shoulder of a stage that forms.
 fn corners(solved: &StageSolution) -> impl Iterator<Item = (&'static str, Arc)> {
     let model = &solved.model;
     let forms = model.release.is_none() && !solved.steps.is_empty();
@@ -90,7 +69,6 @@ fn corners(solved: &StageSolution) -> impl Iterator<Item = (&'static str, Arc)> 
     nose.into_iter().chain(tool(Role::Die).and_then(shoulder).map(|arc| ("die's shoulder", arc)))
 }
 
-/// Sharp corner of a tool in reach of the sheet.
 pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
     let is_met = |at: Point| reaches(model, tool, at);
     let sharp: Vec<_> = tool.profile.vertices().filter(|v| v.turn.abs() > CORNER && is_met(v.point)).collect();
@@ -103,17 +81,14 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
         tool.role.name()
     );
     let angle = |radians: f64| Amount::angle(radians.to_degrees()).to(Digits::Given(1));
-    Some(
-        Finding::warning("sharp_corner", "Sharp corner", text)
-            .number(angle(first.turn.abs()))
-            .limit(angle(CORNER))
-            .at_most(CORNER.to_degrees(), None)
-            .advice("draw an arc, or give `fillet`")
-            .source("the radius that a shell follows"),
-    )
+    Finding::warning("sharp_corner", "Sharp corner", text)
+        .number(angle(first.turn.abs()))
+        .at_most(angle(CORNER), CORNER.to_degrees(), None)
+        .advice("draw an arc, or give `fillet`")
+        .source("the radius that a shell follows")
+        .into()
 }
 
-/// Whether the sheet can come to a point of a tool.
 fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {
     let within_blank = at.x < model.blank.length;
     match tool.role {

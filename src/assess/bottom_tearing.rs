@@ -1,7 +1,7 @@
 //! Tearing of a cup's bottom: punch force against the strength of the wall.
 
 use super::run::{Run, at_event};
-use super::{Finding, Light, thinning};
+use super::{Finding, thinning};
 use crate::assess::estimate::{draw_ratio, tensile_strength};
 use crate::geometry::Arc;
 use crate::model::{Edge, Geometry, Role, Tool};
@@ -35,19 +35,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
          tear",
         Amount::force(tears, Unit::N)
     );
-    Some(
-        Finding::judged(
-            "bottom_tearing",
-            "Bottom tearing",
-            Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]),
-            run.of_stage(format!("{force}, {{}} of the limit"), i),
-        )
+    Finding::judged("bottom_tearing", "Bottom tearing", run.of_stage(format!("{force}, {{}} of the limit"), i))
         .number(Amount::share(factor))
-        .limit(limit)
-        .at_most(100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
+        .at_most(limit, 100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
         .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
-        .advice(thinning::advice(run, stage, NoseEnd::of(stage)?.radius)),
-    )
+        .advice(thinning::advice(run, stage, NoseEnd::of(stage)?.radius))
+        .into()
 }
 
 /// Step of a stage with the peak force, and the force that tears its wall off \[N\].
@@ -65,7 +58,6 @@ fn forces(solved: &StageSolution, stage: usize) -> Option<(&StepRecord, f64)> {
 /// Cosine of a wall's lean up to which it counts as upright, to a degree.
 const UPRIGHT: f64 = 0.9998;
 
-/// End of the nose of a flat-bottomed punch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NoseEnd {
     /// \[mm\]
@@ -89,7 +81,6 @@ impl NoseEnd {
     }
 }
 
-/// Corner of a punch that is nearest the axis.
 pub(super) fn nose(punch: &Tool) -> Option<Arc> {
     punch.profile.corners().min_by(|a, b| inner(a).total_cmp(&inner(b)))
 }

@@ -32,16 +32,22 @@ pub struct Check {
 /// Checks a case without solving it.
 pub fn report(case: &Case) -> Check {
     let model = case.model();
-    let mut lines = Vec::new();
-    blank(model, &mut lines);
-    lines.push(line("material", model.material.describe(), ""));
-    lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material);
+    let source = |label, source: &Option<String>| source.as_ref().map(|source| line(label, source.clone(), ""));
+    let mut lines = blank(model);
+    lines.push(line("material", model.material.describe(), ""));
+    lines.extend(source("material source", &case.sources.material));
     lines.push(number("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
-    tools::lines(model, &mut lines);
-    lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));
-    loads::holder(model, strength, &mut lines);
-    mesh(model, &mut lines);
+    lines.extend(tools::lines(model));
+    lines.extend(source("friction source", &case.sources.friction));
+    lines.extend(loads::holder(model, strength));
+    lines.push(number("elements", Amount::count(model.blank.elements), ""));
+    lines.extend(estimate::coarsest_corner(model).map(|fit| {
+        let (tool, radius) = (fit.role.name(), Amount::drawn(fit.radius));
+        let per_quarter = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2));
+        let meaning = format!("at the {tool}'s radius of {radius}: {per_quarter} elements per 90°");
+        number("element size", Amount::size(fit.size), meaning)
+    }));
     lines.extend(case.later().iter().enumerate().map(|(i, stage)| loads::stage(i + 2, stage)));
     lines.extend(case.compare.iter().map(|spec| {
         let missing = if spec.data.is_some() { "" } else { " (no data: add the CSV file to see it)" };
@@ -57,51 +63,41 @@ pub fn report(case: &Case) -> Check {
     }
 }
 
-fn blank(model: &Model, lines: &mut Vec<Line>) {
+fn blank(model: &Model) -> Vec<Line> {
     let blank = &model.blank;
-    let whole = Amount::set(2.0 * blank.length);
     let (geometry, meaning): (String, _) = match model.geometry {
         Geometry::Axisymmetric => ("axisymmetric".into(), String::new()),
-        Geometry::PlaneStrain => ("plane strain".into(), format!("half length, {whole} in all")),
+        Geometry::PlaneStrain => {
+            ("plane strain".into(), format!("half length, {} in all", Amount::set(2.0 * blank.length)))
+        }
     };
-    lines.push(line("geometry", joined([geometry, model.extent().described()], "; "), ""));
-    lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
-    lines.push(number("thickness", Amount::size(blank.thickness), ""));
     let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
-    lines.push(match model.extent() {
-        Extent::PerDepth => number("volume", volume(Unit::Mm2), "times the depth"),
-        _ => number("volume", volume(Unit::Mm3), ""),
-    });
+    let points = blank.layers;
     let theory = match blank.theory {
-        Theory::Bending => format!("bending, {n} points through the thickness", n = blank.layers),
+        Theory::Bending => format!("bending, {points} points through the thickness"),
         Theory::Membrane => "membrane".into(),
-        Theory::Selective => format!(
-            "bending with {n} points where t/R is above {ratio}, else membrane",
-            n = blank.layers,
-            ratio = Amount::number(model.settings.bend_ratio)
-        ),
+        Theory::Selective => {
+            let ratio = Amount::number(model.settings.bend_ratio);
+            format!("bending with {points} points where t/R is above {ratio}, else membrane")
+        }
     };
-    lines.push(line("theory", theory, ""));
-    if let Some(heat) = &model.heat {
-        let [low, high] =
-            [heat.initial.smallest(), heat.initial.largest()].map(|t| Amount::temperature(t - ZERO_CELSIUS));
+    let mut lines = vec![
+        line("geometry", joined([geometry, model.extent().described()], "; "), ""),
+        line("blank", size_of(model, blank.length, Amount::set), meaning),
+        number("thickness", Amount::size(blank.thickness), ""),
+        match model.extent() {
+            Extent::PerDepth => number("volume", volume(Unit::Mm2), "times the depth"),
+            _ => number("volume", volume(Unit::Mm3), ""),
+        },
+        line("theory", theory, ""),
+    ];
+    lines.extend(model.heat.as_ref().map(|heat| {
+        let ends = [heat.initial.smallest(), heat.initial.largest()];
+        let [low, high] = ends.map(|kelvin| Amount::temperature(kelvin - ZERO_CELSIUS));
         let range = if low == high { low.into() } else { format!("{low} to {high}") };
-        let stays = if heat.flow.is_some() { "at first" } else { "throughout" };
-        lines.push(line("temperature", range, stays));
-    }
-}
-
-fn mesh(model: &Model, lines: &mut Vec<Line>) {
-    lines.push(number("elements", Amount::count(model.blank.elements), ""));
-    if let Some(fit) = estimate::coarsest_corner(model) {
-        let meaning = format!(
-            "at the {tool}'s radius of {radius}: {n} elements per 90°",
-            tool = fit.role.name(),
-            radius = Amount::drawn(fit.radius),
-            n = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2))
-        );
-        lines.push(number("element size", Amount::size(fit.size), meaning));
-    }
+        line("temperature", range, if heat.flow.is_some() { "at first" } else { "throughout" })
+    }));
+    lines
 }
 
 impl fmt::Display for Check {

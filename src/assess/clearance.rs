@@ -14,7 +14,6 @@ const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
 const IRONED: f64 = 0.01;
 
-/// Tools that close by more than the sheet leaves room for.
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
@@ -23,30 +22,31 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
         Amount::size(t)
     );
     let warning = Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap));
-    Some(warning.limit("one thickness at least").at_least(t, None))
+    Some(warning.at_least("one thickness at least", t, None))
 }
 
 /// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
     let upright = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
-    let light = Light::doubtful(gap < LEAST || upright && gap > WIDE);
     let limit = match upright {
         true => format!("one thickness at least, {} at most beside a straight wall", Amount::given_thicknesses(WIDE)),
         false => "one thickness at least".into(),
     };
-    let judged = Finding::judged("clearance", "Clearance", light, "{} between punch and die")
+    let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
-        .limit(limit)
         .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
-    let judged = if gap > WIDE { judged.at_most(upright.then_some(WIDE), None) } else { judged.at_least(1.0, None) };
+    let judged = match gap > WIDE {
+        true => judged.at_most(limit, if upright { WIDE } else { f64::INFINITY }, None),
+        false => judged.at_least(limit, 1.0, None),
+    };
+    let judged = judged.light(if gap < LEAST || upright && gap > WIDE { Light::Amber } else { Light::Green });
     Some(judged.advice(match gap < LEAST {
         true => "a larger throat, a smaller punch or a shorter travel",
         false => "a smaller throat: the wall leans, and puckers",
     }))
 }
 
-/// Largest reduction of the thickness by ironing, its place, force and pressure.
 pub(super) fn ironing(run: &Run) -> Option<Finding> {
     let most = run.steps().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
     let text = match run.steps().find(|step| step.ironing > IRONED) {
@@ -58,15 +58,13 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
             Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),
     };
-    Some(
-        Finding::judged("ironing", "Ironing", Light::of(most.ironing, [IRONED, IRONING_LIMIT]), text)
-            .number(Amount::share(most.ironing))
-            .limit(format!("{} in one pass", Amount::given_share(IRONING_LIMIT)))
-            .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
-            .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
-            .advice(
-                "without ironing: a clearance of t √β, the thickness of the rim (4ming), and a land no longer than needed. \
-                 The penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness",
-            ),
-    )
+    Finding::judged("ironing", "Ironing", text)
+        .number(Amount::share(most.ironing))
+        .at_most(format!("{} in one pass", Amount::given_share(IRONING_LIMIT)), 100.0 * IRONED, 100.0 * IRONING_LIMIT)
+        .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
+        .advice(
+            "without ironing: a clearance of t √β, the thickness of the rim (4ming), and a land no longer than needed. \
+             The penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness",
+        )
+        .into()
 }

@@ -11,7 +11,6 @@ use crate::units::Amount;
 /// Gap over the thickness that a holder may keep \[–\]: thickening of a flange that is drawn.
 const OPEN: f64 = 0.1;
 
-/// Holder that closes before the draw.
 pub(super) fn closes(model: &Model) -> Option<Finding> {
     let text = "holder and die do not lie flat on the sheet: the holder closes over it by {} before the punch comes";
     Some(Finding::assumed(text).number(Amount::place(closing_way(model)?)))
@@ -22,20 +21,17 @@ pub(super) fn gap_left(stage: &StageSolution) -> Option<f64> {
     Some(stage.closing?.gap).filter(|gap| *gap > OPEN * stage.model.blank.thickness)
 }
 
-/// Holder that its force did not close.
 pub(super) fn stays_open(stage: &StageSolution) -> Option<Finding> {
     let gap = gap_left(stage)?;
     let force = Amount::force(stage.closing?.force, stage.model.extent().force_unit());
     let text = format!("the holder did not close: with {force} it stands open by {{}} when the draw begins");
-    Some(
-        Finding::warning("holder_open", "Holder", text)
-            .number(Amount::thickness(gap))
-            .limit(format!("open by at most {} t", Amount::number(OPEN)))
-            .advice(advice(&stage.model)),
-    )
+    Finding::warning("holder_open", "Holder", text)
+        .number(Amount::thickness(gap))
+        .limit(format!("open by at most {} t", Amount::number(OPEN)))
+        .advice(advice(&stage.model))
+        .into()
 }
 
-/// Remedies for a holder that does not close.
 pub(super) fn advice(model: &Model) -> String {
     let more = "more holder force, until it closes";
     match drawn(model) {
@@ -44,7 +40,6 @@ pub(super) fn advice(model: &Model) -> String {
     }
 }
 
-/// Bead that is drawn, with the line that stands for it.
 pub(super) fn bead(model: &Model) -> Option<Finding> {
     let bead = drawn(model).filter(|_| closing_way(model).is_some())?;
     let around = match model.geometry {
@@ -57,7 +52,6 @@ pub(super) fn bead(model: &Model) -> Option<Finding> {
 }
 
 impl DrawnBead {
-    /// Entry of a case file for it.
     fn line(&self) -> String {
         format!(
             "[[tools.beads]] at = \"{}\", restraining = \"{} N/mm\" (declared: the work of bending over its radii)",
@@ -72,7 +66,6 @@ const STANDS_OUT: f64 = 0.25;
 /// Effective stress and strain of plane strain over those of tension \[–\]: 2/√3.
 const PLANE: f64 = 1.154_700_538_379_251_7;
 
-/// Bead drawn in the sections of holder and die.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct DrawnBead {
     /// Distance of its tip from the axis or symmetry plane \[mm\].

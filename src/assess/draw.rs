@@ -8,28 +8,24 @@ use crate::model::{Edge, Geometry, Model, Role};
 use crate::solver::solution::StageSolution;
 use crate::units::Amount;
 
-/// Draw ratio that is too large for one draw.
 pub(super) fn ratio(model: &Model) -> Option<Finding> {
     let ratio = estimate::draw_ratio(model).filter(|ratio| *ratio > LIMITING_RATIO)?;
     let limit = Amount::number(LIMITING_RATIO);
     let text = format!("the draw ratio of {{}} is above {limit}, about the limit of mild steel in one draw");
     let warning = Finding::warning("draw_ratio", "Draw ratio", text).number(Amount::ratio(ratio));
-    Some(warning.limit(format!("{limit} at most")).at_most(LIMITING_RATIO, None))
+    Some(warning.at_most(format!("{limit} at most"), LIMITING_RATIO, None))
 }
 
-/// Area of the part over that of a free blank.
 pub(super) fn blank_area(model: &Model) -> Option<Finding> {
     let free = model.blank.edge == Edge::Free && !model.stop.drawn_through;
     let share = estimate::drawn_share(model).filter(|share| free && *share >= 1.0)?;
     let text = "at the full travel the part needs {} of the blank's area: the blank will be drawn through the die";
-    Some(
-        Finding::warning("drawn_share", "Blank", text)
-            .share(share, 1.0)
-            .source("the sheet keeps its area, its mean thickness hardly changing"),
-    )
+    Finding::warning("drawn_share", "Blank", text)
+        .share(share, 1.0)
+        .source("the sheet keeps its area, its mean thickness hardly changing")
+        .into()
 }
 
-/// Largest ratio of a stage's punch to the next one's.
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let radius = |stage: &StageSolution| Some(extent(stage.model.tool(Role::Punch)?).1);
     let ratios = run.stages.windows(2).enumerate().filter_map(|(i, pair)| {
@@ -37,17 +33,15 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
         (pair[0].model.geometry == Geometry::Axisymmetric && ratio > 1.0).then_some((i + 1, ratio))
     });
     let (i, ratio) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    // The template's own radii are rounded.
-    let light = Light::within(ratio, REDRAW_RATIO + 1e-3);
-    let text = run.of_stage("{} from punch to punch".into(), i);
-    Some(
-        Finding::judged("redraw_ratio", "Redraw ratio", light, text)
-            .number(Amount::ratio(ratio))
-            .limit(format!("{}, of DC04 in a second draw without annealing", Amount::number(REDRAW_RATIO)))
-            .at_most(REDRAW_RATIO, None)
-            .source("4ming, Forming handbook, table of draw ratios")
-            .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it"),
-    )
+    let limit = format!("{}, of DC04 in a second draw without annealing", Amount::number(REDRAW_RATIO));
+    Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage("{} from punch to punch".into(), i))
+        .number(Amount::ratio(ratio))
+        .at_most(limit, REDRAW_RATIO, None)
+        // The template's own radii are rounded.
+        .light(if ratio <= REDRAW_RATIO + 1e-3 { Light::Green } else { Light::Amber })
+        .source("4ming, Forming handbook, table of draw ratios")
+        .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it")
+        .into()
 }
 
 /// Ears about the computed rim, if r-values by direction are given and the edge is drawn in.
@@ -67,15 +61,13 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
          (Δr = {})",
         Amount::ratio(r.planar())
     );
-    Some(
-        Finding::judged("ears", "Ears", Light::Green, text)
-            .number(Amount::place(high - low))
-            .limit("not judged: more is trimmed off")
-            .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011, abstract read)"),
-    )
+    Finding::judged("ears", "Ears", text)
+        .number(Amount::place(high - low))
+        .limit("not judged: more is trimmed off")
+        .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011, abstract read)")
+        .into()
 }
 
-/// Cut before a stage, which falls between elements.
 pub(super) fn trim(stage: &StageSolution) -> Option<Finding> {
     let cut = stage.trimmed?;
     let wanted = Amount::size(cut.asked);

@@ -18,11 +18,6 @@ pub enum FailureMode {
     NoResult,
 }
 
-const TEARS: [&str; 4] = ["thinning", "localisation", "forming_limit", "bottom_tearing"];
-const WRINKLES: [&str; 2] = ["wrinkling", "wall_wrinkles"];
-const PRESS: [&str; 2] = ["press_force", "energy"];
-const STOP: &str = "stop";
-
 impl FailureMode {
     /// All modes, in their order.
     pub const ALL: [Self; 5] = [Self::Tears, Self::Wrinkles, Self::Press, Self::Other, Self::NoResult];
@@ -57,34 +52,26 @@ impl FailureMode {
     /// Mode of a red row of the verdict; the row on how the run ended is decided by [`Self::all`].
     pub fn of_row(key: &str) -> Self {
         match key {
-            key if TEARS.contains(&key) => Self::Tears,
-            key if WRINKLES.contains(&key) => Self::Wrinkles,
-            key if PRESS.contains(&key) => Self::Press,
+            "thinning" | "localisation" | "forming_limit" | "bottom_tearing" => Self::Tears,
+            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
+            "press_force" | "energy" => Self::Press,
             _ => Self::Other,
         }
     }
 
     /// All modes of a solved case, the most important first; empty if the part is sound.
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
+        use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
         let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
         if !stop.is_complete() && !stop.is_physical() {
             return vec![Self::NoResult];
         }
-        let red = judgements(findings).filter(|finding| finding.light == Light::Red);
-        let mut modes: Vec<Self> = red
-            .map(|finding| match finding.key {
-                STOP if is_tear(stop) => Self::Tears,
-                key => Self::of_row(key),
-            })
-            .collect();
+        let is_tear = matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. });
+        let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
+        let mode = |key| if key == "stop" && is_tear { Self::Tears } else { Self::of_row(key) };
+        let mut modes: Vec<Self> = red.map(mode).collect();
         modes.sort_unstable();
         modes.dedup();
         modes
     }
-}
-
-/// Whether a run ended because the sheet tears.
-fn is_tear(stop: &Stop) -> bool {
-    use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
-    matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. })
 }

@@ -27,25 +27,6 @@ impl Light {
             Self::Red => "red",
         }
     }
-
-    /// Green up to the first limit, amber up to the second, red beyond.
-    pub(super) fn of(value: f64, limits: [f64; 2]) -> Self {
-        match value {
-            v if v <= limits[0] => Self::Green,
-            v if v <= limits[1] => Self::Amber,
-            _ => Self::Red,
-        }
-    }
-
-    /// Green up to a limit, amber beyond.
-    pub(super) fn within(value: f64, limit: f64) -> Self {
-        Self::of(value, [limit, f64::INFINITY])
-    }
-
-    /// Amber if in doubt.
-    pub(super) fn doubtful(doubtful: bool) -> Self {
-        if doubtful { Self::Amber } else { Self::Green }
-    }
 }
 
 /// Earliest time of a finding.
@@ -119,8 +100,6 @@ impl Serialize for Finding {
     }
 }
 
-/// Source of limits on the solution itself.
-pub(super) const ACCURACY: &str = "declared accuracy of the solver";
 /// Source of limits without a citation.
 const DECLARED: &str = "declared rule of thumb";
 /// Position of the number in [`Finding::text`].
@@ -143,9 +122,9 @@ impl Finding {
         }
     }
 
-    /// Row of the verdict.
-    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, text: impl Into<String>) -> Self {
-        Self::new(Kind::Judgement, key, label, light, text.into())
+    /// Row of the verdict; green until a limit or [`Self::light`] says otherwise.
+    pub(super) fn judged(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
+        Self::new(Kind::Judgement, key, label, Light::Green, text.into())
     }
 
     /// Warning; its sentence is `text: advice`.
@@ -153,10 +132,13 @@ impl Finding {
         Self::new(Kind::Warning, key, label, Light::Amber, text.into())
     }
 
-    /// Assumption made while the case was read.
     pub(super) fn assumed(text: impl Into<String>) -> Self {
-        let limit = "what the case says".into();
-        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, text.into()) }
+        Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, text.into()).limit("what the case says")
+    }
+
+    /// Sets the light that no limit gives.
+    pub(super) fn light(self, light: Light) -> Self {
+        Self { light, ..self }
     }
 
     /// Sets the number, which takes the place of `{}` in the text.
@@ -166,34 +148,41 @@ impl Finding {
 
     /// Sets a share and its amber limit \[–\].
     pub(super) fn share(self, share: f64, limit: f64) -> Self {
-        self.number(Amount::share(share)).limit(Amount::given_share(limit)).at_most(100.0 * limit, None)
+        self.number(Amount::share(share)).at_most(Amount::given_share(limit), 100.0 * limit, None)
     }
 
-    /// Sets the upper limits for amber and red, in the unit of the number.
-    pub(super) fn at_most(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
-        self.limited(Limits { sense: Sense::AtMost, amber: amber.into(), red: red.into() })
+    /// Sets the limit in words, and the upper limits for amber and red in the unit of the number.
+    pub(super) fn at_most(self, limit: impl Into<String>, amber: f64, red: impl Into<Option<f64>>) -> Self {
+        self.limited(limit.into(), Limits { sense: Sense::AtMost, amber: Some(amber), red: red.into() })
     }
 
-    /// Sets the lower limits for amber and red, in the unit of the number.
-    pub(super) fn at_least(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
-        self.limited(Limits { sense: Sense::AtLeast, amber: amber.into(), red: red.into() })
+    /// Sets the limit in words, and the lower limits for amber and red in the unit of the number.
+    pub(super) fn at_least(self, limit: impl Into<String>, amber: f64, red: impl Into<Option<f64>>) -> Self {
+        self.limited(limit.into(), Limits { sense: Sense::AtLeast, amber: Some(amber), red: red.into() })
     }
 
-    fn limited(mut self, limits: Limits) -> Self {
-        self.quantity.iter_mut().for_each(|quantity| quantity.limits = Some(limits));
-        self
+    fn limited(mut self, limit: String, limits: Limits) -> Self {
+        let Some(quantity) = &mut self.quantity else { return self.limit(limit) };
+        let value = quantity.value();
+        // Also what is not a number is beyond a limit.
+        let is_kept = |limit: f64| if limits.sense == Sense::AtMost { value <= limit } else { value >= limit };
+        quantity.limits = Some(limits);
+        if self.kind == Kind::Judgement {
+            self.light = match limits {
+                Limits { amber: Some(amber), .. } if is_kept(amber) => Light::Green,
+                Limits { red: Some(red), .. } if !is_kept(red) => Light::Red,
+                _ => Light::Amber,
+            };
+        }
+        self.limit(limit)
     }
 
-    /// Sets the limit in words.
-    pub(super) fn limit(mut self, limit: impl Into<String>) -> Self {
-        self.limit = limit.into();
-        self
+    pub(super) fn limit(self, limit: impl Into<String>) -> Self {
+        Self { limit: limit.into(), ..self }
     }
 
-    /// Sets the source of the limit.
-    pub(super) fn source(mut self, source: impl Into<String>) -> Self {
-        self.source = source.into();
-        self
+    pub(super) fn source(self, source: impl Into<String>) -> Self {
+        Self { source: source.into(), ..self }
     }
 
     /// Sets the change to make, unless the finding is green.
@@ -243,17 +232,16 @@ pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
 
 /// Counts of the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
 pub fn headline(findings: &[Finding]) -> String {
-    let of = |light: Light| judgements(findings).filter(move |f| f.light == light);
-    let named = |light: Light| (of(light).count(), joined(of(light).map(|f| f.label.into()), ", "));
-    let parts =
-        [Light::Red, Light::Amber, Light::Grey, Light::Green].into_iter().map(|light| match (light, named(light)) {
-            (_, (0, _)) => String::new(),
-            (Light::Red, (n, labels)) => format!("{n} red ({labels})"),
-            (Light::Amber, (n, labels)) => format!("{n} amber ({labels})"),
-            (Light::Grey, (n, labels)) => format!("{n} not judged ({labels})"),
-            (Light::Green, (n, _)) => format!("{n} green"),
-        });
-    joined(parts, ", ")
+    let part = |light: Light| {
+        let labels: Vec<&str> = judgements(findings).filter(|f| f.light == light).map(|f| f.label).collect();
+        match (light, labels.len()) {
+            (_, 0) => String::new(),
+            (Light::Green, n) => format!("{n} green"),
+            (Light::Grey, n) => format!("{n} not judged ({})", labels.join(", ")),
+            (_, n) => format!("{n} {} ({})", light.name(), labels.join(", ")),
+        }
+    };
+    joined([Light::Red, Light::Amber, Light::Grey, Light::Green].map(part), ", ")
 }
 
 /// Rows of the verdict by light, grouped by advice.

@@ -55,14 +55,17 @@ pub fn used(stages: &[StageSolution]) -> Option<Used> {
     Some(Used { worst: assessment.worst().s0, shares: shares.collect() })
 }
 
-/// Least margin to the limit, its place, and when the limit was first reached.
+fn judged(text: impl Into<String>) -> Finding {
+    Finding::judged("forming_limit", "Forming limit", text)
+}
+
 pub(super) fn margin(run: &Run) -> Option<Finding> {
     let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
     if let (Some(open), None) = (assessment.open(), assessment.reached) {
         return Some(unjudged(name, open));
     }
     let worst = assessment.worst();
-    let light = if assessment.reached.is_some() { Light::Red } else { Light::within(worst.ratio(), CAREFUL) };
+    let limit = format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL));
     let side = if worst.margin() < 0.0 { "beyond it" } else { "left" };
     let uses = format!(
         "uses {{}} of the limit at s0 = {}, {} of major true strain {side}",
@@ -83,10 +86,14 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     });
     let text = joined([Some(uses), reached, faces].into_iter().flatten(), "; ");
     Some(
-        Finding::judged("forming_limit", "Forming limit", light, text)
+        judged(text)
             .number(Amount::share(worst.ratio()))
-            .limit(format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL)))
-            .at_most(100.0 * CAREFUL, 100.0)
+            .at_most(limit, 100.0 * CAREFUL, 100.0)
+            .light(match assessment.reached {
+                Some(_) => Light::Red,
+                None if worst.ratio() <= CAREFUL => Light::Green,
+                None => Light::Amber,
+            })
             .source("the case's curve; the share is a declared rule of thumb")
             .advice(thinning::advice(run, stage, worst.s0)),
     )
@@ -99,7 +106,8 @@ fn unjudged(name: &'static str, open: &Judged) -> Finding {
     let text = format!(
         "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"
     );
-    Finding::judged("forming_limit", "Forming limit", Light::Amber, text)
+    judged(text)
+        .light(Light::Amber)
         .limit(format!("{name}, which ends in plane strain"))
         .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
         .advice(format!("{}, or give measured points of the coil in [forming_limit]", other_condition()))
@@ -111,12 +119,12 @@ pub(super) fn other_condition() -> String {
 }
 
 fn missing() -> Finding {
-    Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")
+    judged("no forming limit given")
+        .light(Light::Grey)
         .limit("a forming limit, not in the case")
         .advice("write [forming_limit] with hill = true (computed from the law), or the measured points of the coil")
 }
 
-/// Straightness of strain paths, for which the curve holds.
 pub(super) fn paths(run: &Run) -> Option<Finding> {
     let assessment = &run.nearest.as_ref()?.assessment;
     let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
@@ -125,11 +133,10 @@ pub(super) fn paths(run: &Run) -> Option<Finding> {
         n => format!("{n} of {} elements not straight, they use up to {{}} of the limit", assessment.elements.len()),
     };
     let [crooked, bent] = [CROOKED, BENT].map(Amount::given_share);
-    Some(
-        Finding::judged("strain_paths", "Strain paths", Light::within(used, BENT), text)
-            .share(used, BENT)
-            .limit(format!("within {crooked} of a straight line, or below {bent} of the limit"))
-            .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
-            .advice("keep more margin there: look at strain_paths.csv of `run`"),
-    )
+    Finding::judged("strain_paths", "Strain paths", text)
+        .share(used, BENT)
+        .limit(format!("within {crooked} of a straight line, or below {bent} of the limit"))
+        .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
+        .advice("keep more margin there: look at strain_paths.csv of `run`")
+        .into()
 }

@@ -10,16 +10,13 @@ const USUAL: RangeInclusive<f64> = 0.01..=0.3;
 /// Change of a coefficient that is advised to be tried \[–\].
 const TRIED: f64 = 0.02;
 
-/// Coefficient above that of dry steel.
 pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), *USUAL.end());
     (friction > dry && !matches!(tool.friction, Friction::Tresca(_))).then(|| {
         let limit = Amount::number(dry);
         let text = format!("the {}'s friction of {{}} is above that of dry steel, {limit}", tool.role.name());
-        Finding::warning("dry_friction", "Friction", text)
-            .number(Amount::number(friction))
-            .limit(format!("{limit} at most"))
-            .at_most(dry, None)
+        let warning = Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction));
+        warning.at_most(format!("{limit} at most"), dry, None)
     })
 }
 
@@ -34,16 +31,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Some(source) => (Light::Green, format!("{{}} at most: {source}")),
         None => (Light::Amber, "you assumed {} at most".to_owned()),
     };
-    let [low, high] = [most - TRIED, most + TRIED].map(|mu| Amount::number(mu.max(0.0)));
-    Some(
-        Finding::judged("friction", "Friction", light, text)
-            .number(Amount::number(most))
-            .limit(format!(
-                "a measured or cited number, {} to {}",
-                Amount::number(*USUAL.start()),
-                Amount::number(*USUAL.end())
-            ))
-            .at_most(*USUAL.end(), None)
-            .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]")),
-    )
+    let [least, dry, low, high] =
+        [*USUAL.start(), *USUAL.end(), (most - TRIED).max(0.0), most + TRIED].map(Amount::number);
+    Finding::judged("friction", "Friction", text)
+        .number(Amount::number(most))
+        .at_most(format!("a measured or cited number, {least} to {dry}"), *USUAL.end(), None)
+        .light(light)
+        .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]"))
+        .into()
 }

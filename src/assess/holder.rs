@@ -20,7 +20,6 @@ const RIM_SHARE: f64 = 0.9;
 /// Share of the travel from which resting on the blocks is reported \[–\].
 const RESTS: f64 = 0.1;
 
-/// Holder without a force.
 pub(super) fn idle(model: &Model) -> Option<Finding> {
     let idle = |motion: &Motion| matches!(motion, Motion::Pressed(press) if press.is_idle());
     model.tools.iter().any(|tool| idle(&tool.motion)).then(|| {
@@ -36,7 +35,7 @@ pub(super) fn crushing(model: &Model) -> Option<Finding> {
     let limit = Amount::stress(strength);
     let text = format!("the holder presses with {{}}, more than the sheet's tensile strength of {limit}");
     let warning = Finding::warning("holder_pressure", "Holder pressure", text).number(Amount::stress(pressure));
-    Some(warning.limit(limit).at_most(strength, None).advice("check its force"))
+    Some(warning.at_most(limit, strength, None).advice("check its force"))
 }
 
 /// Lift of a pressed holder until the flange runs out, six thicknesses wide \[mm\]. A narrower flange no longer buckles,
@@ -60,37 +59,34 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let lift = holder_lift(first)?;
     if let Some(gap) = closing::gap_left(first) {
         let text = "not judged: it stands open by {} on its bead";
-        let judged = Finding::judged("holder", "Holder", Light::Grey, text).number(Amount::thickness(gap));
+        let judged = Finding::judged("holder", "Holder", text).number(Amount::thickness(gap)).light(Light::Grey);
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
     let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material));
-    let (lifts, presses) = (Light::of(lift / thickness, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
+    let presses = pressure > PRESSURE * strength;
     let mut text = format!("lifted by {{}} at most; presses with {} at first", Amount::stress(pressure));
     if last.rim_share > RIM_SHARE {
         text += &format!("; at the end it sits on the outer {} only", Amount::size(StepRecord::RIM * thickness));
     }
     let [lifted, off] = [LIFTED, OFF].map(|times| Amount::thickness(times * thickness));
-    Some(
-        Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(text, 0))
-            .number(Amount::thickness(lift))
-            .limit(format!("lifted by {lifted}, red above {off}; {}", Amount::stress(PRESSURE * strength)))
-            .at_most(LIFTED * thickness, OFF * thickness)
-            .advice(match presses {
-                Light::Green => "more holder force; a larger die shoulder raises the flange less",
-                _ => "less holder force: the flange is squeezed thinner",
-            }),
-    )
+    let limit = format!("lifted by {lifted}, red above {off}; {}", Amount::stress(PRESSURE * strength));
+    let judged = Finding::judged("holder", "Holder", run.of_stage(text, 0)).number(Amount::thickness(lift));
+    let judged = judged.at_most(limit, LIFTED * thickness, OFF * thickness);
+    let light = judged.light.max(if presses { Light::Amber } else { Light::Green });
+    Some(judged.light(light).advice(match presses {
+        false => "more holder force; a larger die shoulder raises the flange less",
+        true => "less holder force: the flange is squeezed thinner",
+    }))
 }
 
-/// Holder that is lifted far while there is a flange to be held.
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     let (lift, thickness) = (holder_lift(stage)?, stage.model.blank.thickness);
     let most = LIFTED * thickness;
     (lift > most).then(|| {
         let text = "the holder is lifted by {} at most: the flange thickens or rises under it";
         let warning = Finding::warning("holder_lift", "Holder", text).number(Amount::thickness(lift));
-        warning.limit(Amount::thickness(most)).at_most(most, None)
+        warning.at_most(Amount::thickness(most), most, None)
     })
 }
 
@@ -101,54 +97,26 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     let [begin, end] = [from, to].map(Amount::place);
     let text =
         format!("the holder rests on its distance blocks from {begin} to {end} of travel, and does not hold the sheet");
-    Some(
-        Finding::warning("holder_rests", "Distance blocks", text)
-            .number(Amount::place(to - from))
-            .limit(format!("{} of the travel", Amount::given_share(RESTS)))
-            .at_most(RESTS * travel, None),
-    )
+    let warning = Finding::warning("holder_rests", "Distance blocks", text).number(Amount::place(to - from));
+    Some(warning.at_most(format!("{} of the travel", Amount::given_share(RESTS)), RESTS * travel, None))
 }
 
 /// Part of the travel in which the holder rests on its blocks \[mm\], if it is a large one.
 fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
-    let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
-    let (mut longest, mut since) = ([0.0; 2], None);
-    for (i, record) in history.iter().enumerate() {
-        since = if rests_on_blocks(&history[i]) { since.or(Some(begins(i))) } else { None };
-        if let Some(from) = since.filter(|from| record.travel - from > longest[1] - longest[0]) {
+    let (mut longest, mut from) = ([0.0; 2], 0.0);
+    for record in history {
+        from = if rests_on_blocks(record) { from } else { record.travel };
+        if record.travel - from > longest[1] - longest[0] {
             longest = [from, record.travel];
         }
     }
     (longest[1] - longest[0] > RESTS * travel).then_some(longest)
 }
 
-/// Tool that the sheet has left, and that stands still from there on.
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
     let text = format!("the sheet left the {tool} at {{}} of travel; the {tool} stands still from there on");
     let warning = Finding::warning("holder_lost", "Holder", text).number(Amount::place(travel));
-    Some(warning.limit("the whole travel").at_least(stage.model.travel, None))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: by construction.
-    #[test]
-    fn a_holder_that_rests_on_its_blocks_for_long_is_said() {
-        let history = |borne: [f64; 4]| {
-            let record = |(i, block_force)| StepRecord {
-                travel: (i + 1) as f64,
-                block_force,
-                holder_force: 100.0 - block_force,
-                ..StepRecord::default()
-            };
-            borne.into_iter().enumerate().map(record).collect::<Vec<_>>()
-        };
-        assert_eq!(resting(4.0, &history([90.0, 0.0, 100.0, 60.0])), Some([2.0, 4.0]));
-        assert_eq!(resting(4.0, &history([40.0, 0.0, 10.0, 0.0])), None);
-        assert_eq!(resting(20.0, &history([100.0, 0.0, 0.0, 100.0])), None);
-    }
+    Some(warning.at_least("the whole travel", stage.model.travel, None))
 }

@@ -18,7 +18,6 @@ const FAR: f64 = 0.5;
 const NEAR_ENOUGH: f64 = 10.0;
 const OWN: &str = "the case's material";
 
-/// Hardening of one sheet with the r̄ of another.
 pub(super) fn mixed(case: &Case) -> Option<Finding> {
     let sheets = case.sources.sheets.as_ref()?;
     let library = sheets.library.clone();
@@ -29,7 +28,6 @@ pub(super) fn mixed(case: &Case) -> Option<Finding> {
     Some(warning.advice("take one sheet: --material NAME, or [material] with `name` alone"))
 }
 
-/// Thickness of the blank, compared with that of the measured sheet.
 pub(super) fn thickness(case: &Case) -> Option<Finding> {
     let of = case.sources.thickness.as_ref()?;
     let t = case.model().blank.thickness;
@@ -53,7 +51,6 @@ pub(super) fn is_weak(model: &Model) -> bool {
     tensile_strength(&model.material) < STRENGTHS[0] && model.material.rate.is_none()
 }
 
-/// Tensile strength that no sheet metal has.
 pub(super) fn strength(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
     let too_strong = strength > STRENGTHS[1];
@@ -61,21 +58,21 @@ pub(super) fn strength(model: &Model) -> Option<Finding> {
         return None;
     }
     let [low, high] = STRENGTHS.map(Amount::given_stress);
+    let limit = format!("{low} to {high}");
     let warning = Finding::warning("strength", "Tensile strength", "no sheet metal has a tensile strength of {}");
-    let warning = warning.number(Amount::stress(strength)).limit(format!("{low} to {high}"));
+    let warning = warning.number(Amount::stress(strength));
     let warning = match too_strong {
-        true => warning.at_most(STRENGTHS[1], None),
-        false => warning.at_least(STRENGTHS[0], None),
+        true => warning.at_most(limit, STRENGTHS[1], None),
+        false => warning.at_least(limit, STRENGTHS[0], None),
     };
     Some(warning.advice("check the unit of the law's stresses"))
 }
 
-/// Hardening table that ends at a small strain.
 pub(super) fn short(model: &Model) -> Option<Finding> {
     let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
     let text = "the hardening table ends at a strain of {}; beyond it the law is extrapolated";
     let warning = Finding::warning("short_table", "Hardening law", text).number(Amount::number(strain));
-    Some(warning.limit(format!("{} at least", Amount::number(FAR))).at_least(FAR, None))
+    Some(warning.at_least(format!("{} at least", Amount::number(FAR)), FAR, None))
 }
 
 /// Largest equivalent strain of a stage \[–\].
@@ -83,26 +80,21 @@ fn reached(stage: &StageSolution) -> f64 {
     stage.end.points.iter().map(|point| point.strain).fold(0.0, f64::max)
 }
 
-/// Largest equivalent strain against the range of the hardening law.
 pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let material = &run.stages.last()?.model.material;
     let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
     let range = material.measured_up_to();
-    let light = range.map_or(Light::Grey, |end| Light::within(strain, end));
-    let limit = match range.map(Amount::number) {
-        Some(end) if material.fitted_up_to.is_some() => format!("it is fitted up to {end}"),
-        Some(end) => format!("its table ends at {end}"),
-        None => "a formula: the range of its fit is not in the case".into(),
+    let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}").source(OWN);
+    let judged = judged.number(Amount::strain(strain));
+    let Some(end) = range else {
+        let judged = judged.light(Light::Grey).limit("a formula: the range of its fit is not in the case");
+        return Some(judged.advice("write the range of the fit as [material] fitted_up_to"));
     };
-    let judged = Finding::judged("hardening_range", "Hardening law", light, "used up to a true strain of {}");
-    let judged = judged.number(Amount::strain(strain)).limit(limit).source(OWN);
-    Some(match range {
-        Some(_) => judged.at_most(range, None).advice("add points at larger strains, from a bulge test"),
-        None => judged.advice("write the range of the fit as [material] fitted_up_to"),
-    })
+    let ends = if material.fitted_up_to.is_some() { "it is fitted up to" } else { "its table ends at" };
+    let judged = judged.at_most(format!("{ends} {}", Amount::number(end)), end, None);
+    Some(judged.advice("add points at larger strains, from a bulge test"))
 }
 
-/// Stage that strains the sheet beyond the range of its hardening law.
 pub(super) fn extrapolated(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
     let strain = reached(stage);
@@ -112,10 +104,9 @@ pub(super) fn extrapolated(stage: &StageSolution) -> Option<Finding> {
     let range = if material.fitted_up_to.is_some() { "law is fitted up to" } else { "table ends at" };
     let text = format!("the hardening {range} a strain of {to}; the run extrapolates it to {{}}");
     let warning = Finding::warning("extrapolated", "Hardening law", text).number(Amount::strain(strain));
-    Some(warning.limit(to).at_most(end, None).source(OWN))
+    Some(warning.at_most(to, end, None).source(OWN))
 }
 
-/// Sheet that is colder or hotter than its hardening curves.
 pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
     let [cold, hot] = stage.model.material.hardening.temperatures()?;
@@ -126,10 +117,10 @@ pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
         let limit = format!("{} to {}", Amount::temperature(cold), Amount::temperature(hot));
         let text =
             format!("hardening is given from {limit}; the sheet reaches {{}}, where the outermost curve is used");
-        let warning = Finding::warning("temperature_range", "Hardening law", text).limit(limit).source(OWN);
+        let warning = Finding::warning("temperature_range", "Hardening law", text).source(OWN);
         match hottest > hot {
-            true => warning.number(Amount::temperature(hottest)).at_most(hot, None),
-            false => warning.number(Amount::temperature(coldest)).at_least(cold, None),
+            true => warning.number(Amount::temperature(hottest)).at_most(limit, hot, None),
+            false => warning.number(Amount::temperature(coldest)).at_least(limit, cold, None),
         }
     })
 }

@@ -1,6 +1,6 @@
 //! Assessment of a case, before and after it is solved: [`Finding`]s, made here and nowhere else.
 //!
-//! A new finding is a file here and a line in `BEFORE` or `AFTER`. Each rule has one constant with its source; a rule without
+//! A new finding is a file here and a line in one of the lists below. Each rule has one constant with its source; a rule without
 //! a source that could be read is called a declared rule of thumb.
 
 mod answer;
@@ -45,91 +45,77 @@ use crate::solver::solution::StageSolution;
 use forming_limit::Nearest;
 use run::Run;
 
-/// Finding before the run.
-enum Before {
-    /// On the case.
-    Case(fn(&Case) -> Option<Finding>),
-    /// On the first stage.
-    Model(fn(&Model) -> Option<Finding>),
-    /// On each of its tools.
-    Tool(fn(&Model, &Tool) -> Option<Finding>),
-}
-
-/// Finding after the run.
-enum After {
-    /// On all stages together.
-    Run(fn(&Run) -> Option<Finding>),
-    /// On each stage.
-    Stage(fn(&StageSolution) -> Option<Finding>),
-}
-
 /// Findings on a case, in the order of output.
-const BEFORE: &[Before] = &[
-    Before::Case(material::mixed),
-    Before::Case(material::thickness),
-    Before::Model(material::strength),
-    Before::Model(closing::closes),
-    Before::Model(closing::bead),
-    Before::Model(holder::idle),
-    Before::Model(holder::crushing),
-    Before::Tool(bends::tool_radius),
-    Before::Tool(friction::dry),
-    Before::Tool(bends::sharp_corner),
-    Before::Tool(solution_quality::line_end),
-    Before::Model(clearance::narrow),
-    Before::Model(solution_quality::mesh),
-    Before::Model(draw::ratio),
-    Before::Model(draw::blank_area),
-    Before::Model(material::short),
+const ON_CASE: [fn(&Case) -> Option<Finding>; 2] = [material::mixed, material::thickness];
+
+/// Findings on the first stage.
+const ON_MODEL: [fn(&Model) -> Option<Finding>; 10] = [
+    material::strength,
+    closing::closes,
+    closing::bead,
+    holder::idle,
+    holder::crushing,
+    clearance::narrow,
+    solution_quality::mesh,
+    draw::ratio,
+    draw::blank_area,
+    material::short,
 ];
 
+/// Findings on each tool of the first stage.
+const ON_TOOL: [fn(&Model, &Tool) -> Option<Finding>; 4] =
+    [bends::tool_radius, friction::dry, bends::sharp_corner, solution_quality::line_end];
+
 /// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
-const AFTER: &[After] = &[
-    After::Stage(draw::trim),
-    After::Run(stop::judge),
-    After::Run(thinning::judge),
-    After::Run(thinning::localisation),
-    After::Stage(thinning::neck_seen),
-    After::Run(forming_limit::margin),
-    After::Run(forming_limit::paths),
-    After::Run(bottom_tearing::judge),
-    After::Run(draw::redraw),
-    After::Run(wrinkling::judge),
-    After::Run(wrinkling::wall),
-    After::Run(press::force),
-    After::Run(press::energy),
-    After::Run(holder::judge),
-    After::Run(clearance::judge),
-    After::Run(clearance::ironing),
-    After::Run(springback::judge),
-    After::Run(draw::ears),
-    After::Run(bends::radius),
-    After::Run(bends::strength),
-    After::Run(yield_condition::judge),
-    After::Run(material::hardening),
-    After::Run(friction::judge),
-    After::Run(solution_quality::judge),
-    After::Stage(solution_quality::poor),
-    After::Stage(material::extrapolated),
-    After::Stage(material::temperature),
-    After::Stage(stop::contact_share),
-    After::Stage(closing::stays_open),
-    After::Stage(holder::lifted),
-    After::Stage(holder::rests),
-    After::Stage(holder::lost),
-    After::Stage(solution_quality::yields_again),
+const ON_RUN: [fn(&Run) -> Option<Finding>; 22] = [
+    stop::judge,
+    thinning::judge,
+    thinning::localisation,
+    forming_limit::margin,
+    forming_limit::paths,
+    bottom_tearing::judge,
+    draw::redraw,
+    wrinkling::judge,
+    wrinkling::wall,
+    press::force,
+    press::energy,
+    holder::judge,
+    clearance::judge,
+    clearance::ironing,
+    springback::judge,
+    draw::ears,
+    bends::radius,
+    bends::strength,
+    yield_condition::judge,
+    material::hardening,
+    friction::judge,
+    solution_quality::judge,
+];
+
+/// Findings on each solved stage, in the order of output.
+const ON_STAGE: [fn(&StageSolution) -> Option<Finding>; 11] = [
+    draw::trim,
+    thinning::neck_seen,
+    solution_quality::poor,
+    material::extrapolated,
+    material::temperature,
+    stop::contact_share,
+    closing::stays_open,
+    holder::lifted,
+    holder::rests,
+    holder::lost,
+    solution_quality::yields_again,
 ];
 
 /// Assumptions made while a case was read, and warnings before it is solved.
 pub fn before(case: &Case) -> Vec<Finding> {
-    let sizes = SIZE_CHECKS.iter().filter_map(|check| check(case.model()));
-    let findings = BEFORE.iter().flat_map(|finding| match finding {
-        Before::Case(ask) => ask(case).into_iter().collect(),
-        Before::Model(ask) => ask(case.model()).into_iter().collect(),
-        Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
-    });
+    let model = case.model();
     let assumed = case.derived.iter().cloned().map(Finding::assumed);
-    assumed.chain(sizes).chain(findings).map(|finding| Finding { when: When::Before, ..finding }).collect()
+    let on_case = ON_CASE.iter().filter_map(|find| find(case));
+    let on_model = SIZE_CHECKS.iter().chain(&ON_MODEL).filter_map(|find| find(model));
+    let on_tools = ON_TOOL.iter().flat_map(|find| model.tools.iter().filter_map(|tool| find(model, tool)));
+    let findings = assumed.chain(on_case).chain(on_model).chain(on_tools);
+    findings.map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 
 /// Verdict on a solved case, and the warnings of every stage.
@@ -143,12 +129,8 @@ pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> 
 }
 
 fn on_run(run: &Run) -> Vec<Finding> {
-    let findings = AFTER.iter().flat_map(|finding| match finding {
-        After::Run(ask) => ask(run).into_iter().collect::<Vec<_>>(),
-        After::Stage(_) => Vec::new(),
-    });
     let of_stages = run.stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
-    findings.chain(of_stages).collect()
+    ON_RUN.iter().filter_map(|find| find(run)).chain(of_stages).collect()
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first stage, also the warnings before the
@@ -168,9 +150,6 @@ pub fn warnings(stage: &StageSolution) -> Vec<String> {
 
 /// Warnings on the `i`-th stage of a case, counted from 0.
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
-    let findings = AFTER.iter().filter_map(|finding| match finding {
-        After::Run(_) => None,
-        After::Stage(ask) => ask(stage),
-    });
+    let findings = ON_STAGE.iter().filter_map(|find| find(stage));
     findings.map(|finding| Finding { stage: Some(i), ..finding }).collect()
 }

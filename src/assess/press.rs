@@ -48,7 +48,6 @@ impl<'a> Load<'a> {
     }
 }
 
-/// Largest force of punch and holder together, and its travel, over all stages.
 pub(super) fn force(run: &Run) -> Option<Finding> {
     let load = Load::largest(run.stages)?;
     let unit = load.on.model.extent().force_unit();
@@ -64,7 +63,6 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     Some(rated("press_force", "Press force", text, Amount::force(load.force(), unit), run.case.press.force))
 }
 
-/// External work of the stroke that needs most of it.
 pub(super) fn energy(run: &Run) -> Option<Finding> {
     let unit = run.stages.first()?.model.extent().energy_unit();
     let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
@@ -79,20 +77,13 @@ fn per_depth(unit: Unit) -> &'static str {
     if matches!(unit, Unit::N | Unit::Joule) { "" } else { " of depth" }
 }
 
-/// Load against the press's rating, if the case has it.
 fn rated(key: &'static str, label: &'static str, text: String, load: Amount, rating: Option<f64>) -> Finding {
-    let light = rating.map_or(Light::Grey, |rating| Light::of(load.value, [NEAR * rating, rating]));
-    let judged = Finding::judged(key, label, light, text).number(load).source("the press's data sheet");
-    match rating {
-        Some(rating) => judged
-            .limit(format!("{}{}", load.of(rating), per_depth(load.unit)))
-            .at_most(NEAR * rating, rating)
-            .advice("a stronger press; less friction or holder force, a smaller blank, a thinner sheet"),
-        None => judged.limit("the press's rating, not in the case").advice(match load.unit {
-            Unit::NPerMm | Unit::JoulePerMm => {
-                "give blank.depth, and [press] force and energy: the ratings on its data sheet"
-            }
-            _ => "give [press] force and energy: the ratings on its data sheet",
-        }),
-    }
+    let judged = Finding::judged(key, label, text).number(load).source("the press's data sheet");
+    let Some(rating) = rating else {
+        let depth = if per_depth(load.unit).is_empty() { "" } else { "blank.depth, and " };
+        let advice = format!("give {depth}[press] force and energy: the ratings on its data sheet");
+        return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
+    };
+    let judged = judged.at_most(format!("{}{}", load.of(rating), per_depth(load.unit)), NEAR * rating, rating);
+    judged.advice("a stronger press; less friction or holder force, a smaller blank, a thinner sheet")
 }

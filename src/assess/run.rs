@@ -5,7 +5,6 @@ use crate::case::Case;
 use crate::measure::events;
 use crate::solver::solution::{StageSolution, StepRecord};
 
-/// A case with its solved stages.
 pub(super) struct Run<'a> {
     pub case: &'a Case,
     pub stages: &'a [StageSolution],
@@ -21,7 +20,6 @@ impl Run<'_> {
         if self.stages.len() > 1 { format!("{text}, stage {}", i + 1) } else { text }
     }
 
-    /// Every step of every stage.
     pub fn steps(&self) -> impl Iterator<Item = &StepRecord> {
         self.stages.iter().flat_map(|stage| &stage.steps)
     }
@@ -38,14 +36,6 @@ pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
     let here = events.iter().find(|event| event.travel > begins && event.travel <= peak.travel);
     here.map_or_else(String::new, |event| format!("({event})", event = event.kind.label()))
-}
-
-/// Strain of all steps below which a stage forms nothing \[–\]: shares of its work are meaningless.
-const FORMED: f64 = 2e-3;
-
-/// Whether a stage strains the sheet enough for shares of its work.
-pub(super) fn forms(stage: &StageSolution) -> bool {
-    stage.steps.iter().map(|step| step.strain_increment).sum::<f64>() > FORMED
 }
 
 /// Largest of a figure over a stage, or 0.

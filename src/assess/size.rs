@@ -38,62 +38,48 @@ pub fn across(model: &Model) -> f64 {
     2.0 * model.blank.length
 }
 
-/// Width of the blank, compared with those of stampings.
 fn width(model: &Model) -> Option<Finding> {
-    let across = across(model);
+    let width = across(model);
     let limit = format!("{} to {}", Amount::size(*WIDTHS.start()), Amount::size(*WIDTHS.end()));
     let text = "the blank is {} wide, which is odd for a stamping";
-    (!WIDTHS.contains(&across)).then(|| {
-        let warning = Finding::warning("width", "Width", text).number(Amount::size(across)).limit(limit);
-        warning.advice("is the unit of its size right?")
-    })
+    let warning = Finding::warning("width", "Width", text).number(Amount::size(width)).limit(limit);
+    (!WIDTHS.contains(&width)).then(|| warning.advice("is the unit of its size right?"))
 }
 
-/// Thickness, compared with that of foil.
 fn thickness(model: &Model) -> Option<Finding> {
     let thickness = model.blank.thickness;
-    let limit = format!("{} or more", Amount::size(THINNEST));
-    (thickness < THINNEST).then(|| {
-        let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, thinner than foil");
-        warning.number(Amount::size(thickness)).limit(limit).advice("is the unit of its thickness right?")
-    })
+    let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, thinner than foil");
+    let warning = warning.number(Amount::size(thickness)).limit(format!("{} or more", Amount::size(THINNEST)));
+    (thickness < THINNEST).then(|| warning.advice("is the unit of its thickness right?"))
 }
 
-/// Width over thickness.
 fn slender(model: &Model) -> Option<Finding> {
     let ratio = across(model) / model.blank.thickness;
-    (ratio > SLENDER).then(|| {
-        Finding::warning("slenderness", "Width over thickness", "the blank is {} thicknesses wide")
-            .number(Amount::number(significant(ratio, 3)))
-            .limit(format!("{} at most", Amount::number(SLENDER)))
-            .advice("are the units of its size and its thickness right?")
-    })
+    let warning = Finding::warning("slenderness", "Width over thickness", "the blank is {} thicknesses wide");
+    let warning = warning.number(Amount::number(significant(ratio, 3))).limit(at_most(SLENDER));
+    (ratio > SLENDER).then(|| warning.advice("are the units of its size and its thickness right?"))
 }
 
-/// Radius of a blank that one draw cannot reach, but half of it can.
 fn blank_diameter(model: &Model) -> Option<Finding> {
     let ratio = draw_ratio(model).filter(|ratio| (TWICE..=2.0 * LIMITING_RATIO).contains(ratio))?;
     let [radius, half] = [1.0, 0.5].map(|share| Amount::size(share * model.blank.length));
     let text = format!("the blank's radius of {radius} is {{}} times the punch's");
-    Some(
-        Finding::warning("blank_diameter", "Blank", text)
-            .number(Amount::ratio(ratio))
-            .limit(format!("{} at most", Amount::number(LIMITING_RATIO)))
-            .advice(format!("is {radius} the diameter? Then the radius is {half}")),
-    )
+    let warning = Finding::warning("blank_diameter", "Blank", text).number(Amount::ratio(ratio));
+    let advice = format!("is {radius} the diameter? Then the radius is {half}");
+    Some(warning.limit(at_most(LIMITING_RATIO)).advice(advice))
 }
 
-/// Throat far wider than punch and sheet, where half of it would fit.
 fn throat_diameter(model: &Model) -> Option<Finding> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
     let (radius, throat, t) = (extent(punch).1, throat(die)?, model.blank.thickness);
     let (gap, of_half) = ((throat - radius) / t, (0.5 * throat - radius) / t);
     let [throat, half] = [1.0, 0.5].map(|share| Amount::size(share * throat));
-    (gap > WIDE && CLEARANCES.contains(&of_half)).then(|| {
-        let text = format!("between punch and die's throat of {throat} there is room for {{}} sheets");
-        Finding::warning("throat_diameter", "Throat", text)
-            .number(Amount::number(significant(gap, 3)))
-            .limit(format!("{} at most", Amount::number(WIDE)))
-            .advice(format!("is {throat} the diameter, or the whole width? Half of it is {half}"))
-    })
+    let text = format!("between punch and die's throat of {throat} there is room for {{}} sheets");
+    let warning = Finding::warning("throat_diameter", "Throat", text).number(Amount::number(significant(gap, 3)));
+    let advice = format!("is {throat} the diameter, or the whole width? Half of it is {half}");
+    (gap > WIDE && CLEARANCES.contains(&of_half)).then(|| warning.limit(at_most(WIDE)).advice(advice))
+}
+
+fn at_most(limit: f64) -> String {
+    format!("{} at most", Amount::number(limit))
 }

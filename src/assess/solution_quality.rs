@@ -1,15 +1,16 @@
 //! Quality of the numerical solution: energy balance, nearly rigid zones, penetration, bending moments, mesh.
 
-use super::finding::ACCURACY;
-use super::run::{Run, forms, largest};
-use super::{Finding, Light};
+use super::Finding;
+use super::run::{Run, largest};
 use crate::assess::estimate;
 use crate::measure::moment_error;
 use crate::model::{ContactMethod, Mode, Model, Role, Settings, Tool};
-use crate::solver::solution::StageSolution;
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::units::{Amount, Digits, Unit};
 
-/// Numerical error that is checked.
+/// Source of limits on the solution itself.
+const ACCURACY: &str = "declared accuracy of the solver";
+
 struct Check {
     text: &'static str,
     advice: &'static str,
@@ -24,16 +25,13 @@ const CHECKS: [Check; 4] = [
         text: "{} of the tools' work is missing in the balance",
         advice: "take smaller steps (solver.max_step)",
         limit: 0.01,
-        of: |stage| stage.steps.last().filter(|_| forms(stage)).map(|step| step.work.imbalance().abs()),
+        of: |stage| Some(formed(stage)?.work.imbalance().abs()),
     },
     Check {
         text: "{} of the plastic work is done in nearly rigid zones, where stresses are not the true ones",
         advice: "take a smaller solver.cutoff_strain",
         limit: 0.05,
-        of: |stage| {
-            let work = stage.steps.last().filter(|_| forms(stage))?.work;
-            (work.plastic > 0.0).then(|| work.cutoff / work.plastic)
-        },
+        of: |stage| formed(stage).filter(|end| end.work.plastic > 0.0).map(|end| end.work.cutoff / end.work.plastic),
     },
     Check {
         text: "tools sink into the sheet by {} of its thickness",
@@ -52,27 +50,24 @@ const CHECKS: [Check; 4] = [
     },
 ];
 
-impl Check {
-    /// Largest share over all stages \[–\].
-    fn over(&self, run: &Run) -> Option<f64> {
-        run.stages.iter().filter_map(self.of).reduce(f64::max)
-    }
+/// Strain of all steps below which a stage forms nothing \[–\]: shares of its work are meaningless.
+const FORMED: f64 = 2e-3;
+
+/// Last step of a stage that forms the sheet.
+fn formed(stage: &StageSolution) -> Option<&StepRecord> {
+    let strain: f64 = stage.steps.iter().map(|step| step.strain_increment).sum();
+    stage.steps.last().filter(|_| strain > FORMED)
 }
 
-/// Worst of the numerical errors, over its limit.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
     let shares = CHECKS.iter().enumerate().filter_map(|(i, check)| {
-        let share = if i == 0 { Some(missing_work(run)) } else { check.over(run) };
-        Some((check, share?))
+        let worst = || run.stages.iter().filter_map(check.of).reduce(f64::max);
+        Some((check, if i == 0 { missing_work(run) } else { worst()? }))
     });
     let (check, share) = shares.max_by(|(a, x), (b, y)| (x / a.limit).total_cmp(&(y / b.limit)))?;
-    Some(
-        Finding::judged("solution_quality", "Solution quality", Light::within(share, check.limit), check.text)
-            .share(share, check.limit)
-            .source(ACCURACY)
-            .advice(check.advice),
-    )
+    let judged = Finding::judged("solution_quality", "Solution quality", check.text).share(share, check.limit);
+    Some(judged.source(ACCURACY).advice(check.advice))
 }
 
 /// Work missing in the balance of any stage over the largest external work of any \[–\].
@@ -131,7 +126,6 @@ pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
 /// Elements per 90° below which the load oscillates as nodes pass a corner, and the advised number \[–\].
 const PER_QUARTER: [f64; 2] = [8.0, 10.0];
 
-/// Elements at the corner that has the fewest.
 pub(super) fn mesh(model: &Model) -> Option<Finding> {
     let [least, advised] = PER_QUARTER;
     let fit = estimate::coarsest_corner(model).filter(|fit| fit.per_quarter < least)?;
@@ -141,13 +135,11 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
         fit.role.name(),
         Amount::size(fit.radius)
     );
-    Some(
-        Finding::warning("mesh", "Mesh", text)
-            .number(Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2)))
-            .limit(format!("{} at least", Amount::number(least)))
-            .at_least(least, None)
-            .advice(format!("take about {elements} elements, which give {}", Amount::number(advised))),
-    )
+    Finding::warning("mesh", "Mesh", text)
+        .number(Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2)))
+        .at_least(format!("{} at least", Amount::number(least)), least, None)
+        .advice(format!("take about {elements} elements, which give {}", Amount::number(advised)))
+        .into()
 }
 
 /// Cosine of a wall's lean up to which it counts as upright, to 2°.
@@ -174,12 +166,10 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
          behind its face: the sheet bends over the end as over a sharp edge",
         tool.role.name()
     );
-    Some(
-        Finding::warning("line_end", "End of a tool", text)
-            .number(Amount::size(depth))
-            .limit(travel)
-            .at_least(model.travel, None)
-            .source("a tool acts only where it is drawn")
-            .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}")),
-    )
+    Finding::warning("line_end", "End of a tool", text)
+        .number(Amount::size(depth))
+        .at_least(travel, model.travel, None)
+        .source("a tool acts only where it is drawn")
+        .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}"))
+        .into()
 }

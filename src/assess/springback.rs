@@ -2,7 +2,7 @@
 
 use super::{Finding, Light, run::Run};
 use crate::case::Springback;
-use crate::geometry::{Piece, Profile};
+use crate::geometry::Piece;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, ShapeMeasure, WALL_ANGLE, changes};
 use crate::model::{Geometry, Mode, Model, Role};
 use crate::solver::solution::Frame;
@@ -15,19 +15,18 @@ const NEAR: f64 = 0.8;
 /// tens of degrees.
 const BESIDE: f64 = 8.0;
 
-/// Measure of the released part against its tolerance.
-struct Judged {
-    change: Change,
+struct Judged<'a> {
+    change: &'a Change,
     wanted: f64,
-    /// Whether the wanted angle is that of the punch's wall.
+    /// True if the wanted angle is that of the punch's wall.
     of_punch: bool,
     /// After less wanted, in the unit of the quantity.
     missed: f64,
     tolerance: f64,
 }
 
-/// Part after its tools are taken away, against its tolerances. The flow law has no elasticity, so plane sections are
-/// not judged.
+/// Part after its tools are taken away, against its tolerances; plane sections of the flow law, without elasticity, are not
+/// judged.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let limits = &run.case.springback;
@@ -46,69 +45,52 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let changes = changes(&shape, &Shape::of(after));
     let punch = punch_wall(&last.model, &changes);
     let judged: Vec<Judged> = limits.of(&changes, punch).collect();
-    if judged.is_empty() {
+    let Some(worst) = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used())) else {
         return unjudged(limits, &changes, punch);
-    }
-    let worst = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used()))?;
-    let over = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted));
+    };
     let less = match run.case.model().tool(Role::Holder) {
         Some(_) => wall_advice(&last.model, before, &shape),
         None => "a smaller radius springs back less".into(),
     };
-    Some(
-        Finding::judged(
-            "springback",
-            "Spring-back",
-            Light::of(worst.used(), [NEAR, 1.0]),
-            joined(judged.iter().map(Judged::text), "; "),
-        )
+    let over = compensation(judged.iter().map(|judged| (judged.change, judged.wanted)));
+    Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text), "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
-        .limit(joined(judged.iter().map(Judged::limit), "; "))
-        .at_most(NEAR * worst.tolerance, worst.tolerance)
+        .at_most(joined(judged.iter().map(Judged::limit), "; "), NEAR * worst.tolerance, worst.tolerance)
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(joined([less, compensated(over)], "; ")),
-    )
+        .advice(joined([less, over], "; "))
+        .into()
 }
 
-/// Spring-back without a tolerance, or without an angle that can be measured.
 fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Option<Finding> {
     if limits.is_given() {
         let advice = "a bend by ten degrees or more, and a straight leg behind it that can be measured";
         return Some(grey("no angle was found to measure", advice));
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-    let changes_text = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
-    let over = changes.iter().filter_map(|change| {
-        // The wall's is half of the opening angle's.
-        let is_told = change.quantity.key != WALL_ANGLE.key;
-        overbend(change, of_punch(change.quantity, punch).or(change.before)?).filter(|_| is_told)
-    });
-    let advice = joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
-    (!changes_text.is_empty()).then(|| grey(changes_text, advice))
+    let text = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
+    // The wall's angle is half of the opening angle.
+    let others = changes.iter().filter(|change| change.quantity.key != WALL_ANGLE.key);
+    let over = others.filter_map(|change| Some((change, of_punch(change.quantity, punch).or(change.before)?)));
+    let advice = joined(["[springback] with the part's tolerance".into(), compensation(over)], "; ");
+    (!text.is_empty()).then(|| grey(text, advice))
 }
 
-fn grey(found: impl Into<String>, advice: impl Into<String>) -> Finding {
-    Finding::judged("springback", "Spring-back", Light::Grey, found)
-        .limit("the part's tolerance, not in the case")
-        .advice(advice)
+fn grey(text: impl Into<String>, advice: impl Into<String>) -> Finding {
+    let judged = Finding::judged("springback", "Spring-back", text).light(Light::Grey);
+    judged.limit("the part's tolerance, not in the case").advice(advice)
 }
 
-/// Angle of the punch's wall to its direction \[°\], where the sheet's wall lies against it.
+/// Angle of the punch's steepest straight wall to its direction \[°\], 0 upright, if the sheet's wall lies against it.
 fn punch_wall(model: &Model, changes: &[Change]) -> Option<f64> {
     let sheet = changes.iter().find(|change| change.quantity.key == WALL_ANGLE.key)?.before?;
-    steepest(&model.tool(Role::Punch)?.profile).filter(|angle| (angle - sheet).abs() < BESIDE)
-}
-
-/// Angle of a profile's steepest straight piece to the punch's direction \[°\]: 0 upright, positive opened.
-fn steepest(profile: &Profile) -> Option<f64> {
-    let angles = profile.pieces().iter().filter_map(|piece| match piece {
+    let angles = model.tool(Role::Punch)?.profile.pieces().iter().filter_map(|piece| match piece {
         Piece::Segment(line) => {
-            let (from, to) = (line.from, line.to);
-            Some((to.x - from.x).atan2((to.y - from.y).abs()) * (from.y - to.y).signum())
+            let along = line.to - line.from;
+            Some((along.x.atan2(along.y.abs()) * -along.y.signum()).to_degrees())
         }
         Piece::Arc(_) => None,
     });
-    angles.map(f64::to_degrees).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    angles.min_by(|a, b| a.abs().total_cmp(&b.abs())).filter(|angle| (angle - sheet).abs() < BESIDE)
 }
 
 /// Target from the punch's wall: its own angle, or that between it and its mirror image.
@@ -122,7 +104,7 @@ fn of_punch(quantity: &ShapeMeasure, wall: Option<f64>) -> Option<f64> {
 
 impl Springback {
     /// Judged measures; `punch` is the angle of its wall \[°\].
-    fn of<'a>(&'a self, changes: &'a [Change], punch: Option<f64>) -> impl Iterator<Item = Judged> + 'a {
+    fn of<'a>(&'a self, changes: &'a [Change], punch: Option<f64>) -> impl Iterator<Item = Judged<'a>> + 'a {
         let limits: [(ShapeMeasure, Option<f64>, Option<f64>); 4] = [
             (OPENING_ANGLE, self.angle, self.tolerance),
             (WALL_ANGLE, self.angle.map(|angle| 0.5 * angle), self.wall_tolerance),
@@ -130,17 +112,16 @@ impl Springback {
             (EDGE, None, self.edge_tolerance),
         ];
         limits.into_iter().filter_map(move |(quantity, given, tolerance)| {
-            let change = *changes.iter().find(|change| change.quantity.key == quantity.key)?;
-            let after = change.after?;
+            let change = changes.iter().find(|change| change.quantity.key == quantity.key)?;
             let punch = of_punch(&quantity, punch).filter(|_| given.is_none());
             let wanted = given.or(punch).or(change.before)?;
-            let of_punch = punch.is_some();
-            Some(Judged { change, wanted, of_punch, missed: after - wanted, tolerance: tolerance? })
+            let missed = change.after? - wanted;
+            Some(Judged { change, wanted, of_punch: punch.is_some(), missed, tolerance: tolerance? })
         })
     }
 }
 
-impl Judged {
+impl Judged<'_> {
     /// Share of the tolerance \[–\].
     fn used(&self) -> f64 {
         self.missed.abs() / self.tolerance
@@ -149,79 +130,45 @@ impl Judged {
     /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
     fn text(&self) -> String {
         let quantity = self.change.quantity;
-        let by = quantity.signed_text(self.missed);
-        let missed = format!("{} {}, off by {by}", quantity.label, self.change);
-        joined([missed, self.each_wall()], ", ")
-    }
-
-    /// Change of one wall; empty for measures that are no angle of a wall.
-    fn each_wall(&self) -> String {
-        let share = match self.change.quantity.key {
+        let missed = format!("{} {}, off by {}", quantity.label, self.change, quantity.signed_text(self.missed));
+        let share = match quantity.key {
             key if key == OPENING_ANGLE.key => 0.5,
             key if key == WALL_ANGLE.key => 1.0,
-            _ => return String::new(),
+            _ => return missed,
         };
-        let Some(change) = self.change.change() else { return String::new() };
-        let by = self.change.quantity.text(share * change.abs());
-        match change < 0.0 {
-            true => format!("each wall closes by {by}"),
-            false => format!("each wall opens by {by}"),
-        }
+        let Some(change) = self.change.change() else { return missed };
+        let verb = if change < 0.0 { "closes" } else { "opens" };
+        format!("{missed}, each wall {verb} by {}", quantity.text(share * change.abs()))
     }
 
     /// `0.0° ± 1.0° of the punch's wall`.
     fn limit(&self) -> String {
         let quantity = self.change.quantity;
-        let (wanted, tolerance) = (quantity.text(self.wanted), quantity.text(self.tolerance));
-        let limit = format!("{wanted} ± {tolerance}");
-        if self.of_punch { format!("{limit} of the punch's wall") } else { limit }
+        let of = if self.of_punch { " of the punch's wall" } else { "" };
+        format!("{} ± {}{of}", quantity.text(self.wanted), quantity.text(self.tolerance))
     }
 }
 
-/// Compensation in the tools.
-enum Overbend {
-    /// Angle under the tools that leaves the wanted one.
-    By(String),
-    /// The wall would have to lie under the punch.
-    Undercut,
-}
-
-/// Angle under the tools that leaves the wanted one, to first order: over-bent by the present spring-back. `None` for
-/// measures that are no angle of a tool.
-fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
-    let quantity = change.quantity;
-    let of_wall = [OPENING_ANGLE.key, WALL_ANGLE.key].contains(&quantity.key);
-    let back = change.change().filter(|_| of_wall || quantity.key == FLANGE_ANGLE.key)?;
-    let angle = wanted - back;
-    // To the displayed digit: 0.0° is upright.
-    if of_wall && back > 0.0 && quantity.text(angle) != quantity.text(angle.max(0.0)) {
-        return Some(Overbend::Undercut);
-    }
-    let (angle, by) = (quantity.text(angle), quantity.text(back.abs()));
-    Some(Overbend::By(format!("{} {angle}, over-bent by {by}", quantity.label)))
-}
-
-/// Advice on compensation; empty without an angle.
-fn compensated(over: impl Iterator<Item = Overbend>) -> String {
-    let mut angles = Vec::new();
-    let mut undercut = String::new();
-    for over in over {
-        match over {
-            Overbend::By(angle) => angles.push(angle),
-            Overbend::Undercut => {
-                undercut = "a straight punch cannot bend past upright: restrike, a cam or more tension".into();
-            }
+/// Angles under the tools that leave the wanted ones, to first order: over-bent by the present spring-back. Empty without an
+/// angle of a tool.
+fn compensation<'a>(angles: impl Iterator<Item = (&'a Change, f64)>) -> String {
+    let (mut undercut, mut over) = ("", Vec::new());
+    for (change, wanted) in angles {
+        let quantity = change.quantity;
+        let of_wall = [OPENING_ANGLE.key, WALL_ANGLE.key].contains(&quantity.key);
+        let Some(back) = change.change().filter(|_| of_wall || quantity.key == FLANGE_ANGLE.key) else { continue };
+        let [angle, upright, by] = [wanted - back, (wanted - back).max(0.0), back.abs()].map(|a| quantity.text(a));
+        // To the displayed digit: 0.0° is upright.
+        if of_wall && back > 0.0 && angle != upright {
+            undercut = "a straight punch cannot bend past upright: restrike, a cam or more tension";
+        } else {
+            over.push(format!("{} {angle}, over-bent by {by}", quantity.label));
         }
     }
-    let over = joined(angles, "; ");
-    if over.is_empty() {
-        return undercut;
-    }
-    let advice = format!("or over-bend: {over}; a first estimate, so run again and go on by what is left");
-    joined([undercut, advice], "; ")
+    let advice = format!("or over-bend: {}; a first estimate, so run again and go on by what is left", over.join("; "));
+    joined([undercut.into(), if over.is_empty() { String::new() } else { advice }], "; ")
 }
 
-/// Effect of tension on a wall's spring-back, with the wall's tension under the tools.
 fn wall_advice(model: &Model, frame: &Frame, shape: &Shape) -> String {
     let carried = wall_tension(model, frame, shape).map_or_else(String::new, |share| {
         format!("Wall tension is {} of what would straighten it", Amount::share(share))

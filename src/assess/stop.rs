@@ -25,12 +25,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let at = if stages > 1 { format!("stage {} of {stages}", run.stages.len()) } else { String::new() };
     let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
     let closing = if closes { "while the holder closes".into() } else { String::new() };
-    Some(
-        Finding::judged("stop", "Run", light, joined([at, closing, text], ": "))
-            .limit("reaches its end")
-            .source("the solver")
-            .advice(advice(run, last)),
-    )
+    Finding::judged("stop", "Run", joined([at, closing, text], ": "))
+        .light(light)
+        .limit("reaches its end")
+        .source("the solver")
+        .advice(advice(run, last))
+        .into()
 }
 
 fn advice(run: &Run, last: &StageSolution) -> String {
@@ -69,12 +69,10 @@ pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
     let wanted = stage.model.stop.contact_share.filter(|_| !matches!(stage.stop, Stop::ContactShare { .. }))?;
     let limit = Amount::given_share(wanted);
     let text = format!("{{}} of the sheet lies on its tools at the end, not the {limit} that were to end the run");
-    Some(
-        Finding::warning("contact_share", "Contact", text)
-            .number(Amount::share(share))
-            .limit(limit)
-            .at_least(100.0 * wanted, None)
-            .source("the case's stop.contact_share")
-            .advice("give more time, travel or pressure"),
-    )
+    Finding::warning("contact_share", "Contact", text)
+        .number(Amount::share(share))
+        .at_least(limit, 100.0 * wanted, None)
+        .source("the case's stop.contact_share")
+        .advice("give more time, travel or pressure")
+        .into()
 }

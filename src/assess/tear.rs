@@ -7,7 +7,6 @@ use crate::model::Geometry;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, joined};
 
-/// Location and instant of a tear.
 pub(super) struct Tear<'a> {
     stage: usize,
     on: &'a StageSolution,
@@ -19,25 +18,26 @@ pub(super) struct Tear<'a> {
 
 /// Tear where the forming limit is first reached, else where the run ended by one.
 pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
-    let limit = || {
-        let nearest = Nearest::of(stages)?;
-        let reached = nearest.assessment.reached?;
-        let stage = stages.iter().position(|stage| std::ptr::eq(stage, nearest.stage))?;
-        let travel = (nearest.stage.model.travel > 0.0).then_some(reached.travel);
-        Some(Tear { stage, on: nearest.stage, travel, s0: Some(reached.s0) })
-    };
-    let ended = || {
-        stages.iter().enumerate().find_map(|(stage, on)| {
-            let (travel, s0) = match on.stop {
-                Stop::Localised { travel, s0, .. } | Stop::Coalesced { travel, s0, .. } => (Some(travel), Some(s0)),
-                Stop::LoadMaximum { travel, .. } => (Some(travel), thinnest(on).map(|(_, s0)| s0)),
-                Stop::PressureMaximum { s0, .. } => (None, Some(s0)),
-                _ => return None,
-            };
-            Some(Tear { stage, on, travel, s0 })
-        })
-    };
-    limit().or_else(ended)
+    if let Some((on, reached)) =
+        Nearest::of(stages).and_then(|nearest| Some((nearest.stage, nearest.assessment.reached?)))
+    {
+        let stage = stages.iter().position(|stage| std::ptr::eq(stage, on))?;
+        return Some(Tear {
+            stage,
+            on,
+            travel: (on.model.travel > 0.0).then_some(reached.travel),
+            s0: Some(reached.s0),
+        });
+    }
+    stages.iter().enumerate().find_map(|(stage, on)| {
+        let (travel, s0) = match on.stop {
+            Stop::Localised { travel, s0, .. } | Stop::Coalesced { travel, s0, .. } => (Some(travel), Some(s0)),
+            Stop::LoadMaximum { travel, .. } => (Some(travel), thinnest(on).map(|(_, s0)| s0)),
+            Stop::PressureMaximum { s0, .. } => (None, Some(s0)),
+            _ => return None,
+        };
+        Some(Tear { stage, on, travel, s0 })
+    })
 }
 
 impl Tear<'_> {
@@ -84,16 +84,12 @@ pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
 
 /// Location on a stage's sheet by its name on the part, and on the flat blank.
 pub(super) fn on_part(stage: &StageSolution, s0: f64) -> String {
-    let s0_text = Amount::place(s0);
-    let blank = match stage.model.geometry {
-        Geometry::Axisymmetric => format!("{s0_text} from the axis on the flat blank"),
-        Geometry::PlaneStrain => format!("{s0_text} from the middle of the flat blank"),
+    let from = match stage.model.geometry {
+        Geometry::Axisymmetric => "from the axis on the flat blank",
+        Geometry::PlaneStrain => "from the middle of the flat blank",
     };
-    match place_on_part(stage, s0) {
-        Some(PartPlace { band, next_to: None, .. }) => format!("{} ({blank})", band.at()),
-        Some(PartPlace { band, next_to: Some(other), .. }) => {
-            format!("{}, next to the {} ({blank})", band.at(), other.name())
-        }
-        None => blank,
-    }
+    let blank = format!("{} {from}", Amount::place(s0));
+    let Some(PartPlace { band, next_to, .. }) = place_on_part(stage, s0) else { return blank };
+    let next_to = next_to.map_or_else(String::new, |other| format!(", next to the {}", other.name()));
+    format!("{}{next_to} ({blank})", band.at())
 }

@@ -31,17 +31,12 @@ pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
     let on_dome = || place_on_part(stage, s0).is_some_and(|place| matches!(place.band, Band::Dome | Band::Unsupported));
     let is_round = model.geometry == Geometry::Axisymmetric && (on_dome() || NoseEnd::of(stage).is_none());
     let holder = model.tool(Role::Holder).is_some() && !wrinkling::needs_holding(run);
-    match (is_round, holder) {
-        (true, true) => {
-            "a smaller blank, less holder force, less friction at die and holder but more at the punch (no oil there)"
-        }
-        (true, false) => "a smaller blank, less friction at die and holder but more at the punch (no oil there)",
-        (false, true) => {
-            "a larger punch nose or die shoulder, a smaller blank, less holder force or friction at die and holder"
-        }
-        (false, false) => "a larger punch nose or die shoulder, a smaller blank, less friction at die and holder",
+    if is_round {
+        let force = if holder { "less holder force, " } else { "" };
+        return format!("a smaller blank, {force}less friction at die and holder but more at the punch (no oil there)");
     }
-    .into()
+    let force = if holder { "holder force or " } else { "" };
+    format!("a larger punch nose or die shoulder, a smaller blank, less {force}friction at die and holder")
 }
 
 /// Largest thinning of the last stage. A forming limit that is kept, or a superplastic metal, allows more.
@@ -51,27 +46,23 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let thinning = 1.0 - last.thinnest / model.blank.thickness;
     let allowed = run.nearest.as_ref().is_some_and(Nearest::is_kept)
         || model.material.rate.is_some_and(|rate| rate.is_superplastic());
-    let most = if allowed { f64::INFINITY } else { REFUSED };
     let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
     let limit = match allowed {
         true => format!("below {careful}"),
         false => format!("below {careful}, at most {refused} unless a forming limit is kept"),
     };
     let text = format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0));
-    Some(
-        Finding::judged("thinning", "Thinning", Light::of(thinning, [CAREFUL, most]), text)
-            .number(Amount::share(thinning))
-            .limit(limit)
-            .at_most(100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
-            .advice(advice(run, run.stages.last()?, last.thinnest_s0)),
-    )
+    Finding::judged("thinning", "Thinning", text)
+        .number(Amount::share(thinning))
+        .at_most(limit, 100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
+        .advice(advice(run, run.stages.last()?, last.thinnest_s0))
+        .into()
 }
 
-/// Neck or coalescence of voids that ended the run, or a sheet too thin to be whole.
 pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let thinnest = last.steps.last()?.thinnest_s0;
-    let judged = |light, text: String| Finding::judged("localisation", "Neck", light, text);
+    let judged = |light, text: String| Finding::judged("localisation", "Neck", text).light(light);
     let finding = match (&last.stop, neck_seen(last)) {
         (stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }), _) => {
             judged(Light::Red, format!("it ended the run: {}", stop.kind()))

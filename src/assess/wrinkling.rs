@@ -23,7 +23,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     draw_ratio(model)?;
     if let Some(gap) = closing::gap_left(first) {
         let text = "not judged: the holder stands open by {}";
-        let judged = Finding::judged("wrinkling", "Wrinkle index", Light::Grey, text).number(Amount::thickness(gap));
+        let judged =
+            Finding::judged("wrinkling", "Wrinkle index", text).number(Amount::thickness(gap)).light(Light::Grey);
         return Some(judged.limit("a holder that is closed on the flange").advice(closing::advice(model)));
     }
     match model.tool(Role::Holder).map(|holder| &holder.motion) {
@@ -41,14 +42,13 @@ pub(super) fn wall(run: &Run) -> Option<Finding> {
         return None;
     }
     let text = "part of the wall hangs free between punch and die";
-    Some(
-        Finding::judged("wall_wrinkles", "Wall wrinkles", Light::Grey, text)
-            .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
-            .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later"),
-    )
+    Finding::judged("wall_wrinkles", "Wall wrinkles", text)
+        .light(Light::Grey)
+        .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
+        .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later")
+        .into()
 }
 
-/// Whether flange or wall may wrinkle with less holder force.
 pub(super) fn needs_holding(run: &Run) -> bool {
     wall(run).is_some() || judge(run).is_some_and(|index| index.light > Light::Green)
 }
@@ -62,10 +62,9 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let [wanted, given] = [advised, pressure].map(Amount::stress);
     let text = format!("{{}}: {wanted} advised over {given}; an axisymmetric run itself cannot wrinkle");
     let limit = format!("1, red above {}", Amount::number(LIMITS[1]));
-    let judged = Finding::judged("wrinkling", "Wrinkle index", Light::of(index, LIMITS), text)
+    let judged = Finding::judged("wrinkling", "Wrinkle index", text)
         .number(Amount::ratio(index))
-        .limit(limit)
-        .at_most(LIMITS[0], LIMITS[1])
+        .at_most(limit, LIMITS[0], LIMITS[1])
         .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb");
     Some(judged.advice(format!(
         "a holder force of {force} or more; if the sheet tears too, a thicker sheet, a smaller blank or one more draw"
@@ -74,22 +73,19 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
 
 fn fixed(gap: f64) -> Finding {
     let text = "holder fixed {} from the die; an axisymmetric run itself cannot wrinkle";
-    Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), text)
+    Finding::judged("wrinkling", "Wrinkle room", text)
         .number(Amount::thicknesses(gap))
-        .limit(format!("at most {}", Amount::given_thicknesses(GAP)))
-        .at_most(GAP, None)
+        .at_most(format!("at most {}", Amount::given_thicknesses(GAP)), GAP, None)
         .advice("a smaller holder gap, or a holder force")
 }
 
-/// Blank without a holder: its width beyond the punch over the thickness.
 fn free(model: &Model) -> Finding {
     let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
     let thicknesses = beyond / model.blank.thickness;
     let [limit, red] = FREE.map(Amount::given_thicknesses);
     let text = "nothing holds the flange: blank less punch diameter is {}; an axisymmetric run itself cannot wrinkle";
-    Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), text)
+    Finding::judged("wrinkling", "Wrinkle index", text)
         .number(Amount::thicknesses(thicknesses))
-        .limit(format!("{limit}, red above {red}"))
-        .at_most(FREE[0], FREE[1])
+        .at_most(format!("{limit}, red above {red}"), FREE[0], FREE[1])
         .advice("give tools.holder a force; `check` says what Siebel's rule advises")
 }

@@ -2,7 +2,7 @@
 
 use super::forming_limit::other_condition;
 use super::tear::tear_sentence;
-use super::{Finding, Light, run::Run};
+use super::{Finding, run::Run};
 use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};
@@ -35,11 +35,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         false => name,
     };
     let least = Amount::number(LEAST);
-    let finding = Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), text)
+    let limit = format!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways");
+    let finding = Finding::judged("yield_condition", "Yield condition", text)
         .number(Amount::number(r))
-        .limit(format!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways"))
         .source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb");
-    Some(if doubtful { finding.at_least(LEAST, None).advice(other_condition()) } else { finding })
+    Some(if doubtful { finding.at_least(limit, LEAST, None).advice(other_condition()) } else { finding.limit(limit) })
 }
 
 /// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.
@@ -72,7 +72,6 @@ fn by_hosford(run: &Run) -> Option<String> {
     ))
 }
 
-/// Stage with Hosford's condition, and the forming limit that follows from it.
 fn with_hosford(mut stage: Stage) -> Stage {
     let material = &mut stage.model.material;
     material.yield_criterion = Hosford::new(material.yield_criterion.ratio(), CRYSTAL.exponent()).into();

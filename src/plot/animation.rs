@@ -1,6 +1,7 @@
 //! Animation: the section coloured by thinning, its tools, and the load.
 
 use super::chart::{Chart, Panel, Series};
+use super::stage_view::spread;
 use super::thinning::{Thinning, exaggeration, thickness_note};
 use super::{StageView, load_travel, raster, sections, svg};
 use crate::solver::solution::Frame;
@@ -21,26 +22,21 @@ const LOAD_HEIGHT: f64 = 130.0;
 /// `shapes.gif`; each picture lasts as long as its frame, so that the tools move evenly.
 pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>)> {
     let pictures = pictures(view, frames, frames.len()).into_iter().map(|chart| svg::svg(&chart));
-    vec![("shapes.gif".to_owned(), raster::gif(pictures, &delays(view, frames)))]
+    let done: Vec<f64> = frames.iter().map(|frame| view.model().progress(frame.time)).collect();
+    let whole = done[done.len() - 1] - done[0];
+    let until_next = done.windows(2).map(|pair| LENGTH * (pair[1] - pair[0]) / whole);
+    let delays: Vec<u16> = until_next.map(|hundredths| hundredths.max(SHORTEST).round() as u16).chain([LAST]).collect();
+    vec![("shapes.gif".to_owned(), raster::gif(pictures, &delays))]
 }
 
 /// At most `most` pictures spread over the frames, the last among them.
 pub fn pictures(view: &StageView, frames: &[&Frame], most: usize) -> Vec<Chart> {
-    let some = most.min(frames.len());
-    (1..=some).map(|i| picture(view, frames, i * frames.len() / some - 1)).collect()
+    spread(frames, most).into_iter().map(|frame| picture(view, frames, frame)).collect()
 }
 
-/// Duration of each picture \[hundredths of a second\].
-fn delays(view: &StageView, frames: &[&Frame]) -> Vec<u16> {
-    let done = |frame: &Frame| view.model().progress(frame.time);
-    let whole = done(frames[frames.len() - 1]) - done(frames[0]);
-    let until_next = frames.windows(2).map(|pair| LENGTH * (done(pair[1]) - done(pair[0])) / whole);
-    until_next.map(|hundredths| hundredths.max(SHORTEST).round() as u16).chain([LAST]).collect()
-}
-
-/// Picture of frame `i`, with the window, scale and axes of the whole animation.
-fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
-    let (model, frame) = (view.model(), frames[i]);
+/// Picture of a frame, with the window, scale and axes of the whole animation.
+fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
+    let model = view.model();
     let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let (value, unit) = view.progress_value(frame);
     let largest = frames.iter().map(|frame| view.progress_value(frame).0).fold(0.0, f64::max);
@@ -50,10 +46,10 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let times = exaggeration(model.blank.thickness, WIDTH / window[0].1);
     let section = sections::panel(model.geometry, window)
         .with(sections::tools(model, Some(frame), window[0].1))
-        .with(thinning.section(frame, times));
+        .with(thinning.section(frame, times, false));
     let panels = [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect();
-    let notes = std::iter::once(thickness_note(times)).chain(view.notes()).collect();
-    Chart::new(format!("{}: {} {at}", view.title, view.progress()), panels, notes)
+    let title = format!("{}: {} {at}", model.title, view.progress());
+    Chart { title, ..view.chart("", panels, [thickness_note(times)]) }
 }
 
 /// Load up to a time, in front of the whole curve; `None` without a load.
@@ -61,11 +57,9 @@ fn load(view: &StageView, time: f64) -> Option<Panel> {
     let mut panel = load_travel::panel(view, LOAD_HEIGHT)?;
     let acts = panel.series.iter().flat_map(|series| &series.points).any(|point| point.1 != 0.0);
     let steps = view.stage.steps.iter().take_while(|step| step.time <= time).count();
-    let whole: Vec<Series> =
-        panel.series.iter().map(|series| Series::silent(series.points.clone(), series.style.faint())).collect();
-    for series in &mut panel.series {
-        series.points.truncate(steps);
-    }
+    let faint = |series: &Series| Series::silent(series.points.clone(), series.style.faint());
+    let whole: Vec<Series> = panel.series.iter().map(faint).collect();
+    panel.series.iter_mut().for_each(|series| series.points.truncate(steps));
     panel.series.splice(..0, whole);
     acts.then_some(panel)
 }

@@ -42,7 +42,7 @@ pub(super) fn panel(view: &StageView, least: f64) -> Option<Panel> {
         Annotation::new(AnnotationKind::Middle, band.band.name(), (*x, high + up * row))
     });
     // The style of the last frame in the panel over the blank.
-    let curve = Series::silent(curve, Style::curve(view.shown_frames().count().saturating_sub(1)));
+    let curve = Series::silent(curve, Style::curve(view.shown_frames().len().saturating_sub(1)));
     let x = Axis::named("Length along the part from its middle", Unit::Mm);
     let panel = Panel::fit(x, THICKNESS.axis(view.extent()), HEIGHT, least);
     Some(panel.with(borders.chain([curve]).chain(leaders)).annotated(texts))

@@ -75,26 +75,26 @@ const EXTENSION: Style = Style::Line { color: GREY, width: 0.8, dash: &[4.0, 3.0
 impl Dimension {
     /// Name in a table: `Punch diameter`.
     pub fn name(&self) -> String {
-        let of = &self.of;
-        match self.size {
-            Size::Diameter => format!("{of} diameter"),
-            Size::Width => format!("{of} width"),
-            Size::Radius(1) => format!("{of} radius"),
-            Size::Radius(count) => format!("{of} radius, {count} times"),
-            Size::Plain => of.clone(),
-        }
+        self.of.clone()
+            + &match self.size {
+                Size::Diameter => " diameter".into(),
+                Size::Width => " width".into(),
+                Size::Radius(1) => " radius".into(),
+                Size::Radius(count) => format!(" radius, {count} times"),
+                Size::Plain => String::new(),
+            }
     }
 
     /// Text on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> String {
-        let Self { of, amount, .. } = self;
-        match self.size {
-            Size::Diameter => format!("{of} Ø {amount}"),
-            Size::Width => format!("{of} width {amount}"),
-            Size::Radius(1) => format!("{of} R {amount}"),
-            Size::Radius(count) => format!("{of} {count} × R {amount}"),
-            Size::Plain => format!("{of} {amount}"),
-        }
+        let sign = match self.size {
+            Size::Diameter => "Ø ".into(),
+            Size::Width => "width ".into(),
+            Size::Radius(1) => "R ".into(),
+            Size::Radius(count) => format!("{count} × R "),
+            Size::Plain => String::new(),
+        };
+        format!("{} {sign}{}", self.of, self.amount)
     }
 }
 
@@ -168,6 +168,10 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
 /// Orders texts so that no two leaders, which end at `side` of their number, cross; each swap shortens both together.
 fn untangle(texts: &mut [(Point, String)], side: impl Fn(usize) -> Point) {
     texts.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
+    let left_of = |[from, to]: [Point; 2], p: Point| (to - from).perp(&(p - from));
+    let cross = |a: [Point; 2], b: [Point; 2]| {
+        left_of(a, b[0]) * left_of(a, b[1]) < 0.0 && left_of(b, a[0]) * left_of(b, a[1]) < 0.0
+    };
     let crossed = |texts: &[(Point, String)]| {
         let mut pairs = (0..texts.len()).flat_map(|i| (0..i).map(move |j| (j, i)));
         pairs.find(|&(j, i)| cross([texts[j].0, side(j)], [texts[i].0, side(i)]))
@@ -177,13 +181,6 @@ fn untangle(texts: &mut [(Point, String)], side: impl Fn(usize) -> Point) {
     }
 }
 
-/// True if two lines cross inside of both.
-fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
-    let side = |[from, to]: [Point; 2], p: Point| (to - from).perp(&(p - from));
-    side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0
-}
-
-/// Half circle on a face of the sheet.
 fn ridge(at: f64, face: f64, radius: f64) -> Vec<(f64, f64)> {
     let point = |i: usize| {
         let (sin, cos) = (PI * i as f64 / CHORDS as f64).sin_cos();

@@ -1,7 +1,7 @@
 //! Material chart: flow curve with measured points, and forming limits.
 
 use super::chart::{Chart, Panel, Series, Style};
-use super::forming_diagram::StrainMeasure;
+use super::forming_diagram::strain_axes;
 use crate::forming_limit::Curve;
 use crate::material::Material;
 use crate::table::{Axis, Unit};
@@ -16,7 +16,7 @@ const RATES: usize = 3;
 pub fn chart(title: &str, material: &Material, limits: &[Curve], notes: Vec<String>) -> Chart {
     let mut panels = vec![over_strain(material)];
     if !limits.is_empty() {
-        let [x, y] = StrainMeasure { is_engineering: false }.axes();
+        let [x, y] = strain_axes(false);
         let series = limits.iter().enumerate().map(|(i, limit)| {
             let points = limit.points().iter().map(|p| (p[0], p[1])).collect();
             let label = if limit.is_measured() { "Measured".into() } else { format!("{}, computed", limit.name) };

@@ -1,6 +1,6 @@
 //! Frames of a run for animation and ParaView; no step is made to land on them, so that the run stays the same.
 
-use super::animation;
+use super::animation::PICTURES;
 use crate::model::Model;
 use crate::solver::Observer;
 use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
@@ -42,17 +42,15 @@ impl FrameRecorder {
 
 impl Observer for FrameRecorder {
     fn state(&mut self, model: &Model, state: &State) {
-        if self.extras.is_empty() {
-            return;
-        }
-        let pictures = animation::PICTURES as f64;
         if state.time == 0.0 {
             self.stages.push(Vec::new());
             self.next = 0.0;
         }
-        let done = model.progress(state.time);
-        let Some(frames) = self.stages.last_mut().filter(|_| done >= self.next - 1e-9) else { return };
-        frames.push(Frame { through: ThroughThickness::default(), ..state.frame(model) });
-        self.next = (((done + 1e-9) * pictures).floor() + 1.0) / pictures;
+        let done = model.progress(state.time) + 1e-9;
+        let is_kept = !self.extras.is_empty() && done >= self.next;
+        if let Some(frames) = self.stages.last_mut().filter(|_| is_kept) {
+            frames.push(Frame { through: ThroughThickness::default(), ..state.frame(model) });
+            self.next = ((done * PICTURES as f64).floor() + 1.0) / PICTURES as f64;
+        }
     }
 }

@@ -13,7 +13,6 @@ use crate::units::Amount;
 const NEAR: f64 = 2.0;
 const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] };
 
-/// Curves, peak, events and press rating.
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
     if let Some(band) = view.load_band {
@@ -44,9 +43,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             }
         }
     }
-    notes.extend(view.notes());
-    let what = if view.model().travel > 0.0 { "forces" } else { "pressure" };
-    Some(Chart::new(view.titled(what), vec![panel], notes))
+    Some(view.chart(if view.model().travel > 0.0 { "forces" } else { "pressure" }, vec![panel], notes))
 }
 
 /// Punch, holder and edge force over the travel, or the gas pressure over the height; `None` during release. One point

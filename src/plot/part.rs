@@ -16,7 +16,6 @@ const CROSS: f64 = 9.0;
 /// Share of the torn half that is left to the callout of the thinnest place.
 const SHARED: f64 = 0.25;
 
-/// Last frame on both sides of the middle.
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frame) = (view.model(), view.stage.frames.last()?);
     let window = whole_window(frame);
@@ -26,17 +25,16 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let thinning = Thinning::new(initial, [frame]);
     let times = exaggeration(initial, 1.0 / mm);
     let is_released = model.release.is_some();
-    let tools = if is_released { Vec::new() } else { whole_tools(model, frame, right) };
+    let tools = whole_tools(model, frame, right).filter(|_| !is_released);
     let place = |element: &ElementRecord| (element.r, element.z);
-    let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
-    let tear = tears_at(view.stage).and_then(|s0| {
-        let distance = |element: &&ElementRecord| (element.s0 - s0).abs();
-        frame.elements.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
-    });
+    let least =
+        |value: &dyn Fn(&ElementRecord) -> f64| frame.elements.iter().min_by(|a, b| value(a).total_cmp(&value(b)));
+    let thinnest = least(&|element| element.thickness)?;
+    let tear = tears_at(view.stage).and_then(|s0| least(&|element| (element.s0 - s0).abs()));
     let left = if tear.is_some() { -SHARED * right } else { -right };
     let text = thickness_text(initial, thinnest.thickness);
     let mut callouts = vec![callout(text, place(thinnest), (1.0, left), frame, window, narrow)];
-    let mut section = panel(model.geometry, window).with(tools).with(thinning.whole_section(frame, times));
+    let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, times, true));
     if let Some(torn) = tear {
         let side = (-1.0, SHARED * right);
         callouts.push(callout("tears here".to_owned(), place(torn), side, frame, window, narrow));
@@ -46,9 +44,8 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     if !is_released {
         note += " Grey: the tools at the end.";
     }
-    let notes = std::iter::once(note).chain(view.notes()).collect();
     let panels = vec![section.annotated(callouts), thinning.scale()];
-    Some(Chart::new(view.titled("the part and its thinning"), panels, notes))
+    Some(view.chart("the part and its thinning", panels, [note]))
 }
 
 /// `0.61 mm, 39 % thinner`

@@ -42,5 +42,5 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     for (panel, (label, value, style)) in panels.iter_mut().zip(levels).filter(|(_, level)| level.1.is_finite()) {
         panel.series.insert(0, Series::new(label, vec![(0.0, value), (factor * end, value)], style));
     }
-    Some(Chart::new(view.titled("pressure cycle"), panels, view.notes()))
+    Some(view.chart("pressure cycle", panels, None::<String>))
 }

@@ -6,7 +6,6 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 use std::sync::{Arc, LazyLock};
 
-/// Reason for each `expect` on encoding.
 const IN_MEMORY: &str = "encoding into memory does not fail";
 /// An inch \[m\].
 const INCH: f64 = 0.0254;
@@ -15,7 +14,6 @@ const GIF_WIDTH: f64 = 800.0;
 /// Speed of the search for a palette, 1 (best) to 30.
 const GIF_SPEED: i32 = 20;
 
-/// Parsed SVG; only the built-in font is known.
 pub(super) fn tree(svg: &str) -> Tree {
     static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
         let mut fonts = Database::new();

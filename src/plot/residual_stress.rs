@@ -11,7 +11,6 @@ use crate::units::Amount;
 /// Least span of a stress axis \[MPa\].
 const LEAST: f64 = 1.0;
 const HEIGHT: f64 = 300.0;
-/// Label of the coordinate through the thickness.
 pub(crate) const PLACE: &str = "ζ/t, from the die's face (−0.5) to the punch's (0.5)";
 
 /// Frame after release and its elements with thickness points; `None` without a release.
@@ -20,7 +19,6 @@ pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [Elem
     Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))
 }
 
-/// Characteristic places that have thickness points.
 pub(crate) fn places_with_layers(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
     let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
     places(frame).into_iter().filter(has_layers).collect()
@@ -48,10 +46,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         });
         Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
     });
-    let mut notes = vec![format!("{} thickness points.", layers.len())];
-    if places.iter().any(|place| place.name == Place::FLANGE) {
-        notes.push("In the flange the punch's face is the holder's.".to_owned());
-    }
-    notes.extend(view.assumptions());
-    Some(Chart::new(view.titled("stress through the thickness"), panels.collect(), notes))
+    let points = format!("{} thickness points.", layers.len());
+    let flange = places.iter().any(|place| place.name == Place::FLANGE);
+    let face = flange.then(|| "In the flange the punch's face is the holder's.".to_owned());
+    Some(view.chart("stress through the thickness", panels.collect(), [Some(points), face].into_iter().flatten()))
 }

@@ -25,8 +25,8 @@ pub(crate) fn panel(geometry: Geometry, [x, y]: [(f64, f64); 2]) -> Panel {
 
 /// Window around some nodes, at least as wide as `length` \[mm\].
 pub(crate) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f64) -> [(f64, f64); 2] {
-    let (width, top, bottom) = nodes
-        .fold((length, 0.0_f64, 0.0_f64), |(width, top, bottom), n| (width.max(n.r), top.min(n.z), bottom.max(n.z)));
+    let least = (length, 0.0_f64, 0.0_f64);
+    let (width, top, bottom) = nodes.fold(least, |(r, top, bottom), n| (r.max(n.r), top.min(n.z), bottom.max(n.z)));
     let around = AROUND * width;
     [(0.0, width + around), (top - 2.0 * around, bottom + around)]
 }
@@ -40,23 +40,16 @@ pub(crate) fn whole_window(frame: &Frame) -> [(f64, f64); 2] {
 
 /// Tool bodies as they stand in a frame, or in the model without one; `width` is that of the picture \[mm\].
 pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> Vec<Series> {
-    tool_outlines(model, at, width).map(|body| Series::silent(body, TOOL)).collect()
-}
-
-/// Tool bodies on both sides of the middle.
-pub(super) fn whole_tools(model: &Model, at: &Frame, width: f64) -> Vec<Series> {
-    tool_outlines(model, Some(at), width).flat_map(mirrored).map(|body| Series::silent(body, TOOL)).collect()
-}
-
-fn tool_outlines<'a>(
-    model: &'a Model,
-    at: Option<&'a Frame>,
-    width: f64,
-) -> impl Iterator<Item = Vec<(f64, f64)>> + 'a {
-    model.tools.iter().enumerate().map(move |(i, tool)| {
+    let tools = model.tools.iter().enumerate().map(|(i, tool)| {
         let moved = at.map_or_else(Point::default, |frame| tool_displacement(frame, i));
-        body(tool.role, &tool.profile, moved, SAGITTA * width)
-    })
+        Series::silent(body(tool.role, &tool.profile, moved, SAGITTA * width), TOOL)
+    });
+    tools.collect()
+}
+
+pub(super) fn whole_tools(model: &Model, at: &Frame, width: f64) -> impl Iterator<Item = Series> {
+    let bodies = tools(model, Some(at), width).into_iter().flat_map(|tool| mirrored(tool.points));
+    bodies.map(|body| Series::silent(body, TOOL))
 }
 
 /// Outline and its mirror image about the axis; one outline if it has an edge there.
@@ -97,7 +90,6 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
     outline
 }
 
-/// Sheet before forming.
 pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
     let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
     vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
@@ -109,7 +101,6 @@ pub(crate) fn sheet(frame: &Frame, elements: Range<usize>, times: f64) -> Vec<(f
     part.clone().map(|i| surface(frame, i, times)).chain(part.rev().map(|i| surface(frame, i, -times))).collect()
 }
 
-/// Whole sheet.
 pub(super) fn whole_sheet(frame: &Frame, times: f64) -> Vec<(f64, f64)> {
     sheet(frame, 0..frame.elements.len(), times)
 }
@@ -127,13 +118,11 @@ pub(crate) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
 }
 
 /// Black cross with a white rim, visible on every colour; `half` is half its width \[mm\].
-pub(super) fn cross(at: (f64, f64), half: f64) -> impl Iterator<Item = Series> {
-    let line = move |up: f64, style: Style| {
-        let ends = vec![(at.0 - half, at.1 + up * half), (at.0 + half, at.1 - up * half)];
-        Series::silent(ends, style)
-    };
+pub(super) fn cross((x, y): (f64, f64), half: f64) -> impl Iterator<Item = Series> {
     let styles = [Style::solid(WHITE, 7.0), Style::solid(BLACK, 3.5)];
-    styles.into_iter().flat_map(move |style| [1.0, -1.0].map(|up| line(up, style)))
+    styles.into_iter().flat_map(move |style| {
+        [half, -half].map(|up| Series::silent(vec![(x - half, y + up), (x + half, y - up)], style))
+    })
 }
 
 /// Font size and mean width of a letter of callouts \[px\], and places tried along each direction.
@@ -169,31 +158,16 @@ pub(super) fn callout(
     Annotation::new(AnnotationKind::Callout((side * nearest.0, nearest.1)), text, (side * at.0, at.1))
 }
 
+/// Reference: a rectangle at the middle becomes one of twice the width, one beside it stays two.
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Reference: the circle, at the middle of each chord of a crown of R 2800 mm.
-    #[test]
-    fn large_radii_are_drawn_smoothly() {
-        let crown = Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
-        let outline = body(Role::Punch, &crown, Point::zeros(), 0.042);
-        for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
-            let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
-            assert!(crown.closest(middle).distance.abs() < 0.0421, "{middle}");
-        }
+#[test]
+fn an_outline_on_the_axis_joins_its_image() {
+    for start in 0..4 {
+        let mut rectangle = vec![(0.0, 0.0), (0.0, 1.0), (3.0, 1.0), (3.0, 0.0)];
+        rectangle.rotate_left(start);
+        let [whole] = &mirrored(rectangle)[..] else { panic!("one outline") };
+        let area = whole.iter().zip(whole.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>();
+        assert_eq!((whole.len(), area.abs()), (8, 12.0), "from corner {start}");
     }
-
-    /// Reference: by hand: a rectangle at the middle becomes one of twice the width, one beside it stays two.
-    #[test]
-    fn an_outline_on_the_axis_joins_its_image() {
-        for start in 0..4 {
-            let mut rectangle = vec![(0.0, 0.0), (0.0, 1.0), (3.0, 1.0), (3.0, 0.0)];
-            rectangle.rotate_left(start);
-            let [whole] = &mirrored(rectangle)[..] else { panic!("one outline") };
-            let area = whole.iter().zip(whole.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>();
-            assert_eq!((whole.len(), area.abs()), (8, 12.0), "from corner {start}");
-        }
-        assert_eq!(mirrored(vec![(1.0, 0.0), (2.0, 1.0), (2.0, 0.0)]).len(), 2);
-    }
+    assert_eq!(mirrored(vec![(1.0, 0.0), (2.0, 1.0), (2.0, 0.0)]).len(), 2);
 }

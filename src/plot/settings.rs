@@ -50,9 +50,9 @@ const PRINTED: f64 = 300.0;
 /// Smallest font on paper \[pt\] and in drawings \[px\].
 const LEAST_LETTER: f64 = 6.0;
 const SMALLEST: f64 = 13.5;
-/// Points per inch and per mm.
-const INCH: f64 = 72.0;
-const MM: f64 = INCH / 25.4;
+/// Points per inch, and mm per inch.
+const POINTS: f64 = 72.0;
+const INCH: f64 = 25.4;
 
 /// PNG file of a chart, 1600 px wide.
 pub fn png(chart: &Chart) -> Vec<u8> {
@@ -67,9 +67,6 @@ impl Default for Pictures {
 }
 
 impl Format {
-    /// All formats.
-    pub const ALL: [Self; 2] = [Self::Svg, Self::Png];
-
     /// File name extension.
     pub fn ending(self) -> &'static str {
         match self {
@@ -80,7 +77,7 @@ impl Format {
 
     /// File name without the extension of a picture; `None` if it has none.
     pub(crate) fn stem(name: &str) -> Option<&str> {
-        Self::ALL.iter().find_map(|format| name.strip_suffix(format.ending())?.strip_suffix('.'))
+        name.strip_suffix(".svg").or_else(|| name.strip_suffix(".png"))
     }
 }
 
@@ -92,28 +89,17 @@ impl Pictures {
             chart.title.clear();
             chart.notes.clear();
         }
-        let svg = sized(&chart, self.layout_width(), self.width);
-        let file = |format: &Format| (format!("{stem}.{}", format.ending()), self.bytes(&svg, *format));
+        let inches = self.width.unwrap_or(PAPER) / INCH;
+        // Narrow paper holds fewer px, so that fonts keep their size.
+        let svg = sized(&chart, WIDTH.min(inches * POINTS * SMALLEST / LEAST_LETTER), self.width);
+        let dpi = self.dpi.or(self.width.map(|_| PRINTED));
+        let file = |format: &Format| {
+            let bytes = match format {
+                Format::Svg => svg.clone().into_bytes(),
+                Format::Png => raster::png(&svg, dpi.map_or(PIXELS, |dpi| (dpi * inches).round()), dpi),
+            };
+            (format!("{stem}.{}", format.ending()), bytes)
+        };
         self.formats.iter().map(file).collect()
-    }
-
-    /// Layout width \[px\]: narrow paper holds fewer px, so that fonts keep their size.
-    fn layout_width(&self) -> f64 {
-        WIDTH.min(self.points() * SMALLEST / LEAST_LETTER)
-    }
-
-    fn points(&self) -> f64 {
-        MM * self.width.unwrap_or(PAPER)
-    }
-
-    fn bytes(&self, svg: &str, format: Format) -> Vec<u8> {
-        match format {
-            Format::Svg => svg.as_bytes().to_vec(),
-            Format::Png => {
-                let dpi = self.dpi.or(self.width.map(|_| PRINTED));
-                let pixels = dpi.map_or(PIXELS, |dpi| (dpi * self.points() / INCH).round());
-                raster::png(svg, pixels, dpi)
-            }
-        }
     }
 }

@@ -4,12 +4,12 @@ use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
 use super::palette::color;
 use super::sections::{flat, panel, tools, window};
+use super::stage_view::spread;
 use super::thinning::{Thinning, exaggeration, thickness_note};
 use crate::solver::solution::Frame;
 use crate::table::capitalised;
 use crate::units::Amount;
 
-/// Largest number of states.
 const STATES: usize = 6;
 /// Width of a small panel \[px\].
 const SMALL: f64 = 230.0;
@@ -29,7 +29,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let states = states(view);
     let mut panels: Vec<Panel> = states
         .iter()
-        .map(|frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, times)))
+        .map(|frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, times, false)))
         .collect();
     if panels.is_empty() {
         let sheet = Series::silent(flat(model), Style::area(color(0)));
@@ -37,14 +37,13 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     } else {
         panels.push(thinning.scale());
     }
-    let notes = std::iter::once(thickness_note(times)).chain(view.notes_on_frames()).collect();
-    Some(Chart::new(view.titled("sections"), panels, notes))
+    let notes = [Some(thickness_note(times)), view.frames_note()];
+    Some(view.chart("sections", panels, notes.into_iter().flatten()))
 }
 
 /// Start, if there is room for it, and frames spread evenly up to the last.
 fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
-    let frames = &view.stage.frames;
-    let most = frames.len().min(STATES);
-    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&most));
-    start.into_iter().chain((1..=most).map(|i| &frames[i * frames.len() / most - 1])).collect()
+    let shown = spread(&view.stage.frames, STATES);
+    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len()));
+    start.into_iter().chain(shown).collect()
 }

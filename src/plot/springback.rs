@@ -25,10 +25,9 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Series::new("Before", sections::whole_sheet(before, 1.0), filled),
         Series::new("After", outline, Style::solid(color(1), 2.0)),
     ];
-    let wall: fn(&Shape) -> Option<&Leg> = |shape| shape.wall.as_ref();
-    let flange: fn(&Shape) -> Option<&Leg> = |shape| shape.flange.as_ref();
+    let legs: [fn(&Shape) -> Option<&Leg>; 2] = [|shape| shape.wall.as_ref(), |shape| shape.flange.as_ref()];
     let mut lines = Vec::new();
-    for (angle, leg, style) in [(WALL_ANGLE, wall, WALL), (FLANGE_ANGLE, flange, FLANGE)] {
+    for ((angle, style), leg) in [(WALL_ANGLE, WALL), (FLANGE_ANGLE, FLANGE)].into_iter().zip(legs) {
         let mut label = changes.iter().find(|change| change.quantity.key == angle.key).map(text);
         for leg in shapes.iter().rev().filter_map(leg) {
             lines.push(Series { label: label.take(), points: extended(leg), style });
@@ -37,10 +36,9 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let is_in_legend = |key| key == WALL_ANGLE.key || key == FLANGE_ANGLE.key;
     let others = changes.iter().filter(|change| !is_in_legend(change.quantity.key)).map(|change| text(change) + ".");
     let note = "The sheet is true to thickness. Grey: the tools before release.".to_owned();
-    let notes = std::iter::once(note).chain(others).chain(view.assumptions()).collect();
     let tools = sections::tools(model, Some(before), window[0].1);
     let panel = sections::panel(model.geometry, window).with(tools).with(sheets).with(lines);
-    Some(Chart::new(view.titled("spring-back"), vec![panel], notes))
+    Some(view.chart("spring-back", vec![panel], std::iter::once(note).chain(others)))
 }
 
 fn extended(leg: &Leg) -> Vec<(f64, f64)> {

@@ -1,5 +1,6 @@
 //! Solved stage with what its pictures and tables need of its case.
 
+use super::chart::{Chart, Panel};
 use super::palette::COLORS;
 use super::svg::text;
 use super::{Captions, Pictures};
@@ -7,7 +8,7 @@ use crate::assess::{self, Finding, Kind, largest_force, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
-use crate::model::{Extent, Geometry, Model};
+use crate::model::{Extent, Model};
 use crate::solver::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
 use crate::units::{Amount, Digits};
@@ -23,14 +24,10 @@ const LEVEL: f64 = 0.1;
 pub struct StageView<'a> {
     /// Name of the case, with several stages that of the stage too: `cup/1-draw`.
     pub name: String,
-    /// Title of the case.
-    pub title: &'a str,
     /// Text of the case file, for its checksum.
     pub case_text: &'a str,
     /// `key=value` settings from the command line.
     pub overrides: &'a [String],
-    /// Assumptions that the case declares.
-    pub declared: &'a [String],
     /// Findings: assumptions and warnings.
     pub findings: Vec<Finding>,
     /// Ratings of the press.
@@ -62,10 +59,23 @@ impl Solution {
 
     /// Views of every solved stage, with these findings from before the run.
     pub(crate) fn views_with(&self, before: &[Finding]) -> Vec<StageView<'_>> {
+        let case = &self.case;
         let findings = assess::by_stage(before, &self.stages).into_iter().enumerate();
-        let mut views: Vec<_> = findings.map(|(i, findings)| StageView::stage(self, i, findings)).collect();
+        let view = |(i, findings): (usize, Vec<Finding>)| {
+            let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
+            StageView {
+                case_text: &case.text,
+                overrides: &case.overrides,
+                findings,
+                press: case.press,
+                ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
+                wall: self.wall,
+                ..StageView::alone(&name, &self.stages[i])
+            }
+        };
+        let mut views: Vec<_> = findings.map(view).collect();
         if let Some(first) = views.first_mut() {
-            first.findings.extend(missing_letters(first.title));
+            first.findings.extend(missing_letters(&first.model().title));
         }
         views
     }
@@ -80,17 +90,11 @@ fn missing_letters(title: &str) -> Option<Finding> {
 impl<'a> StageView<'a> {
     /// Single stage with its findings.
     pub fn alone(name: &str, stage: &'a StageSolution) -> Self {
-        Self { findings: assess::of_stage(0, stage), ..Self::plain(name, stage) }
-    }
-
-    fn plain(name: &str, stage: &'a StageSolution) -> Self {
         Self {
             name: name.to_owned(),
-            title: &stage.model.title,
             case_text: "",
             overrides: &[],
-            declared: &stage.model.notes,
-            findings: Vec::new(),
+            findings: assess::of_stage(0, stage),
             press: Press::default(),
             ring: None,
             stage,
@@ -104,20 +108,6 @@ impl<'a> StageView<'a> {
         }
     }
 
-    fn stage(solution: &'a Solution, i: usize, findings: Vec<Finding>) -> Self {
-        let case = &solution.case;
-        let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
-        Self {
-            case_text: &case.text,
-            overrides: &case.overrides,
-            findings,
-            press: case.press,
-            ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
-            wall: solution.wall,
-            ..Self::plain(&name, &solution.stages[i])
-        }
-    }
-
     /// Opening of the slit ring \[mm\].
     pub(crate) fn ring_opening(&self) -> Option<f64> {
         self.ring?.opening(std::slice::from_ref(self.stage))
@@ -125,12 +115,11 @@ impl<'a> StageView<'a> {
 
     /// Gives the views of all stages their error bars and bands.
     pub(crate) fn verify(views: &mut [Self], stages: &[StageSolution], verification: Option<&'a Verification>) {
-        views.iter_mut().for_each(|view| view.verification = verification);
-        if let Some(view) = largest_force(stages).and_then(|(i, _)| views.get_mut(i)) {
-            view.load_band = verification.and_then(|bars| bars.load.as_ref());
-        }
-        if let Some(view) = views.last_mut() {
-            view.thickness_band = verification.and_then(|bars| bars.thickness.as_ref());
+        let (peak, last) = (largest_force(stages).map(|(i, _)| i), views.len().wrapping_sub(1));
+        for (i, view) in views.iter_mut().enumerate() {
+            view.verification = verification;
+            view.load_band = verification.filter(|_| Some(i) == peak).and_then(|bars| bars.load.as_ref());
+            view.thickness_band = verification.filter(|_| i == last).and_then(|bars| bars.thickness.as_ref());
         }
     }
 
@@ -148,10 +137,6 @@ impl<'a> StageView<'a> {
         self.stage.model.extent()
     }
 
-    pub(crate) fn geometry(&self) -> Geometry {
-        self.stage.model.geometry
-    }
-
     /// Assessment against the forming limit, if there is one and a step was taken.
     pub fn forming_limit(&self) -> Option<&Assessment> {
         let assessed = || {
@@ -161,15 +146,20 @@ impl<'a> StageView<'a> {
         self.assessment.get_or_init(assessed).as_ref()
     }
 
-    /// Title of a chart: `Cup: sections`, or `Sections` if the case's title stands above.
-    pub(crate) fn titled(&self, what: &str) -> String {
-        match self.pictures.captions {
-            Captions::Own => capitalised(what),
-            _ => format!("{}: {what}", self.title),
-        }
+    /// Chart titled `Cup: sections`, or `Sections` if the case's title stands above; notes end in those of [`Self::notes`].
+    pub(crate) fn chart<T: Into<String>>(
+        &self,
+        subject: &str,
+        panels: Vec<Panel>,
+        notes: impl IntoIterator<Item = T>,
+    ) -> Chart {
+        let title = match self.pictures.captions {
+            Captions::Own => capitalised(subject),
+            _ => format!("{}: {subject}", self.model().title),
+        };
+        Chart::new(title, panels, notes.into_iter().map(Into::into).chain(self.notes()).collect())
     }
 
-    /// True if a picture states the sources of its numbers.
     pub(super) fn states_sources(&self) -> bool {
         matches!(self.pictures.captions, Captions::Own | Captions::Full)
     }
@@ -187,28 +177,19 @@ impl<'a> StageView<'a> {
             }
             let warnings = sentences(&self.findings, Kind::Warning).into_iter();
             notes.extend(warnings.map(|warning| format!("Warning: {warning}.")));
+            notes.extend(self.model().notes.iter().cloned());
         }
-        notes.extend(self.assumptions());
         notes
     }
 
-    /// Declared assumptions, with full captions only.
-    pub(super) fn assumptions(&self) -> impl Iterator<Item = String> {
-        self.declared.iter().filter(|_| self.pictures.captions == Captions::Full).cloned()
-    }
-
-    /// Notes after one on frames that the picture leaves out.
-    pub(super) fn notes_on_frames(&self) -> Vec<String> {
+    pub(super) fn frames_note(&self) -> Option<String> {
         let kept = self.stage.frames.len();
-        let some = (kept > COLORS).then(|| format!("{COLORS} of {kept} kept frames are shown; profile.csv has all."));
-        some.into_iter().chain(self.notes()).collect()
+        (kept > COLORS).then(|| format!("{COLORS} of {kept} kept frames are shown; profile.csv has all."))
     }
 
     /// Frames in pictures: all, or as many as there are colours, spread evenly up to the last.
-    pub(super) fn shown_frames(&self) -> impl DoubleEndedIterator<Item = &'a Frame> + use<'a> {
-        let frames = &self.stage.frames;
-        let most = frames.len().min(COLORS);
-        (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
+    pub(super) fn shown_frames(&self) -> Vec<&'a Frame> {
+        spread(&self.stage.frames, COLORS)
     }
 
     /// True if release left the values as the flat blank has them, on an axis of the least span `least`.
@@ -219,12 +200,7 @@ impl<'a> StageView<'a> {
 
     /// Name of the quantity that measures progress.
     pub(super) fn progress(&self) -> &'static str {
-        match self.model().rate_control() {
-            _ if self.model().travel > 0.0 => "punch travel",
-            _ if self.model().release.is_some() => "released share of the tools' forces",
-            Some(_) => "time",
-            None => "dome height",
-        }
+        self.progress_quantity().0
     }
 
     /// Progress at a frame, with at most two decimals, more below 1.
@@ -235,13 +211,26 @@ impl<'a> StageView<'a> {
 
     /// Travel \[mm\], released share \[%\], time \[s\] or dome height \[mm\] of a frame.
     pub(super) fn progress_value(&self, frame: &Frame) -> (f64, Unit) {
-        match self.model().rate_control() {
-            _ if self.model().travel > 0.0 => (frame.travel, Unit::Mm),
-            _ if self.model().release.is_some() => (100.0 * frame.time / self.model().duration, Unit::Percent),
-            Some(_) => (frame.time, Unit::Second),
-            None => (frame.nodes.first().map_or(0.0, |pole| pole.z.abs()), Unit::Mm),
+        let (_, unit, value) = self.progress_quantity();
+        (value(self.model(), frame), unit)
+    }
+
+    fn progress_quantity(&self) -> (&'static str, Unit, fn(&Model, &Frame) -> f64) {
+        match self.model() {
+            model if model.travel > 0.0 => ("punch travel", Unit::Mm, |_, frame| frame.travel),
+            model if model.release.is_some() => {
+                ("released share of the tools' forces", Unit::Percent, |model, f| 100.0 * f.time / model.duration)
+            }
+            model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),
+            _ => ("dome height", Unit::Mm, |_, frame| frame.nodes.first().map_or(0.0, |pole| pole.z.abs())),
         }
     }
+}
+
+/// At most `most` items spread evenly, the last among them.
+pub(super) fn spread<T>(items: &[T], most: usize) -> Vec<&T> {
+    let most = most.min(items.len());
+    (1..=most).map(|i| &items[i * items.len() / most - 1]).collect()
 }
 
 /// Reason of a stage's end in a few words: `full time` if it has no travel to reach.

@@ -21,7 +21,6 @@ const OUTLINE: Style = Style::Line { color: (70, 70, 70), width: 0.7, dash: &[] 
 /// Least thickness of a drawn sheet \[px\].
 const VISIBLE: f64 = 3.0;
 
-/// Colour scale of a stage's pictures.
 pub(super) struct Thinning {
     /// Thickness of the blank \[mm\].
     initial: f64,
@@ -40,8 +39,11 @@ pub(crate) fn percent(initial: f64, thickness: f64) -> f64 {
 impl Thinning {
     /// Finest scale that covers every element of these frames.
     pub fn new<'a>(initial: f64, frames: impl IntoIterator<Item = &'a Frame>) -> Self {
-        let elements = frames.into_iter().flat_map(|frame| &frame.elements);
-        let (low, high) = bounds(elements.map(|e| percent(initial, e.thickness)).chain([0.0]));
+        Self::over(initial, frames.into_iter().flat_map(|frame| &frame.elements).map(|element| element.thickness))
+    }
+
+    fn over(initial: f64, thickness: impl IntoIterator<Item = f64>) -> Self {
+        let (low, high) = bounds(thickness.into_iter().map(|t| percent(initial, t)).chain([0.0]));
         let colors = |side: f64, step: f64| (side / step - SLACK).ceil().max(0.0) as usize;
         let finest = |side: f64, least: f64, most: usize| {
             let fits = |step: &f64| *step >= least && colors(side, *step) <= most;
@@ -69,32 +71,17 @@ impl Thinning {
         viridis(LIGHTEST * (1.0 - done))
     }
 
-    /// Stretches of one colour; each but the last extends an element under the next, so that no paper shines through.
-    fn stretches(&self, frame: &Frame) -> Vec<(Range<usize>, Style)> {
+    /// One half of the section, or both, drawn `times` as thick as it is.
+    pub fn section(&self, frame: &Frame, times: f64, is_whole: bool) -> Vec<Series> {
+        let parts = |outline| if is_whole { mirrored(outline) } else { vec![outline] };
         let levels: Vec<i32> = frame.elements.iter().map(|element| self.level(element.thickness)).collect();
-        let mut from = 0;
-        let stretches = levels.chunk_by(|a, b| a == b).map(|equal| {
-            let stretch = from..(from + equal.len() + 1).min(levels.len());
-            from += equal.len();
-            (stretch, Style::area(self.color(equal[0])))
-        });
-        stretches.collect()
-    }
-
-    /// One half of the section, drawn `times` as thick as it is.
-    pub fn section(&self, frame: &Frame, times: f64) -> Vec<Series> {
-        self.drawn(frame, times, |outline| vec![outline])
-    }
-
-    /// Section on both sides of the middle.
-    pub fn whole_section(&self, frame: &Frame, times: f64) -> Vec<Series> {
-        self.drawn(frame, times, mirrored)
-    }
-
-    fn drawn(&self, frame: &Frame, times: f64, parts: impl Fn(Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>>) -> Vec<Series> {
-        let mut series = Vec::new();
-        for (elements, style) in self.stretches(frame) {
+        let (mut series, mut from) = (Vec::new(), 0);
+        for equal in levels.chunk_by(|a, b| a == b) {
+            // One element under the next colour, so that no paper shines through.
+            let elements = from..(from + equal.len() + 1).min(levels.len());
+            let style = Style::area(self.color(equal[0]));
             series.extend(parts(sheet(frame, elements, times)).into_iter().map(|part| Series::silent(part, style)));
+            from += equal.len();
         }
         for mut edge in parts(whole_sheet(frame, times)) {
             edge.extend(edge.first().copied());
@@ -123,7 +110,6 @@ pub(super) fn exaggeration(thickness: f64, px: f64) -> f64 {
     if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() }
 }
 
-/// Note on the drawn thickness.
 pub(super) fn thickness_note(times: f64) -> String {
     match times {
         1.0 => "The sheet is true to thickness.".to_owned(),
@@ -131,39 +117,15 @@ pub(super) fn thickness_note(times: f64) -> String {
     }
 }
 
+/// Reference: by hand: 10 % thicker to 39 % thinner are ten steps of 5 %.
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::solver::solution::{ElementRecord, ThroughThickness};
-
-    fn frame(thickness: &[f64]) -> Frame {
-        let elements = thickness.iter().map(|t| ElementRecord { thickness: *t, ..ElementRecord::default() }).collect();
-        let through = ThroughThickness::default();
-        Frame { time: 0.0, travel: 0.0, elements, nodes: vec![], through, tool_displacement: vec![] }
-    }
-
-    /// Reference: lightness in grey print (ITU-R BT.601); a step of 8 of 255 is visible.
-    #[test]
-    fn thinner_is_darker() {
-        let lightness = |(r, g, b): Color| 0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b);
-        for thinnest in [0.999, 0.97, 0.9, 0.6, 0.1] {
-            let scale = Thinning::new(1.0, [&frame(&[1.1, thinnest])]);
-            let shades: Vec<f64> = scale.levels.clone().map(|level| lightness(scale.color(level))).collect();
-            assert!((LEAST as usize..=MOST_THINNER + MOST_THICKER).contains(&shades.len()), "{shades:?}");
-            assert!(shades.windows(2).all(|pair| pair[0] - pair[1] > 8.0), "{shades:?}");
-        }
-    }
-
-    /// Reference: colours by hand: 10 % thicker to 39 % thinner are ten steps of 5 %; a rim 38 % thicker beside a nose
-    /// 8.4 % thinner has steps of 10 and 2 %.
-    #[test]
-    fn zero_is_a_border_between_colours() {
-        let thickness = [0.61, 0.98, 1.0, 1.0 + 1e-12, 1.06, 1.1];
-        let scale = Thinning::new(1.0, [&frame(&thickness)]);
-        assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (5.0, 5.0, -2..8));
-        assert_eq!(thickness.map(|t| scale.level(t)), [7, 0, 0, 0, -2, -2]);
-        assert_eq!(scale.scale().ranges(), [(-10.0, 40.0), (0.0, 1.0)]);
-        let cup = Thinning::new(1.0, [&frame(&[1.38, 0.916])]);
-        assert_eq!((cup.thicker, cup.thinner, cup.levels.clone()), (10.0, 2.0, -4..5));
-    }
+#[test]
+fn zero_is_a_border_between_colours() {
+    let thickness = [0.61, 0.98, 1.0, 1.0 + 1e-12, 1.06, 1.1];
+    let scale = Thinning::over(1.0, thickness);
+    assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (5.0, 5.0, -2..8));
+    assert_eq!(thickness.map(|t| scale.level(t)), [7, 0, 0, 0, -2, -2]);
+    assert_eq!(scale.scale().ranges(), [(-10.0, 40.0), (0.0, 1.0)]);
+    let cup = Thinning::over(1.0, [1.38, 0.916]);
+    assert_eq!((cup.thicker, cup.thinner, cup.levels), (10.0, 2.0, -4..5));
 }

@@ -21,7 +21,7 @@ pub mod vtk;
 mod write;
 
 use crate::plot::{Chart, Extra, Format, FrameRecorder, Pictures, StageView, animation};
-use crate::plot::{forming_diagram, part, shapes, strains, thickness};
+use crate::plot::{forming_diagram, part, profiles, shapes};
 pub use csv::csv;
 pub use file::{WriteError, can_write, write};
 pub use folder::{IsOurs, ResultFolder};
@@ -48,10 +48,10 @@ pub const OUTPUTS: &[Output] = &[
         pressure_cycle::of,
     ),
     plot("pressure_cycle.png", "the same, and the height of the dome", crate::plot::pressure_cycle::plot),
-    plot("thickness.png", "thickness over the blank at every kept frame, and over the part", thickness::thickness),
-    plot("porosity.png", "porosity over the blank, of a sheet with voids", thickness::porosity),
-    plot("temperature.png", "temperature over the blank, where it is given", thickness::temperature),
-    plot("strains.png", "strains over the blank at the last frame", strains::plot),
+    plot("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
+    plot("porosity.png", "porosity over the blank, of a sheet with voids", profiles::porosity),
+    plot("temperature.png", "temperature over the blank, where it is given", profiles::temperature),
+    plot("strains.png", "strains over the blank at the last frame", profiles::strains),
     table("forming_limit.csv", "the forming limit curve, where one is given", forming_limit::curve_of),
     table(
         "strain_paths.csv",

@@ -6,38 +6,35 @@ use crate::model::stage::Stage;
 use crate::model::{Bead, Face, Gas, Mode, Model, Motion, Pressure, Role};
 use crate::units::{Amount, Digits, Unit, joined};
 
-pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
+pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
     let unit = model.extent().force_unit();
-    let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
+    let press = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let ratio = Amount::thicknesses(gap / model.blank.thickness);
-            lines.push(number("holder gap", Amount::size(*gap), format!("to the die, {ratio}: fixed")));
-            return;
+            return vec![number("holder gap", Amount::size(*gap), format!("to the die, {ratio}: fixed"))];
         }
         Some(Motion::Pressed(press)) => press,
-        _ => return,
+        _ => return Vec::new(),
     };
-    let [least, most] = [force.force.smallest(), force.force.largest()].map(|force| Amount::force(force, unit));
+    let [least, most] = [press.force.smallest(), press.force.largest()].map(|force| Amount::force(force, unit));
     let text = if least == most { most.to_string() } else { format!("{least} to {most}") };
-    let meaning = match force.stiffness {
+    let meaning = match press.stiffness {
         0.0 if least == most => String::new(),
         0.0 => "over the travel".into(),
         c => format!("on the flat sheet, and {} more per mm that it is lifted", Amount::force(c, unit)),
     };
-    lines.push(line("holder force", text, meaning));
-    let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else { return };
-    lines.push(number(
-        "holder pressure",
-        Amount::stress(pressure),
-        "on the initial area between holder and die's flat",
-    ));
-    if let Some(siebel) = estimate::siebel_pressure(model, strength) {
-        let meaning = format!(
-            "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009): {}",
-            Amount::force(siebel * area, unit)
-        );
-        lines.push(number("advised pressure", Amount::stress(siebel), meaning));
-    }
+    let mut lines = vec![line("holder force", text, meaning)];
+    let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else {
+        return lines;
+    };
+    let on = "on the initial area between holder and die's flat";
+    lines.push(number("holder pressure", Amount::stress(pressure), on));
+    lines.extend(estimate::siebel_pressure(model, strength).map(|siebel| {
+        let force = Amount::force(siebel * area, unit);
+        let rule = "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
+        number("advised pressure", Amount::stress(siebel), format!("{rule}: {force}"))
+    }));
+    lines
 }
 
 pub(super) fn bead(model: &Model, bead: &Bead) -> Line {
@@ -67,7 +64,6 @@ pub(super) fn gas(model: &Model, gas: &Gas) -> Line {
     number("strain rate", rate, format!("{limits} {place}"))
 }
 
-/// Line of the `n`-th stage.
 pub(super) fn stage(n: usize, stage: &Stage) -> Line {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
@@ -77,8 +73,8 @@ pub(super) fn stage(n: usize, stage: &Stage) -> Line {
         let name = tool.role.name();
         let name = if begin.meets.contains(&tool.role) { format!("new {name}") } else { name.into() };
         does.push(match &tool.motion {
-            Motion::Path(way) if way.x == 0.0 => format!("{name} goes {}", Amount::size(way.y)),
-            Motion::Path(way) => format!("{name} goes {} and {} aside", Amount::size(way.y), Amount::size(way.x)),
+            Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}", Amount::size(by.y)),
+            Motion::Path(by) => format!("{name} goes {} and {} aside", Amount::size(by.y), Amount::size(by.x)),
             Motion::Pressed(press) => {
                 let force = Amount::force(press.force.at(model.travel), model.extent().force_unit());
                 format!("{name} presses with {force} at the end")

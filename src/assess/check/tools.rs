@@ -11,22 +11,21 @@ use crate::units::{Amount, joined};
 /// Number of radii above which only their range is given.
 const FEW: usize = 4;
 
-pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
-    lines.extend(model.tools.iter().map(|tool| of_tool(model, tool)));
-    if model.travel > 0.0 {
-        lines.push(number("travel", Amount::set(model.travel), pace(model)));
-    }
+pub(super) fn lines(model: &Model) -> Vec<Line> {
+    let mut lines: Vec<Line> = model.tools.iter().map(|tool| of_tool(model, tool)).collect();
+    lines.extend((model.travel > 0.0).then(|| number("travel", Amount::set(model.travel), pace(model))));
     lines.extend(model.beads.iter().map(|bead| loads::bead(model, bead)));
     lines.extend(model.gas.iter().map(|gas| loads::gas(model, gas)));
-    if let Some(clearance) = estimate::clearance(model) {
+    lines.extend(estimate::clearance(model).map(|clearance| {
         let over_t = format!("or {}", Amount::thicknesses(clearance / model.blank.thickness));
-        lines.push(number("clearance", Amount::drawn(clearance), over_t));
-    }
-    if let Some(ratio) = estimate::draw_ratio(model) {
+        number("clearance", Amount::drawn(clearance), over_t)
+    }));
+    lines.extend(estimate::draw_ratio(model).map(|ratio| {
         let limit = Amount::number(LIMITING_RATIO);
         let meaning = format!("blank over punch; about {limit} is the limit of one draw for mild steel");
-        lines.push(number("draw ratio", Amount::ratio(ratio), meaning));
-    }
+        number("draw ratio", Amount::ratio(ratio), meaning)
+    }));
+    lines
 }
 
 fn of_tool(model: &Model, tool: &Tool) -> Line {
@@ -43,8 +42,8 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         _ => of.into(),
     };
     let widens = tool.role == Role::Punch && widens(tool, model.travel);
-    let mouth = || size_of(model, mouth(tool, model.travel), Amount::drawn);
-    let mouth = if widens { format!("{} at the sheet at the full travel", mouth()) } else { String::new() };
+    let mouth = widens.then(|| size_of(model, mouth(tool, model.travel), Amount::drawn));
+    let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));
     let friction = match &tool.friction {
         Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
         law => format!("friction {law}"),
@@ -53,7 +52,6 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     line(tool.role.name(), size, meaning)
 }
 
-/// Radii over which the sheet is bent; of many the smallest and the largest.
 fn corners(tool: &Tool, thickness: f64) -> String {
     let text = |radius: f64| format!("R {} ({})", Amount::drawn(radius), Amount::thicknesses(radius / thickness));
     let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
@@ -65,20 +63,17 @@ fn corners(tool: &Tool, thickness: f64) -> String {
     joined(radii.into_iter().map(text), ", ")
 }
 
-/// Punch speed, if the case gives it.
 fn pace(model: &Model) -> String {
     let speed = Amount::size(model.speed);
     match &model.schedule {
         _ if !model.timed => String::new(),
         None => format!("at {speed}/s"),
         Some(schedule) => {
-            let points = schedule.points();
-            let speeds = || points.windows(2).map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0));
-            format!(
-                "at {speed}/s on average, {slowest}/s to {fastest}/s",
-                slowest = Amount::size(speeds().fold(f64::INFINITY, f64::min)),
-                fastest = Amount::size(speeds().fold(0.0, f64::max))
-            )
+            let pairs = schedule.points().windows(2);
+            let speeds: Vec<f64> = pairs.map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0)).collect();
+            let [slowest, fastest] = [(f64::INFINITY, f64::min as fn(f64, f64) -> f64), (0.0, f64::max)]
+                .map(|(start, of)| Amount::size(speeds.iter().copied().fold(start, of)));
+            format!("at {speed}/s on average, {slowest}/s to {fastest}/s")
         }
     }
 }

@@ -11,7 +11,7 @@ pub(crate) mod text;
 mod ticks;
 
 use super::chart::{Chart, Color};
-use page::Page;
+use page::layout;
 use plotters::backend::SVGBackend;
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
@@ -24,10 +24,8 @@ pub const WIDTH: f64 = 800.0;
 /// Backend units per px: plotters rounds to whole units, which shows as steps in curves at 1.
 const FINE: f64 = 8.0;
 
-/// Reason for each `expect` on drawing.
 const IN_MEMORY: &str = "drawing into memory does not fail";
 
-/// Area of the page.
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Standalone SVG of a picture, 800 px wide.
@@ -39,14 +37,13 @@ pub fn svg(chart: &Chart) -> String {
 pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
     text::register();
     let chart = &chart.clone().displayed();
-    let page = Page::new(chart, width);
-    let height = page.height;
+    let height = layout(chart, width, None);
     let size = (units(width) as u32, units(height) as u32);
     let mut svg = String::new();
     {
         let canvas = SVGBackend::with_string(&mut svg, size).into_drawing_area();
         canvas.fill(&WHITE).expect(IN_MEMORY);
-        page.draw(chart, &canvas);
+        layout(chart, width, Some(&canvas));
         canvas.present().expect(IN_MEMORY);
     }
     let outer = match paper {
@@ -59,14 +56,8 @@ pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
     svg.replacen("<svg", &format!("<svg{family} stroke-linejoin=\"round\""), 1)
 }
 
-/// Backend units in so many px.
 fn units(px: f64) -> i32 {
     (px * FINE).round() as i32
-}
-
-/// Point in px of a point in backend units.
-fn px(at: (i32, i32)) -> (f64, f64) {
-    (f64::from(at.0) / FINE, f64::from(at.1) / FINE)
 }
 
 fn rgb(color: Color) -> RGBColor {

@@ -4,9 +4,8 @@ use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shapes::sample;
 use super::text::{self, NOTE, SPACING, TICK, TITLE, wrapped};
 use super::{Canvas, units};
-use crate::plot::chart::{Chart, Panel, Series};
+use crate::plot::chart::{Chart, Panel};
 use crate::plot::palette::{BLACK, GREY};
-use std::ops::Range;
 
 /// Space around every picture, and below every panel.
 const MARGIN: f64 = 14.0;
@@ -19,125 +18,75 @@ const AFTER_LABEL: f64 = 20.0;
 const SMALL: f64 = 230.0;
 const SMALL_WITH_AXES: f64 = 360.0;
 
-/// Picture laid out.
-pub(super) struct Page<'a> {
-    title: Vec<String>,
-    /// Legend entries with their left edge, row by row.
-    legend: Vec<Vec<(&'a Series, f64)>>,
-    /// Width left of every panel's y axis, so that the axes stand in line.
-    left: f64,
-    frames: Vec<Frame>,
-    small_width: f64,
-    /// Panels side by side, from the top down, with the height of each row.
-    rows: Vec<(Range<usize>, f64)>,
-    notes: Vec<String>,
-    width: f64,
-    pub(super) height: f64,
-}
-
-impl<'a> Page<'a> {
-    pub(super) fn new(chart: &'a Chart, width: f64) -> Self {
-        let left = chart.panels.iter().map(y_labels_width).fold(0.0, f64::max);
-        let has_axes = chart.panels.iter().any(|panel| panel.is_small && !panel.has_no_axes());
-        let narrowest = if has_axes { SMALL_WITH_AXES } else { SMALL };
-        let columns = ((width - MARGIN) / (narrowest + MARGIN)).max(1.0) as usize;
-        let small_width = (width - (columns + 1) as f64 * MARGIN) / columns as f64;
-        let inner_width = |panel: &Panel| match (panel.is_small, panel.has_no_axes()) {
-            (_, true) => small_width,
-            (true, _) => small_width - left,
-            _ => width - left - 2.0 * MARGIN,
-        };
-        let frames: Vec<Frame> = chart.panels.iter().map(|panel| Frame::new(panel, inner_width(panel))).collect();
-        let rows = rows(&chart.panels, &frames, columns);
-        let lines = |text: &String, size| match text.is_empty() {
-            true => Vec::new(),
-            false => wrapped(text, size, width - 2.0 * MARGIN),
-        };
-        let title = lines(&chart.title, TITLE);
-        let legend = legend(chart, width);
-        let notes: Vec<String> = chart.notes.iter().flat_map(|note| lines(note, NOTE)).collect();
-        let height = 3.0 * MARGIN
-            + SPACING * (TITLE * title.len() as f64 + TICK * legend.len() as f64 + NOTE * notes.len() as f64)
-            + rows.iter().map(|(_, height)| height + GAP).sum::<f64>();
-        Self { title, legend, left, frames, small_width, rows, notes, width, height: height.ceil() }
-    }
-
-    pub(super) fn draw(&self, chart: &Chart, canvas: &Canvas) {
-        let mut y = MARGIN;
-        for line in &self.title {
-            text::draw(canvas, line, TITLE, BLACK, (MARGIN, y));
-            y += SPACING * TITLE;
-        }
-        y += 0.5 * MARGIN;
-        text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, y));
-        for row in &self.legend {
-            for (series, x) in row {
-                sample(canvas, series.style, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
-                let label = series.label.as_deref().unwrap_or("");
-                text::draw(canvas, label, TICK, BLACK, (x + SAMPLE + AFTER_SAMPLE, y));
+/// Lays out a picture, draws it if there is a canvas, and gives its height.
+pub(super) fn layout(chart: &Chart, width: f64, canvas: Option<&Canvas>) -> f64 {
+    let mut y = MARGIN;
+    let paragraph = |text: &str, size: f64, color, y: &mut f64| {
+        let lines = if text.is_empty() { Vec::new() } else { wrapped(text, size, width - 2.0 * MARGIN) };
+        for line in lines {
+            if let Some(canvas) = canvas {
+                text::draw(canvas, &line, size, color, (MARGIN, *y));
             }
-            y += SPACING * TICK;
+            *y += SPACING * size;
         }
-        y += 0.5 * MARGIN;
-        let area = |x: f64, y: f64, width: f64, height: f64| {
-            canvas.clone().shrink((units(x), units(y)), (units(width), units(height)))
-        };
-        for (row, height) in &self.rows {
-            for (column, i) in row.clone().enumerate() {
-                let (panel, frame) = (&chart.panels[i], &self.frames[i]);
-                if panel.is_small {
-                    let x = MARGIN + column as f64 * (self.small_width + MARGIN);
-                    text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
-                    let height = frame.height + labels_height(panel);
-                    frame.draw(panel, &area(x, y + SPACING * TICK, self.small_width, height), self.left);
-                } else {
-                    frame.draw(panel, &area(MARGIN, y, self.width - 2.0 * MARGIN, *height), self.left);
-                }
-            }
-            y += height + GAP;
-        }
-        for line in &self.notes {
-            text::draw(canvas, line, NOTE, GREY, (MARGIN, y));
-            y += SPACING * NOTE;
-        }
+    };
+    paragraph(&chart.title, TITLE, BLACK, &mut y);
+    y = legend(chart, width, y + 0.5 * MARGIN, canvas) + 0.5 * MARGIN;
+    y = panels(&chart.panels, width, y, canvas);
+    for note in &chart.notes {
+        paragraph(note, NOTE, GREY, &mut y);
     }
+    (y + MARGIN).ceil()
 }
 
-fn labels_height(panel: &Panel) -> f64 {
-    if panel.has_no_axes() { 0.0 } else { x_labels_height() }
-}
-
-/// Puts every panel in a row of its own, small ones side by side; also gives the height of each row.
-fn rows(panels: &[Panel], frames: &[Frame], columns: usize) -> Vec<(Range<usize>, f64)> {
-    let mut rows: Vec<(Range<usize>, f64)> = Vec::new();
-    for (i, (panel, frame)) in panels.iter().zip(frames).enumerate() {
-        let caption = if panel.is_small { SPACING * TICK } else { 0.0 };
-        let height = frame.height + caption + labels_height(panel);
-        match rows.last_mut() {
-            Some((row, highest)) if panel.is_small && panels[row.start].is_small && row.len() < columns => {
-                row.end = i + 1;
-                *highest = highest.max(height);
-            }
-            _ => rows.push((i..i + 1, height)),
-        }
-    }
-    rows
-}
-
-/// Rows of legend entries.
-fn legend(chart: &Chart, page: f64) -> Vec<Vec<(&Series, f64)>> {
-    let mut rows: Vec<Vec<(&Series, f64)>> = Vec::new();
+/// Rows of legend entries; gives the lower edge.
+fn legend(chart: &Chart, page: f64, top: f64, canvas: Option<&Canvas>) -> f64 {
     let heading = if chart.legend.is_empty() { 0.0 } else { text::width(&chart.legend, TICK) + MARGIN };
-    let mut x = f64::INFINITY;
-    for series in chart.panels.iter().flat_map(|p| &p.series) {
+    if let Some(canvas) = canvas {
+        text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, top));
+    }
+    let (mut x, mut below) = (f64::INFINITY, top);
+    for series in chart.panels.iter().flat_map(|panel| &panel.series) {
         let Some(label) = &series.label else { continue };
         let width = SAMPLE + AFTER_SAMPLE + text::width(label, TICK);
         if x + width > page - MARGIN {
-            rows.push(Vec::new());
+            below += SPACING * TICK;
             x = MARGIN + heading;
         }
-        rows.last_mut().expect("a row was started").push((series, x));
+        let y = below - SPACING * TICK;
+        if let Some(canvas) = canvas {
+            sample(canvas, series.style, (x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
+            text::draw(canvas, label, TICK, BLACK, (x + SAMPLE + AFTER_SAMPLE, y));
+        }
         x += width + AFTER_LABEL;
     }
-    rows
+    below
+}
+
+/// Panels in a row each, small ones side by side, their y axes in line; gives the lower edge.
+fn panels(panels: &[Panel], width: f64, top: f64, canvas: Option<&Canvas>) -> f64 {
+    let left = panels.iter().map(y_labels_width).fold(0.0, f64::max);
+    let has_axes = panels.iter().any(|panel| panel.is_small && !panel.has_no_axes());
+    let narrowest = if has_axes { SMALL_WITH_AXES } else { SMALL };
+    let columns = ((width - MARGIN) / (narrowest + MARGIN)).max(1.0) as usize;
+    let small_width = (width - (columns + 1) as f64 * MARGIN) / columns as f64;
+    let (mut y, mut below, mut column) = (top, top, columns);
+    for panel in panels {
+        if !panel.is_small || column == columns {
+            (y, column) = (below, 0);
+        }
+        let outer = if panel.is_small { small_width } else { width - 2.0 * MARGIN };
+        let frame = Frame::new(panel, if panel.has_no_axes() { outer } else { outer - left });
+        let caption = if panel.is_small { SPACING * TICK } else { 0.0 };
+        let height = frame.height + if panel.has_no_axes() { 0.0 } else { x_labels_height() };
+        let x = MARGIN + column as f64 * (small_width + MARGIN);
+        if let Some(canvas) = canvas {
+            text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
+            let area = canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height)));
+            frame.draw(panel, &area, left);
+        }
+        column = if panel.is_small { column + 1 } else { columns };
+        below = below.max(y + caption + height + GAP);
+    }
+    below
 }

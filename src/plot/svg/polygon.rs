@@ -35,47 +35,36 @@ pub(super) fn dashed(line: &[(f64, f64)], pattern: &[f64]) -> Vec<Points> {
         return vec![line.to_vec()];
     }
     let mut dashes = Vec::new();
-    let (mut part, mut left) = (0, pattern[0]);
     let mut dash = vec![line[0]];
+    let (mut part, mut left) = (0, pattern[0]);
     for pair in line.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
-        let length = (to.0 - from.0).hypot(to.1 - from.1);
-        let mut done = 0.0;
-        while length - done > left {
-            done += left;
-            let f = done / length;
-            let at = (from.0 + f * (to.0 - from.0), from.1 + f * (to.1 - from.1));
-            if part % 2 == 0 {
-                dash.push(at);
-                dashes.push(std::mem::take(&mut dash));
-            } else {
-                dash = vec![at];
+        let (mut from, to) = (pair[0], pair[1]);
+        loop {
+            let length = (to.0 - from.0).hypot(to.1 - from.1);
+            if length <= left {
+                left -= length;
+                dash.push(to);
+                break;
             }
+            let f = left / length;
+            from = (from.0 + f * (to.0 - from.0), from.1 + f * (to.1 - from.1));
+            dash.push(from);
+            let done = std::mem::replace(&mut dash, vec![from]);
+            dashes.extend((part % 2 == 0).then_some(done));
             part = (part + 1) % pattern.len();
             left = pattern[part];
         }
-        left -= length - done;
-        if part % 2 == 0 {
-            dash.push(to);
-        }
     }
-    if dash.len() > 1 {
-        dashes.push(dash);
-    }
+    dashes.extend((part % 2 == 0 && dash.len() > 1).then_some(dash));
     dashes
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Reference: by hand.
-    #[test]
-    fn polygons_are_clipped_and_dashes_go_around_corners() {
-        let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
-        assert_eq!(clipped(&square, (1.0, 9.0), (-5.0, 2.0)), [(1.0, 2.0), (1.0, 0.0), (4.0, 0.0), (4.0, 2.0)]);
-        assert!(clipped(&square, (5.0, 9.0), (0.0, 1.0)).is_empty());
-        let dashes = dashed(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], &[2.0, 2.0]);
-        assert_eq!(dashes, [vec![(0.0, 0.0), (2.0, 0.0)], vec![(3.0, 1.0), (3.0, 3.0)], vec![(3.0, 5.0), (3.0, 7.0)]]);
-    }
+#[test]
+fn polygons_are_clipped_and_dashes_go_around_corners() {
+    let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+    assert_eq!(clipped(&square, (1.0, 9.0), (-5.0, 2.0)), [(1.0, 2.0), (1.0, 0.0), (4.0, 0.0), (4.0, 2.0)]);
+    assert!(clipped(&square, (5.0, 9.0), (0.0, 1.0)).is_empty());
+    let dashes = dashed(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], &[2.0, 2.0]);
+    assert_eq!(dashes, [vec![(0.0, 0.0), (2.0, 0.0)], vec![(3.0, 1.0), (3.0, 3.0)], vec![(3.0, 5.0), (3.0, 7.0)]]);
 }

@@ -9,57 +9,42 @@ pub(super) fn tick_count(height: f64) -> usize {
     ((height / 45.0) as usize).clamp(4, 8)
 }
 
-/// At most `most` round values of the range.
 fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
 }
 
-/// Logarithms of round values in a range of logarithms: 1, 2, 5 times powers of ten if there are at most `most`, else powers
-/// of ten; values as on any axis if there are fewer than two.
+/// Logarithms of 1, 2, 5 times powers of ten in a range of logarithms, of powers of ten alone if those are more than `most`;
+/// round values if there are fewer than two.
 fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
-    let powers = || low.floor() as i32..=high.ceil() as i32;
-    let of = |digits: &[f64]| -> Vec<f64> {
-        let all = powers().flat_map(|power| digits.iter().map(move |digit| digit.log10() + f64::from(power)));
-        all.filter(|place| (low..=high).contains(place)).collect()
-    };
-    let fine = of(&[1.0, 2.0, 5.0]);
+    let powers = low.floor() as i32..=high.ceil() as i32;
+    let fine = powers.flat_map(|power| [1.0_f64, 2.0, 5.0].map(|digit| digit.log10() + f64::from(power)));
+    let fine: Vec<f64> = fine.filter(|place| (low..=high).contains(place)).collect();
     match fine.len() {
         0 | 1 => ticks((10_f64.powf(low), 10_f64.powf(high)), most).into_iter().map(f64::log10).collect(),
         n if n > most => {
-            let tens = of(&[1.0]);
-            let step = tens.len().div_ceil(most).max(1);
-            tens.into_iter().step_by(step).collect()
+            let tens: Vec<f64> = fine.into_iter().filter(|place| place.fract() == 0.0).collect();
+            tens.iter().step_by(tens.len().div_ceil(most).max(1)).copied().collect()
         }
         _ => fine,
     }
 }
 
-/// Range with given ticks.
-pub(super) struct Ticked {
-    range: RangedCoordf64,
-    ticks: Vec<f64>,
-}
-
-impl Ticked {
-    pub fn new((low, high): (f64, f64), ticks: Vec<f64>) -> Self {
-        Self { range: (low..high).into(), ticks }
-    }
-}
+pub(super) struct Ticked(pub (f64, f64), pub Vec<f64>);
 
 impl Ranged for Ticked {
     type FormatOption = DefaultFormatting;
     type ValueType = f64;
 
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        self.range.map(value, limit)
+        RangedCoordf64::from(self.range()).map(value, limit)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
-        self.ticks.clone()
+        self.1.clone()
     }
 
     fn range(&self) -> Range<f64> {
-        self.range.range()
+        self.0.0..self.0.1
     }
 }
 
@@ -87,25 +72,18 @@ pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
 
 /// Number with as many decimals as its neighbours need, digits in groups of three from 10 000 on.
 fn tick(value: f64, all: &[f64]) -> String {
-    let decimals = |v: &f64| {
-        let text = format!("{v:.6}");
-        let tail = text.rsplit_once('.').map_or("", |(_, tail)| tail.trim_end_matches('0'));
-        tail.len()
-    };
-    let text = format!("{:.*}", all.iter().map(decimals).max().unwrap_or(0), value + 0.0);
-    let text = if text.trim_start_matches(['-', '0', '.']).is_empty() { text.replace('-', "") } else { text };
-    let (whole, tail) = text.split_once('.').map_or((text.as_str(), ""), |(whole, tail)| (whole, tail));
-    let digits = whole.trim_start_matches('-');
-    let mut grouped = String::new();
+    let decimals = |v: &f64| format!("{v:.6}").trim_end_matches('0').rsplit_once('.').map_or(0, |(_, tail)| tail.len());
+    let text = format!("{:.*}", all.iter().map(decimals).max().unwrap_or(0), value.abs());
+    let (digits, tail) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let is_negative = value < 0.0 && text.contains(|c: char| c.is_ascii_digit() && c != '0');
+    let mut label = String::from(if is_negative { "−" } else { "" });
     for (i, digit) in digits.chars().enumerate() {
         if i > 0 && digits.len() > 4 && (digits.len() - i) % 3 == 0 {
-            grouped.push('\u{2009}');
+            label.push('\u{2009}');
         }
-        grouped.push(digit);
+        label.push(digit);
     }
-    let minus = if whole.starts_with('-') { "−" } else { "" };
-    let point = if tail.is_empty() { "" } else { "." };
-    format!("{minus}{grouped}{point}{tail}")
+    label + tail
 }
 
 /// Tick values of an axis: round ones, or one per name.
@@ -130,34 +108,21 @@ pub(super) fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ticks_are_round_numbers_as_many_as_allowed() {
-        let labels = |range, most| {
-            let ticks = ticks(range, most);
-            ticks.iter().map(|value| tick(*value, &ticks)).collect::<Vec<_>>()
-        };
-        assert_eq!(labels((0.0, 1.0), 8), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(labels((-0.52, 0.46), 6), ["−0.4", "−0.2", "0.0", "0.2", "0.4"]);
-        assert_eq!(ticks((0.0, 46_900.0), 7), [0.0, 10_000.0, 20_000.0, 30_000.0, 40_000.0]);
-        assert_eq!(ticks((3.0, 3.0), 8), [3.0]);
-        let log = |range: (f64, f64), most| -> Vec<String> {
-            let places = decades((range.0.log10(), range.1.log10()), most);
-            places.iter().map(|place| 10_f64.powf(*place)).map(|value| tick(value, &[value])).collect()
-        };
-        assert_eq!(log((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
-        assert_eq!(log((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
-        assert_eq!(log((6.0, 9.0), 4), ["6", "7", "8", "9"]);
-        assert_eq!(tick(12_345.0, &[12_345.0]), "12\u{2009}345");
-    }
-
-    #[test]
-    fn a_colour_bar_has_numbers_at_both_ends() {
-        let steps = |levels: std::ops::RangeInclusive<i32>| levels.map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>();
-        assert_eq!(spread(&steps(-2..=3), 8), steps(-2..=3));
-        assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
-        assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
-    }
+#[test]
+fn ticks_are_round_numbers_as_many_as_allowed() {
+    let labels = |values: Vec<f64>| values.iter().map(|value| tick(*value, &values)).collect::<Vec<_>>().join(" ");
+    let log = |range: (f64, f64), most| -> Vec<String> {
+        let places = decades((range.0.log10(), range.1.log10()), most);
+        places.iter().map(|place| 10_f64.powf(*place)).map(|value| tick(value, &[value])).collect()
+    };
+    assert_eq!(labels(ticks((0.0, 1.0), 8)), "0.0 0.2 0.4 0.6 0.8 1.0");
+    assert_eq!(labels(ticks((-0.52, 0.46), 6)), "−0.4 −0.2 0.0 0.2 0.4");
+    assert_eq!(labels(ticks((0.0, 46_900.0), 7)), "0 10\u{2009}000 20\u{2009}000 30\u{2009}000 40\u{2009}000");
+    assert_eq!(log((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
+    assert_eq!(log((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
+    assert_eq!(log((6.0, 9.0), 4), ["6", "7", "8", "9"]);
+    let steps = |levels: std::ops::RangeInclusive<i32>| levels.map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>();
+    assert_eq!(spread(&steps(-2..=3), 8), steps(-2..=3));
+    assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
+    assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
 }

@@ -53,8 +53,8 @@ fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
         format!("Reason: {}.", spec.reason.trim_end_matches('.')),
     ];
     let demonstration = spec.demonstration.then(|| "A demonstration, not a validation.".to_owned());
-    let notes = demonstration.into_iter().chain(notes).chain(view.notes()).collect();
-    Some(Chart::new(view.titled("computed and reference"), panels, notes))
+    let notes = demonstration.into_iter().chain(notes);
+    Some(view.chart("computed and reference", panels, notes))
 }
 
 fn curve(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> Vec<Panel> {

@@ -87,7 +87,7 @@ impl Summary {
 
         let mut summary = Self { lines: Vec::new(), group: Group::Case };
         summary.text("case", "Case", view.name.clone());
-        summary.text("title", "Title", view.title.to_owned());
+        summary.text("title", "Title", view.model().title.clone());
         summary.text("section", "Section", section_of(model.extent()));
         summary.group = Group::Part;
         summary.text("hardening", "Hardening", model.material.describe());
@@ -155,7 +155,7 @@ impl Summary {
         summary.group = Group::Warnings;
         summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
-        summary.list("notes", "Declared assumptions", view.declared.to_vec());
+        summary.list("notes", "Declared assumptions", view.model().notes.clone());
         for line in &mut summary.lines {
             if let Value::Number(amount) = &mut line.value {
                 let bar = view.verification.and_then(|verification| verification.half(*amount));

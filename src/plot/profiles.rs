@@ -1,0 +1,76 @@
+//! Thickness, porosity, temperature and strains over the blank at the kept frames, and thickness along the part.
+
+use super::chart::{Chart, Panel, Series, Style};
+use super::palette::color;
+use super::{StageView, bands};
+use crate::solver::solution::ElementRecord;
+use crate::table::fields::element::{
+    POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
+};
+use crate::table::{Field, capitalised};
+
+/// Least span of the axis of a thickness over the initial one \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
+const LEAST: f64 = 0.02;
+const LEAST_POROSITY: f64 = 1e-4;
+const LEAST_TEMPERATURE: f64 = 1.0;
+const LEAST_STRAIN: f64 = 0.02;
+const HEIGHT: f64 = 350.0;
+const STRAINS: [Field<ElementRecord>; 3] = [STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS];
+
+pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
+    let initial = view.model().blank.thickness;
+    let values = view.stage.frames.iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
+    if view.is_level(initial, values, LEAST * initial) {
+        return None;
+    }
+    let mut chart = over_blank(view, "thickness", &THICKNESS, LEAST * initial)?;
+    if let Some(band) = view.thickness_band {
+        let panel = chart.panels.remove(0);
+        let last = color(panel.series.len().saturating_sub(1));
+        chart.panels.push(panel.with_band("Error band", &band.x, [&band.low, &band.high], last));
+    }
+    chart.panels.extend(bands::panel(view, LEAST * initial));
+    Some(chart)
+}
+
+pub(crate) fn porosity(view: &StageView) -> Option<Chart> {
+    view.model().material.gtn.and_then(|_| over_blank(view, "porosity", &POROSITY, LEAST_POROSITY))
+}
+
+pub(crate) fn temperature(view: &StageView) -> Option<Chart> {
+    view.model().heat.as_ref().and_then(|_| over_blank(view, "temperature", &TEMPERATURE, LEAST_TEMPERATURE))
+}
+
+fn over_blank(view: &StageView, subject: &str, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
+    view.stage.frames.last()?;
+    let extent = view.extent();
+    let curves = view.shown_frames().into_iter().enumerate().map(|(i, frame)| {
+        Series::new(view.progress_at(frame).to_string(), S0.against(field, &frame.elements), Style::curve(i))
+    });
+    let panel = Panel::fit(S0.axis(extent), field.axis(extent), HEIGHT, least).with(curves);
+    let legend = capitalised(view.progress());
+    Some(Chart { legend, ..view.chart(subject, vec![panel], view.frames_note()) })
+}
+
+/// Strains at the last frame, with earlier frames thin behind them.
+pub(crate) fn strains(view: &StageView) -> Option<Chart> {
+    let (extent, last) = (view.extent(), view.stage.frames.last()?);
+    let values = STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value));
+    if view.is_level(0.0, values, LEAST_STRAIN) {
+        return None;
+    }
+    let earlier = view.shown_frames().into_iter().rev().skip(1).map(|frame| (frame, true));
+    let curves = earlier.chain([(last, false)]).flat_map(|(frame, is_earlier)| {
+        STRAINS.iter().enumerate().map(move |(i, field)| {
+            let points = S0.against(field, &frame.elements);
+            match is_earlier {
+                true => Series::silent(points, Style::curve(i).faint()),
+                false => Series::new(field.label(extent), points, Style::curve(i)),
+            }
+        })
+    });
+    let panel = Panel::fit(S0.axis(extent), Field::shared_axis(&STRAINS, extent), HEIGHT, LEAST_STRAIN).with(curves);
+    let subject = format!("strains, {} {}", view.progress(), view.progress_at(last));
+    let note = "Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned();
+    Some(view.chart(&subject, vec![panel], [Some(note), view.frames_note()].into_iter().flatten()))
+}
