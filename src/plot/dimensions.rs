@@ -12,27 +12,14 @@ use std::f64::consts::PI;
 /// Size of the section, and its place in the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimension {
-    /// Measured thing: `Punch`.
-    pub of: String,
-    /// Kind of size.
-    pub size: Size,
+    /// Name in a table: `Punch diameter`.
+    pub name: String,
+    /// Text on a drawing: `Punch Ø 60 mm`.
+    pub text: String,
     /// Value.
     pub amount: Amount,
     /// Place in the drawing.
     pub mark: Mark,
-}
-
-/// Kinds of sizes with a sign of their own on drawings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Size {
-    /// Diameter: Ø.
-    Diameter,
-    /// Width of a strip over both halves.
-    Width,
-    /// Radius, and the number of equal ones: R.
-    Radius(usize),
-    /// Any other.
-    Plain,
 }
 
 /// Place of a dimension \[mm\].
@@ -72,32 +59,6 @@ const THIN: Style = Style::Line { color: BLACK, width: 1.0, dash: &[] };
 const CENTRE: Style = Style::Line { color: BLACK, width: 0.9, dash: &[14.0, 3.5, 2.5, 3.5] };
 const EXTENSION: Style = Style::Line { color: GREY, width: 0.8, dash: &[4.0, 3.0] };
 
-impl Dimension {
-    /// Name in a table: `Punch diameter`.
-    pub fn name(&self) -> String {
-        self.of.clone()
-            + &match self.size {
-                Size::Diameter => " diameter".into(),
-                Size::Width => " width".into(),
-                Size::Radius(1) => " radius".into(),
-                Size::Radius(count) => format!(" radius, {count} times"),
-                Size::Plain => String::new(),
-            }
-    }
-
-    /// Text on a drawing: `Punch Ø 60 mm`.
-    fn text(&self) -> String {
-        let sign = match self.size {
-            Size::Diameter => "Ø ".into(),
-            Size::Width => "width ".into(),
-            Size::Radius(1) => "R ".into(),
-            Size::Radius(count) => format!("{count} × R "),
-            Size::Plain => String::new(),
-        };
-        format!("{} {sign}{}", self.of, self.amount)
-    }
-}
-
 /// Sheet and tools before the first step of a stage with dimensions; `start` is the sheet that a later stage begins with.
 /// No text lies on another: widths have a row each below the section, texts at its side a row each.
 pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Chart {
@@ -106,9 +67,9 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let mut along: Vec<([f64; 3], String)> = Vec::new();
     for dimension in dimensions {
         match dimension.mark {
-            Mark::Across(r) => across.push((r, dimension.text())),
-            Mark::At(point) => beside.push((point, dimension.text())),
-            Mark::Along { r, from, to } => along.push(([r, from, to], dimension.text())),
+            Mark::Across(r) => across.push((r, dimension.text.clone())),
+            Mark::At(point) => beside.push((point, dimension.text.clone())),
+            Mark::Along { r, from, to } => along.push(([r, from, to], dimension.text.clone())),
         }
     }
     across.sort_by(|a, b| a.0.total_cmp(&b.0));

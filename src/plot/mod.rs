@@ -27,7 +27,7 @@ mod svg;
 pub(crate) mod thinning;
 
 pub use chart::Chart;
-pub use dimensions::{Dimension, Mark, Size, dimensioned};
+pub use dimensions::{Dimension, Mark, dimensioned};
 pub use frame_recorder::{Extra, FrameRecorder};
 pub use settings::{Captions, Format, PAPER, Pictures, png};
 pub use sketch::{SketchedTool, sketch};

@@ -87,7 +87,8 @@ impl<'a> Report<'a> {
 
     /// Every number of the page, with those of the summaries behind its pictures.
     pub fn json(&self) -> Value {
-        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
+        let dimension =
+            |d: &Dimension| json!({"label": d.name, "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
         let mut answer = json!(self.answer);
         for (value, number) in answer["numbers"].as_array_mut().into_iter().flatten().zip(&self.answer.numbers) {
             value["told"] = number.amount.to_string().into();

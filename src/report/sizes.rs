@@ -3,7 +3,7 @@
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::plot::{Dimension, Mark, Size};
+use crate::plot::{Dimension, Mark};
 use crate::solver::solution::Frame;
 use crate::units::Amount;
 
@@ -51,16 +51,17 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
 }
 
 fn plain(of: &'static str, amount: Amount, mark: Mark) -> Dimension {
-    Dimension { of: of.into(), size: Size::Plain, amount, mark }
+    Dimension { name: of.into(), text: format!("{of} {amount}"), amount, mark }
 }
 
 /// The diameter of a round part, or the width of a strip, at a distance from its middle.
 fn wide(model: &Model, of: &'static str, r: f64, amount: fn(f64) -> Amount, mark: Mark) -> Dimension {
-    let size = match model.geometry {
-        Geometry::Axisymmetric => Size::Diameter,
-        Geometry::PlaneStrain => Size::Width,
+    let (kind, sign) = match model.geometry {
+        Geometry::Axisymmetric => ("diameter", "Ø"),
+        Geometry::PlaneStrain => ("width", "width"),
     };
-    Dimension { of: of.into(), size, amount: amount(2.0 * r), mark }
+    let amount = amount(2.0 * r);
+    Dimension { name: format!("{of} {kind}"), text: format!("{of} {sign} {amount}"), amount, mark }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
@@ -83,11 +84,13 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
         found.truncate(1);
         found[0].0 = format!("{of} least", of = found[0].0);
     }
-    let radius = |(of, alike, arc): (String, usize, Arc)| Dimension {
-        of,
-        size: Size::Radius(alike),
-        amount: Amount::drawn(arc.radius),
-        mark: Mark::At(arc.at(0.5) + moved),
+    let radius = |(of, alike, arc): (String, usize, Arc)| {
+        let (amount, mark) = (Amount::drawn(arc.radius), Mark::At(arc.at(0.5) + moved));
+        let (times, sign) = match alike {
+            1 => (String::new(), String::new()),
+            n => (format!(", {n} times"), format!("{n} × ")),
+        };
+        Dimension { name: format!("{of} radius{times}"), text: format!("{of} {sign}R {amount}"), amount, mark }
     };
     found.into_iter().map(radius).collect()
 }

@@ -28,7 +28,7 @@ fn brings_tools(before: &[StageSolution], stage: &StageSolution) -> bool {
 fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
     let rows = dimensions.iter().map(|dimension| {
         let (value, unit) = dimension.amount.parts();
-        [dimension.name().to_string(), value, unit.to_owned()]
+        [dimension.name.clone(), value, unit.to_owned()]
     });
     let chart = dimensioned(format!("{heading} at the start"), model, start, dimensions);
     let content = html! {
