@@ -49,16 +49,6 @@ impl FailureMode {
         }
     }
 
-    /// Mode of a red row of the verdict; the row on how the run ended is decided by [`Self::all`].
-    pub fn of_row(key: &str) -> Self {
-        match key {
-            "thinning" | "localisation" | "forming_limit" | "bottom_tearing" => Self::Tears,
-            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
-            "press_force" | "energy" => Self::Press,
-            _ => Self::Other,
-        }
-    }
-
     /// All modes of a solved case, the most important first; empty if the part is sound.
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
         use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
@@ -68,7 +58,13 @@ impl FailureMode {
         }
         let is_tear = matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. });
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
-        let mode = |key| if key == "stop" && is_tear { Self::Tears } else { Self::of_row(key) };
+        let mode = |key| match key {
+            "stop" if is_tear => Self::Tears,
+            "thinning" | "localisation" | "forming_limit" | "bottom_tearing" => Self::Tears,
+            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
+            "press_force" | "energy" => Self::Press,
+            _ => Self::Other,
+        };
         let mut modes: Vec<Self> = red.map(mode).collect();
         modes.sort_unstable();
         modes.dedup();

@@ -1,9 +1,9 @@
 //! Forming limit diagram: zones below and above the curve, and strain paths. A strip's places all have plane strain: the
 //! major strain is drawn over the blank instead.
 
-use super::StageView;
 use super::chart::{Chart, Color, Panel, Scale, Series, Style, bounds};
 use super::palette::{BLACK, GREY, color};
+use super::{Captions, StageView};
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
 use crate::model::Geometry;
@@ -50,7 +50,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             *point = (if is_strain[0] { point.0.exp_m1() } else { point.0 }, point.1.exp_m1());
         }
     }
-    let sources = limit.notes.iter().filter(|_| view.states_sources()).map(ToString::to_string);
+    let states_sources = matches!(view.pictures.captions, Captions::Own | Captions::Full);
+    let sources = limit.notes.iter().filter(|_| states_sources).map(ToString::to_string);
     Some(view.chart(subject, vec![panel], std::iter::once(summary(view, assessment)).chain(sources)))
 }
 

@@ -160,10 +160,6 @@ impl<'a> StageView<'a> {
         Chart::new(title, panels, notes.into_iter().map(Into::into).chain(self.notes()).collect())
     }
 
-    pub(super) fn states_sources(&self) -> bool {
-        matches!(self.pictures.captions, Captions::Own | Captions::Full)
-    }
-
     /// Notes of every picture: an early stop; with full captions also settings, warnings and assumptions.
     pub(crate) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
