@@ -13,7 +13,7 @@ fn quickstart(overrides: &[&str]) -> Case {
 
 fn value(check: &Check, label: &str) -> f64 {
     let line = check.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}"));
-    line.number().expect("a number")
+    line.number.expect("a number")
 }
 
 /// Trust: hand calculation. R_m = k n^n exp(offset − n) for Swift; flange π(55² − 37.25²) mm²; β = 55/30.

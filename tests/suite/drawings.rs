@@ -243,7 +243,7 @@ fn imported(dir: &Path, name: &str, args: &[&str]) -> (Case, String) {
 
 fn check_value(case: &Case, label: &str) -> f64 {
     let report = stampflow::assess::check::report(case);
-    report.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}")).number().unwrap()
+    report.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}")).number.unwrap()
 }
 
 /// Trust: the cup of `new`; Siebel's rule as `check` advises it, rounded up, goes with the sheet's strength.
