@@ -81,7 +81,9 @@ fn panels(panels: &[Panel], width: f64, top: f64, canvas: Option<&Canvas>) -> f6
         let height = frame.height + if panel.has_no_axes() { 0.0 } else { x_labels_height() };
         let x = MARGIN + column as f64 * (small_width + MARGIN);
         if let Some(canvas) = canvas {
-            text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
+            if panel.is_small {
+                text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
+            }
             let area = canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height)));
             frame.draw(panel, &area, left);
         }
