@@ -33,11 +33,11 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let tear = tears_at(view.stage).and_then(|s0| least(&|element| (element.s0 - s0).abs()));
     let left = if tear.is_some() { -SHARED * right } else { -right };
     let text = thickness_text(initial, thinnest.thickness);
-    let mut callouts = vec![callout(text, place(thinnest), (1.0, left), frame, window, narrow)];
+    let mut callouts = vec![callout(text, place(thinnest), (1.0, left), frame, window, [narrow, mm])];
     let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, times, true));
     if let Some(torn) = tear {
         let side = (-1.0, SHARED * right);
-        callouts.push(callout("tears here".to_owned(), place(torn), side, frame, window, narrow));
+        callouts.push(callout("tears here".to_owned(), place(torn), side, frame, window, [narrow, mm]));
         section = section.with(cross((-torn.r, torn.z), CROSS * mm));
     }
     let mut note = thickness_note(times);

@@ -35,7 +35,7 @@ pub(crate) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f6
 pub(crate) fn whole_window(frame: &Frame) -> [(f64, f64); 2] {
     let width = bounds(frame.nodes.iter().map(|node| node.r)).1 * (1.0 + AROUND);
     let (top, bottom) = bounds(frame.nodes.iter().map(|node| node.z));
-    [(-width, width), (top - AROUND * width, bottom + AROUND * width)]
+    [(-width, width), (top - 2.0 * AROUND * width, bottom + AROUND * width)]
 }
 
 /// Tool bodies as they stand in a frame, or in the model without one; `width` is that of the picture \[mm\].
@@ -132,30 +132,34 @@ const STEPS: u32 = 24;
 /// Distance of a callout from the sheet \[px\].
 const CLEARANCE: f64 = 9.0;
 
-/// Callout of a point at the nearest place where its text covers no sheet. `side` is 1, or −1 for the mirror image;
-/// `left` bounds the text \[mm\]; `mm` is the length of a px.
+/// Callout of a point at the nearest place where its text covers no sheet, in the first of some scales \[mm/px\] that has
+/// one. `side` is 1, or −1 for the mirror image; `left` bounds the text \[mm\].
 pub(super) fn callout(
     text: String,
     at: (f64, f64),
     (side, left): (f64, f64),
     frame: &Frame,
     [(_, right), (top, bottom)]: [(f64, f64); 2],
-    mm: f64,
+    scales: [f64; 2],
 ) -> Annotation {
-    let half = (0.5 * LETTER_WIDTH * text.chars().count() as f64 + 6.0) * mm;
-    let (high, gap) = (0.9 * LETTER_HEIGHT * mm, CLEARANCE * mm);
-    let surfaces: Vec<(f64, f64)> =
-        (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|face| surface(frame, i, face))).collect();
+    let size = |mm: f64| ((0.5 * LETTER_WIDTH * text.chars().count() as f64 + 6.0) * mm, 0.9 * LETTER_HEIGHT * mm);
+    let corner = |(half, high): (f64, f64)| ((right - half).max(left + half), top + high);
+    let nodes = 0..frame.nodes.len();
+    let surfaces: Vec<(f64, f64)> = nodes.flat_map(|i| [1.0, -1.0].map(|face| surface(frame, i, face))).collect();
     let steps = |from: f64, to: f64| (0..=STEPS).map(move |i| from + (to - from) * f64::from(i) / f64::from(STEPS));
-    let corner = ((right - half).max(left + half), top + high);
-    let places = steps(left + half, corner.0).flat_map(|x| steps(corner.1, bottom - high).map(move |y| (x, y)));
-    let covers = |p: &(f64, f64), q: &(f64, f64)| {
-        (p.0 - q.0).abs().min((p.0 + q.0).abs()) < half + gap && (p.1 - q.1).abs() < high + 1.5 * gap
-    };
-    let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
     let distance = |p: &(f64, f64)| (p.0 - at.0).hypot(p.1 - at.1);
-    let nearest = free.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(corner);
-    Annotation::new(AnnotationKind::Callout((side * nearest.0, nearest.1)), text, (side * at.0, at.1))
+    let nearest = |mm: f64| {
+        let ((half, high), gap) = (size(mm), CLEARANCE * mm);
+        let corner = corner((half, high));
+        let places = steps(left + half, corner.0).flat_map(|x| steps(corner.1, bottom - high).map(move |y| (x, y)));
+        let covers = |p: &(f64, f64), q: &(f64, f64)| {
+            (p.0 - q.0).abs().min((p.0 + q.0).abs()) < half + gap && (p.1 - q.1).abs() < high + 1.5 * gap
+        };
+        let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
+        free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    };
+    let (x, y) = scales.into_iter().find_map(nearest).unwrap_or_else(|| corner(size(scales[0])));
+    Annotation::new(AnnotationKind::Callout((side * x, y)), text, (side * at.0, at.1))
 }
 
 /// Reference: a rectangle at the middle becomes one of twice the width, one beside it stays two.
