@@ -132,22 +132,10 @@ impl Files for Memory {
     }
 }
 
-/// Files that note which of them are read.
-pub struct Noted<'a> {
-    files: &'a dyn Files,
-    paths: RefCell<Vec<PathBuf>>,
-}
-
-impl<'a> Noted<'a> {
-    /// With a file that has been read already.
-    pub fn new(files: &'a dyn Files, read: PathBuf) -> Self {
-        Self { files, paths: RefCell::new(vec![read]) }
-    }
-
-    /// The paths of the files that were read, in order.
-    pub fn paths(self) -> Vec<PathBuf> {
-        self.paths.into_inner()
-    }
+/// Files that note the paths of those that are read, in order.
+pub(super) struct Noted<'a> {
+    pub files: &'a dyn Files,
+    pub paths: RefCell<Vec<PathBuf>>,
 }
 
 impl Files for Noted<'_> {
@@ -173,10 +161,4 @@ fn plain(path: &Path) -> PathBuf {
 pub(crate) struct Folder<'a> {
     pub files: &'a dyn Files,
     pub path: &'a Path,
-}
-
-impl Default for Folder<'_> {
-    fn default() -> Self {
-        Self { files: &Disk, path: Path::new("") }
-    }
 }

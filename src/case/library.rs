@@ -6,7 +6,7 @@ mod lookup;
 pub use entries::{Class, StandsFor};
 
 use super::file::{self, Anisotropy, CaseFile};
-use super::files::Folder;
+use super::files::{Disk, Folder};
 use super::sources::{Sheets, Sources, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
@@ -14,6 +14,7 @@ use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
+use std::path::Path;
 
 /// Plastic strain of the proof stress \[–\].
 const PROOF: f64 = 0.002;
@@ -153,7 +154,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let file = read(name, text)?;
-    let source = Source::parse(name, text, Folder::default())?;
+    let source = Source::parse(name, text, Folder { files: &Disk, path: Path::new("") })?;
     let material = build::material(&file.material, &source)?;
     let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &source)).transpose()?;
     let EntryFile { title, grade, licence, thickness, stands_for, scatter, mut notes, .. } = file;

@@ -3,6 +3,7 @@
 use super::source::Source;
 use super::{Case, CaseError, build, file, library, overrides, sources};
 use crate::case::files::{self, Disk, FileError, Files, Folder, Noted};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -47,7 +48,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
     }
-    let reads = Noted::new(files, path.clone());
+    let reads = Noted { files, paths: RefCell::new(vec![path.clone()]) };
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
@@ -71,7 +72,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         title_block: file.report,
         r_values,
         derived: source.take_notes(),
-        inputs: reads.paths(),
+        inputs: reads.paths.take(),
         path,
     })
 }

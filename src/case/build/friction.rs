@@ -1,9 +1,8 @@
 //! `friction` of a tool, or of its side of the sheet.
 
-use super::material::prepared;
+use super::material::only;
 use crate::case::file::{self, ToolKeys};
 use crate::case::{CaseError, source::Source};
-use crate::material::law::Family;
 use crate::model::{Friction, Role};
 
 /// Given laws, by tool and by side of the sheet.
@@ -29,30 +28,18 @@ impl<'a> Frictions<'a> {
     pub fn law(&self, role: Role, source: &Source) -> Result<Friction, CaseError> {
         let tool = role.name();
         if let Some(law) = self.tools[role as usize] {
-            return convert(law, source, &format!("tools.{tool}.friction"));
+            return only(law, &format!("tools.{tool}.friction"), source);
         }
         let (side, key) = match role {
             Role::Punch | Role::Holder => (self.sides.punch_side, "punch_side"),
             Role::Die => (self.sides.die_side, "die_side"),
         };
         let (law, origin) = match (side, role) {
-            (Some(law), _) => (convert(law, source, &format!("friction.{key}"))?, "that of its side of the sheet"),
+            (Some(law), _) => (only(law, &format!("friction.{key}"), source)?, "that of its side of the sheet"),
             (None, Role::Holder) => (source.silently(|| self.law(Role::Die, source))?, "the die's"),
             (None, _) => return Err(source.missing(&format!("tools.{tool}"), "friction")),
         };
         source.note(format!("the {tool}'s friction is {origin}, {law}"));
         Ok(law)
     }
-}
-
-fn convert(given: file::Friction, source: &Source, path: &str) -> Result<Friction, CaseError> {
-    let (what, help) = match given.only() {
-        Ok(law) => return prepared(law, None, path, source),
-        Err(given) if given.is_empty() => {
-            let names = Friction::NAMES.join(", ");
-            ("names no law", format!("write a coefficient, such as friction = 0.1, or one of {names}"))
-        }
-        Err(_) => ("names more than one law", "keep one of them".into()),
-    };
-    Err(source.error(path, format!("`friction` {what}"), help))
 }

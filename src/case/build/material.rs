@@ -127,7 +127,7 @@ pub(in crate::case) fn mean_of(r: RValues) -> String {
 }
 
 /// Law of a table that must name exactly one, ready for use.
-fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
+pub(super) fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
     match named.only() {
         Ok(law) => prepared(law, None, path, source),
         Err(given) => Err(not_one(given.len(), path, &F::NAMES.join(", "), source)),
@@ -135,7 +135,7 @@ fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, Ca
 }
 
 /// Law made ready for use.
-pub(super) fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
     let name = law.name();
     law.prepared(young).map_err(|mut error| {
         error.message = format!("{name}: {}", error.message);
@@ -150,8 +150,10 @@ pub(super) fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
 
 /// Error of a table that must name exactly one law.
 pub(super) fn not_one(count: usize, path: &str, names: &str, source: &Source) -> CaseError {
-    match count {
-        0 => source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]")),
-        _ => source.error(path, format!("[{path}] names more than one law"), "keep one of them"),
+    if count > 0 {
+        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
     }
+    let number = if path.contains("friction") { "write a coefficient, such as friction = 0.1, or " } else { "" };
+    let help = format!("{number}give one of {names}, or drop [{path}]");
+    source.error(path, format!("[{path}] names no law"), help)
 }

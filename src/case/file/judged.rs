@@ -57,15 +57,10 @@ fn text_or_date<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D:
 impl TitleBlock {
     /// Names and values of the given entries, in the order of a drawing's title block.
     pub fn entries(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        let all = [
-            ("Part", &self.part),
-            ("Number", &self.number),
-            ("Revision", &self.revision),
-            ("Author", &self.author),
-            ("Company", &self.company),
-            ("Date", &self.date),
-        ];
-        all.into_iter().filter_map(|(name, value)| Some((name, value.as_deref()?.trim())).filter(|e| !e.1.is_empty()))
+        let names = ["Part", "Number", "Revision", "Author", "Company", "Date"];
+        let values = [&self.part, &self.number, &self.revision, &self.author, &self.company, &self.date];
+        let written = names.into_iter().zip(values).filter_map(|(name, value)| Some((name, value.as_deref()?.trim())));
+        written.filter(|(_, value)| !value.is_empty())
     }
 
     /// Entries of `other`, and of this one where `other` has none.
