@@ -23,7 +23,6 @@ mod depth;
 mod drawings;
 mod error_bars;
 mod events;
-mod files;
 mod fit;
 mod forming_limit;
 mod geometry;

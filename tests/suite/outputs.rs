@@ -82,7 +82,7 @@ fn tables_begin_with_their_columns_and_hold_the_records() {
 /// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
 #[test]
 fn a_run_without_a_step_draws_no_empty_axes() {
-    let mut run = shipped::solve(&shipped::shipped("stretch_limit", &["forming_limit.stop=false"]));
+    let mut run = shipped::solve(&shipped::shipped("stretch_limit", &[]));
     run.steps.clear();
     run.frames.clear();
     for output in OUTPUTS {
