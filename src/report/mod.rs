@@ -8,7 +8,6 @@ mod results;
 mod sections;
 mod sizes;
 mod sketch;
-mod versus;
 
 pub use sizes::dimensions;
 

@@ -1,6 +1,6 @@
 //! HTML of the report: pictures and style inside, nothing fetched from elsewhere; a browser prints it on A4 pages.
 
-use super::{PROGRAM, Report, front, results, sections, sketch, versus};
+use super::{PROGRAM, Report, front, results, sections, sketch};
 use crate::assess::Light;
 use crate::plot::{Chart, svg};
 use crate::results::REPORT_MARKER;
@@ -49,7 +49,7 @@ impl Report<'_> {
         sections.extend(sketch::sections(self));
         sections.push(sections::inputs(self));
         sections.extend(results::sections(self));
-        sections.extend(self.versus.map(versus::section));
+        sections.extend(self.versus.map(sections::versus));
         sections.extend([
             sections::assumptions(self),
             sections::warnings(self),

@@ -4,7 +4,7 @@ use super::page::{Row, Section, figure, table};
 use super::{Report, front};
 use crate::assess::tears_at;
 use crate::plot::{Chart, StageView};
-use crate::results::summary::{Figure, Group};
+use crate::results::summary::Group;
 use crate::results::{OUTPUTS, Summary, springback};
 use crate::table::Unit;
 use crate::units::Amount;
@@ -31,12 +31,11 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
 
 /// Table of the summary's lines of some groups.
 pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Markup {
-    let row = |f: Figure| Row {
-        belongs: f.label.starts_with(' '),
-        ..Row::from([f.label.trim_start().to_owned(), f.value, f.unit.to_owned()])
+    let row = |[label, value, unit]: [String; 3]| Row {
+        belongs: label.starts_with(' '),
+        ..Row::from([label.trim_start().to_owned(), value, unit])
     };
-    let wanted = summary.figures().filter(|figure| is_wanted(figure.group));
-    table(&["Quantity", "Value", "Unit"], wanted.map(row))
+    table(&["Quantity", "Value", "Unit"], summary.figures(is_wanted).map(row))
 }
 
 /// Plot of a stage by its file, with its caption.

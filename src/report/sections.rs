@@ -1,12 +1,15 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
-use super::page::{Row, Section, list, table, word};
+use super::page::{Row, Section, figure, list, table, word};
 use super::results::figures;
 use super::{PROGRAM, Report};
 use crate::assess::check::Line;
 use crate::assess::{Kind, Light, judgements};
 use crate::case::files::sha256;
+use crate::plot::Chart;
 use crate::results::summary::{Group, section_of};
+use crate::study::Cell;
+use crate::study::compare::SideBySide;
 use crate::verification::{Number, Origin};
 use maud::html;
 
@@ -104,4 +107,22 @@ pub(super) fn case(report: &Report) -> Section {
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     Section::new("Case", table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value])))
+}
+
+/// Comparison with other runs and measurements.
+pub(super) fn versus(all: &SideBySide) -> Section {
+    let differences = all.table();
+    let text = |cell: &Cell| match cell {
+        Cell::Light(light, _) => word(*light),
+        cell => cell.to_string(),
+    };
+    let rows: Vec<[String; 4]> = differences.rows.iter().map(|row| [0, 1, 2, 3].map(|i| text(&row[i]))).collect();
+    let content = html! {
+        (list(&all.legend(), ""))
+        (table(&["Quantity", "Run", "Value", "Difference"], rows))
+        @for (_, about, chart) in all.charts() {
+            (figure(&Chart { title: String::new(), ..chart }, about))
+        }
+    };
+    Section::new("Compared", content)
 }

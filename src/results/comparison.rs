@@ -5,7 +5,8 @@ mod chart;
 mod computed;
 mod curve;
 
-pub use band::{Band, Interval};
+pub use band::Band;
+use band::interval_text;
 pub(super) use chart::{files, is_comparison};
 pub use computed::Computed;
 pub use curve::{Point, Points};
@@ -200,7 +201,7 @@ impl Comparison {
     pub fn accepted(&self) -> String {
         match (&self.spec.against, &self.compared) {
             (Against::Curve(curve), _) => format!("{} %", rounded(100.0 * curve.tolerance)),
-            (_, Compared::Band(band)) => band.accepted.text(self.y.unit),
+            (_, Compared::Band(band)) => interval_text(band.accepted, self.y.unit),
             _ => "–".to_owned(),
         }
     }
@@ -214,7 +215,7 @@ impl Comparison {
                 format!(", worst {worst} at {place} (tolerance {})", self.accepted())
             }
             (Compared::Band(Band { computed: Some(computed), .. }), Some(worst)) => {
-                format!(", {}, {worst} of {}", computed.text(self.y.unit), self.accepted())
+                format!(", {}, {worst} of {}", interval_text(*computed, self.y.unit), self.accepted())
             }
             _ => String::new(),
         };
@@ -238,7 +239,7 @@ impl Comparison {
                 .worst()
                 .map(|point| format!("{} ± {}", self.amount(point.reference), Amount::given_share(curve.tolerance))),
             (_, Compared::Band(band)) => {
-                let [low, high] = [band.accepted.low, band.accepted.high].map(|end| self.amount(end));
+                let [low, high] = band.accepted.map(|end| self.amount(end));
                 let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
                 Some(match (number == other, unit == of_high) {
                     (true, true) => high.to_string(),

@@ -46,7 +46,6 @@ pub(crate) fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Column, Unit};
 
     #[test]
     fn numbers_are_short_and_read_back_to_nine_digits() {
@@ -61,19 +60,5 @@ mod tests {
         ] {
             assert_eq!(number(value), text);
         }
-    }
-
-    #[test]
-    fn a_table_becomes_a_header_and_rows() {
-        let table = Table::new(vec![
-            Column::new("travel", "Punch travel", Unit::Mm, vec![0.5, 1.0]),
-            Column::new("punch_force", "Punch force", Unit::NPerMm, vec![10.0, 20.25]),
-        ]);
-        let texts = [("name", vec!["a, b".to_owned(), "c".to_owned()])];
-        assert_eq!(csv(&table), b"travel_mm,punch_force_N_per_mm\n0.5,10\n1,20.25\n");
-        assert_eq!(
-            csv_with_texts(&table, &texts),
-            b"travel_mm,name,punch_force_N_per_mm\n0.5,\"a, b\",10\n1,c,20.25\n"
-        );
     }
 }

@@ -28,7 +28,7 @@ pub use folder::{IsOurs, ResultFolder};
 pub use output::{Files, Make, Output};
 use output::{output, plot, table};
 pub use run::{Results, verdict};
-pub use summary::{CaseSummary, Figure, Summary};
+pub use summary::{CaseSummary, Summary};
 pub use write::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
 
 /// List of all files that may be written.

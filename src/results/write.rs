@@ -1,9 +1,8 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
-use super::{Extra, FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, comparison, stages};
+use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, WriteError, comparison, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
-use crate::solver::solution::Frame;
 use crate::verification::answered;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -123,8 +122,17 @@ impl Results<'_> {
             }
         }
         for (i, view) in self.views.iter().enumerate() {
-            let label = self.solution.case.stage_label(i).unwrap_or_default();
-            write_stage(view, &recorder.of_stage(i, view.stage), &recorder.extras, &mut folder, &label)?;
+            let inside = PathBuf::from(self.solution.case.stage_label(i).unwrap_or_default());
+            let frames = recorder.of_stage(i, view.stage);
+            for output in OUTPUTS {
+                let files = match output.make {
+                    Make::Moving(extra, make) if recorder.extras.contains(&extra) && frames.len() > 1 => {
+                        make(view, &frames)
+                    }
+                    _ => output.files(view),
+                };
+                files.iter().try_for_each(|(name, bytes)| folder.write(inside.join(name), bytes))?;
+            }
         }
         report.into_iter().try_for_each(|(name, page)| folder.write(name, page.as_bytes()))?;
         folder.commit()
@@ -138,34 +146,4 @@ impl Results<'_> {
         comparison::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()
     }
-}
-
-impl StageView<'_> {
-    /// Writes every table and plot of this stage into `dir` in the place of earlier results; returns the paths.
-    ///
-    /// # Errors
-    /// If a folder or file cannot be written; the earlier results stay.
-    pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        let mut folder = ResultFolder::open(dir, belongs_to_run)?;
-        refuse_others(dir)?;
-        write_stage(self, &[], &[], &mut folder, "")?;
-        folder.commit()
-    }
-}
-
-fn write_stage(
-    view: &StageView,
-    frames: &[&Frame],
-    extras: &[Extra],
-    folder: &mut ResultFolder,
-    inside: &str,
-) -> Result<(), WriteError> {
-    for output in OUTPUTS {
-        let files = match output.make {
-            Make::Moving(extra, make) if extras.contains(&extra) && frames.len() > 1 => make(view, frames),
-            _ => output.files(view),
-        };
-        files.iter().try_for_each(|(name, bytes)| folder.write(Path::new(inside).join(name), bytes))?;
-    }
-    Ok(())
 }

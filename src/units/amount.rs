@@ -281,6 +281,9 @@ mod tests {
             (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6"]),
             (Amount::force(105_400.0, Unit::N).to(Upward(2)), ["110 kN", "12 US tonf"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi"]),
+            (Amount::force(17.512_683_5, Unit::NPerMm), ["17.5 N/mm", "100 lbf/in"]),
+            (Amount::energy(135.581_795, Unit::Joule), ["136 J", "100 ft lbf"]),
+            (Amount::temperature(100.0), ["100 °C", "212 °F"]),
         ] {
             assert_eq!(both(amount), expected);
         }

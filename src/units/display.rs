@@ -104,26 +104,3 @@ impl DisplaySettings {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: the exact definitions of inch and pound, by hand.
-    #[test]
-    fn us_units_follow_from_the_definitions() {
-        for (unit, value, symbol, expected) in [
-            (Unit::Mm, 25.4, "in", 1.0),
-            (Unit::Mm3, 16_387.064, "in³", 1.0),
-            (Unit::N, 8_896.443_230_521, "US tonf", 1.0),
-            (Unit::NPerMm, 17.512_683_523_62, "lbf/in", 100.0),
-            (Unit::MPa, 68.947_572_931_68, "ksi", 10.0),
-            (Unit::Joule, 135.581_794_833_14, "ft lbf", 100.0),
-            (Unit::Celsius, 100.0, "°F", 212.0),
-        ] {
-            let to = DisplaySettings::Us.unit(unit, value);
-            let number = to.convert(value);
-            assert!(to.symbol == symbol && (number - expected).abs() < 1e-9 * expected, "{value} {unit:?} → {number}");
-        }
-    }
-}

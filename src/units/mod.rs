@@ -12,7 +12,6 @@
 //! ```
 
 mod amount;
-mod bounds;
 mod dimensioned;
 mod display;
 mod error;
@@ -22,16 +21,12 @@ mod kind;
 mod number;
 mod parse;
 mod quantity;
-mod schema;
-mod serde;
 mod spelling;
-mod text;
 mod types;
 mod unit;
 
 pub use amount::{Amount, Digits};
-pub use bounds::{Fraction, NonNegative, Positive};
-pub use dimensioned::Dimensioned;
+pub use dimensioned::{As, Dimensioned, Plain};
 pub use display::{DisplayScope, DisplaySettings, DisplayUnit};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
@@ -39,12 +34,11 @@ pub use kind::Kind;
 pub use number::{four_digits, joined, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse, thicknesses};
 pub use quantity::{ErrorBar, Limits, Quantity, Sense};
-pub use serde::{As, Plain};
 pub use spelling::closest;
 pub(crate) use spelling::did_you_mean;
 pub use types::{
-    Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
-    SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
+    Angle, Conductivity, Density, Energy, Force, Fraction, HeatTransfer, Length, LineForce, NonNegative, Number,
+    PerKelvin, Positive, Ratio, SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
 };
 pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};

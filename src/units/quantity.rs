@@ -42,8 +42,8 @@ pub enum Sense {
     AtLeast,
 }
 
-/// Discretisation error of a number. Serialises as `error_bar`, null with an `error_bar_reason` if there is none, and as
-/// nothing if none was computed.
+/// Discretisation error of a number: in JSON `error_bar`, null with an `error_bar_reason` if there is none, and nothing if none
+/// was computed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum ErrorBar {
     /// Not computed.
@@ -114,13 +114,5 @@ impl ErrorBar {
                 map.serialize_entry("error_bar_reason", why)
             }
         }
-    }
-}
-
-impl Serialize for ErrorBar {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        self.write(&mut map)?;
-        map.end()
     }
 }

@@ -6,40 +6,28 @@ use crate::table::{Column, Csv, Table, Unit};
 use crate::units::{four_digits, without_zeros};
 use std::path::Path;
 
-/// Interval from the least to the largest of some values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
-    /// Least value.
-    pub low: f64,
-    /// Largest value.
-    pub high: f64,
-}
-
-/// Measured and computed intervals, in solver units.
+/// Measured and computed intervals from the least to the largest value, in solver units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
     /// Interval of the reference's values.
-    pub measured: Interval,
+    pub measured: [f64; 2],
     /// Interval with the errors of measurement, in which computed values must lie.
-    pub accepted: Interval,
+    pub accepted: [f64; 2],
     /// Interval of the computed values; `None` without a whole run.
-    pub computed: Option<Interval>,
+    pub computed: Option<[f64; 2]>,
 }
 
-impl Interval {
-    /// Least interval that holds all values; `None` without values.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        values.into_iter().fold(None, |all: Option<Self>, v| {
-            Some(all.map_or(Self { low: v, high: v }, |i| Self { low: i.low.min(v), high: i.high.max(v) }))
-        })
-    }
+/// Least and largest of some values; `None` without values.
+fn interval(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    values
+        .into_iter()
+        .fold(None, |all: Option<[f64; 2]>, v| Some(all.map_or([v, v], |[low, high]| [low.min(v), high.max(v)])))
+}
 
-    /// Text such as `467.3 to 468.5 mm`, or one value if both ends are alike.
-    pub(super) fn text(self, unit: Unit) -> String {
-        let [low, high] = [self.low, self.high].map(|end| without_zeros(&four_digits(end)).to_owned());
-        let unit = unit.symbol();
-        if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
-    }
+/// Text such as `467.3 to 468.5 mm`, or one value if both ends are alike.
+pub(super) fn interval_text(ends: [f64; 2], unit: Unit) -> String {
+    let ([low, high], unit) = (ends.map(|end| without_zeros(&four_digits(end)).to_owned()), unit.symbol());
+    if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
 }
 
 /// Compared values of a quantity, to follow "reference" or "computed".
@@ -56,8 +44,8 @@ pub(super) fn which(quantity: Q) -> &'static str {
 impl Band {
     /// Excess of the computed values: above the accepted band positive, below it negative, the larger of both; 0 inside.
     pub fn outside(&self) -> Option<f64> {
-        let Interval { low, high } = self.computed?;
-        let (below, above) = ((self.accepted.low - low).max(0.0), (high - self.accepted.high).max(0.0));
+        let ([low, high], [least, most]) = (self.computed?, self.accepted);
+        let (below, above) = ((least - low).max(0.0), (high - most).max(0.0));
         Some(if above >= below { above } else { -below })
     }
 
@@ -70,13 +58,12 @@ impl Band {
 
     /// Computed value that is farthest out of the accepted band, or nearest to its end.
     pub(super) fn farthest(&self) -> Option<f64> {
-        let Interval { low, high } = self.computed?;
-        let is_low = self.accepted.low - low > high - self.accepted.high;
-        Some(if is_low { low } else { high })
+        let ([low, high], [least, most]) = (self.computed?, self.accepted);
+        Some(if least - low > high - most { low } else { high })
     }
 
     fn end_left(&self, outside: f64) -> f64 {
-        if outside < 0.0 { self.accepted.low } else { self.accepted.high }
+        self.accepted[usize::from(outside >= 0.0)]
     }
 
     /// Text such as `3.4 mm above (+0.7 %)`, with as many decimals as the band's end; `inside`.
@@ -93,15 +80,15 @@ impl Band {
 
     /// One row: measured, accepted and computed interval.
     pub(super) fn table(&self, y: &Column) -> Table {
-        let computed = self.computed.unwrap_or(Interval { low: f64::NAN, high: f64::NAN });
+        let computed = self.computed.unwrap_or([f64::NAN; 2]);
         let column = |key, label, value| Column::new(key, label, y.unit, vec![value]);
         Table::new(vec![
-            column("measured_low", "Least measured", self.measured.low),
-            column("measured_high", "Largest measured", self.measured.high),
-            column("accepted_low", "Least accepted", self.accepted.low),
-            column("accepted_high", "Largest accepted", self.accepted.high),
-            column("computed_low", "Least computed", computed.low),
-            column("computed_high", "Largest computed", computed.high),
+            column("measured_low", "Least measured", self.measured[0]),
+            column("measured_high", "Largest measured", self.measured[1]),
+            column("accepted_low", "Least accepted", self.accepted[0]),
+            column("accepted_high", "Largest accepted", self.accepted[1]),
+            column("computed_low", "Least computed", computed[0]),
+            column("computed_high", "Largest computed", computed[1]),
             column("outside", "Outside the band", self.outside().unwrap_or(f64::NAN)),
             difference(vec![100.0 * self.difference().unwrap_or(f64::NAN)]),
         ])
@@ -129,8 +116,8 @@ impl Band {
             let error = |row: usize| errors.get(row).copied().flatten().unwrap_or(0.0);
             values.extend(column.filter_map(|(row, value)| Some((value?, error(row)))));
         }
-        let measured = Interval::of(values.iter().map(|v| v.0));
-        let accepted = Interval::of(values.iter().flat_map(|(value, error)| [value - error, value + error]));
+        let measured = interval(values.iter().map(|v| v.0));
+        let accepted = interval(values.iter().flat_map(|(value, error)| [value - error, value + error]));
         let (Some(measured), Some(accepted)) = (measured, accepted) else {
             let columns = spec.columns.join(", ");
             let what = format!("{} has no values in {columns}, which the band should span", path.display());
@@ -138,11 +125,11 @@ impl Band {
         };
         let all = || y.values.iter().copied();
         let compared = match spec.quantity {
-            Q::Thickness => Interval::of(all()),
-            Q::PeakForce => Interval::of(all().reduce(f64::max)),
-            Q::PeakTravel => Interval::of(peak(&x.values).map(|at| y.values[at])),
-            Q::RingOpening => Interval::of(computed.ring.map(|test| test.opening)),
-            _ => Interval::of(all().next_back()),
+            Q::Thickness => interval(all()),
+            Q::PeakForce => interval(all().reduce(f64::max)),
+            Q::PeakTravel => interval(peak(&x.values).map(|at| y.values[at])),
+            Q::RingOpening => interval(computed.ring.map(|test| test.opening)),
+            _ => interval(all().next_back()),
         };
         // A run may end at its peak.
         let is_known = computed.complete || spec.quantity == Q::PeakTravel;

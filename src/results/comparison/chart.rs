@@ -1,7 +1,7 @@
 //! Pictures and tables of comparisons.
 
-use super::band::which;
-use super::{Band, Compared, Comparison, Interval, Point, Points};
+use super::band::{interval_text, which};
+use super::{Band, Compared, Comparison, Point, Points};
 use crate::case::comparison::{Against, BandSpec, ComparedQuantity, CurveSpec};
 use crate::plot::StageView;
 use crate::plot::chart::{Chart, Panel};
@@ -80,23 +80,23 @@ fn curve_text(comparison: &Comparison, points: &Points) -> String {
 fn band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Panel {
     let (curve, unit, which) = (&comparison.curve, comparison.y.unit, which(spec.quantity));
     let compared = band.computed.map_or_else(Default::default, |computed| {
-        let is_compared = |p: &(f64, f64)| p.1 == computed.low || p.1 == computed.high;
-        let points = match computed.low == computed.high {
+        let is_compared = |p: &(f64, f64)| computed.contains(&p.1);
+        let points = match computed[0] == computed[1] {
             true => curve.iter().copied().rfind(is_compared).into_iter().collect(),
             false => curve.iter().copied().filter(is_compared).collect(),
         };
-        (format!("Computed {which}, {}", computed.text(unit)), points)
+        (format!("Computed {which}, {}", interval_text(computed, unit)), points)
     });
-    let ends = |interval: Interval| [interval.low, interval.high];
-    let measured = (format!("Reference {which}, {}", band.measured.text(unit)), ends(band.measured));
+    let measured = (format!("Reference {which}, {}", interval_text(band.measured, unit)), band.measured);
     let widened = (band.accepted != band.measured)
-        .then(|| (format!("Reference with its error, {}", band.accepted.text(unit)), ends(band.accepted)));
+        .then(|| (format!("Reference with its error, {}", interval_text(band.accepted, unit)), band.accepted));
     let axes = [comparison.x.axis(), comparison.y.axis()];
     band_panel(axes, curve.clone(), compared, measured, widened)
 }
 
 fn band_text(comparison: &Comparison, band: &Band) -> String {
     let computed = band.computed.zip(comparison.worst());
-    let text = computed.map(|(computed, worst)| format!("computed {}: {worst}", computed.text(comparison.y.unit)));
+    let text =
+        computed.map(|(computed, worst)| format!("computed {}: {worst}", interval_text(computed, comparison.y.unit)));
     text.unwrap_or_else(|| "the run ended before the compared value".to_owned())
 }

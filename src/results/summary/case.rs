@@ -20,28 +20,26 @@ pub struct CaseSummary {
     pub lines: String,
 }
 
-impl CaseSummary {
-    fn new(solution: &Solution, views: &[StageView]) -> Self {
-        Self {
-            case: solution.case.name.clone(),
-            complete: solution.is_complete(),
-            stages: views.iter().map(Summary::of).collect(),
-            lines: stages::printed(solution),
-        }
-    }
-}
-
 impl Solution {
     /// Sums up every stage.
     pub fn summary(&self) -> CaseSummary {
-        CaseSummary::new(self, &self.views())
+        summary(self, &self.views())
     }
 }
 
 impl Results<'_> {
     /// Sums up every stage.
     pub fn summary(&self) -> CaseSummary {
-        CaseSummary::new(self.solution, &self.views)
+        summary(self.solution, &self.views)
+    }
+}
+
+fn summary(solution: &Solution, views: &[StageView]) -> CaseSummary {
+    CaseSummary {
+        case: solution.case.name.clone(),
+        complete: solution.is_complete(),
+        stages: views.iter().map(Summary::of).collect(),
+        lines: stages::printed(solution),
     }
 }
 

@@ -17,9 +17,6 @@ use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::units::{Amount, joined};
 use serde::Serialize;
 
-/// Indentation of a label that belongs to the line above.
-const INDENT: &str = "  ";
-
 /// Subject of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
@@ -55,21 +52,6 @@ enum Value {
     Rows(Vec<[String; 2]>, serde_json::Value),
 }
 
-/// Printed line with its number apart from its unit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Figure {
-    /// Subject.
-    pub group: Group,
-    /// Key in JSON, without the unit.
-    pub key: &'static str,
-    /// Name; begins with spaces where it belongs to the line above.
-    pub label: String,
-    /// Number or words.
-    pub value: String,
-    /// Unit; empty for words.
-    pub unit: &'static str,
-}
-
 /// Lines in the order of printing; displays as aligned text, serialises with units in the keys.
 #[derive(Clone, Debug)]
 pub struct Summary {
@@ -91,11 +73,9 @@ impl Summary {
         summary.text("section", "Section", section_of(model.extent()));
         summary.group = Group::Part;
         summary.text("hardening", "Hardening", model.material.describe());
-        let ended = match &run.stop {
-            Stop::FullTravel => format!("{end} reached", end = ended(run)),
-            stop => stop.to_string(),
-        };
         summary.group = Group::End;
+        let is_full = run.stop == Stop::FullTravel;
+        let ended = if is_full { format!("{} reached", ended(run)) } else { run.stop.to_string() };
         summary.text("stop", "Ended", ended);
         summary.group = Group::Part;
         summary.push("complete", "", Value::Flag(run.stop.is_complete()));
@@ -114,15 +94,11 @@ impl Summary {
         }
         summary.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
         summary.balance(model, run, &last);
-        if let Some(error) =
-            run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
-        {
+        let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
+        if let Some(error) = bent.and_then(moment_error) {
             summary.group = Group::Solution;
-            summary.number(
-                "moment_error",
-                "Bending moment missed by the layers, estimated",
-                Amount::share(error.share),
-            );
+            let label = "Bending moment missed by the layers, estimated";
+            summary.number("moment_error", label, Amount::share(error.share));
         }
         summary.group = Group::Part;
         summary.condition(model, run, &last);
@@ -189,16 +165,14 @@ impl Summary {
 /// Record of a stage without a step: the sheet at its start, or the blank.
 fn as_begun(run: &StageSolution) -> StepRecord {
     let blank = &run.model.blank;
-    let start = run.start.iter();
-    let elements = start.clone().flat_map(|start| &start.elements);
-    let thinnest = elements.min_by(|a, b| a.thickness.total_cmp(&b.thickness));
-    let edge = start.clone().find_map(|start| start.nodes.last());
-    let pole = start.clone().find_map(|start| start.nodes.first());
+    let (elements, nodes) =
+        run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements[..], &start.nodes[..]));
+    let thinnest = elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness));
     StepRecord {
         thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
         thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
-        draw_in: edge.map_or(0.0, |node| blank.length - node.r),
-        pole_height: pole.map_or(0.0, |node| node.z),
+        draw_in: nodes.last().map_or(0.0, |node| blank.length - node.r),
+        pole_height: nodes.first().map_or(0.0, |node| node.z),
         ..StepRecord::default()
     }
 }
@@ -214,18 +188,16 @@ fn bend_radius(run: &StageSolution) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
-/// Content of `summary.json`.
-#[derive(Serialize)]
-struct Written<'a> {
-    #[serde(flatten)]
-    summary: Summary,
-    /// Verdict on the whole case.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    verdict: Option<&'a serde_json::Value>,
-}
-
 /// Text of `summary.json`.
 pub(super) fn json(view: &StageView) -> Option<String> {
+    #[derive(Serialize)]
+    struct Written<'a> {
+        #[serde(flatten)]
+        summary: Summary,
+        /// Verdict on the whole case.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        verdict: Option<&'a serde_json::Value>,
+    }
     let written = Written { summary: Summary::of(view), verdict: view.verdict.as_ref() };
     serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
 }

@@ -1,6 +1,6 @@
 //! Summary as text and as JSON.
 
-use super::{Figure, INDENT, Line, Summary, Value};
+use super::{Group, Line, Summary, Value};
 use crate::measure::{Change, Event};
 use crate::table::Unit;
 use crate::units::{Amount, rounded};
@@ -31,14 +31,14 @@ impl Serialize for Summary {
 }
 
 impl Summary {
-    /// Printed lines with one value.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> {
-        self.printed().filter_map(|Line { group, key, label, value }| {
+    /// Label, value and unit of the lines of some groups that have one value.
+    pub fn figures(&self, is_wanted: fn(Group) -> bool) -> impl Iterator<Item = [String; 3]> {
+        self.printed().filter(move |line| is_wanted(line.group)).filter_map(|Line { label, value, .. }| {
             let (value, unit) = match value {
                 Value::Number(amount) => amount.parts(),
                 value => (value.text()?, ""),
             };
-            Some(Figure { group: *group, key, label: label.clone(), value, unit })
+            Some([label.clone(), value, unit.to_owned()])
         })
     }
 
@@ -78,13 +78,10 @@ impl Value {
     /// `44.1 mm, 48.3 kN: rim meets the die`; the time in place of travel and force where a gas works.
     pub(super) fn events(events: &[Event], force: Unit) -> Self {
         let row = |event: &Event| {
-            let what = event.kind.label();
             let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
-            let text = match event.travel {
-                0.0 => format!("{}: {what}", Amount::time(event.time)),
-                _ => format!("{travel}, {load}: {what}"),
-            };
-            [String::new(), text]
+            let at =
+                if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
+            [String::new(), format!("{at}: {}", event.kind.label())]
         };
         let entry = |event: &Event| {
             json!({
@@ -102,7 +99,7 @@ impl Value {
     pub(super) fn changes(changes: &[Change]) -> Self {
         let row = |change: &Change| {
             let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed_text(by)));
-            [format!("{INDENT}{}", change.quantity.label), format!("{change}{by}")]
+            [format!("  {}", change.quantity.label), format!("{change}{by}")]
         };
         let entry = |change: &Change| {
             json!({
