@@ -7,7 +7,7 @@ mod curve;
 
 pub use band::Band;
 use band::interval_text;
-pub(super) use chart::{files, is_comparison};
+pub(super) use chart::{PREFIX, files, is_comparison};
 pub use computed::Computed;
 pub use curve::{Point, Points};
 

@@ -68,10 +68,8 @@ pub const OUTPUTS: &[Output] = &[
         "section.pvd",
         "with --vtu: some 25 states from the start to the end, for ParaView",
         Make::Moving(Extra::Vtu, vtk::section_files),
-    )
-    .family(vtk::is_of),
-    output("tools.pvd", "with --vtu: the tools beside them", Make::Moving(Extra::Vtu, vtk::tool_files))
-        .family(vtk::is_of),
+    ),
+    output("tools.pvd", "with --vtu: the tools beside them", Make::Moving(Extra::Vtu, vtk::tool_files)),
     output(
         "shapes.gif",
         "with --animate: the section and the load as they move",
@@ -81,8 +79,7 @@ pub const OUTPUTS: &[Output] = &[
         "compare_*.png, csv",
         "comparisons and differences for every reference the case is compared with",
         Make::OfCase(comparison::files),
-    )
-    .family(comparison::is_comparison),
+    ),
     output(
         error_bars::FILE,
         "with --error-bars, or quick ones with --report: every number and curve with its bar",

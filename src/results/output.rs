@@ -1,6 +1,6 @@
 //! Entry of the list of outputs: a file, its content, and how it is made.
 
-use super::{Chart, Extra, Format, Results, StageView, csv};
+use super::{Chart, Extra, Format, Results, StageView, comparison, csv, vtk};
 use crate::solver::solution::Frame;
 use crate::table::Table;
 
@@ -31,19 +31,18 @@ pub struct Output {
     pub about: &'static str,
     /// Its making.
     pub make: Make,
-    /// Tells whether the second name belongs to the family of the first; `None` of a single file.
-    pub family: Option<fn(&str, &str) -> bool>,
 }
 
 impl Output {
-    pub(super) const fn family(self, is_one: fn(&str, &str) -> bool) -> Self {
-        Self { family: Some(is_one), ..self }
-    }
-
     /// Tells whether a file's name is one of this output.
     pub fn is_named(&self, name: &str) -> bool {
-        let is_picture = || matches!(self.make, Make::Plot(_)) && Format::stem(name) == Some(self.stem());
-        self.file == name || is_picture() || self.family.is_some_and(|is_one| is_one(self.file, name))
+        let is_other = match self.make {
+            Make::Plot(_) => Format::stem(name) == Some(self.stem()),
+            Make::Moving(..) => vtk::is_of(self.file, name),
+            Make::OfCase(_) => self.file.starts_with(comparison::PREFIX) && comparison::is_comparison(name),
+            Make::Table(_) | Make::Text(_) => false,
+        };
+        self.file == name || is_other
     }
 
     /// Files of a stage, a plot in every chosen format.
@@ -76,7 +75,7 @@ impl Output {
 }
 
 pub(super) const fn output(file: &'static str, about: &'static str, make: Make) -> Output {
-    Output { file, about, make, family: None }
+    Output { file, about, make }
 }
 
 pub(super) const fn table(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Table>) -> Output {

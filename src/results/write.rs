@@ -64,7 +64,7 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 /// # Errors
 /// If the folder cannot be opened.
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
-    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(|name| comparison::is_comparison("", name)))
+    ResultFolder::open(dir, |_, path| path.to_str().is_some_and(comparison::is_comparison))
 }
 
 /// Refuses files with names of results in a folder without a summary or a list of stages of a run.

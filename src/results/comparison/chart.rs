@@ -9,6 +9,9 @@ use crate::plot::comparison::{band_panel, curve_panels};
 use crate::results::{Files, Format, Results, csv};
 use crate::units::{joined, rounded};
 
+/// Beginning of the names of files.
+pub(in crate::results) const PREFIX: &str = "compare_";
+
 /// Largest drawn difference in tolerances, if half of the points lie within.
 const DRAWN: f64 = 6.0;
 
@@ -17,7 +20,7 @@ pub(in crate::results) fn files(results: &Results) -> Files {
     let mut files = Vec::new();
     let Some(view) = results.views.first() else { return files };
     for (i, comparison) in results.comparisons.iter().enumerate() {
-        let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.quantity().name());
+        let stem = format!("{PREFIX}{}_{}", i + 1, comparison.spec.against.quantity().name());
         if let Some(chart) = plot(view, comparison) {
             files.push((format!("{stem}.csv"), csv(&comparison.table())));
             files.extend(view.pictures.files(&stem, &chart));
@@ -27,9 +30,9 @@ pub(in crate::results) fn files(results: &Results) -> Files {
 }
 
 /// True if a file's name is one that [`files`] gives.
-pub(in crate::results) fn is_comparison(_: &str, name: &str) -> bool {
+pub(in crate::results) fn is_comparison(name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(Format::stem(name));
-    let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
+    let parts = stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_'));
     let is_quantity = |name: &str| ComparedQuantity::names().any(|known| known == name);
     parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
 }
