@@ -1,9 +1,14 @@
 //! Blocks: parts of a drawing that are drawn once and placed with a reference (INSERT) as often as needed.
+//!
+//! ```text
+//! x' = p + R(φ) [S (x − b) + (i c, j r)]        b base of the block; p, φ, S the reference's point, rotation and scales;
+//!                                               i, j column and row of an array, c, r their distances
+//! ```
 
-use super::curve::Curve;
-use super::error::ImportError;
-use super::listing::{Block, Drawing, ENTITIES, Entity, Listed, Shape, cut};
-use super::reference::{Placement, Reference};
+use super::ImportError;
+use super::dxf::{Block, Drawing, ENTITIES, Entity, Source, cut};
+use crate::geometry::Point;
+use nalgebra::{Matrix2, Rotation2};
 use std::collections::BTreeMap;
 
 const DEEPEST: usize = 50;
@@ -13,9 +18,66 @@ const NO_LAYER: &str = "0";
 /// Entity as it is placed in the drawing.
 #[derive(Debug)]
 pub(super) struct Placed<'a> {
-    pub listed: Listed,
-    pub curve: Option<&'a Curve>,
+    pub source: Source,
+    pub entity: &'a Entity,
     pub placement: Placement,
+}
+
+/// Map from a block to the drawing, x ↦ A x + s \[drawing units\].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placement {
+    matrix: Matrix2<f64>,
+    shift: Point,
+}
+
+pub(super) struct Similarity {
+    pub scale: f64,
+    /// \[rad\]
+    pub rotation: f64,
+    /// −1 for a mirror image in the x axis, taken before the rotation, else 1.
+    pub sense: f64,
+}
+
+impl Placement {
+    fn after(&self, inner: &Self) -> Self {
+        Self { matrix: self.matrix * inner.matrix, shift: self.at(inner.shift) }
+    }
+
+    pub fn at(&self, p: Point) -> Point {
+        self.matrix * p + self.shift
+    }
+
+    pub fn sense(&self) -> f64 {
+        self.matrix.determinant().signum()
+    }
+
+    /// `None` for a map that makes ellipses of circles.
+    pub fn similarity(&self) -> Option<Similarity> {
+        let (x, y) = (self.matrix.column(0), self.matrix.column(1));
+        let scale = x.norm();
+        let round = (y.norm() - scale).abs() <= 1e-9 * scale && x.dot(&y).abs() <= 1e-9 * scale * scale;
+        round.then(|| Similarity { scale, rotation: x.y.atan2(x.x), sense: self.sense() })
+    }
+}
+
+/// All places of a reference's array; `None` for a block out of the plane or without extent.
+fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Placement> + use<>> {
+    let [x, y, z] = reference.normal();
+    let [across, up] = [41, 42].map(|code| reference.number(code, 1.0));
+    if x.abs() > 1e-9 || y.abs() > 1e-9 || z == 0.0 || across == 0.0 || up == 0.0 {
+        return None;
+    }
+    let turned = Rotation2::new(reference.number(50, 0.0).to_radians()).into_inner();
+    let scaled = turned * Matrix2::new(across, 0.0, 0.0, up);
+    let side = Matrix2::new(z.signum(), 0.0, 0.0, 1.0);
+    let [columns, rows] = [70, 71].map(|code| reference.number(code, 1.0).clamp(1.0, ENTITIES as f64) as usize);
+    let [x, y, _] = reference.point(10);
+    let spacing = [44, 45].map(|code| reference.number(code, 0.0));
+    let cells = (0..rows).flat_map(move |row| (0..columns).map(move |column| [column, row]));
+    Some(cells.map(move |[column, row]| {
+        let cell = turned * Point::new(column as f64 * spacing[0], row as f64 * spacing[1]);
+        Placement { matrix: side * scaled, shift: side * (Point::new(x, y) + cell - scaled * base) }
+    }))
 }
 
 /// Entities of a drawing with all blocks placed; a reference to a missing block or out of the plane stays.
@@ -25,9 +87,10 @@ pub(super) struct Placed<'a> {
 pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>, ImportError> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();
-    let mut explosion = Explosion { drawing, blocks, open: Vec::new(), count: 0, found: Vec::new() };
-    explosion.entities(&drawing.entities, Placement::identity(), None)?;
-    Ok(explosion.found)
+    let mut explosion = Explosion { drawing, blocks, open: Vec::new(), count: 0, placed: Vec::new() };
+    let identity = Placement { matrix: Matrix2::identity(), shift: Point::zeros() };
+    explosion.entities(&drawing.entities, identity, None)?;
+    Ok(explosion.placed)
 }
 
 struct Explosion<'a> {
@@ -37,80 +100,62 @@ struct Explosion<'a> {
     /// Blocks that are being placed, the innermost last.
     open: Vec<&'a str>,
     count: usize,
-    found: Vec<Placed<'a>>,
+    placed: Vec<Placed<'a>>,
 }
 
 impl<'a> Explosion<'a> {
     /// Places entities; `by` is their reference.
-    fn entities(
-        &mut self,
-        entities: &'a [Entity],
-        placement: Placement,
-        by: Option<&Listed>,
-    ) -> Result<(), ImportError> {
+    fn entities(&mut self, entities: &'a [Entity], outer: Placement, by: Option<&Source>) -> Result<(), ImportError> {
         for entity in entities {
-            self.count(&entity.listed)?;
-            let listed = self.listed(&entity.listed, &placement, by);
-            match &entity.shape {
-                Shape::Curve(curve) => self.found.push(Placed { listed, curve: Some(curve), placement }),
-                Shape::Other => self.found.push(Placed { listed, curve: None, placement }),
-                Shape::Reference(reference) => self.reference(reference, &placement, listed)?,
-            }
-        }
-        Ok(())
-    }
-
-    fn reference(&mut self, reference: &Reference, outer: &Placement, listed: Listed) -> Result<(), ImportError> {
-        let block = self.blocks.get(&listed.block.to_lowercase()).copied();
-        let placed = block.and_then(|block| Some((block, reference.placements(block.base, ENTITIES)?)));
-        let Some((block, placements)) = placed else {
-            self.found.push(Placed { listed, curve: None, placement: *outer });
-            return Ok(());
-        };
-        if self.open.contains(&block.name.as_str()) || self.open.len() == DEEPEST {
-            let what = match self.open.len() {
-                DEEPEST => format!("blocks are placed in each other more than {DEEPEST} deep: {listed}"),
-                _ => format!("the block \"{}\" is placed in itself: {listed}", cut(&block.name)),
+            self.count(&entity.source)?;
+            let source = self.source(&entity.source, &outer, by);
+            let block = Some(&source).filter(|source| source.kind == "INSERT");
+            let block = block.and_then(|source| self.blocks.get(&source.block.to_lowercase()).copied());
+            let Some((block, inner)) = block.and_then(|block| Some((block, placements(entity, block.base)?))) else {
+                self.placed.push(Placed { source, entity, placement: outer });
+                continue;
             };
-            return Err(
-                ImportError::new(what, "explode the tools' blocks to lines, arcs and polylines").at(listed.line)
-            );
+            if self.open.contains(&block.name.as_str()) || self.open.len() == DEEPEST {
+                let what = match self.open.len() {
+                    DEEPEST => format!("blocks are placed in each other more than {DEEPEST} deep: {source}"),
+                    _ => format!("the block \"{}\" is placed in itself: {source}", cut(&block.name)),
+                };
+                return Err(source.error(what, "explode the tools' blocks to lines, arcs and polylines"));
+            }
+            self.open.push(&block.name);
+            for inner in inner {
+                self.count(&source)?;
+                self.entities(&block.entities, outer.after(&inner), Some(&source))?;
+            }
+            self.open.pop();
         }
-        self.open.push(&block.name);
-        for inner in placements {
-            self.count(&listed)?;
-            self.entities(&block.entities, outer.after(&inner), Some(&listed))?;
-        }
-        self.open.pop();
         Ok(())
     }
 
-    fn count(&mut self, listed: &Listed) -> Result<(), ImportError> {
+    fn count(&mut self, source: &Source) -> Result<(), ImportError> {
         self.count += 1;
         if self.count <= ENTITIES {
             return Ok(());
         }
-        let what = format!("with its blocks the drawing has more than {ENTITIES} entities: {listed} is one more");
-        Err(ImportError::new(what, "save the tools' layers only").at(listed.line))
+        let what = format!("with its blocks the drawing has more than {ENTITIES} entities: {source} is one more");
+        Err(source.error(what, "save the tools' layers only"))
     }
 
-    /// Entity as it is placed, with the layer of its reference if it has none, or else the block's name as its layer.
-    fn listed(&self, entity: &Listed, placement: &Placement, by: Option<&Listed>) -> Listed {
-        let mut listed = entity.clone();
-        let at = placement.at(entity.at.into());
-        listed.at = [at.x, at.y];
+    /// Source of a placed entity, with the layer of its reference if it has none, or else the block's name as its layer.
+    fn source(&self, entity: &Source, placement: &Placement, by: Option<&Source>) -> Source {
+        let mut source = Source { at: placement.at(entity.at), ..entity.clone() };
         if let Some(by) = by {
-            listed.on_paper |= by.on_paper;
-            if listed.layer == NO_LAYER {
-                listed.layer.clone_from(if by.layer == NO_LAYER { &by.block } else { &by.layer });
+            source.on_paper |= by.on_paper;
+            if source.layer == NO_LAYER {
+                source.layer.clone_from(if by.layer == NO_LAYER { &by.block } else { &by.layer });
             }
-            if listed.kind != "INSERT" {
-                listed.block.clone_from(&by.block);
+            if source.kind != "INSERT" {
+                source.block.clone_from(&by.block);
             }
         }
-        if matches!(listed.line_type.to_uppercase().as_str(), "" | "BYLAYER") {
-            listed.line_type = self.drawing.line_types.get(&listed.layer).cloned().unwrap_or_default();
+        if matches!(source.line_type.to_uppercase().as_str(), "" | "BYLAYER") {
+            source.line_type = self.drawing.line_types.get(&source.layer).cloned().unwrap_or_default();
         }
-        listed
+        source
     }
 }

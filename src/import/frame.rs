@@ -1,7 +1,7 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
-use super::error::ImportError;
-use super::listing::Header;
+use super::ImportError;
+use super::dxf::Drawing;
 use super::options::{DrawingUnit, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
@@ -24,10 +24,10 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Unit and axis of the options, or else the header's unit ($INSUNITS, then a metric $MEASUREMENT).
-    pub fn of(header: &Header, options: &Options, notes: &mut Vec<String>) -> Result<Self, ImportError> {
+    pub fn new(drawing: &Drawing, options: &Options, notes: &mut Vec<String>) -> Result<Self, ImportError> {
         let (unit, from) = match options.unit {
             Some(unit) => (unit, "as asked for"),
-            None => of_header(header)?,
+            None => header_unit(drawing)?,
         };
         notes.push(format!("1 drawing unit is 1 {} ({from})", unit.symbol()));
         let axis = options.axis.unwrap_or(0.0);
@@ -38,8 +38,8 @@ impl Frame {
     }
 
     /// \[mm\], x from the axis.
-    pub fn point(&self, x: f64, y: f64) -> Point {
-        Point::new(x * self.unit.mm() - self.axis, y * self.unit.mm())
+    pub fn point(&self, p: Point) -> Point {
+        Point::new(p.x * self.unit.mm() - self.axis, p.y * self.unit.mm())
     }
 
     /// \[mm\]
@@ -59,8 +59,8 @@ impl Frame {
     }
 }
 
-fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
-    let unit = match header.unit {
+fn header_unit(drawing: &Drawing) -> Result<(DrawingUnit, &'static str), ImportError> {
+    let unit = match drawing.unit {
         1 => DrawingUnit::Inch,
         2 => DrawingUnit::Foot,
         4 => DrawingUnit::Mm,
@@ -69,21 +69,19 @@ fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError
         9 => DrawingUnit::Mil,
         13 => DrawingUnit::Micrometre,
         number => {
-            let named = number.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
-            let Some(unit) = named else { return of_measurement(header) };
-            let what = format!("the drawing's unit is {unit} ($INSUNITS), which no tool is drawn in");
-            return Err(ImportError::new(what, "say what it is drawn in: --unit mm (or in, cm, m)"));
+            let help = "mm (or in, cm, m)";
+            if let Some(unit) = number.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i)) {
+                let what = format!("the drawing's unit is {unit} ($INSUNITS), which no tool is drawn in");
+                return Err(ImportError::new(what, format!("say what it is drawn in: --unit {help}")));
+            }
+            if drawing.is_metric {
+                return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+            }
+            let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
+            return Err(ImportError::new(what, format!("say which: --unit {help}")));
         }
     };
     Ok((unit, "$INSUNITS of the drawing"))
-}
-
-fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
-    if header.is_metric {
-        return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
-    }
-    let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
-    Err(ImportError::new(what, "say which: --unit mm (or in, cm, m)"))
 }
 
 #[cfg(test)]

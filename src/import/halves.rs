@@ -1,42 +1,40 @@
 //! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
 
+use super::ImportError;
 use super::chain::{Chain, join, with_ends};
-use super::error::ImportError;
 use super::frame::Frame;
-use super::parts::Part;
+use super::layers::ToolId;
 use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
 
 /// Chain at x ≥ 0.
 pub(super) fn right(
     strokes: Vec<Stroke>,
-    part: Part,
+    tool: ToolId,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Chain, ImportError> {
-    let (mut right, mut left) = (Vec::new(), Vec::new());
-    for stroke in strokes {
-        for part in cut(&stroke, frame, notes) {
-            if is_right(&part.pieces[0]) { right.push(part) } else { left.push(mirrored(&part)) }
-        }
-    }
-    let name = part.name();
+    let (right, left): (Vec<Stroke>, Vec<Stroke>) =
+        strokes.iter().flat_map(|stroke| cut(stroke, frame, notes)).partition(|stroke| is_right(&stroke.pieces[0]));
+    let mirrored =
+        |Stroke { pieces, source }| Stroke { pieces: pieces.iter().map(Piece::across_axis).collect(), source };
+    let left: Vec<Stroke> = left.into_iter().map(mirrored).collect();
     match (right.is_empty(), left.is_empty()) {
-        (false, true) => join(right, part, frame, notes),
+        (false, true) => join(right, tool, frame, notes),
         (true, false) => {
-            notes.push(format!("the {name} is drawn on the left of the axis only: its mirror image is used"));
-            join(left, part, frame, notes)
+            notes.push(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
+            join(left, tool, frame, notes)
         }
         (true, true) => Err(ImportError::new(
-            format!("all of the {name}'s line lies on the axis"),
+            format!("all of the {tool}'s line lies on the axis"),
             "draw the side of the tool that meets the sheet; --axis says where the axis is",
         )),
         (false, false) => {
-            let chain = join(right, part, frame, notes)?;
-            // What was left out on the right is left out on the left: no need to say it twice.
-            let image = join(left, part, frame, &mut Vec::new())?;
-            compare(&chain, &image, &name, frame)?;
-            notes.push(format!("both halves of the {name} are drawn and are alike: the right one is used"));
+            let chain = join(right, tool, frame, notes)?;
+            // The notes of the right half are true of the left one too.
+            let image = join(left, tool, frame, &mut Vec::new())?;
+            compare(&chain, &image, tool, frame)?;
+            notes.push(format!("both halves of the {tool} are drawn and are alike: the right one is used"));
             Ok(chain)
         }
     }
@@ -60,13 +58,13 @@ fn cut(stroke: &Stroke, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
             let side = Some(is_right(&piece));
             match parts.last_mut().filter(|_| open == side) {
                 Some(part) => part.pieces.push(piece),
-                None => parts.push(Stroke { pieces: vec![piece], from: stroke.from.clone() }),
+                None => parts.push(Stroke { pieces: vec![piece], source: stroke.source.clone() }),
             }
             open = side;
         }
     }
     if along {
-        notes.push(format!("{} runs along the axis, and that part of it is left out", stroke.from));
+        notes.push(format!("{} runs along the axis, and that part of it is left out", stroke.source));
     }
     parts
 }
@@ -75,31 +73,27 @@ fn is_right(piece: &Piece) -> bool {
     piece.sample(2)[1].x > 0.0
 }
 
-fn mirrored(stroke: &Stroke) -> Stroke {
-    Stroke { pieces: stroke.pieces.iter().map(Piece::across_axis).collect(), from: stroke.from.clone() }
-}
-
 /// Refuses halves that differ.
-fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<(), ImportError> {
+fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
-        let points = these.pieces().flat_map(|(piece, stroke)| piece.sample(8).into_iter().map(move |p| (p, stroke)));
-        let others: Vec<(Bounds, &Piece)> = others.pieces().map(|(piece, _)| (piece.bounds(), piece)).collect();
-        points.map(move |(p, stroke)| {
-            let away = others.iter().fold(f64::INFINITY, |least, (around, other)| {
+        let pieces = these.pieces.iter().enumerate();
+        let points = pieces.flat_map(|(i, (piece, _))| piece.sample(8).into_iter().map(move |p| (p, i)));
+        let others: Vec<(Bounds, &Piece)> = others.pieces.iter().map(|(piece, _)| (piece.bounds(), piece)).collect();
+        points.map(move |(p, i)| {
+            let distance = others.iter().fold(f64::INFINITY, |least, (around, other)| {
                 if around.is_beyond(p, least) { least } else { least.min((other.closest_point(p) - p).norm()) }
             });
-            (away, Point::new(side * p.x, p.y), &these.strokes[stroke].from)
+            (distance, Point::new(side * p.x, p.y), these.source(i))
         })
     });
-    let Some((away, at, from)) = worst.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
-    if away <= frame.join + 2.0 * frame.tolerance {
+    let Some((distance, at, source)) = worst.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
+    if distance <= frame.join + 2.0 * frame.tolerance {
         return Ok(());
     }
-    let (place, away) = (frame.place(at), (away * 1e4).round() / 1e4);
+    let (place, distance) = (frame.place(at), (distance * 1e4).round() / 1e4);
     let what = format!(
-        "the two halves of the {name} differ, most by {away} mm: {from} at {place} is so far away from the mirror image of \
-         the other half"
+        "the two halves of the {tool} differ, most by {distance} mm: {source} at {place} is so far away from the mirror \
+         image of the other half"
     );
-    let help = "draw one half only, or both alike; --axis says where the axis is if it is not x = 0";
-    Err(ImportError::new(what, help).at(from.line))
+    Err(source.error(what, "draw one half only, or both alike; --axis says where the axis is if it is not x = 0"))
 }

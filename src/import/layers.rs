@@ -1,84 +1,160 @@
-//! Tools by layer.
+//! Tool and operation of each layer.
 
+use super::ImportError;
 use super::blocks::Placed;
-use super::error::ImportError;
-use super::listing::cut;
+use super::dxf::cut;
 use super::options::Options;
-use super::parts::{Part, Parts, operation, ordered};
 use crate::model::Role;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
+const WORDS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ToolId {
+    /// Number of the operation; `None` for the only one and for layers without a number.
+    pub operation: Option<u32>,
+    pub role: Role,
+}
+
+impl fmt::Display for ToolId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.operation.map_or(Ok(()), |number| write!(f, "OP{number} "))?;
+        f.write_str(self.role.name())
+    }
+}
+
+/// Tools by the layer's name.
+pub(super) type Layers = BTreeMap<String, ToolId>;
 
 /// Tools by layer: those of `--layer`, then those by name.
-pub(super) fn parts(found: &[Placed], options: &Options, notes: &mut Vec<String>) -> Result<Parts, ImportError> {
-    let mut layers: BTreeMap<&str, usize> = BTreeMap::new();
-    for Placed { listed, .. } in found.iter().filter(|entity| !entity.listed.on_paper) {
-        *layers.entry(&listed.layer).or_default() += 1;
+pub(super) fn layers(entities: &[Placed], options: &Options, notes: &mut Vec<String>) -> Result<Layers, ImportError> {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {
+        *counts.entry(&source.layer).or_default() += 1;
     }
-    if layers.is_empty() {
+    if counts.is_empty() {
         let what = "the drawing is empty: there is no entity in its model space";
         return Err(ImportError::new(what, "check what was saved; entities on paper sheets are not read"));
     }
-    let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), entities(*count));
-    let there = || some(layers.iter().map(counted));
-    for (name, _) in &options.layers {
-        if !layers.keys().any(|layer| same(layer, name)) {
-            let what = format!("there is no layer \"{name}\" with entities; there are {}", there());
-            return Err(ImportError::new(what, "check the name after --layer"));
+    let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), count_entities(*count));
+    let all = || list(counts.iter().map(counted));
+    let is_same = |layer: &str, name: &str| layer.to_lowercase() == name.to_lowercase();
+    if let Some((name, _)) = options.layers.iter().find(|(name, _)| !counts.keys().any(|layer| is_same(layer, name))) {
+        let what = format!("there is no layer \"{name}\" with entities; there are {}", all());
+        return Err(ImportError::new(what, "check the name after --layer"));
+    }
+    let mut layers = Layers::new();
+    for layer in counts.keys() {
+        let option = options.layers.iter().rev().find(|(name, _)| is_same(layer, name)).map(|(_, role)| *role);
+        if let Some(role) = option.map_or_else(|| by_name(layer), Ok)? {
+            layers.insert((*layer).to_owned(), ToolId { operation: operation(layer), role });
         }
     }
-    let mut parts = Parts::new();
-    for layer in layers.keys() {
-        let asked = options.layers.iter().rev().find(|(name, _)| same(layer, name)).map(|(_, role)| *role);
-        if let Some(role) = asked.map_or_else(|| by_name(layer), Ok)? {
-            parts.insert((*layer).to_owned(), Part { operation: operation(layer), role });
-        }
-    }
-    if parts.is_empty() {
-        let what = format!("no layer is a tool: there are {}", there());
+    if layers.is_empty() {
+        let what = format!("no layer is a tool: there are {}", all());
         let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, \
                     die or holder are found by themselves, in German and French too";
         return Err(ImportError::new(what, help));
     }
-    let ignored = some(layers.iter().filter(|(layer, _)| !parts.contains_key(**layer)).map(counted));
+    let ignored = list(counts.iter().filter(|(layer, _)| !layers.contains_key(**layer)).map(counted));
     if !ignored.is_empty() {
         notes.push(format!("layers that are no tool are left out: {ignored}"));
     }
-    Ok(ordered(parts))
+    Ok(ordered(layers))
 }
 
-pub(super) fn nothing_drawn(parts: &Parts) -> ImportError {
-    let named = some(parts.iter().map(|(layer, part)| format!("\"{}\" ({})", cut(layer), part.name())));
-    let what = format!("no line, arc, polyline or spline is on {named}");
+pub(super) fn nothing_drawn(layers: &Layers) -> ImportError {
+    let names = list(layers.iter().map(|(layer, tool)| format!("\"{}\" ({tool})", cut(layer))));
+    let what = format!("no line, arc, polyline or spline is on {names}");
     ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
 }
 
 /// List for a sentence, of twenty entries at most.
-pub(super) fn some(entries: impl Iterator<Item = String>) -> String {
-    let mut entries = entries.peekable();
+pub(super) fn list(mut entries: impl Iterator<Item = String>) -> String {
     let first: Vec<String> = entries.by_ref().take(20).collect();
-    let more = if entries.peek().is_some() { format!(" and {} more", entries.count()) } else { String::new() };
-    first.join(", ") + &more
+    match entries.count() {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
+    }
 }
 
-pub(super) fn entities(count: usize) -> String {
+pub(super) fn count_entities(count: usize) -> String {
     if count == 1 { "1 entity".to_owned() } else { format!("{count} entities") }
 }
 
-fn same(layer: &str, name: &str) -> bool {
-    layer.to_lowercase() == name.to_lowercase()
+fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
+    let roles = Role::named_in(layer);
+    if roles.len() < 2 {
+        return Ok(roles.first().copied());
+    }
+    let names: Vec<&str> = roles.iter().map(|role| role.name()).collect();
+    let layer = cut(layer);
+    let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
+    Err(ImportError::new(what, format!("say which it is: --layer \"{layer}={}\", or =none", names[0])))
 }
 
-fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
-    let held = Role::named_in(layer);
-    match held[..] {
-        [] => Ok(None),
-        [role] => Ok(Some(role)),
-        _ => {
-            let names: Vec<&str> = held.iter().map(|role| role.name()).collect();
-            let layer = cut(layer);
-            let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
-            let help = format!("say which it is: --layer \"{layer}={}\", or =none", names[0]);
-            Err(ImportError::new(what, help))
+fn operation(layer: &str) -> Option<u32> {
+    let lower = layer.to_lowercase();
+    let starts = lower.char_indices().filter(|(i, _)| !lower[..*i].ends_with(char::is_alphabetic));
+    let number = |(i, word): (usize, &str)| {
+        let rest = lower[i..].strip_prefix(word)?.trim_start_matches(|c: char| " _-.#".contains(c));
+        rest.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+    };
+    starts.flat_map(|(i, _)| WORDS.map(|word| (i, word))).find_map(number)
+}
+
+/// Assigns layers without a number to the first operation, or to one before it if that has these tools itself.
+fn ordered(mut layers: Layers) -> Layers {
+    let numbers: BTreeSet<u32> = layers.values().filter_map(|tool| tool.operation).collect();
+    let first = numbers.first().copied();
+    let has = |operation, role| layers.values().any(|tool| *tool == ToolId { operation, role });
+    let apart = Role::ALL.iter().any(|role| has(None, *role) && has(first, *role));
+    for tool in layers.values_mut() {
+        tool.operation = match tool.operation {
+            _ if numbers.len() == 1 && !apart => None,
+            None if !apart => first,
+            number => number,
+        };
+    }
+    layers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_has_an_operation() {
+        for (layer, number) in [
+            ("OP20_PUNCH", Some(20)),
+            ("op 30 - die", Some(30)),
+            ("PUNCH_OP5", Some(5)),
+            ("Stempel AFO20", Some(20)),
+            ("Stufe 2 Matrize", Some(2)),
+            ("Die 1", None),
+            ("OPEN2_DIE", None),
+            ("LOOP2", None),
+            ("OP99999999999", None),
+        ] {
+            assert_eq!(operation(layer), number, "{layer}");
         }
+    }
+
+    #[test]
+    fn layers_without_a_number_are_the_first_operations() {
+        use Role::{Die, Holder, Punch};
+        let ordered = |tools: &[(Option<u32>, Role)]| {
+            let layer = |(i, (operation, role)): (usize, &(Option<u32>, Role))| {
+                (i.to_string(), ToolId { operation: *operation, role: *role })
+            };
+            let layers = ordered(tools.iter().enumerate().map(layer).collect());
+            layers.values().map(|tool| tool.operation).collect::<Vec<_>>()
+        };
+        assert_eq!(ordered(&[(None, Punch), (None, Die)]), [None, None]);
+        assert_eq!(ordered(&[(Some(20), Punch), (None, Die)]), [None, None]);
+        assert_eq!(ordered(&[(Some(20), Punch), (None, Holder), (Some(30), Punch)]), [Some(20), Some(20), Some(30)]);
+        assert_eq!(ordered(&[(None, Punch), (None, Die), (Some(20), Punch)]), [None, None, Some(20)]);
     }
 }

@@ -1,9 +1,9 @@
 //! Tool sections from a drawing (DXF): lines, arcs, polylines and splines joined into oriented chains, one per tool.
 //!
 //! ```text
-//! text → listing, curve          entities and their shapes, the header's unit
-//!    │ blocks, reference          each block as often as it is referred to
-//!    │ layers, parts              tool and operation of each layer
+//! text → dxf                     entities and their numbers, the header's unit
+//!    │ blocks                     each block as often as it is referred to
+//!    │ layers                     tool and operation of each layer
 //!    │ stroke, spline             entity → Stroke: pieces in mm
 //!    │ axis, halves               is the axis at x = 0? a second half is compared and left out
 //!    │ chain                      strokes joined end to end: gaps, overlaps, branches are named
@@ -18,64 +18,135 @@
 mod axis;
 mod blocks;
 mod chain;
-mod curve;
-mod error;
+mod dxf;
 mod frame;
 mod halves;
 mod layers;
-mod listing;
 mod options;
 mod orient;
 mod outline;
-mod parts;
-mod reference;
-mod section;
 mod spline;
 mod stroke;
 
-pub use error::ImportError;
-pub use listing::LARGEST;
+pub use dxf::LARGEST;
 pub use options::{DrawingUnit, Heading, Options, layer};
-pub use section::{Operation, Section, Sections};
 
+use crate::geometry::{Point, Profile};
 use crate::model::Role;
-use parts::{Part, Parts};
+use layers::ToolId;
 use std::collections::BTreeSet;
+
+/// Reason why no section can be read from a drawing.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{what}\n  {help}")]
+pub struct ImportError {
+    /// The error, with the entities and the place.
+    pub what: String,
+    /// Remedy.
+    pub help: String,
+    /// Line of the file, from 1, of the first named entity.
+    pub line: Option<usize>,
+}
+
+impl ImportError {
+    fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { what: what.into(), help: help.into(), line: None }
+    }
+
+    fn at(line: usize, what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { line: Some(line), ..Self::new(what, help) }
+    }
+}
+
+/// Section of a tool.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The tool.
+    pub role: Role,
+    /// Profile with the sheet on its left, z along the punch travel, not moved.
+    pub profile: Profile,
+    /// Ends of drawn lines, arcs and splines \[mm\].
+    pub ends: Vec<Point>,
+    /// Source, `4 entities of layer "PUNCH"`.
+    pub made_of: String,
+}
+
+/// Tools of one operation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operation {
+    /// Number in the layers' names, if any.
+    pub number: Option<u32>,
+    /// Punch, die, holder as far as they are drawn.
+    pub tools: Vec<Section>,
+}
+
+impl Operation {
+    /// `OP30`.
+    pub fn name(&self) -> String {
+        self.number.map_or_else(|| "the first operation".to_owned(), |number| format!("OP{number}"))
+    }
+
+    /// Section of a tool, if drawn.
+    pub fn tool(&self, role: Role) -> Option<&Section> {
+        self.tools.iter().find(|tool| tool.role == role)
+    }
+}
+
+/// Tools read from a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sections {
+    /// Number of the first operation, if there are several.
+    pub number: Option<u32>,
+    /// Tools of the first operation.
+    pub tools: Vec<Section>,
+    /// Later operations, by their numbers.
+    pub later: Vec<Operation>,
+    /// How the drawing was understood: unit, direction, halves, joints, omissions.
+    pub notes: Vec<String>,
+}
+
+impl Sections {
+    /// Section of a tool of the first operation, if drawn.
+    pub fn tool(&self, role: Role) -> Option<&Section> {
+        self.tools.iter().find(|tool| tool.role == role)
+    }
+}
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 ///
 /// # Errors
 /// When the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
-    let drawing = listing::drawing(&listing::decode(bytes)?)?;
+    let drawing = dxf::drawing(&dxf::decode(bytes)?)?;
     let mut notes = Vec::new();
-    let frame = frame::Frame::of(&drawing.header, options, &mut notes)?;
+    let frame = frame::Frame::new(&drawing, options, &mut notes)?;
     let entities = blocks::exploded(&drawing)?;
-    let parts = layers::parts(&entities, options, &mut notes)?;
+    let layers = layers::layers(&entities, options, &mut notes)?;
+    let numbers: BTreeSet<Option<u32>> = layers.values().map(|tool| tool.operation).collect();
     let mut strokes = Vec::new();
-    for part in in_order(&parts) {
-        let drawn = stroke::of_part(&entities, &parts, part, &frame, &mut notes)?;
+    for tool in numbers.iter().flat_map(|operation| Role::ALL.map(|role| ToolId { operation: *operation, role })) {
+        let drawn = stroke::strokes(&entities, &layers, tool, &frame, &mut notes)?;
         if !drawn.is_empty() {
-            strokes.push((part, drawn));
+            strokes.push((tool, drawn));
         }
     }
     if strokes.is_empty() {
-        return Err(layers::nothing_drawn(&parts));
+        return Err(layers::nothing_drawn(&layers));
     }
     if options.axis.is_none() {
-        axis::ask(&strokes, &entities, &frame)?;
+        axis::check(&strokes, &entities, &frame)?;
     }
     let mut chains = Vec::new();
-    for (part, strokes) in strokes {
-        chains.push((part, halves::right(strokes, part, &frame, &mut notes)?));
+    for (tool, strokes) in strokes {
+        chains.push((tool, halves::right(strokes, tool, &frame, &mut notes)?));
     }
     let heading = orient::heading(&chains, options.punch_moves, &mut notes)?;
     let mut operations: Vec<Operation> = Vec::new();
-    for (part, chain) in chains {
-        let section = orient::section(part, chain, heading, &frame, &mut notes)?;
-        match operations.last_mut().filter(|operation| operation.number == part.operation) {
+    for (tool, chain) in chains {
+        let section = orient::section(tool, chain, heading, &frame, &mut notes)?;
+        match operations.last_mut().filter(|operation| operation.number == tool.operation) {
             Some(operation) => operation.tools.push(section),
-            None => operations.push(Operation { number: part.operation, tools: vec![section] }),
+            None => operations.push(Operation { number: tool.operation, tools: vec![section] }),
         }
     }
     let idle = operations.iter().find(|operation| operation.tool(Role::Punch).is_none());
@@ -87,10 +158,4 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let later = operations.split_off(1);
     let Operation { number, tools } = operations.remove(0);
     Ok(Sections { number, tools, later, notes })
-}
-
-fn in_order(parts: &Parts) -> Vec<Part> {
-    let operations: BTreeSet<Option<u32>> = parts.values().map(|part| part.operation).collect();
-    let all = operations.into_iter().flat_map(|operation| Role::ALL.map(|role| Part { operation, role }));
-    all.filter(|part| parts.values().any(|other| other == part)).collect()
 }

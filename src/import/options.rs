@@ -30,20 +30,20 @@ impl Default for Options {
 /// Unit of length of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingUnit {
-    /// 10⁻³ mm.
-    Micrometre,
     /// 1 mm.
     Mm,
     /// 10 mm.
     Cm,
     /// 10³ mm.
     M,
-    /// 0.0254 mm.
-    Mil,
     /// 25.4 mm.
     Inch,
     /// 304.8 mm.
     Foot,
+    /// 0.0254 mm.
+    Mil,
+    /// 10⁻³ mm.
+    Micrometre,
 }
 
 impl DrawingUnit {
@@ -52,7 +52,7 @@ impl DrawingUnit {
 
     /// Symbol, as `--unit` takes it.
     pub fn symbol(self) -> &'static str {
-        ["um", "mm", "cm", "m", "mil", "in", "ft"][self as usize]
+        ["mm", "cm", "m", "in", "ft", "mil", "um"][self as usize]
     }
 
     /// Length \[mm\].
@@ -71,9 +71,6 @@ pub enum Heading {
 }
 
 impl Heading {
-    /// Both directions.
-    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
-
     /// `down` or `up`.
     pub fn name(self) -> &'static str {
         ["down", "up"][self as usize]
@@ -84,7 +81,8 @@ impl FromStr for DrawingUnit {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        one_of(text, &Self::ALL.map(|unit| (unit.symbol(), unit)))
+        let unit = Self::ALL.into_iter().find(|unit| unit.symbol() == text);
+        unit.ok_or_else(|| format!("give {}", Self::ALL.map(Self::symbol).join(", ")))
     }
 }
 
@@ -92,13 +90,12 @@ impl FromStr for Heading {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        one_of(text, &Self::ALL.map(|heading| (heading.name(), heading)))
+        match text {
+            "down" => Ok(Self::Down),
+            "up" => Ok(Self::Up),
+            _ => Err("give down, up".to_owned()),
+        }
     }
-}
-
-fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
-    let found = all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
-    found.ok_or_else(|| format!("give {}", all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")))
 }
 
 /// Reads `NAME=TOOL`, the tool that a layer draws; `None` for `NAME=none`.

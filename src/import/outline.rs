@@ -11,12 +11,11 @@
 //!
 //! Of a body that is drawn as far as the axis, the inner end is where its face meets the axis.
 
+use super::ImportError;
 use super::chain::Chain;
-use super::error::ImportError;
 use super::frame::Frame;
+use super::layers::ToolId;
 use super::options::Heading;
-use super::parts::Part;
-use super::stroke::Stroke;
 use crate::geometry::{Arc, Bounds, Piece, Point};
 use crate::model::Role;
 
@@ -29,84 +28,85 @@ pub(super) fn is_outline(chain: &Chain) -> bool {
 }
 
 /// Direction of the punch from places: punch and holder are behind the sheet, the die is ahead of it.
-pub(super) fn heading(chains: &[(Part, Chain)]) -> Option<(Heading, String)> {
+pub(super) fn heading(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
     let bounds = |chain: &Chain| {
-        let pieces: Vec<Piece> = chain.pieces().map(|(piece, _)| *piece).collect();
+        let pieces: Vec<Piece> = chain.pieces.iter().map(|(piece, _)| *piece).collect();
         Bounds::around(&pieces).expect("a chain has pieces")
     };
-    let dies = chains.iter().filter(|(part, _)| part.role == Role::Die);
-    let pairs = dies.flat_map(|(die, of_die)| {
-        let others = chains.iter().filter(|(part, _)| part.role != Role::Die && part.operation == die.operation);
-        others.map(move |(part, chain)| (part, bounds(chain), bounds(of_die)))
+    let dies = chains.iter().filter(|(tool, _)| tool.role == Role::Die);
+    let mut pairs = dies.flat_map(|(die, of_die)| {
+        let others = chains.iter().filter(|(tool, _)| tool.role != Role::Die && tool.operation == die.operation);
+        others.map(move |(tool, chain)| (tool, bounds(chain), bounds(of_die)))
     });
-    let mut told = pairs.filter_map(|(part, other, die)| {
+    pairs.find_map(|(tool, other, die)| {
         let rise = 0.5 * (other.low.y + other.high.y - die.low.y - die.high.y);
         let least = (other.high.y - other.low.y).min(die.high.y - die.low.y);
-        let heading = if rise > 0.0 { Heading::Down } else { Heading::Up };
-        let side = if rise > 0.0 { "above" } else { "below" };
-        (rise.abs() > APART * least).then(|| (heading, format!("the {} is {side} the die", part.name())))
-    });
-    told.next()
+        let (heading, side) = if rise > 0.0 { (Heading::Down, "above") } else { (Heading::Up, "below") };
+        (rise.abs() > APART * least).then(|| (heading, format!("the {tool} is {side} the die")))
+    })
 }
+
+/// Two measures of a point, the second one among those with nearly the largest first.
+type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
 /// Side of an outline towards the sheet, as an open line.
 pub(super) fn sheet_side(
-    part: Part,
+    tool: ToolId,
     chain: Chain,
     heading: Heading,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Chain, ImportError> {
     // Larger where nearer to the sheet.
-    let ahead = if heading == Heading::Down { -1.0 } else { 1.0 };
-    let toward = if part.role == Role::Die { -ahead } else { ahead };
-    let near = |p: Point| toward * p.y;
-    let back_inner = |p: Point| [-near(p), -p.x];
-    let back_outer = |p: Point| [-near(p), p.x];
-    let face_outer = |p: Point| [p.x, near(p)];
-    let chain = if chain.is_closed {
+    let height = |p: Point| if (tool.role == Role::Die) == (heading == Heading::Down) { p.y } else { -p.y };
+    let back_inner: Measure = &|p| [-height(p), -p.x];
+    let back_outer: Measure = &|p| [-height(p), p.x];
+    let face_outer: Measure = &|p| [p.x, height(p)];
+    let is_closed = chain.is_closed;
+    let chain = if is_closed {
         // Walked so that the face of a punch comes after its inner wall, and that of a die before.
         let chain = if (area(&chain) > 0.0) == (heading == Heading::Down) { chain } else { chain.reversed() };
-        let start: &dyn Fn(Point) -> [f64; 2] = if part.role == Role::Die { &face_outer } else { &back_inner };
-        from(chain, start, frame.join)
-    } else if near(chain.first()) >= near(chain.last()) {
+        let [before, after] = split(&chain, if tool.role == Role::Die { face_outer } else { back_inner }, frame.join);
+        Chain { pieces: [after, before].concat(), ..chain }
+    } else if height(chain.first()) >= height(chain.last()) {
         chain
     } else {
         chain.reversed()
     };
-    let end: &dyn Fn(Point) -> [f64; 2] = match (part.role, chain.is_closed) {
-        (Role::Die, true) => &back_inner,
-        (Role::Punch, _) => &back_outer,
-        (Role::Die, false) | (Role::Holder, _) => &face_outer,
+    let end = match (tool.role, is_closed) {
+        (Role::Die, true) => back_inner,
+        (Role::Punch, _) => back_outer,
+        (Role::Die, false) | (Role::Holder, _) => face_outer,
     };
-    let side = up_to(chain, end, frame.join);
-    let (name, a, b) = (part.name(), frame.place(side.first()), frame.place(side.last()));
+    let [before, _] = split(&chain, end, frame.join);
+    let pieces = if before.is_empty() { chain.pieces.clone() } else { before };
+    let side = Chain { pieces, is_closed: false, ..chain };
+    let (a, b) = (frame.place(side.first()), frame.place(side.last()));
     if (side.first() - side.last()).norm() <= frame.join {
-        let what = format!("no side of the {name}'s outline meets the sheet: it would begin and end at {a}");
+        let what = format!("no side of the {tool}'s outline meets the sheet: it would begin and end at {a}");
         return Err(ImportError::new(what, "draw the side that meets the sheet as an open line"));
     }
-    notes.push(format!("the {name} is drawn all round: the side towards the sheet is read, from {a} to {b}"));
+    notes.push(format!("the {tool} is drawn all round: the side towards the sheet is read, from {a} to {b}"));
     Ok(side)
 }
 
 /// Twice the enclosed area, positive if counter-clockwise \[mm²\]; chords of arcs keep its sign.
 fn area(chain: &Chain) -> f64 {
-    let points: Vec<Point> = chain.pieces().flat_map(|(piece, _)| piece.sample(8)).collect();
+    let points: Vec<Point> = chain.pieces.iter().flat_map(|(piece, _)| piece.sample(8)).collect();
     points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp(b)).sum()
 }
 
-/// Stroke, piece and point of a chain.
-type Spot = (usize, usize, Point);
-
-/// Point with the largest first measure, and within `near` of it the largest second one.
-fn largest(chain: &Chain, by: &dyn Fn(Point) -> [f64; 2], near: f64) -> Spot {
-    let spots = chain.strokes.iter().enumerate().flat_map(|(i, stroke)| {
-        stroke.pieces.iter().enumerate().flat_map(move |(j, piece)| corners(piece).map(move |p| (i, j, p)))
-    });
-    let spots: Vec<Spot> = spots.collect();
-    let most = spots.iter().map(|(_, _, p)| by(*p)[0]).fold(f64::NEG_INFINITY, f64::max);
-    let first = spots.into_iter().filter(|(_, _, p)| by(*p)[0] >= most - near);
-    first.max_by(|a, b| by(a.2)[1].total_cmp(&by(b.2)[1])).expect("a chain has pieces")
+/// Pieces before and after the point with the largest first measure, and within `join` of it the largest second one.
+fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, usize)>; 2] {
+    let pieces = chain.pieces.iter().enumerate();
+    let points: Vec<(usize, Point)> = pieces.flat_map(|(i, (piece, _))| corners(piece).map(move |p| (i, p))).collect();
+    let most = points.iter().map(|(_, p)| by(*p)[0]).fold(f64::NEG_INFINITY, f64::max);
+    let first = points.into_iter().filter(|(_, p)| by(*p)[0] >= most - join);
+    let (i, at) = first.max_by(|a, b| by(a.1)[1].total_cmp(&by(b.1)[1])).expect("a chain has pieces");
+    let (piece, stroke) = chain.pieces[i];
+    let [a, b] = halves(&piece, at, join).map(|half| half.map(|piece| (piece, stroke)));
+    let before = chain.pieces[..i].iter().copied().chain(a).collect();
+    [before, b.into_iter().chain(chain.pieces[i + 1..].iter().copied()).collect()]
 }
 
 /// Ends of a piece, and the points of an arc where it is parallel to x or y.
@@ -119,40 +119,14 @@ fn corners(piece: &Piece) -> impl Iterator<Item = Point> + use<> {
     [piece.first(), piece.last()].into_iter().chain(poles.into_iter().flatten())
 }
 
-fn split(chain: Chain, (i, j, at): Spot, join: f64) -> [Vec<Stroke>; 2] {
-    let mut before = chain.strokes;
-    let mut after = before.split_off(i);
-    let Stroke { pieces, from } = after.remove(0);
-    let (mut first, mut rest) = (pieces[..j].to_vec(), pieces[j + 1..].to_vec());
-    let [a, b] = halves(&pieces[j], at, join);
-    first.extend(a);
-    rest.splice(..0, b);
-    let stroke = |pieces: Vec<Piece>| (!pieces.is_empty()).then(|| Stroke { pieces, from: from.clone() });
-    before.extend(stroke(first));
-    after.splice(..0, stroke(rest));
-    [before, after]
-}
-
 fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
     if (at - piece.first()).norm() <= join {
         return [None, Some(*piece)];
     }
+    let Piece::Arc(arc) = piece else { return [Some(*piece), None] };
     if (at - piece.last()).norm() <= join {
         return [Some(*piece), None];
     }
-    let Piece::Arc(arc) = piece else { return [Some(*piece), None] };
-    let part = |from, to| Piece::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0);
-    [Some(part(piece.first(), at)), Some(part(at, piece.last()))]
-}
-
-fn from(chain: Chain, by: &dyn Fn(Point) -> [f64; 2], join: f64) -> Chain {
-    let spot = largest(&chain, by, join);
-    let [before, after] = split(chain, spot, join);
-    Chain { strokes: after.into_iter().chain(before).collect(), is_closed: true }
-}
-
-fn up_to(chain: Chain, by: &dyn Fn(Point) -> [f64; 2], join: f64) -> Chain {
-    let spot = largest(&chain, by, join);
-    let [before, _] = split(chain.clone(), spot, join);
-    Chain { strokes: if before.is_empty() { chain.strokes } else { before }, is_closed: false }
+    let part = |from, to| Some(Piece::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0));
+    [part(piece.first(), at), part(at, piece.last())]
 }

@@ -3,8 +3,7 @@
 //! # References
 //! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
 
-use super::curve::Spline;
-use super::listing::MOST;
+use super::dxf::MOST;
 use crate::geometry::{Piece, Point, biarc, turn};
 use nalgebra::Vector3;
 
@@ -15,7 +14,7 @@ const DEEPEST: usize = 12;
 const TURN: f64 = 0.5;
 
 /// Points at which a part is compared with its arcs.
-const LOOKS: usize = 16;
+const POINTS: usize = 16;
 
 /// Share of the tolerance at those points \[–\]; between them the distance may rise.
 const BETWEEN: f64 = 0.9;
@@ -23,7 +22,7 @@ const BETWEEN: f64 = 0.9;
 const DEGREE: usize = 25;
 
 /// Largest distance of coinciding points \[mm\].
-const SAME: f64 = 1e-9;
+const COINCIDENT: f64 = 1e-9;
 
 /// Curve with homogeneous control points (w x, w y, w).
 struct Curve {
@@ -36,8 +35,14 @@ struct Curve {
 ///
 /// # Errors
 /// The reason, as the end of a sentence.
-pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Result<Vec<Piece>, String> {
-    let curve = Curve::new(spline, control)?;
+pub(super) fn pieces(
+    degree: f64,
+    knots: Vec<f64>,
+    weights: &[f64],
+    control: &[Point],
+    tolerance: f64,
+) -> Result<Vec<Piece>, String> {
+    let curve = Curve::new(degree as usize, knots, weights, control)?;
     let mut pieces = Vec::new();
     for span in curve.degree..curve.control.len() {
         let [from, to] = [curve.knots[span], curve.knots[span + 1]];
@@ -50,12 +55,10 @@ pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Resu
 }
 
 impl Curve {
-    fn new(spline: &Spline, control: &[Point]) -> Result<Self, String> {
-        let (knots, weights) = (&spline.knots, &spline.weights);
+    fn new(degree: usize, knots: Vec<f64>, weights: &[f64], control: &[Point]) -> Result<Self, String> {
         if control.is_empty() {
             return Err("has fit points only, and what runs between them is not in the file".to_owned());
         }
-        let degree = spline.degree as usize;
         if degree == 0 || degree > DEGREE || control.len() <= degree || knots.len() != control.len() + degree + 1 {
             let (points, knots) = (control.len(), knots.len());
             return Err(format!(
@@ -73,7 +76,7 @@ impl Curve {
         }
         let weight = |i: usize| weights.get(i).copied().unwrap_or(1.0);
         let control = control.iter().enumerate().map(|(i, p)| weight(i) * Vector3::new(p.x, p.y, 1.0)).collect();
-        Ok(Self { degree, knots: knots.clone(), control })
+        Ok(Self { degree, knots, control })
     }
 
     /// Point and derivative at a parameter of a span.
@@ -105,18 +108,18 @@ impl Curve {
     ) -> Result<(), String> {
         let u = |f: f64| from + f * (to - from);
         let ((a, along_a), (b, along_b)) = (self.at(span, from), self.at(span, to));
-        let looks: Vec<Point> = (1..LOOKS).map(|i| self.at(span, u(i as f64 / LOOKS as f64)).0).collect();
-        if looks.iter().all(|p| (p - a).norm() < SAME) && (b - a).norm() < SAME {
+        let points: Vec<Point> = (1..POINTS).map(|i| self.at(span, u(i as f64 / POINTS as f64)).0).collect();
+        if points.iter().all(|p| (p - a).norm() < COINCIDENT) && (b - a).norm() < COINCIDENT {
             return Ok(());
         }
         // Where control points coincide the curve starts with no speed, towards the next point.
-        let ta = along_a.try_normalize(SAME).unwrap_or_else(|| (looks[0] - a).normalize());
-        let tb = along_b.try_normalize(SAME).unwrap_or_else(|| (b - looks[LOOKS - 2]).normalize());
-        if (b - a).norm() > SAME && turn(ta, b - a).abs() < TURN && turn(b - a, tb).abs() < TURN {
+        let ta = along_a.try_normalize(COINCIDENT).unwrap_or_else(|| (points[0] - a).normalize());
+        let tb = along_b.try_normalize(COINCIDENT).unwrap_or_else(|| (b - points[POINTS - 2]).normalize());
+        if (b - a).norm() > COINCIDENT && turn(ta, b - a).abs() < TURN && turn(b - a, tb).abs() < TURN {
             let arcs = biarc(a, ta, b, tb);
             let away =
                 |p: &Point| arcs.iter().map(|arc| (arc.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
-            if looks.iter().all(|p| away(p) <= BETWEEN * tolerance) {
+            if points.iter().all(|p| away(p) <= BETWEEN * tolerance) {
                 pieces.extend(arcs);
                 return Ok(());
             }

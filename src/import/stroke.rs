@@ -1,12 +1,10 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
+use super::ImportError;
 use super::blocks::Placed;
-use super::curve::{self, Curve, Place, Polyline, Vertex};
-use super::error::ImportError;
+use super::dxf::{MOST, Place, Source, Vertex};
 use super::frame::Frame;
-use super::listing::{Listed, MOST};
-use super::parts::{Part, Parts};
-use super::reference::Placement;
+use super::layers::{Layers, ToolId};
 use super::spline;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
 use crate::units::{Dimensioned, Kind, Length, rounded};
@@ -23,11 +21,16 @@ const SHORTEST: f64 = 1e-7;
 /// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
 
+/// Flags of a polyline and of its vertices.
+const CLOSED: i64 = 1;
+const MESH: i64 = 16 | 64;
+const OFF_THE_CURVE: i64 = 16;
+
 /// Entity, or its part on one side of the axis.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     pub pieces: Vec<Piece>,
-    pub from: Listed,
+    pub source: Source,
 }
 
 impl Stroke {
@@ -44,103 +47,111 @@ impl Stroke {
     }
 
     pub fn reversed(&self) -> Self {
-        Self { pieces: self.pieces.iter().rev().map(Piece::reversed).collect(), from: self.from.clone() }
+        Self { pieces: self.pieces.iter().rev().map(Piece::reversed).collect(), source: self.source.clone() }
     }
 }
 
-pub(super) fn of_part(
+/// Strokes of a tool.
+///
+/// # Errors
+/// When its layers hold what is no curve, or too much.
+pub(super) fn strokes(
     entities: &[Placed],
-    parts: &Parts,
-    part: Part,
+    layers: &Layers,
+    tool: ToolId,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Stroke>, ImportError> {
-    let ours = |entity: &&Placed| !entity.listed.on_paper && parts.get(&entity.listed.layer) == Some(&part);
-    let name = part.name();
+    let is_ours = |placed: &&Placed| !placed.source.on_paper && layers.get(&placed.source.layer) == Some(&tool);
+    let (curves, others): (Vec<&Placed>, Vec<&Placed>) =
+        entities.iter().filter(is_ours).partition(|placed| placed.entity.is_curve());
     let mut annotations: BTreeMap<&str, usize> = BTreeMap::new();
-    for Placed { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
-        if !ANNOTATIONS.split(' ').any(|kind| kind == listed.kind) {
-            let help = match listed.kind.as_str() {
+    for Placed { source, .. } in others {
+        if !ANNOTATIONS.split(' ').any(|kind| kind == source.kind) {
+            let help = match source.kind.as_str() {
                 "INSERT" => "its block is in another file, or lies across the drawing's plane: bind or explode it",
                 _ => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
             };
-            let place = frame.place(frame.point(listed.at[0], listed.at[1]));
-            let what = format!("{listed} at {place} cannot be part of the {name}'s profile");
-            return Err(ImportError::new(what, help).at(listed.line));
+            let place = frame.place(frame.point(source.at));
+            return Err(source.error(format!("{source} at {place} cannot be part of the {tool}'s profile"), help));
         }
-        *annotations.entry(&listed.kind).or_default() += 1;
+        *annotations.entry(&source.kind).or_default() += 1;
     }
     if !annotations.is_empty() {
         let annotations: Vec<String> = annotations.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        notes.push(format!("left out of the {name}'s layer: {}", annotations.join(", ")));
+        notes.push(format!("left out of the {tool}'s layer: {}", annotations.join(", ")));
     }
-    let curves = || entities.iter().filter(ours).filter_map(|placed| Some((placed.curve?, placed)));
-    let splines = curves().filter(|(_, placed)| placed.listed.kind == "SPLINE").count();
+    let splines = curves.iter().filter(|placed| placed.source.kind == "SPLINE").count();
     if splines > 0 {
-        let tolerance = rounded(frame.tolerance);
-        notes
-            .push(format!("SPLINE in the {name}'s line ({splines}) is followed by tangent arcs within {tolerance} mm"));
+        let within = format!("within {} mm", rounded(frame.tolerance));
+        notes.push(format!("SPLINE in the {tool}'s line ({splines}) is followed by tangent arcs {within}"));
     }
-    let (mut strokes, mut pieces) = (Vec::new(), 0);
-    for (curve, Placed { listed, placement, .. }) in curves() {
-        let stroke = stroke(curve, listed, placement, frame)?;
-        pieces += stroke.pieces.len();
-        if pieces > MOST {
-            let what = format!("the {name} is drawn in more than {MOST} lines and arcs, {listed} among them");
+    let (mut strokes, mut count) = (Vec::new(), 0);
+    for placed in curves {
+        let (source, pieces) = (placed.source.clone(), Pen { placed, frame }.pieces()?);
+        count += pieces.len();
+        if count > MOST {
+            let what = format!("the {tool} is drawn in more than {MOST} lines and arcs, {source} among them");
             let help = "a section has a few dozen: leave only what meets the sheet, thin its points out, or give splines a \
                         larger --tolerance";
-            return Err(ImportError::new(what, help).at(listed.line));
+            return Err(source.error(what, help));
         }
-        strokes.push(stroke);
+        strokes.push(Stroke { pieces, source });
     }
     Ok(strokes)
 }
 
-fn stroke(curve: &Curve, from: &Listed, placement: &Placement, frame: &Frame) -> Result<Stroke, ImportError> {
-    let pen = Pen { entry: from, placement, frame };
-    let pieces = match curve {
-        Curve::Line([from, to]) => {
-            pen.flat([from[2], to[2]])?;
-            pen.polyline(&[pen.point(1.0, *from)?, pen.point(1.0, *to)?], &[0.0])?
-        }
-        Curve::Arc(arc) => pen.arc(arc)?,
-        Curve::Light(line) => pen.vertices(line, line.vertices.iter())?,
-        Curve::Old(line) => pen.old(line)?,
-        Curve::Spline(curve) => {
-            pen.flat(curve.control.iter().map(|p| p[2]))?;
-            let control = curve.control.iter().map(|p| pen.point(1.0, *p)).collect::<Result<Vec<_>, _>>()?;
-            spline::pieces(curve, &control, frame.tolerance).map_err(|what| pen.error(what))?
-        }
-    };
-    Ok(Stroke { pieces, from: from.clone() })
-}
-
 struct Pen<'a> {
-    entry: &'a Listed,
-    placement: &'a Placement,
+    placed: &'a Placed<'a>,
     frame: &'a Frame,
 }
 
+type Pieces = Result<Vec<Piece>, ImportError>;
+
 impl Pen<'_> {
-    fn error(&self, what: String) -> ImportError {
-        ImportError::new(format!("{} {what}", self.entry), "correct it in the drawing, or redraw it")
-            .at(self.entry.line)
-    }
-
-    /// Point in mm; `side` is −1 in a coordinate system seen from behind.
-    fn point(&self, side: f64, [x, y, _]: Place) -> Result<Point, ImportError> {
-        let [x, y] = self.placement.at(Point::new(side * x, y)).into();
-        let point = self.frame.point(x, y);
-        let Kind { largest, .. } = Length::KIND;
-        if point.iter().all(|c| c.abs() <= *largest) {
-            return Ok(point);
+    fn pieces(&self) -> Pieces {
+        let entity = self.placed.entity;
+        match entity.source.kind.as_str() {
+            "LINE" => {
+                let ends = [entity.point(10), entity.point(11)];
+                self.flat(ends.iter())?;
+                self.polyline(&self.points(1.0, ends.iter())?, &[0.0])
+            }
+            "ARC" => self.arc(),
+            "SPLINE" => {
+                let control: Vec<Place> = entity.vertices().iter().map(|vertex| vertex.at).collect();
+                self.flat(control.iter())?;
+                let control = self.points(1.0, control.iter())?;
+                let (degree, knots, weights) = (entity.number(71, 1.0), entity.numbers(40), entity.numbers(41));
+                spline::pieces(degree, knots, &weights, &control, self.frame.tolerance).map_err(|what| self.error(what))
+            }
+            _ => self.vertices(),
         }
-        Err(self.error(format!("reaches x = {x}, y = {y}, beyond {largest} mm: is the unit right?")))
     }
 
-    fn flat(&self, heights: impl IntoIterator<Item = f64>) -> Result<(), ImportError> {
+    fn error(&self, what: String) -> ImportError {
+        let source = &self.placed.source;
+        source.error(format!("{source} {what}"), "correct it in the drawing, or redraw it")
+    }
+
+    /// Points in mm; `side` is −1 in a coordinate system seen from behind.
+    fn points<'p>(&self, side: f64, places: impl Iterator<Item = &'p Place>) -> Result<Vec<Point>, ImportError> {
+        let point = |[x, y, _]: &Place| {
+            let placed = self.placed.placement.at(Point::new(side * x, *y));
+            let point = self.frame.point(placed);
+            let Kind { largest, .. } = Length::KIND;
+            if point.iter().all(|c| c.abs() <= *largest) {
+                return Ok(point);
+            }
+            let [x, y] = placed.into();
+            Err(self.error(format!("reaches x = {x}, y = {y}, beyond {largest} mm: is the unit right?")))
+        };
+        places.map(point).collect()
+    }
+
+    fn flat<'p>(&self, places: impl Iterator<Item = &'p Place>) -> Result<(), ImportError> {
         let (low, high) =
-            heights.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), [.., z]| (low.min(*z), high.max(*z)));
         if high - low > SHORTEST {
             let what = format!("leaves the x-y plane: its z goes from {low} to {high} drawing units");
             return Err(self.error(what));
@@ -149,26 +160,28 @@ impl Pen<'_> {
     }
 
     /// +1 in the drawing's plane, −1 seen from behind.
-    fn side(&self, [x, y, z]: Place) -> Result<f64, ImportError> {
+    fn side(&self) -> Result<f64, ImportError> {
+        let [x, y, z] = self.placed.entity.normal();
         if x.abs() > 1e-9 || y.abs() > 1e-9 || z == 0.0 {
             return Err(self.error(format!("does not lie in the x-y plane: its normal is ({x}, {y}, {z})")));
         }
         Ok(z.signum())
     }
 
-    fn arc(&self, arc: &curve::Arc) -> Result<Vec<Piece>, ImportError> {
-        let side = self.side(arc.normal)?;
-        let center = self.point(side, arc.center)?;
-        let similarity = self.placement.similarity().ok_or_else(|| self.elliptic())?;
-        let radius = self.frame.length(similarity.scale * arc.radius);
-        let [start, end] = arc.angles.map(f64::to_radians);
+    fn arc(&self) -> Pieces {
+        let (side, entity) = (self.side()?, self.placed.entity);
+        let center = self.points(side, [entity.point(10)].iter())?[0];
+        let similarity = self.placed.placement.similarity().ok_or_else(|| self.elliptic())?;
+        let drawn_radius = entity.number(40, 0.0);
+        let radius = self.frame.length(similarity.scale * drawn_radius);
+        let [start, end] = [entity.number(50, 0.0), entity.number(51, 360.0)].map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
+        let place = self.frame.place(center);
         if !(radius > SHORTEST && radius <= Length::KIND.largest && sweep.is_finite()) {
-            let place = self.frame.place(center);
-            return Err(self.error(format!("has a radius of {} drawing units about {place}", arc.radius)));
+            return Err(self.error(format!("has a radius of {drawn_radius} drawing units about {place}")));
         }
         if sweep < 1e-12 {
-            return Err(self.error(format!("is a whole circle about {}", self.frame.place(center))));
+            return Err(self.error(format!("is a whole circle about {place}")));
         }
         let (start, sweep) = if side > 0.0 { (start, sweep) } else { (PI - start, -sweep) };
         let start = similarity.rotation + similarity.sense * start;
@@ -179,33 +192,29 @@ impl Pen<'_> {
         self.error("is an arc in a block that is placed with different scales along x and y".to_owned())
     }
 
-    fn old(&self, line: &Polyline) -> Result<Vec<Piece>, ImportError> {
-        if line.is_mesh() {
-            return Err(self.error("is a mesh, not a line".to_owned()));
+    /// Lines and arcs of an LWPOLYLINE, or of a POLYLINE, which may be a mesh or have vertices off the curve.
+    fn vertices(&self) -> Pieces {
+        let (entity, placement) = (self.placed.entity, &self.placed.placement);
+        let (flags, mut vertices) = (entity.number(70, 0.0) as i64, entity.vertices());
+        if entity.source.kind == "POLYLINE" {
+            if flags & MESH != 0 {
+                return Err(self.error("is a mesh, not a line".to_owned()));
+            }
+            vertices.retain(|vertex| vertex.flags & OFF_THE_CURVE == 0);
+            self.flat(vertices.iter().map(|vertex| &vertex.at))?;
         }
-        let vertices = line.vertices.iter().filter(|vertex| !vertex.is_off_the_curve());
-        self.flat(vertices.clone().map(|vertex| vertex.at[2]))?;
-        self.vertices(line, vertices)
-    }
-
-    fn vertices<'v>(
-        &self,
-        line: &Polyline,
-        vertices: impl Iterator<Item = &'v Vertex> + Clone,
-    ) -> Result<Vec<Piece>, ImportError> {
-        let side = self.side(line.normal)?;
-        let mut points = vertices.clone().map(|v| self.point(side, v.at)).collect::<Result<Vec<_>, _>>()?;
-        let sense = side * self.placement.sense();
-        let bulges: Vec<f64> = vertices.map(|v| sense * v.bulge).collect();
-        if bulges.iter().any(|bulge| bulge.abs() >= STRAIGHT) && self.placement.similarity().is_none() {
+        let side = self.side()?;
+        let mut points = self.points(side, vertices.iter().map(|Vertex { at, .. }| at))?;
+        let bulges: Vec<f64> = vertices.iter().map(|vertex| side * placement.sense() * vertex.bulge).collect();
+        if bulges.iter().any(|bulge| bulge.abs() >= STRAIGHT) && placement.similarity().is_none() {
             return Err(self.elliptic());
         }
-        points.extend(points.first().copied().filter(|_| line.is_closed()));
+        points.extend(points.first().copied().filter(|_| flags & CLOSED != 0));
         self.polyline(&points, &bulges)
     }
 
     /// Lines and arcs through points; a bulge is that of the arc to the next point.
-    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>, ImportError> {
+    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Pieces {
         // Repeated points, which CAD programs leave behind, are one.
         let distinct = points.windows(2).zip(bulges).filter(|(pair, _)| (pair[1] - pair[0]).norm() > SHORTEST);
         let pieces: Vec<Piece> = distinct.map(|(pair, bulge)| bulged(pair[0], pair[1], *bulge)).collect();
