@@ -4,7 +4,7 @@ mod sizes;
 
 use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{FRICTION, typical};
-use super::writer::{CaseWriter, exact};
+use super::writer::{Values, comment, drawn_profile, exact, forming_limit};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library};
 use crate::import::{self, ImportError, Options, Section, Sections};
@@ -119,92 +119,60 @@ impl Import {
     }
 
     fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
-        let mut writer = CaseWriter::default();
-        self.head(&mut writer, drawing, sections, first);
-        if let Some(name) = sections.number.map(stage).or((!sections.later.is_empty()).then(|| "first".to_owned())) {
-            writer.table("stage", "");
-            writer.set("name", format!("{name:?}"), "");
-        }
         let sizes = first.sizes();
-        writer.table("blank", "");
-        let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
-        writer.set(key, exact(sizes.blank.value), &reason(&sizes.blank));
-        writer.set("thickness", exact(sizes.thickness.value), &reason(&sizes.thickness));
-        match &self.material {
-            Some(name) => {
-                writer.table("material", "");
-                writer.set("name", format!("{name:?}"), "of the library: stampflow materials");
-            }
-            None => writer.swift(
-                typical(),
-                "placeholder: typical of mild deep-drawing steel; change it, or name one of `stampflow materials`. \
-                 σ = k (offset + ε)^n",
-            ),
-        }
-        writer.forming_limit(metal, sizes.thickness.value, false);
-        let (pressure, rule) = self.pressure(first, metal);
-        for section in &first.sections {
-            write_tool(&mut writer, "tools", section);
-            match (section.role, &sizes.travel) {
-                (Role::Punch, Some(travel)) => writer.set("travel", exact(travel.value), &reason(travel)),
-                (Role::Holder, _) => {
-                    let why = format!("placeholder: {rule}, between holder and die; change it, or give a force");
-                    writer.set("pressure", format!("\"{pressure} MPa\""), &why);
-                }
-                _ => {}
-            }
-        }
-        if first.tool(Role::Punch).is_none() {
-            writer.line("", "");
-            for line in [
-                "No punch is drawn. Add one, for example:",
-                "[tools.punch]",
-                "flat = { radius = \"30 mm\", nose = \"6 mm\" }",
-                &format!("friction = {FRICTION}"),
-                "travel = \"10 mm\"",
-            ] {
-                writer.comment(line);
-            }
-        }
-        self.later_stages(&mut writer, sections, first, pressure);
-        writer.text()
-    }
-
-    /// Comments, title and declared notes.
-    fn head(&self, writer: &mut CaseWriter, drawing: &Path, sections: &Sections, first: &DrawnTools) {
-        writer.comment("Written by `stampflow import`: the tools are as drawn; placeholders are not in the drawing.");
-        sections.notes.iter().for_each(|note| writer.comment(&format!("- {note}")));
+        let mut values = tool_values(&sections.tools);
+        let notes: String = sections.notes.iter().map(|note| comment(&format!("- {note}"))).collect();
+        values.set("notes", notes.trim_end(), "");
         let name = drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let title: String = format!("Tools of {name}").chars().filter(|c| !c.is_control()).take(150).collect();
-        let sizes = first.sizes();
-        let is_open = |size: Option<&Picked>| size.is_some_and(|size| !size.is_given());
-        let open: Vec<&str> = [
+        values.set("title", toml_edit::Value::from(title), "");
+        values.set("geometry", format!("{:?}", self.geometry.key()), "");
+        let is_open = |size: &Picked| !size.is_given();
+        let open = [
             ("material", self.material.is_none()),
             ("friction", true),
-            ("thickness", is_open(Some(&sizes.thickness))),
-            ("blank", is_open(Some(&sizes.blank))),
-            ("travel", is_open(sizes.travel.as_ref())),
+            ("thickness", is_open(&sizes.thickness)),
+            ("blank", is_open(&sizes.blank)),
+            ("travel", sizes.travel.as_ref().is_some_and(is_open)),
             ("holder pressure", first.tool(Role::Holder).is_some()),
             ("ways and holder forces of the later stages", !sections.later.is_empty()),
-        ]
-        .into_iter()
-        .filter_map(|(name, is_open)| is_open.then_some(name))
-        .collect();
-        writer.line("", "");
-        writer.set("title", toml_edit::Value::from(title), "");
-        writer.set("geometry", format!("{:?}", self.geometry.key()), "");
-        let drawn = "declared: the tools' sections are those of the drawing";
-        let open = format!("declared: placeholders, not in the drawing: {}", open.join(", "));
-        writer.set("notes", format!("[\n    {drawn:?},\n    {open:?},\n]"), "");
+        ];
+        let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();
+        values.set("open", open.join(", "), "");
+        if let Some(name) = sections.number.map(stage).or((!sections.later.is_empty()).then(|| "first".to_owned())) {
+            values.set("stage", format!("{name:?}"), "");
+        }
+        let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
+        let lengths =
+            [(key, Some(&sizes.blank)), ("thickness", Some(&sizes.thickness)), ("travel", sizes.travel.as_ref())];
+        for (key, length) in lengths.iter().filter_map(|(key, length)| Some((key, (*length)?))) {
+            values.set(key, exact(length.value), &reason(length));
+        }
+        match &self.material {
+            Some(name) => values.set("name", format!("{name:?}"), "of the library: stampflow materials"),
+            None => values.swift(typical()),
+        }
+        values.set("forming_limit", forming_limit(metal, sizes.thickness.value, false), "");
+        let (pressure, rule) = self.pressure(first, metal);
+        let why = format!("placeholder: {rule}, between holder and die; change it, or give a force");
+        values.set("pressure", format!("\"{pressure} MPa\""), &why);
+        if first.tool(Role::Punch).is_none() {
+            values.set("no_punch", FRICTION, "");
+        }
+        let stages = self.later_stages(sections, first, pressure);
+        if !stages.is_empty() {
+            values.set("stages", stages.join("\n").trim_end(), "");
+        }
+        values.fill(include_str!("from_drawing/case.toml"))
     }
 
-    /// Writes each later operation with new tools; the die stays where none is drawn, and with it the holder.
-    fn later_stages(&self, writer: &mut CaseWriter, sections: &Sections, first: &DrawnTools, pressure: f64) {
+    /// Each later operation with new tools; the die stays where none is drawn, and with it the holder.
+    fn later_stages(&self, sections: &Sections, first: &DrawnTools, pressure: f64) -> Vec<String> {
         let sizes = first.sizes();
         let mut before = DrawnTools { travel: sizes.travel.as_ref().map(|travel| travel.value), ..first.clone() };
+        let mut stages = Vec::new();
         for later in &sections.later {
-            let name = later.number.map_or_else(String::new, stage);
-            let has = |role: Role| later.tools.iter().any(|tool| tool.role == role);
+            let has = |role: Role| later.tool(role).is_some();
             let stays = |role: Role| match role {
                 Role::Punch => false,
                 Role::Die => !has(Role::Die),
@@ -218,43 +186,37 @@ impl Import {
                 travel: None,
                 ..*first
             };
-            writer.table(
-                "[stages]",
-                &format!("{name}: new tools, brought up to where they touch the sheet as it then is."),
-            );
-            writer.set("name", format!("{name:?}"), "");
+            let mut values = tool_values(&later.tools);
+            values.set("label", later.number.map_or_else(String::new, stage), "");
             if before.tool(Role::Holder).is_some() && now.tool(Role::Holder).is_none() {
-                writer.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
+                values.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
             }
-            for section in &later.tools {
-                write_tool(writer, "stages", section);
-                match (section.role, now.sizes().travel) {
-                    (Role::Punch, Some(travel)) => writer.set("move", exact(travel.value), &reason(&travel)),
-                    (Role::Holder, _) => self.write_force(writer, &before, &now, pressure),
-                    _ => {}
-                }
+            if let Some(travel) = now.sizes().travel {
+                values.set("move", exact(travel.value), &reason(&travel));
             }
+            let (force, why) = self.force(&before, &now, pressure);
+            values.set("force", force, &why);
+            stages.push(values.fill(include_str!("from_drawing/stage.toml")));
             before = now;
         }
+        stages
     }
 
-    /// Writes the first holder's pressure on the sheet between the die's throat and the part as it comes, as a force.
-    fn write_force(&self, writer: &mut CaseWriter, before: &DrawnTools, now: &DrawnTools, pressure: f64) {
+    /// Force of the first holder's pressure on the sheet between the die's throat and the part as it comes, and why.
+    fn force(&self, before: &DrawnTools, now: &DrawnTools, pressure: f64) -> (String, String) {
         let travel = before.sizes().travel.map_or(0.0, |travel| travel.value);
         let part = before.tool(Role::Punch).map_or(f64::INFINITY, |punch| mouth(&punch, travel));
         let holder = now.tool(Role::Holder).map_or((0.0, 0.0), |holder| extent(&holder));
         let inner = now.tool(Role::Die).and_then(|die| throat(&die)).unwrap_or(0.0).max(holder.0);
         let outer = holder.1.min(part).max(inner);
+        let whole = Extent::of(self.geometry, None);
         let (area, unit) = match self.geometry {
-            Geometry::Axisymmetric => {
-                let whole = Extent::of(self.geometry, None);
-                (whole.area(outer) - whole.area(inner), "N")
-            }
+            Geometry::Axisymmetric => (whole.area(outer) - whole.area(inner), "N"),
             Geometry::PlaneStrain => (outer - inner, "N/mm"),
         };
         let why =
             format!("placeholder: the first pressure between {inner:.1} and {outer:.1} mm from the axis; change it");
-        writer.set("force", format!("\"{:.0} {unit}\"", (pressure * area).ceil().max(1.0)), &why);
+        (format!("\"{:.0} {unit}\"", (pressure * area).ceil().max(1.0)), why)
     }
 
     /// The holder's pressure \[MPa\], rounded up, and its rule.
@@ -274,10 +236,15 @@ impl Import {
     }
 }
 
-fn write_tool(writer: &mut CaseWriter, table: &str, section: &Section) {
-    writer.table(&format!("{table}.{}", section.role.name()), &section.made_of);
-    writer.profile(&section.profile);
-    writer.set("friction", FRICTION, "placeholder: Coulomb's coefficient; change it");
+/// Source, profile and friction of each tool.
+fn tool_values(tools: &[Section]) -> Values {
+    let mut values = Values::default();
+    values.set("friction", FRICTION, "placeholder: Coulomb's coefficient; change it");
+    for Section { role, profile, made_of, .. } in tools {
+        values.set(role.name(), made_of, "");
+        values.set(&format!("{}_profile", role.name()), drawn_profile(profile), "");
+    }
+    values
 }
 
 /// Name of an operation's stage.

@@ -1,106 +1,127 @@
-//! Text of a case file: tables, keys, and the reason beside each picked number.
+//! Text of a case file: a template with placeholders, filled with values and the reason beside each.
 
+use crate::assess::design::Picked;
 use crate::forming_limit::{Hill, Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::units::trimmed;
+use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
 /// Longest line \[characters\]; a comment that does not fit stands above its line.
 const WIDTH: usize = 100;
 
 /// Keys of a round part that shops measure as diameters.
-pub(super) const RADII: [&str; 3] = ["radius", "throat", "inner_radius"];
+const RADII: [&str; 3] = ["radius", "throat", "inner_radius"];
 
 /// End of a step of a profile, and of an arc its centre and whether it turns left.
 pub(super) type Step = (Point, Option<(Point, bool)>);
 
-const LIMIT: &str = "Necking computed from the hardening law (Hill, Swift). Replace it by measured points of your coil: points = \
-                     [[-0.2, 0.5], ...] and strain = \"logarithmic\".";
-
-/// A case file being written.
+/// Value as TOML and reason of each placeholder of a template.
 #[derive(Default)]
-pub(super) struct CaseWriter(String);
+pub(super) struct Values(BTreeMap<String, (String, String)>);
 
-impl CaseWriter {
-    /// A comment, wrapped; control characters are left out.
-    pub fn comment(&mut self, text: &str) {
-        let mut line = String::from("#");
-        for word in text.split_whitespace() {
-            if line.chars().count() + 1 + word.chars().count() > WIDTH {
-                let _ = writeln!(self.0, "{line}");
-                line = String::from("#");
-            }
-            line.push(' ');
-            line.extend(word.chars().filter(|c| !c.is_control()));
-        }
-        let _ = writeln!(self.0, "{line}");
+impl Values {
+    /// Sets a value and its reason.
+    pub fn set(&mut self, name: &str, value: impl Display, why: &str) {
+        self.0.insert(name.to_owned(), (value.to_string(), why.to_owned()));
     }
 
-    /// Writes a line and its reason.
-    pub fn line(&mut self, line: &str, why: &str) {
-        let last = line.lines().last().unwrap_or_default();
-        let is_short = last.chars().count() + 3 + why.chars().count() <= WIDTH;
-        if !why.is_empty() && !is_short {
-            self.comment(why);
-        }
-        let beside = if why.is_empty() || !is_short { String::new() } else { format!("   # {why}") };
-        let _ = writeln!(self.0, "{line}{beside}");
+    /// Sets lengths \[mm\].
+    pub fn lengths<const N: usize>(&mut self, lengths: [(&str, &Picked); N]) {
+        lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
     }
 
-    /// Begins a table such as `tools.punch` or `[stages]`.
-    pub fn table(&mut self, name: &str, why: &str) {
-        self.0.push('\n');
-        if !why.is_empty() {
-            self.comment(why);
-        }
-        let _ = writeln!(self.0, "[{name}]");
-    }
-
-    /// Writes a key, its value as TOML and the reason.
-    pub fn set(&mut self, key: &str, value: impl Display, why: &str) {
-        self.line(&format!("{key} = {value}"), why);
-    }
-
-    /// Writes Swift's law: k \[MPa\], n and offset strain \[–\].
-    pub fn swift(&mut self, [k, n, offset]: [f64; 3], why: &str) {
-        self.table("material.hardening.swift", why);
+    /// Sets Swift's law: k \[MPa\], n and offset strain \[–\].
+    pub fn swift(&mut self, [k, n, offset]: [f64; 3]) {
         self.set("k", format!("\"{k} MPa\""), "");
         self.set("n", n, "");
         self.set("offset", offset, "");
     }
 
-    /// Writes the forming limit: measured points of the library, or Hill's where the law has a load maximum.
-    pub fn forming_limit(&mut self, material: &Material, thickness: f64, is_measured: bool) {
-        let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
-        if is_measured {
-            self.table("forming_limit", "Measured on the library's sheet; replace them by points of your coil.");
-            self.set("measured", true, "");
-        } else if Kind::Hill(Hill { n: None }).curve(&sheet).is_ok() {
-            self.table("forming_limit", LIMIT);
-            self.set("hill", true, "");
-        } else {
-            self.comment(
-                "No [forming_limit]: the hardening law has no load maximum. Give measured points of your coil.",
-            );
+    /// Text of the case: lines with a missing value and paragraphs `<if NAME>` without one are left out.
+    pub fn fill(&self, template: &str) -> String {
+        let (mut text, is_round) = (String::new(), template.contains("\ngeometry = \"axisymmetric\""));
+        for paragraph in template.split("\n\n") {
+            let condition = paragraph.strip_prefix("<if ").and_then(|rest| rest.split_once(">\n"));
+            let (name, paragraph) = condition.unwrap_or(("", paragraph));
+            if condition.is_some() && !self.0.contains_key(name) {
+                continue;
+            }
+            for line in paragraph.lines() {
+                let Some((filled, why)) = self.line(line, is_round) else { continue };
+                let last = filled.lines().last().unwrap_or_default();
+                let is_short = last.chars().count() + 3 + why.chars().count() <= WIDTH;
+                text += &match filled.strip_prefix("# ").filter(|_| line.starts_with("# ")) {
+                    Some(remark) => comment(remark),
+                    None if why.is_empty() => filled + "\n",
+                    None if is_short => format!("{filled}   # {why}\n"),
+                    None => comment(&why) + &filled + "\n",
+                };
+            }
+            text.push('\n');
         }
+        text.trim().to_owned() + "\n"
     }
 
-    /// Writes a profile as it was drawn.
-    pub fn profile(&mut self, profile: &Profile) {
-        let step = |piece: &Piece| {
-            let arc = if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
-            (piece.last(), arc)
-        };
-        let steps: Vec<Step> = profile.pieces().iter().map(step).collect();
-        self.set("profile", profile_text(profile.first(), &steps, exact), "");
+    /// A line with its values, and their reasons.
+    fn line(&self, line: &str, is_round: bool) -> Option<(String, String)> {
+        let (mut filled, mut reasons, mut rest) = (String::new(), Vec::new(), line);
+        while let Some((before, (name, after))) = rest.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?)))
+        {
+            let (value, why) = self.0.get(name)?;
+            filled += &format!("{before}{value}");
+            reasons.push(why.as_str());
+            rest = after;
+        }
+        let diameter = line.split_once(" = <").filter(|(key, _)| is_round && RADII.contains(key)).and_then(|_| {
+            let radius = filled.split('"').nth(1)?.strip_suffix(" mm")?.parse::<f64>().ok()?;
+            Some(format!("Ø {}", plain(2.0 * radius)))
+        });
+        let reasons: Vec<&str> = diameter.as_deref().into_iter().chain(reasons).collect();
+        Some((filled + rest, joined(&reasons)))
     }
+}
 
-    /// The text of the case file.
-    pub fn text(self) -> String {
-        self.0.trim().to_owned() + "\n"
+/// A comment, wrapped; control characters are left out.
+pub(super) fn comment(text: &str) -> String {
+    let (mut lines, mut line) = (String::new(), String::from("#"));
+    for word in text.split_whitespace() {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH {
+            let _ = writeln!(lines, "{line}");
+            line = String::from("#");
+        }
+        line.push(' ');
+        line.extend(word.chars().filter(|c| !c.is_control()));
     }
+    lines + &line + "\n"
+}
+
+/// Table of the forming limit: measured points of the library, or Hill's where the law has a load maximum.
+pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bool) -> String {
+    let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
+    let (why, table) = if is_measured {
+        let why = "Measured on the library's sheet; replace them by points of your coil.";
+        (why, "[forming_limit]\nmeasured = true")
+    } else if Kind::Hill(Hill { n: None }).curve(&sheet).is_ok() {
+        let why = "Necking computed from the hardening law (Hill, Swift). Replace it by measured points of your coil: \
+                   points = [[-0.2, 0.5], ...] and strain = \"logarithmic\".";
+        (why, "[forming_limit]\nhill = true")
+    } else {
+        ("No [forming_limit]: the hardening law has no load maximum. Give measured points of your coil.", "")
+    };
+    (comment(why) + table).trim().to_owned()
+}
+
+/// Profile as TOML, as it was drawn.
+pub(super) fn drawn_profile(profile: &Profile) -> String {
+    let step = |piece: &Piece| {
+        let arc = if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
+        (piece.last(), arc)
+    };
+    let steps: Vec<Step> = profile.pieces().iter().map(step).collect();
+    profile_text(profile.first(), &steps, exact)
 }
 
 /// Steps of a profile as TOML, lengths written by `length`.

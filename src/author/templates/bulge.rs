@@ -15,7 +15,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let opening = inputs.value("opening");
     let height = inputs.number("height").unwrap_or(0.4 * opening);
@@ -38,7 +38,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let is_rising = height <= opening && pressure_at(height) >= pressure_at(0.98 * height);
     ensure(is_rising && pressure.value < largest, what, "make --height or --pressure smaller")?;
     let blank = Picked::by(opening + shoulder.value, "clamped where the die's shoulder ends");
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("diameter", plain(2.0 * opening), "");
     sizes.set("pressure", format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);

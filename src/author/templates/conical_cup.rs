@@ -23,7 +23,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [mouth, angle, height, flange] = ["punch-radius", "angle", "height", "flange"].map(|key| inputs.value(key));
     let nose = inputs.pick("nose", || rules::tool_radius(t));
@@ -53,7 +53,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let blank = Picked::by(blank_for(height, clearance.value), why);
     let throat = throat(mouth, &clearance);
     let flat = [throat.value + shoulder.value, blank.value];
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
     sizes.set("warning", warning(ratio), "");
     sizes.set("diameter", plain(2.0 * mouth), "");

@@ -70,7 +70,7 @@ pub(super) fn declared_trim() -> Picked {
 /// Sizes whose run reaches the wanted height: the height that a run misses is the next one's trim.
 ///
 /// A case that does not run to its end keeps the declared trim.
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     if let Some(trim) = inputs.number("trim") {
         return with_trim(inputs, sheet, Picked::given(trim));
     }
@@ -87,7 +87,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     with_trim(inputs, sheet, trim)
 }
 
-fn with_trim(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Sizes, CaseError> {
+fn with_trim(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let cup = Cup::read(inputs, sheet, trim)?;
     let blank = cup.blank(t);
@@ -96,7 +96,7 @@ fn with_trim(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Sizes, Case
     let throat = throat(cup.radius, &inputs.pick("clearance", || rules::drawing_clearance(t, ratio)));
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, ratio, sheet.r_value()));
     let flat = [throat.value + shoulder.value, blank.value];
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value.min(cup.nose.value), 1);
     sizes.set("wall_height", plain(cup.height), "");
     sizes.set("warning", warning(ratio), "");

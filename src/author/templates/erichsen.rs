@@ -17,12 +17,12 @@ const EDGE: f64 = 0.75;
 /// Thickest sheet of these tools \[mm\].
 const THICKEST: f64 = 2.0;
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let thickness = plain(sheet.thickness);
     let what = || format!("the ball of 20 mm and its die are for sheets up to {}, found {thickness}", plain(THICKEST));
     let help = "make --thickness smaller; for a thick sheet stampflow new stretch-dome";
     ensure(sheet.thickness <= THICKEST, what, help)?;
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(SPECIMEN, EDGE, 1);
     sizes.set("size", &thickness, "");
     sizes.set("clamp", newtons(inputs.value("clamp")), "");

@@ -26,7 +26,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [half_width, height, flange] = ["half-width", "height", "flange"].map(|key| inputs.value(key));
     let nose = nose(inputs, sheet, half_width)?;
@@ -43,7 +43,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
         "bottom, two bends, wall and flange along the mid-surface, which keeps its length",
     );
     let throat = throat(half_width, &inputs.pick("clearance", || rules::strip_clearance(t)));
-    let mut sizes = sheet.sizes(springback.is_some());
+    let mut sizes = sheet.values(springback.is_some());
     sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
     sizes.set("width", plain(2.0 * half_width), "");
     let release = if springback.is_some() { " and then let go." } else { ". For its spring-back give --springback." };

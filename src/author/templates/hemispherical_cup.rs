@@ -19,7 +19,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [radius, height, flange] = ["punch-radius", "height", "flange"].map(|key| inputs.value(key));
     let what = || format!("a depth of {} is less than half the punch's radius: no cup, but a dome", plain(height));
@@ -37,7 +37,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let blank = Picked::by(blank_for(height, clearance.value), why);
     let throat = throat(radius, &clearance);
     let flat = [throat.value + shoulder.value, blank.value];
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("warning", warning(ratio), "");
     sizes.set("diameter", plain(2.0 * radius), "");

@@ -31,14 +31,14 @@ pub use inputs::{Choice, Kind};
 pub use sheet::{FRICTION, SHEET, typical};
 pub use template::Template;
 
-use crate::author::writer::plain;
+use crate::author::writer::{Values, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::units::{did_you_mean, rounded};
 use inputs::{CLEARANCE, HOLDER_PRESSURE, Inputs, NOSE, SHOULDER, STRIP_CLEARANCE};
 use rules::Picked;
 use sheet::Sheet;
-use sizes::{Sizes, draw_ratio, ensure, nose, throat, warning};
+use sizes::{draw_ratio, ensure, nose, throat, warning};
 use std::fmt::Write;
 
 /// Every template.

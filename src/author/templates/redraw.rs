@@ -32,7 +32,7 @@ const CONE: f64 = 40.0;
 /// Least width between the cones over the thickness \[–\].
 const LEAST_CLAMPED: f64 = 0.1;
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let cup = Cup::read(inputs, sheet, inputs.pick("trim", declared_trim))?;
     let blank = cup.blank(t);
@@ -65,7 +65,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let bottom = rules::cup_area(middle, nose, nose);
     let first_height = nose + (PI * blank.value * blank.value - bottom) / (2.0 * PI * middle) + 0.5 * t;
     let first_height = first_height / (1.0 + cup.trim.value);
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     // With usual elements the second force oscillates as nodes leave the shoulder.
     sizes.elements(blank.value, shoulder.value.min(cup.nose.value), 2);
     sizes.set("wall_height", plain(cup.height), "");

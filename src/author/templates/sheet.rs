@@ -1,9 +1,8 @@
 //! The sheet that every template forms.
 
 use super::inputs::{Choice, Inputs, Kind};
-use super::sizes::Sizes;
 use crate::assess::design::tensile_strength;
-use crate::author::writer::{CaseWriter, mm};
+use crate::author::writer::{Values, forming_limit, mm};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
 use crate::material::hardening::Swift;
@@ -19,6 +18,23 @@ const SWIFT: &str = "the law of --k, --n and --offset";
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
 /// Elasticity of steel \[MPa, –\], where the library has none of a sheet.
 const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
+
+const MATERIAL: &str = "\
+<if table>
+# <elastic>, so that the sheet springs back.
+<table>
+name = <name>
+mode = <mode>
+young = <young>
+poisson = <poisson>
+
+<if k>
+# σ = k (offset + ε)^n
+[material.hardening.swift]
+k = <k>
+n = <n>
+offset = <offset>
+";
 
 /// Swift's law of mild deep-drawing steel: k \[MPa\], n and offset strain \[–\].
 pub fn typical() -> [f64; 3] {
@@ -89,46 +105,41 @@ impl Sheet {
         self.metal.elastic.unwrap_or(STEEL)
     }
 
-    /// Sizes of the sheet: thickness, friction, material and forming limit.
-    pub fn sizes(&self, is_elastic: bool) -> Sizes {
-        let mut sizes = Sizes::default();
-        let thickness = self.entry.as_ref().and_then(|(entry, _)| entry.thickness.as_ref());
+    /// Values of the sheet: thickness, friction, material and forming limit.
+    pub fn values(&self, is_elastic: bool) -> Values {
+        let mut values = Values::default();
+        let entry = self.entry.as_ref().map(|(entry, _)| entry);
+        let thickness = entry.and_then(|entry| entry.thickness.as_ref());
         let why = thickness.map_or(String::new(), |of| format!("the material's numbers are of a sheet of {of}"));
-        sizes.set("thickness", mm(self.thickness), &why);
-        sizes.set("friction", rounded(self.friction), "");
-        sizes.set("material", self.material(is_elastic), "");
-        let mut limit = CaseWriter::default();
-        let is_measured = self.entry.as_ref().is_some_and(|(entry, _)| entry.measured_limit.is_some());
-        limit.forming_limit(&self.metal, self.thickness, is_measured);
-        sizes.set("forming_limit", limit.text().trim(), "");
-        if self.entry.is_none() {
-            sizes.set("law", format!("\"declared: {}\"", self.origin), "");
+        values.set("thickness", mm(self.thickness), &why);
+        values.set("friction", rounded(self.friction), "");
+        values.set("material", self.material(is_elastic).trim(), "");
+        let is_measured = entry.is_some_and(|entry| entry.measured_limit.is_some());
+        values.set("forming_limit", forming_limit(&self.metal, self.thickness, is_measured), "");
+        if entry.is_none() {
+            values.set("law", format!("\"declared: {}\"", self.origin), "");
         }
-        sizes
+        values
     }
 
     fn material(&self, is_elastic: bool) -> String {
-        let mut writer = CaseWriter::default();
-        if is_elastic || self.entry.is_some() {
-            writer.table(
-                "material",
-                if is_elastic { "Elastic and plastic, so that the sheet springs back." } else { "" },
-            );
-        }
+        let mut values = Values::default();
         if let Some((entry, word)) = &self.entry {
             let why = if word == entry.name { String::new() } else { format!("named as {word}: ") };
-            writer.set("name", format!("{:?}", entry.name), &format!("{why}stampflow materials {}", entry.name));
+            values.set("table", "[material]", "");
+            values.set("name", format!("{:?}", entry.name), &format!("{why}stampflow materials {}", entry.name));
+        } else {
+            values.swift(self.law.map(rounded));
         }
         if is_elastic {
-            writer.set("mode", "\"elasto_viscoplastic\"", "");
+            values.set("table", "[material]", "");
+            values.set("mode", "\"elasto_viscoplastic\"", "");
+            values.set("elastic", "Elastic and plastic", "");
         }
         if is_elastic && self.metal.elastic.is_none() {
-            writer.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
-            writer.set("poisson", STEEL.poisson, "");
+            values.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
+            values.set("poisson", STEEL.poisson, "");
         }
-        if self.entry.is_none() {
-            writer.swift(self.law.map(rounded), "σ = k (offset + ε)^n");
-        }
-        writer.text().trim().to_owned()
+        values.fill(MATERIAL)
     }
 }

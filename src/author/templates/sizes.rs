@@ -1,29 +1,13 @@
-//! Sizes that a template derives, and its text filled with them.
+//! Sizes that several templates derive.
 
 use super::inputs::Inputs;
 use super::rules::{self, CAREFUL_RATIO, LIMITING_RATIO, Picked};
 use super::sheet::Sheet;
-use crate::author::writer::{CaseWriter, RADII, joined, mm, plain};
+use crate::author::writer::{Values, joined, plain};
 use crate::case::CaseError;
 use crate::model::{Extent, Geometry};
-use std::collections::BTreeMap;
-use std::fmt::Display;
 
-/// Value as TOML and reason of each placeholder.
-#[derive(Default)]
-pub(super) struct Sizes(BTreeMap<&'static str, (String, String)>);
-
-impl Sizes {
-    /// Sets a value and its reason.
-    pub fn set(&mut self, name: &'static str, value: impl Display, why: &str) {
-        self.0.insert(name, (value.to_string(), why.to_owned()));
-    }
-
-    /// Sets lengths \[mm\].
-    pub fn lengths<const N: usize>(&mut self, lengths: [(&'static str, &Picked); N]) {
-        lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
-    }
-
+impl Values {
     /// Sets the number of elements for a blank and its smallest radius \[mm\], `times` as fine as usual.
     pub fn elements(&mut self, blank: f64, corner: f64, times: usize) {
         let why = format!("{} per 90° of the smallest radius, were they equal; finer there", 10 * times);
@@ -53,45 +37,6 @@ impl Sizes {
             }
         }
         Ok(())
-    }
-
-    /// Text of the case: lines with a missing value and paragraphs `<if NAME>` without one are left out.
-    pub fn fill(&self, text: &str) -> String {
-        let (mut writer, is_round) = (CaseWriter::default(), text.contains("\ngeometry = \"axisymmetric\""));
-        for paragraph in text.split("\n\n") {
-            let condition = paragraph.strip_prefix("<if ").and_then(|rest| rest.split_once(">\n"));
-            let (name, paragraph) = condition.unwrap_or(("", paragraph));
-            if condition.is_some() && !self.0.contains_key(name) {
-                continue;
-            }
-            for line in paragraph.lines() {
-                let Some((filled, why)) = self.line(line, is_round) else { continue };
-                match line.starts_with("# ") {
-                    true => writer.comment(&filled[2..]),
-                    false => writer.line(&filled, &why),
-                }
-            }
-            writer.line("", "");
-        }
-        writer.text()
-    }
-
-    /// A line with its values, and their reasons.
-    fn line(&self, line: &str, is_round: bool) -> Option<(String, String)> {
-        let (mut filled, mut reasons, mut rest) = (String::new(), Vec::new(), line);
-        while let Some((before, (name, after))) = rest.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?)))
-        {
-            let (value, why) = self.0.get(name)?;
-            filled += &format!("{before}{value}");
-            reasons.push(why.as_str());
-            rest = after;
-        }
-        let diameter = line.split_once(" = <").filter(|(key, _)| is_round && RADII.contains(key)).and_then(|_| {
-            let radius = filled.split('"').nth(1)?.strip_suffix(" mm")?.parse::<f64>().ok()?;
-            Some(format!("Ø {}", plain(2.0 * radius)))
-        });
-        let reasons: Vec<&str> = diameter.as_deref().into_iter().chain(reasons).collect();
-        Some((filled + rest, joined(&reasons)))
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let radius = inputs.value("punch-radius");
     let travel = inputs.pick("height", || Picked::by(0.5 * radius, "half the punch's radius, declared"));
@@ -25,7 +25,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let throat = throat(radius, &inputs.pick("clearance", || Picked::by(2.0 * t, "2 thicknesses, declared")));
     let blank = Picked::by(throat.value + shoulder.value, "clamped where the die's shoulder ends, as by a lock bead");
-    let mut sizes = sheet.sizes(false);
+    let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("diameter", plain(2.0 * radius), "");
     sizes.lengths([("blank", &blank), ("radius", &Picked::given(radius)), ("travel", &travel)]);

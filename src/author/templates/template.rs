@@ -2,9 +2,9 @@
 
 use super::inputs::{Choice, Inputs};
 use super::sheet::{SHEET, Sheet};
-use super::sizes::{Sizes, ensure};
+use super::sizes::ensure;
 use crate::assess::size;
-use crate::author::writer::plain;
+use crate::author::writer::{Values, plain};
 use crate::case::CaseError;
 use crate::units::significant;
 
@@ -20,7 +20,7 @@ pub struct Template {
     /// Case file with placeholders.
     pub(super) text: &'static str,
     /// Derives the values of the placeholders.
-    pub(super) sizes: fn(&Inputs, &Sheet) -> Result<Sizes, CaseError>,
+    pub(super) sizes: fn(&Inputs, &Sheet) -> Result<Values, CaseError>,
 }
 
 impl Template {

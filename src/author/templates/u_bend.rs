@@ -16,7 +16,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [half_width, leg] = ["half-width", "leg"].map(|key| inputs.value(key));
     let nose = nose(inputs, sheet, half_width)?;
@@ -32,7 +32,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
         format!("a leg of {leg} makes a strip of {strip}, which hardly rests on the die's shoulder, up to {least}")
     };
     ensure(blank.value >= least, what, "make --leg larger, or --shoulder or --clearance smaller")?;
-    let mut sizes = sheet.sizes(true);
+    let mut sizes = sheet.values(true);
     sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
     sizes.set("width", plain(2.0 * half_width), "");
     sizes.lengths([("blank", &blank), ("half_width", &Picked::given(half_width)), ("nose", &nose)]);

@@ -19,7 +19,7 @@ pub(super) const TEMPLATE: Template = Template {
     sizes,
 };
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
+fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let angle = inputs.value("angle");
     let turn = 0.5 * (std::f64::consts::PI - angle);
@@ -51,7 +51,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Sizes, CaseError> {
     ensure(travel.value > 0.0 && travel.value >= t, what, help)?;
     let leg = inputs.number("leg").unwrap_or(reach);
     let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
-    let mut sizes = sheet.sizes(true);
+    let mut sizes = sheet.values(true);
     sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
     sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
     sizes.set("angle", format!("\"{degrees} deg\""), "");
