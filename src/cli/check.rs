@@ -2,9 +2,8 @@
 
 use super::answer::answered;
 use super::code::{BadRequest, Code};
-use super::error_bars::ErrorBars;
 use super::job;
-use super::options::{Json, Overrides};
+use super::options::{ErrorBars, Json, Overrides};
 use super::progress::{Progress, Records};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};

@@ -1,10 +1,9 @@
 //! `stampflow import`: from a drawing to a case file.
 
 use super::code::{BadPath, Code};
-use super::options::Json;
+use super::options::{Json, Suggested};
 use super::place;
 use super::say::{say, say_json};
-use super::suggested::Suggested;
 use serde_json::{Value, json};
 use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
@@ -155,7 +154,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
 }
 
 fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
-    let tool = |tool: &'_ Section| SketchedTool {
+    let tool = |tool: &Section| SketchedTool {
         label: format!("{}: {}", capitalised(tool.role.name()), tool.made_of),
         role: tool.role,
         profile: tool.profile.clone(),

@@ -1,13 +1,12 @@
 //! `stampflow materials`: the built-in library.
 
 use super::code::Code;
-use super::options::Json;
+use super::options::{Json, Suggested};
 use super::place;
 use super::say::{Shown, say, say_json};
-use super::suggested::Suggested;
 use super::table::{Cell, table};
 use anyhow::Result;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use stampflow::case::library::{self, Class, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::plot::{Chart, flow_curve, png};
@@ -127,7 +126,13 @@ fn known(entry: &Entry) -> Vec<(&'static str, String)> {
         ("read", entry.grade.clone() + meaning),
         ("licence", entry.licence.clone()),
     ];
-    rows.extend(fits(entry));
+    let fitted = material.fitted_up_to.map(|end| format!("up to a true strain of {end}; a run beyond says so"));
+    rows.extend(fitted.map(|range| ("fitted", range)));
+    rows.extend(entry.elastoplastic.as_ref().map(|law| {
+        let terms = law.chaboche.iter().map(|term| format!("C {} MPa, γ {}", term.modulus, term.dynamic_recovery));
+        let terms = terms.collect::<Vec<_>>().join("; ");
+        ("back-stresses", format!("{terms}, in mode = \"elasto_viscoplastic\""))
+    }));
     rows.extend(entry.notes.iter().map(|note| ("note", note.clone())));
     rows
 }
@@ -139,28 +144,11 @@ fn scatter(class: &Class) -> String {
     strength.into_iter().chain(thickness).collect::<Vec<_>>().join("; ")
 }
 
-/// Range of the fit, and back-stresses, if they are known.
-fn fits(entry: &Entry) -> Vec<(&'static str, String)> {
-    let Entry { material, elastoplastic, .. } = entry;
-    let mut rows = Vec::new();
-    rows.extend(
-        material.fitted_up_to.map(|end| ("fitted", format!("up to a true strain of {end}; a run beyond says so"))),
-    );
-    rows.extend(elastoplastic.as_ref().map(|law| {
-        let terms = law.chaboche.iter().map(|term| format!("C {} MPa, γ {}", term.modulus, term.dynamic_recovery));
-        let terms: Vec<String> = terms.collect();
-        ("back-stresses", format!("{}, in mode = \"elasto_viscoplastic\"", terms.join("; ")))
-    }));
-    rows
-}
-
 /// Name, title, the properties as they are printed, and the table to paste.
 fn as_json(entry: &Entry) -> Value {
-    let ends = [("name", entry.name), ("title", &entry.title), ("case", entry.text)];
-    let ends = ends.map(|(key, value)| (key, value.to_owned()));
-    Value::Object(
-        ends.into_iter().chain(known(entry)).map(|(key, value)| (key.to_owned(), value.into())).collect::<Map<_, _>>(),
-    )
+    let texts = [("name", entry.name), ("title", &entry.title), ("case", entry.text)];
+    let texts = texts.map(|(key, value)| (key, value.to_owned())).into_iter().chain(known(entry));
+    Value::Object(texts.map(|(key, value)| (key.to_owned(), value.into())).collect())
 }
 
 /// The flow curve, and the limits of the law where they can be computed.

@@ -1,8 +1,8 @@
 //! `stampflow new`: a case file to begin with; subcommands and options come from the list of templates.
 
 use super::code::{BadPath, Code, unusable};
+use super::options::Suggested;
 use super::say::{say, say_json, warn};
-use super::suggested::Suggested;
 use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
@@ -69,24 +69,23 @@ fn flag(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
 
-fn value(key: &'static str, choice: &Choice, help: String) -> Arg {
-    Arg::new(key).long(key).value_name(choice.kind.placeholder).allow_hyphen_values(true).help(help)
-}
-
 fn subcommand(template: &'static Template) -> Command {
     let options = template.options().flat_map(|choice| {
         let heading = if SHEET.iter().any(|of_sheet| of_sheet.key == choice.key) { "Sheet" } else { "Sizes" };
-        let arg = value(choice.key, choice, format!("{} [default: {}]", choice.about, choice.default));
+        let value = |key| {
+            let arg = Arg::new(key).long(key).value_name(choice.kind.placeholder).allow_hyphen_values(true);
+            arg.help_heading(heading)
+        };
+        let arg = value(choice.key).help(format!("{} [default: {}]", choice.about, choice.default));
         let arg = match choice.key {
             "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
             _ => arg,
         };
         let diameter = choice.diameter.map(|key| {
-            let arg = value(key, choice, format!("its diameter, instead of --{}", choice.key));
-            let arg = arg.conflicts_with(choice.key);
+            let arg = value(key).help(format!("its diameter, instead of --{}", choice.key)).conflicts_with(choice.key);
             if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg }
         });
-        [Some(arg), diameter].into_iter().flatten().map(move |arg| arg.help_heading(heading))
+        std::iter::once(arg).chain(diameter)
     });
     let output = Arg::new("output").short('o').long("output").alias("out").value_name("FILE");
     Command::new(template.name)

@@ -1,9 +1,15 @@
 //! Options that several verbs have.
 
-use super::suggested::Suggested;
+use super::progress::Progress;
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Command};
+use stampflow::case::{self, Solution, library};
 use stampflow::plot::{Captions, Format, Pictures};
+use stampflow::verification::{Verification, quick, verify};
 use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
+use std::ffi::OsStr;
 use std::ops::RangeInclusive;
+use std::sync::LazyLock;
 
 /// Widths of pictures on paper \[mm\].
 const WIDTHS: RangeInclusive<f64> = 50.0..=400.0;
@@ -11,6 +17,58 @@ const FORMATS: [(&str, Format); 2] = [("svg", Format::Svg), ("png", Format::Png)
 const CAPTIONS: [(&str, Captions); 3] =
     [("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
 const SYSTEMS: [(&str, DisplaySettings); 2] = [("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
+
+/// Parser of a text with words that a shell offers to complete; any other text is accepted too.
+#[derive(Clone)]
+pub struct Suggested(&'static LazyLock<Vec<String>>);
+
+impl Suggested {
+    pub const SHEETS: Self = Self(&SHEETS);
+    pub const KEYS: Self = Self(&KEYS);
+}
+
+/// Sheets of the library and the grades that they stand for; a space would end a word of the shell.
+static SHEETS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let grades = library::materials().into_iter().flatten().filter_map(|entry| entry.stands_for);
+    let grades = grades.flat_map(|stands| stands.grades).filter(|grade| !grade.contains(' '));
+    library::names().map(str::to_owned).chain(grades).collect()
+});
+
+/// Keys of a case file, ready for their value.
+static KEYS: LazyLock<Vec<String>> = LazyLock::new(|| case::keys().into_iter().map(|key| key + "=").collect());
+
+impl TypedValueParser for Suggested {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(|word| PossibleValue::new(word.as_str()))))
+    }
+}
+
+/// Error bars of a run.
+#[derive(Debug, clap::Args)]
+pub struct ErrorBars {
+    /// Compute error bars from finer runs, as `stampflow verify`
+    #[arg(long)]
+    pub error_bars: bool,
+    /// Give no error bars: skip the coarser run for their estimate
+    #[arg(long, conflicts_with = "error_bars", hide_short_help = true)]
+    no_error_bars: bool,
+}
+
+impl ErrorBars {
+    /// Error bars from finer runs with `--error-bars`, else from one coarser run if that is the verb's `default`.
+    pub fn of(&self, solution: &Solution, progress: &Progress, default: bool) -> Option<Verification> {
+        if self.error_bars {
+            return Some(verify(solution, &progress.count(format!("{}, finer", solution.case.name))));
+        }
+        (default && !self.no_error_bars).then(|| quick(solution, &Progress::new(true).count(String::new())))
+    }
+}
 
 #[derive(Debug, clap::Args)]
 pub struct Json {

@@ -1,8 +1,8 @@
-//! Progress of runs: bars on a terminal, a line every few seconds elsewhere, or nothing.
+//! Progress of runs on the error stream: bars on a terminal, a line every few seconds elsewhere, or nothing.
 
 use super::interrupt;
 use super::say::warn;
-use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stampflow::case::files::visible;
 use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
@@ -20,24 +20,23 @@ const FULL: f64 = 1000.0;
 /// Time between two lines of progress.
 const INTERVAL: Duration = Duration::from_secs(3);
 
-/// Form of progress, always on the error stream.
-pub enum Progress {
-    Bars(MultiProgress),
-    Lines,
-    Silent,
+/// Form of progress.
+pub struct Progress {
+    /// Drawn on a terminal only.
+    bars: MultiProgress,
+    has_lines: bool,
 }
 
 /// Progress of one run or of one count of runs.
-enum Meter {
-    Bar(ProgressBar),
-    /// Time of the last line.
-    Lines(Instant),
-    Silent,
+struct Meter {
+    name: String,
+    bar: ProgressBar,
+    has_lines: bool,
+    last_line: Instant,
 }
 
 /// Observer of one run: shows its progress and records what is asked for.
 pub struct Watch {
-    name: String,
     /// Names of the stages to come.
     to_come: std::vec::IntoIter<String>,
     duration: f64,
@@ -50,7 +49,6 @@ pub struct Watch {
 
 /// Progress of many runs.
 pub struct Count {
-    name: String,
     meter: Mutex<Meter>,
     begin: Instant,
 }
@@ -63,13 +61,10 @@ pub struct Records {
 }
 
 impl Progress {
-    /// Bars on a terminal, lines in a file, nothing when `quiet`.
     pub fn new(quiet: bool) -> Self {
-        match quiet {
-            true => Self::Silent,
-            false if io::stderr().is_terminal() => Self::Bars(MultiProgress::new()),
-            false => Self::Lines,
-        }
+        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let has_lines = !quiet && !io::stderr().is_terminal();
+        Self { bars: MultiProgress::with_draw_target(target), has_lines }
     }
 
     /// An observer of the run of a case.
@@ -77,55 +72,39 @@ impl Progress {
         let (name, model) = (&case.name, case.model());
         let stages: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
         Watch {
-            name: name.clone(),
             to_come: stages.into_iter(),
             duration: model.duration,
             thickness: model.blank.thickness,
             force_unit: model.extent().force_unit().symbol(),
             last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
-            meter: self.meter(name),
+            meter: self.meter(name.clone()),
             records,
         }
     }
 
     /// A count of many runs.
     pub fn count(&self, name: String) -> Count {
-        Count { meter: Mutex::new(self.meter(&name)), name, begin: Instant::now() }
+        Count { meter: Mutex::new(self.meter(name)), begin: Instant::now() }
     }
 
-    fn meter(&self, name: &str) -> Meter {
-        match self {
-            Self::Bars(all) => {
-                let style = ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
-                let bar = ProgressBar::new(FULL as u64).with_style(style.expect("the template is valid"));
-                Meter::Bar(all.add(bar.with_prefix(visible(name).into_owned())))
-            }
-            Self::Lines => Meter::Lines(Instant::now()),
-            Self::Silent => Meter::Silent,
-        }
+    fn meter(&self, name: String) -> Meter {
+        let style = ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
+        let bar = self.bars.add(ProgressBar::new(FULL as u64));
+        let bar = bar.with_style(style.expect("the template is valid"));
+        Meter { name, bar, has_lines: self.has_lines, last_line: Instant::now() }
     }
 }
 
 impl Meter {
     /// Shows the share that is done; a line comes if it is time for one or `now`.
-    fn show(&mut self, name: &str, share: f64, now: bool, message: impl FnOnce() -> String) {
-        match self {
-            Self::Bar(bar) => {
-                bar.set_prefix(visible(name).into_owned());
-                bar.set_message(message());
-                bar.set_position((share * FULL) as u64);
-            }
-            Self::Lines(last) if now || last.elapsed() >= INTERVAL => {
-                *last = Instant::now();
-                warn(format!("{name}: {:.0} %, {}", (100.0 * share).floor(), message()));
-            }
-            Self::Lines(_) | Self::Silent => {}
+    fn show(&mut self, share: f64, now: bool, message: String) {
+        if self.has_lines && (now || self.last_line.elapsed() >= INTERVAL) {
+            self.last_line = Instant::now();
+            warn(format!("{}: {:.0} %, {message}", self.name, (100.0 * share).floor()));
         }
-    }
-
-    fn end(&self, is_complete: bool) {
-        let Self::Bar(bar) = self else { return };
-        if is_complete { bar.finish() } else { bar.abandon() }
+        self.bar.set_prefix(visible(&self.name).into_owned());
+        self.bar.set_message(message);
+        self.bar.set_position((share * FULL) as u64);
     }
 }
 
@@ -138,9 +117,9 @@ impl verification::Watch for Count {
         // A poisoned lock is a panic of another thread, which reports it.
         let Ok(mut meter) = self.meter.lock() else { return };
         let left = self.begin.elapsed().mul_f64((all - done) as f64 / done.max(1) as f64).as_secs();
-        meter.show(&self.name, done as f64 / all as f64, false, || format!("{done} of {all} runs, {left} s left"));
+        meter.show(done as f64 / all as f64, false, format!("{done} of {all} runs, {left} s left"));
         if done == all {
-            meter.end(true);
+            meter.bar.finish();
         }
     }
 }
@@ -151,25 +130,28 @@ impl Watch {
         let start = Instant::now();
         let mut solution = case.solve(&mut self);
         solution.wall = Some(start.elapsed());
-        self.meter.end(solution.is_complete());
+        if solution.is_complete() {
+            self.meter.bar.finish();
+        } else {
+            self.meter.bar.abandon();
+        }
         (solution, self.records)
     }
 
     fn show(&mut self, is_step: bool) {
-        let (record, unit, thickness) = (&self.last, self.force_unit, self.thickness);
+        let (record, unit) = (&self.last, self.force_unit);
+        let load = if record.travel > 0.0 {
+            format!("travel {:.2} mm, force {:.0} {unit}, ", record.travel, record.punch_force)
+        } else if record.pressure != 0.0 {
+            format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
+        } else {
+            String::new()
+        };
+        let left = 100.0 * record.thinnest / self.thickness;
         // Round-off would leave the last step at 99 %.
         let share = record.time / self.duration + 1e-9;
-        self.meter.show(&self.name, share, is_step && share >= 1.0, || {
-            let load = if record.travel > 0.0 {
-                format!("travel {:.2} mm, force {:.0} {unit}, ", record.travel, record.punch_force)
-            } else if record.pressure != 0.0 {
-                format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
-            } else {
-                String::new()
-            };
-            let left = 100.0 * record.thinnest / thickness;
-            format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step)
-        });
+        let message = format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step);
+        self.meter.show(share, is_step && share >= 1.0, message);
     }
 }
 
@@ -182,7 +164,7 @@ impl Observer for Watch {
     fn stage(&mut self, stage: &Stage) {
         let Some(name) = self.to_come.next() else { return };
         self.duration = stage.model.duration;
-        self.name = name;
+        self.meter.name = name;
         self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
     }
 
@@ -191,7 +173,7 @@ impl Observer for Watch {
             trace.push(*record);
         }
         // Also while no step is accepted.
-        if matches!(self.meter, Meter::Lines(_)) {
+        if self.meter.has_lines {
             self.show(false);
         }
     }

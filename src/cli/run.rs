@@ -1,23 +1,22 @@
 //! `stampflow run`: from case files to folders of results.
 
-use super::answer;
+use super::bug::caught;
 use super::code::{BadRequest, Code};
-use super::error_bars::ErrorBars;
-use super::job::{complained, load_all, prepared, solve_all};
-use super::json;
-use super::options::{Json, Overrides, PictureOptions, Threads};
-use super::place;
+use super::job::{complained, load_all, sound};
+use super::options::{ErrorBars, Json, Overrides, PictureOptions, Threads};
 use super::progress::{Progress, Records};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
+use super::{answer, interrupt, json, place};
+use rayon::prelude::*;
 use serde_json::{Value, json};
-use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
 use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
 use stampflow::results::{
     OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict, write,
 };
+use stampflow::verification::answered;
 use std::ops::Add;
 use std::path::{Path, PathBuf};
 
@@ -88,61 +87,26 @@ pub fn help() -> String {
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {
-    if args.trace.is_some() && args.cases.len() > 1 {
+    let several = args.cases.len() > 1;
+    if args.trace.is_some() && several {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
-    let several = args.cases.len() > 1;
     let (cases, mut failed) = load_all(&args.cases, &args.overrides.all());
     share_no_folder(&cases)?;
-    let jobs = prepared(cases, &mut failed, |case| prepare(args, several, case));
+    let jobs = sound(cases.into_iter().map(|case| args.prepare(&case).map(|folder| (case, folder))), &mut failed);
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
-    let extras = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)].into_iter();
-    let extras: Vec<Extra> = extras.filter_map(|(is_wanted, extra)| is_wanted.then_some(extra)).collect();
-    let reports = solve_all(
-        jobs,
-        |case| {
-            let trace = args.trace.as_ref().map(|_| Vec::new());
-            progress.watch(case, Records { trace, recorder: FrameRecorder::new(extras.clone()) })
-        },
-        |solution, records, folder| {
-            let dir = self::folder(args, several, &solution.case)?;
-            let verification = args.bars.of(&solution, &progress, args.report);
-            let verification = verification.as_ref();
-            let (answer, findings) = stampflow::verification::answered(&solution, verification);
-            let results = Results::of(&solution)?.verified(verification).answered(&answer, &findings);
-            let results = results.with_pictures(&args.pictures.pictures());
-            // Each is tried and told whatever became of the others.
-            let pages = args.report.then(|| {
-                let report = Report::answered(&solution, verification, (answer.clone(), findings.clone()));
-                (PAGE, report.html())
-            });
-            let written = results.write(&records.recorder, pages, folder);
-            let traced = match (&args.trace, &records.trace) {
-                (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
-                _ => Ok(()),
-            };
-            let files = written.as_deref().ok();
-            let verdict = (&answer, &findings[..]);
-            let (shown, value) = match args.json.json {
-                true => (None, Some(as_json(&results, verdict, &dir, files)?)),
-                false => (Some(args.screen(&results, verdict, &dir, files)), None),
-            };
-            let failures: Vec<WriteError> = [written.err(), traced.err()].into_iter().flatten().collect();
-            Ok((shown, value, Code::of_run(args.strict, solution.is_complete(), &answer), failures))
-        },
-    );
-    let (mut code, mut screen, mut values) = (Code::Done, None, Vec::new());
-    for report in reports {
-        match report {
-            Ok((shown, value, of_case, unwritten)) => {
-                screen = [screen, shown].into_iter().flatten().reduce(Shown::add);
-                values.extend(value);
-                code = code.max(of_case);
-                failed.extend(unwritten.into_iter().map(anyhow::Error::from));
-            }
-            Err(error) => failed.push(error),
-        }
+    // After an interrupt no other case begins.
+    let runs = jobs.into_par_iter().filter(|_| !interrupt::is_wanted());
+    let runs =
+        runs.map(|(case, folder)| caught(&format!("case {}", case.name), || args.solve(case, folder, &progress)));
+    let runs = sound(runs.collect::<Vec<_>>(), &mut failed);
+    let code = runs.iter().map(|run| run.code).fold(Code::Done, Code::max);
+    let (mut screen, mut values) = (None, Vec::new());
+    for run in runs {
+        screen = [screen, run.screen].into_iter().flatten().reduce(Shown::add);
+        values.extend(run.json);
+        failed.extend(run.unwritten.into_iter().map(anyhow::Error::from));
     }
     let printed = match values.as_slice() {
         [] => screen.map_or(Ok(code), say),
@@ -151,22 +115,6 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     };
     failed.extend(printed.err());
     Ok(complained(&failed, code))
-}
-
-/// Folder of a case's results, once all places to write to are known to be free.
-fn prepare(args: &Args, several: bool, case: &Case) -> anyhow::Result<ResultFolder> {
-    let dir = folder(args, several, case)?;
-    if let Some(path) = &args.trace {
-        place::outside(path, &dir, "--trace")?;
-        place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
-        place::file(path, &case.inputs, "--trace")?;
-    }
-    let page = dir.join(PAGE);
-    if args.report && page.symlink_metadata().is_ok() && !is_report(&page) {
-        let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
-        return Err(BadRequest(what).into());
-    }
-    Ok(place::results(case, &dir, |dir| result_folder(case, dir))?)
 }
 
 /// Refuses two cases of one name, which would share a folder.
@@ -181,53 +129,90 @@ fn share_no_folder(cases: &[Case]) -> Result<(), BadRequest> {
     Ok(())
 }
 
-fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest> {
-    match &args.out {
-        Some(dir) if several => place::folder(dir, case),
-        Some(dir) => Ok(dir.clone()),
-        None => place::folder(Path::new("out"), case),
-    }
+/// A case that was run: its output, as text or JSON, and files that could not be written.
+struct Run {
+    screen: Option<Shown>,
+    json: Option<Value>,
+    code: Code,
+    unwritten: Vec<WriteError>,
 }
 
 impl Args {
-    /// The answer, with several cases in one line each; with --verbose also the solver's part.
-    fn screen(
-        &self,
-        results: &Results,
-        (answer, findings): (&Answer, &[Finding]),
-        dir: &Path,
-        files: Option<&[PathBuf]>,
-    ) -> Shown {
-        let case = &results.solution.case;
-        let written = files.map_or(String::new(), |files| format!("{} files in {}", files.len(), dir.display()));
-        if self.cases.len() > 1 && !self.verbose {
-            return answer::sentence(&case.name, answer, &written);
+    fn folder(&self, case: &Case) -> Result<PathBuf, BadRequest> {
+        match &self.out {
+            Some(dir) if self.cases.len() == 1 => Ok(dir.clone()),
+            out => place::folder(out.as_deref().unwrap_or(Path::new("out")), case),
         }
-        let mut shown = answer::answered(case, answer, findings, results.verification);
-        let summary = results.summary();
+    }
+
+    /// Folder of a case's results, once all places to write to are known to be free.
+    fn prepare(&self, case: &Case) -> anyhow::Result<ResultFolder> {
+        let dir = self.folder(case)?;
+        if let Some(path) = &self.trace {
+            place::outside(path, &dir, "--trace")?;
+            place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
+            place::file(path, &case.inputs, "--trace")?;
+        }
+        let page = dir.join(PAGE);
+        if self.report && page.symlink_metadata().is_ok() && !is_report(&page) {
+            let page = page.display();
+            let what = format!("{page} is there and is no report of ours: choose another folder with --out");
+            return Err(BadRequest(what).into());
+        }
+        Ok(place::results(case, &dir, |dir| result_folder(case, dir))?)
+    }
+
+    fn solve(&self, case: Case, folder: ResultFolder, progress: &Progress) -> anyhow::Result<Run> {
+        let dir = self.folder(&case)?;
+        let extras = [(self.vtu, Extra::Vtu), (self.animate, Extra::Animation)];
+        let extras = extras.into_iter().filter_map(|(is_wanted, extra)| is_wanted.then_some(extra)).collect();
+        let records = Records { trace: self.trace.as_ref().map(|_| Vec::new()), recorder: FrameRecorder::new(extras) };
+        let (solution, records) = progress.watch(&case, records).solve(case);
+        let verification = self.bars.of(&solution, progress, self.report);
+        let verification = verification.as_ref();
+        let (answer, findings) = answered(&solution, verification);
+        let results = Results::of(&solution)?.verified(verification).answered(&answer, &findings);
+        let results = results.with_pictures(&self.pictures.pictures());
+        let page = || Report::answered(&solution, verification, (answer.clone(), findings.clone())).html();
+        // Each is tried whatever became of the other.
+        let written = results.write(&records.recorder, self.report.then(|| (PAGE, page())), folder);
+        let traced = match (&self.trace, &records.trace) {
+            (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
+            _ => Ok(()),
+        };
+        let (case, files) = (&solution.case, written.as_deref());
+        let (screen, json) = if self.json.json {
+            let mut value = serde_json::to_value(results.summary())?;
+            value["verdict"] = verdict(&answer, &findings, verification)?;
+            value["comparisons"] = results.comparisons.iter().map(|one| json::comparison(&case.name, one)).collect();
+            value["folder"] = json!(dir);
+            value["files"] = json!(files.unwrap_or_default());
+            (None, Some(value))
+        } else {
+            let files = files.map_or(String::new(), |files| format!("{} files in {}", files.len(), dir.display()));
+            let is_short = self.cases.len() > 1 && !self.verbose;
+            (
+                Some(match is_short {
+                    true => answer::sentence(&case.name, &answer, &files),
+                    false => answer::answered(case, &answer, &findings, verification) + self.rest(&results, &files),
+                }),
+                None,
+            )
+        };
+        let code = Code::of_run(self.strict, solution.is_complete(), &answer);
+        Ok(Run { screen, json, code, unwritten: [written.err(), traced.err()].into_iter().flatten().collect() })
+    }
+
+    /// Printed text below the answer, with --verbose also the solver's part.
+    fn rest(&self, results: &Results, files: &str) -> Shown {
+        let (summary, mut shown) = (results.summary(), Shown::default());
         if !summary.lines.is_empty() {
-            shown = shown + wrapped(&format!("\n{}", summary.lines));
+            shown = wrapped(&format!("\n{}", summary.lines));
         }
         for stage in summary.stages.iter().filter(|_| self.verbose) {
             shown = shown + "\n".into() + table(None, stage.rows().map(|row| row.map(Cell::from)).collect());
         }
         let comparisons = results.comparisons.iter().map(|comparison| comparison.sentence() + "\n");
-        shown + wrapped(&format!("\n{}{written}\n", comparisons.collect::<String>()))
+        shown + wrapped(&format!("\n{}{files}\n", comparisons.collect::<String>()))
     }
-}
-
-/// The contents of `summary.json`, the verdict, comparisons and files.
-fn as_json(
-    results: &Results,
-    (answer, findings): (&Answer, &[Finding]),
-    dir: &Path,
-    files: Option<&[PathBuf]>,
-) -> anyhow::Result<Value> {
-    let mut value = serde_json::to_value(results.summary())?;
-    value["verdict"] = verdict(answer, findings, results.verification)?;
-    let case = &results.solution.case.name;
-    value["comparisons"] = results.comparisons.iter().map(|comparison| json::comparison(case, comparison)).collect();
-    value["folder"] = json!(dir);
-    value["files"] = json!(files.unwrap_or_default());
-    Ok(value)
 }

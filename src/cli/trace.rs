@@ -2,10 +2,10 @@
 
 use super::code::{BadRequest, Code};
 use super::options::Overrides;
+use super::progress::{Progress, Records};
 use super::say::{Shown, say};
 use super::table::{Cell, table, wrapped};
-use super::{interrupt, job, place};
-use stampflow::Observer;
+use super::{job, place};
 use stampflow::case::Case;
 use stampflow::model::Iteration;
 use stampflow::results::trace::{key, step_csv};
@@ -63,15 +63,6 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Observer that stops at an interrupt.
-struct Interrupted;
-
-impl Observer for Interrupted {
-    fn wants_to_stop(&mut self) -> bool {
-        interrupt::is_wanted()
-    }
-}
-
 pub fn trace(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     if let Some(path) = &args.out {
@@ -84,7 +75,8 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
         matrices: args.methods.clone().unwrap_or_default(),
         tolerance: args.tolerance,
     };
-    let trace = match trace_step(&case.stages, &request, &mut Interrupted) {
+    let mut watch = Progress::new(true).watch(&case, Records::default());
+    let trace = match trace_step(&case.stages, &request, &mut watch) {
         Ok(trace) => trace,
         Err(NoSuchStep::Interrupted) => return Ok(Code::Interrupted),
         Err(error) => return Err(BadRequest(error.to_string()).into()),
@@ -96,17 +88,14 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
 }
 
 fn methods(text: &str) -> Result<Vec<Iteration>, String> {
-    let mut matrices = Vec::new();
-    for method in text.split(',') {
-        matrices.extend(match method {
-            "primal-dual" | "primal_dual" => vec![Iteration::PrimalDual],
-            "newton" => vec![Iteration::Newton],
-            "secant" => vec![Iteration::Secant],
-            "all" => vec![Iteration::PrimalDual, Iteration::Newton, Iteration::Secant],
-            _ => return Err("give primal-dual, newton, secant or all".to_owned()),
-        });
-    }
-    Ok(matrices)
+    let matrices = text.split(',').map(|method| match method {
+        "primal-dual" | "primal_dual" => Ok(vec![Iteration::PrimalDual]),
+        "newton" => Ok(vec![Iteration::Newton]),
+        "secant" => Ok(vec![Iteration::Secant]),
+        "all" => Ok(vec![Iteration::PrimalDual, Iteration::Newton, Iteration::Secant]),
+        _ => Err("give primal-dual, newton, secant or all".to_owned()),
+    });
+    Ok(matrices.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
 /// Rows shown at the beginning and at the end of a longer table.
@@ -128,14 +117,28 @@ fn iterations(history: &IterationHistory) -> Shown {
     let start = pass.first().map_or("", |row| row.start.key());
     let head = format!("\n{} matrix, start: {start}\n\n", key(history.matrix));
     let headers = ["iteration", "velocity", "taken", "residual", "largest at", "cut off", "contact", "sticking"];
-    let is_shown = |i: usize| pass.len() <= SHOWN[0] + SHOWN[1] || i < SHOWN[0] || i + SHOWN[1] >= pass.len();
-    let rows = (0..pass.len()).filter(|&i| is_shown(i) || i == SHOWN[0]);
-    let rows =
-        rows.map(|i| if is_shown(i) { cells(&pass[i]) } else { ["…", "", "", "", "", "", "", ""].map(Cell::from) });
-    wrapped(&head) + table(Some(headers), rows.collect()) + wrapped(&converges(history))
+    let mut rows: Vec<[Cell; 8]> = pass.iter().map(|row| cells(row).map(Cell::from)).collect();
+    if rows.len() > SHOWN[0] + SHOWN[1] {
+        let gap = ["…", "", "", "", "", "", "", ""].map(Cell::from);
+        rows.splice(SHOWN[0]..pass.len() - SHOWN[1], [gap]);
+    }
+    let n = history.count();
+    let end = match history.end {
+        Some(_) => format!("In equilibrium after {n} iterations of all tries."),
+        None => format!("No equilibrium after {n} iterations of all tries: the run would halve the step."),
+    };
+    let rate = match history.rate() {
+        None => "Too few to show a rate: --tolerance 1e-11 goes on.".to_owned(),
+        Some(rate) => {
+            let order = rate.order.map(|p| format!("Order of convergence {p:.1}"));
+            let order = order.unwrap_or("No clear order of convergence".to_owned());
+            format!("{order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
+        }
+    };
+    wrapped(&head) + table(Some(headers), rows) + wrapped(&format!("{end} {rate}"))
 }
 
-fn cells(row: &IterationRecord) -> [Cell; 8] {
+fn cells(row: &IterationRecord) -> [String; 8] {
     let moved = |text: String| if row.iteration == 0 { "–".to_owned() } else { text };
     [
         row.iteration.to_string(),
@@ -147,17 +150,4 @@ fn cells(row: &IterationRecord) -> [Cell; 8] {
         row.touching.to_string(),
         row.sticking.to_string(),
     ]
-    .map(Cell::from)
-}
-
-fn converges(history: &IterationHistory) -> String {
-    let n = history.count();
-    let end = match history.end {
-        Some(_) => format!("In equilibrium after {n} iterations of all tries."),
-        None => format!("No equilibrium after {n} iterations of all tries: the run would halve the step."),
-    };
-    let Some(rate) = history.rate() else { return format!("{end} Too few to show a rate: --tolerance 1e-11 goes on.") };
-    let order =
-        rate.order.map_or("No clear order of convergence".to_owned(), |p| format!("Order of convergence {p:.1}"));
-    format!("{end} {order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
 }
