@@ -1,14 +1,13 @@
 //! The answer on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
-use super::say::Shown;
-use super::table::{Cell, table, toned, wrapped};
+use super::screen::{Cell, ScreenText, highlighted, table, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
 use stampflow::units::joined;
 use stampflow::verification::Verification;
 
 /// Answer on a case, with the error bars of a verification.
-pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> Shown {
+pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> ScreenText {
     let list = |lines: Vec<String>| wrapped(&lines.iter().map(|line| format!("- {line}\n")).collect::<String>());
     let numbers = answer.numbers.iter();
     let numbers = numbers.map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()].map(Cell::from));
@@ -16,20 +15,20 @@ pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification
     let bars = verification.map_or_else(Vec::new, Verification::sentences);
     let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
     let gap = if warnings.is_empty() { "" } else { "\n" };
-    let shown = sentence(&case.name, answer, "") + list(size_doubts(case)) + "\n".into() + judged(findings);
-    let shown = shown + table(None, numbers.collect()) + gap.into() + list(warnings);
+    let text = sentence(&case.name, answer, "") + list(size_doubts(case)) + "\n".into() + judged(findings);
+    let text = text + table(&[], numbers) + gap.into() + list(warnings);
     let unchecked = joined(judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into()), ", ");
-    if unchecked.is_empty() { shown } else { shown + wrapped(&format!("\nNot checked: {unchecked}.")) }
+    if unchecked.is_empty() { text } else { text + wrapped(&format!("\nNot checked: {unchecked}.")) }
 }
 
 /// One line: `cup: RED: it tears in the wall.`, with `more` at its end.
-pub fn sentence(case: &str, answer: &Answer, more: &str) -> Shown {
+pub fn sentence(case: &str, answer: &Answer, more: &str) -> ScreenText {
     let light = answer.light.name().to_uppercase();
-    toned(&format!("{case}: {light}: {}. {more}", answer.sentence), &light, answer.light)
+    highlighted(&format!("{case}: {light}: {}. {more}", answer.sentence), &light, answer.light)
 }
 
 /// Red rows, then amber ones; advice stands once under the rows that it is good for.
-fn judged(findings: &[Finding]) -> Shown {
+fn judged(findings: &[Finding]) -> ScreenText {
     let mut rows: Vec<[Cell; 3]> = Vec::new();
     for light in [Light::Red, Light::Amber] {
         for alike in by_advice(findings, |is| is == light) {
@@ -41,15 +40,15 @@ fn judged(findings: &[Finding]) -> Shown {
             rows.push([""; 3].map(Cell::from));
         }
     }
-    table(None, rows)
+    table(&[], rows)
 }
 
 fn row(finding: &Finding) -> [Cell; 3] {
     // Words have no limit.
-    let found = match finding.value() {
+    let value = match finding.value() {
         Some(_) => format!("{}; limit: {}", finding.found(), finding.limit),
         None => finding.found(),
     };
     let light = Cell::Light(finding.light, String::new());
-    [light, Cell::from(finding.label), Cell::from(found)]
+    [light, Cell::from(finding.label), Cell::from(value)]
 }

@@ -5,8 +5,7 @@ use super::code::{BadRequest, Code};
 use super::job;
 use super::options::{ErrorBars, Json, Overrides};
 use super::progress::{Progress, Records};
-use super::say::{Shown, say, say_json};
-use super::table::{Cell, table, wrapped};
+use super::screen::{Cell, ScreenText, print, print_json, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
@@ -56,7 +55,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("error bars are of a run: write --run --error-bars".to_owned()).into());
     }
     if !args.run {
-        return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };
+        return if args.json.json { print_json(&report) } else { print(wrapped(&report.to_string())) };
     }
     let progress = Progress::new(args.quiet || args.json.json);
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
@@ -69,16 +68,16 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["complete"] = json!(complete);
         value["verdict"] = verdict(&answer, &findings, verification)?;
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
-        say_json(&value)?;
+        print_json(&value)?;
     } else {
         let answered = answered(&solution.case, &answer, &findings, verification);
-        say(answered + verdict_table(args.verbose.then_some(&report), &findings))?;
+        print(answered + verdict_table(args.verbose.then_some(&report), &findings))?;
     }
     Ok(Code::of_run(args.strict, complete, &answer))
 }
 
 /// The meaning of the case if wanted, and every row of the verdict.
-fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> Shown {
+fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> ScreenText {
     let rows = judgements(findings).map(|finding| {
         let limit = format!("{} ({})", finding.limit, finding.source);
         let light = Cell::Light(finding.light, String::new());
@@ -90,7 +89,7 @@ fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> Shown {
         text += "\nNot checked\n";
     }
     unchecked.into_iter().for_each(|(labels, advice)| text += &format!("  - {labels}: {advice}\n"));
-    let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{report}\n")));
+    let meaning = report.map_or_else(ScreenText::default, |report| wrapped(&format!("{report}\n")));
     let headers = ["Verdict", "Light", "Found", "Limit (source)"];
-    Shown::from("\n") + meaning + table(Some(headers), rows.collect()) + wrapped(&text)
+    ScreenText::from("\n") + meaning + table(&headers, rows) + wrapped(&text)
 }

@@ -1,8 +1,7 @@
 //! Exit codes, and the errors that end the program.
 
 use super::options::Json;
-use super::say::{Shown, warn};
-use super::table::colours;
+use super::screen::{ScreenText, has_colours, warn};
 use serde_json::json;
 use stampflow::assess::{Answer, Light};
 use stampflow::case::CaseError;
@@ -75,9 +74,9 @@ pub fn complain(error: &anyhow::Error) {
     warn(if Json::is_requested() {
         as_json(error).into()
     } else if let Some(case) = error.downcast_ref::<CaseError>() {
-        Shown::coloured(case.render(colours(&std::io::stderr())))
+        ScreenText::coloured(case.render(has_colours(&std::io::stderr())))
     } else {
-        Shown::from(format!("error: {error:#}"))
+        ScreenText::from(format!("error: {error:#}"))
     });
 }
 

@@ -1,9 +1,8 @@
 //! `stampflow compare`: runs and measured curves side by side; cases against their references.
 
 use super::code::{BadRequest, Code};
-use super::say::{say, say_json, warn};
+use super::screen::{print, print_json, warn, wrapped};
 use super::study::{StudyOptions, request, screen_table};
-use super::table::wrapped;
 use super::{interrupt, job, json, place};
 use stampflow::case::comparison::KINDS;
 use stampflow::results::comparison::{Comparison, Verdict};
@@ -129,9 +128,9 @@ fn references(args: &Args, path: &Path) -> anyhow::Result<Code> {
         Ok::<_, Infallible>(())
     });
     if args.options.json.json {
-        say_json(&compared.iter().map(|(case, one)| json::comparison(case, one)).collect::<Vec<_>>())?;
+        print_json(&compared.iter().map(|(case, one)| json::comparison(case, one)).collect::<Vec<_>>())?;
     } else {
-        say(screen_table(&table(&compared)) + wrapped(&format!("\n{}\n{}", reasons(&compared), counts(&compared))))?;
+        print(screen_table(&table(&compared)) + wrapped(&format!("\n{}\n{}", reasons(&compared), counts(&compared))))?;
     }
     let is_out = compared.iter().any(|(_, comparison)| comparison.is_failure()) && !watch.wants_to_stop();
     Ok(job::complained(&failed, if is_out { Code::Failed } else { Code::Done }))

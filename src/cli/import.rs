@@ -3,7 +3,7 @@
 use super::code::{BadPath, Code};
 use super::options::{Json, Suggested};
 use super::place;
-use super::say::{say, say_json};
+use super::screen::{print, print_json};
 use serde_json::{Value, json};
 use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
@@ -133,7 +133,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
         let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Vec<Value>>();
         let later = sections.later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
         let (tools, later) = (tools(&sections.tools), later.collect::<Vec<_>>());
-        return say_json(
+        return print_json(
             &json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes }),
         );
     }
@@ -150,7 +150,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
         Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
         None => "no punch is drawn: add one to the case before you run it".to_owned(),
     };
-    say(format!("{text}\n{out} and {picture} are written\n{next}"))
+    print(format!("{text}\n{out} and {picture} are written\n{next}"))
 }
 
 fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {

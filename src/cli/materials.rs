@@ -3,8 +3,7 @@
 use super::code::Code;
 use super::options::{Json, Suggested};
 use super::place;
-use super::say::{Shown, say, say_json};
-use super::table::{Cell, table};
+use super::screen::{Cell, ScreenText, print, print_json, table};
 use anyhow::Result;
 use serde_json::Value;
 use stampflow::case::library::{self, Class, Entry};
@@ -46,8 +45,8 @@ pub struct Args {
 pub fn materials(args: &Args) -> Result<Code> {
     let Some(name) = &args.name else {
         return match args.json.json {
-            true => say_json(&library::materials()?.iter().map(as_json).collect::<Vec<_>>()),
-            false => say(list(&library::materials()?)),
+            true => print_json(&library::materials()?.iter().map(as_json).collect::<Vec<_>>()),
+            false => print(list(&library::materials()?)),
         };
     };
     let entry = library::material(name)?;
@@ -60,12 +59,12 @@ pub fn materials(args: &Args) -> Result<Code> {
         more = format!("\n{} is written\n", path.display());
     }
     if args.json.json {
-        return say_json(&as_json(&entry));
+        return print_json(&as_json(&entry));
     }
     let Entry { name, title, text, .. } = &entry;
     let rows = known(&entry).into_iter().map(|(label, value)| [format!("  {label}"), value].map(Cell::from));
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}{more}");
-    say(Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into())
+    print(ScreenText::from(format!("{name}: {title}\n\n")) + table(&[], rows) + paste.into())
 }
 
 fn or_unknown(value: Option<impl ToString>) -> String {
@@ -73,7 +72,7 @@ fn or_unknown(value: Option<impl ToString>) -> String {
 }
 
 /// A table of materials, within 80 columns.
-fn list(entries: &[Entry]) -> Shown {
+fn list(entries: &[Entry]) -> ScreenText {
     let number = |value: Option<f64>, decimals: usize| or_unknown(value.map(|value| format!("{value:.decimals$}")));
     let row = |entry: &Entry| {
         let cells = [
@@ -91,8 +90,7 @@ fn list(entries: &[Entry]) -> Shown {
     };
     let headers = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
     let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(Cell::from);
-    let rows = [units].into_iter().chain(entries.iter().map(row)).collect();
-    table(Some(headers), rows) + Shown::from(NOTES)
+    table(&headers, [units].into_iter().chain(entries.iter().map(row))) + ScreenText::from(NOTES)
 }
 
 /// All properties of a material as labels and texts.

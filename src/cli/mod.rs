@@ -17,12 +17,11 @@ mod place;
 mod progress;
 mod report;
 mod run;
-mod say;
 mod scatter;
+mod screen;
 mod search;
 mod study;
 mod sweep;
-mod table;
 mod trace;
 mod verify;
 
@@ -32,7 +31,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use code::BadRequest;
 use options::Json;
-use say::say;
+use screen::print;
 use stampflow::case::files::visible;
 use stampflow::units::DisplaySettings;
 use stampflow::{author, case};
@@ -130,8 +129,11 @@ pub fn main() -> anyhow::Result<Code> {
 }
 
 fn command() -> anyhow::Result<Code> {
+    let has_control_characters =
+        std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)));
     let args = match Args::try_parse() {
-        Err(error) if error.use_stderr() && (Json::is_requested() || has_control_characters()) => {
+        // The message quotes the command line, whose control characters are printed as codes.
+        Err(error) if error.use_stderr() && (Json::is_requested() || has_control_characters) => {
             return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
@@ -153,26 +155,19 @@ fn command() -> anyhow::Result<Code> {
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
-        Verb::Schema { markdown: true } => say(author::case_reference()),
-        Verb::Schema { .. } => say(case::schema()),
-        Verb::Completions { shell } => completions(shell),
+        Verb::Schema { markdown: true } => print(author::case_reference()),
+        Verb::Schema { .. } => print(case::schema()),
+        Verb::Completions { shell } => {
+            let mut bytes = Vec::new();
+            clap_complete::generate(shell, &mut Args::command(), "stampflow", &mut bytes);
+            print(String::from_utf8(bytes)?)
+        }
         Verb::Man { verb } => man(verb.as_deref()),
     }?;
     Ok(match code {
         Code::Done | Code::StoppedEarly if interrupt::is_wanted() => Code::Interrupted,
         code => code,
     })
-}
-
-/// Whether the command line, which its errors quote, holds control characters.
-fn has_control_characters() -> bool {
-    std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)))
-}
-
-fn completions(shell: Shell) -> anyhow::Result<Code> {
-    let mut bytes = Vec::new();
-    clap_complete::generate(shell, &mut Args::command(), "stampflow", &mut bytes);
-    say(String::from_utf8(bytes)?)
 }
 
 fn man(verb: Option<&str>) -> anyhow::Result<Code> {
@@ -186,5 +181,5 @@ fn man(verb: Option<&str>) -> anyhow::Result<Code> {
     }
     let mut bytes = Vec::new();
     clap_mangen::Man::new(command).render(&mut bytes)?;
-    say(String::from_utf8(bytes)?)
+    print(String::from_utf8(bytes)?)
 }

@@ -2,8 +2,7 @@
 
 use super::code::{BadPath, Code, unusable};
 use super::options::Suggested;
-use super::say::{say, say_json, warn};
-use super::table::wrapped;
+use super::screen::{print, print_json, warn, wrapped};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::assess::size_doubts;
@@ -31,17 +30,17 @@ pub struct Args {
 }
 
 pub fn new(args: &Args) -> anyhow::Result<Code> {
-    let Some((template, given)) = &args.case else {
+    let Some((template, options)) = &args.case else {
         return match args.json {
-            true => say_json(&TEMPLATES.iter().map(as_json).collect::<Vec<_>>()),
-            false => say(wrapped(&templates::list())),
+            true => print_json(&TEMPLATES.iter().map(as_json).collect::<Vec<_>>()),
+            false => print(wrapped(&templates::list())),
         };
     };
-    let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
-    let text = template.fill(&given)?;
+    let options: Vec<(&str, &str)> = options.iter().map(|(key, value)| (*key, value.as_str())).collect();
+    let text = template.fill(&options)?;
     size_doubts(&case::parse(&text, template.name, &[])?).iter().for_each(|doubt| warn(format!("warning: {doubt}")));
     let Some(path) = &args.output else {
-        return if args.json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
+        return if args.json { print_json(&json!({ "template": template.name, "case": text })) } else { print(text) };
     };
     if !args.force && path.symlink_metadata().is_ok() {
         let what = format!("{} is there already and was left as it is", path.display());
@@ -51,8 +50,8 @@ pub fn new(args: &Args) -> anyhow::Result<Code> {
     can_write(path).map_err(unusable("--output"))?;
     write(path, text.as_bytes())?;
     match args.json {
-        true => say_json(&json!({ "template": template.name, "file": path })),
-        false => say(format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display())),
+        true => print_json(&json!({ "template": template.name, "file": path })),
+        false => print(format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display())),
     }
 }
 

@@ -5,8 +5,8 @@ use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command};
 use stampflow::case::{self, Solution, library};
 use stampflow::plot::{Captions, Format, Pictures};
-use stampflow::verification::{Verification, quick, verify};
 use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
+use stampflow::verification::{Verification, quick, verify};
 use std::ffi::OsStr;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -149,12 +149,7 @@ pub struct PictureOptions {
 
 impl PictureOptions {
     pub fn pictures(&self) -> Pictures {
-        let mut formats: Vec<Format> = Vec::new();
-        for format in &self.format {
-            if !formats.contains(format) {
-                formats.push(*format);
-            }
-        }
+        let formats = FORMATS.iter().map(|(_, format)| *format).filter(|format| self.format.contains(format)).collect();
         let (width, dpi) = (self.width, self.dpi.map(f64::from));
         Pictures { formats, width, dpi, captions: self.captions, engineering_strain: self.engineering_strain }
     }

@@ -1,7 +1,7 @@
 //! Progress of runs on the error stream: bars on a terminal, a line every few seconds elsewhere, or nothing.
 
 use super::interrupt;
-use super::say::warn;
+use super::screen::warn;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stampflow::case::files::visible;
 use stampflow::case::{Case, Solution};

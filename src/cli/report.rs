@@ -6,7 +6,7 @@ use super::job;
 use super::options::{ErrorBars, Json, Overrides};
 use super::place;
 use super::progress::{Progress, Records};
-use super::say::{say, say_json};
+use super::screen::{print, print_json};
 use super::study::request;
 use serde_json::json;
 use stampflow::case::Case;
@@ -80,11 +80,11 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let printed = if args.json.json {
         let mut value = report.json();
         value["files"] = json!(written.iter().map(|()| &path).collect::<Vec<_>>());
-        say_json(&value)
+        print_json(&value)
     } else if written.is_ok() {
-        say(format!("{file} is written", file = path.display()))
+        print(format!("{file} is written", file = path.display()))
     } else {
-        say(solution.summary().to_string())
+        print(solution.summary().to_string())
     };
     written?;
     printed?;

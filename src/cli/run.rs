@@ -5,8 +5,7 @@ use super::code::{BadRequest, Code};
 use super::job::{complained, load_all, sound};
 use super::options::{ErrorBars, Json, Overrides, PictureOptions, Threads};
 use super::progress::{Progress, Records};
-use super::say::{Shown, say, say_json};
-use super::table::{Cell, table, wrapped};
+use super::screen::{Cell, ScreenText, print, print_json, table, wrapped};
 use super::{answer, interrupt, json, place};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -104,14 +103,14 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     let code = runs.iter().map(|run| run.code).fold(Code::Done, Code::max);
     let (mut screen, mut values) = (None, Vec::new());
     for run in runs {
-        screen = [screen, run.screen].into_iter().flatten().reduce(Shown::add);
+        screen = [screen, run.screen].into_iter().flatten().reduce(ScreenText::add);
         values.extend(run.json);
         failed.extend(run.unwritten.into_iter().map(anyhow::Error::from));
     }
     let printed = match values.as_slice() {
-        [] => screen.map_or(Ok(code), say),
-        [value] if !several => say_json(value),
-        values => say_json(&values),
+        [] => screen.map_or(Ok(code), print),
+        [value] if !several => print_json(value),
+        values => print_json(&values),
     };
     failed.extend(printed.err());
     Ok(complained(&failed, code))
@@ -131,7 +130,7 @@ fn share_no_folder(cases: &[Case]) -> Result<(), BadRequest> {
 
 /// A case that was run: its output, as text or JSON, and files that could not be written.
 struct Run {
-    screen: Option<Shown>,
+    screen: Option<ScreenText>,
     json: Option<Value>,
     code: Code,
     unwritten: Vec<WriteError>,
@@ -204,15 +203,15 @@ impl Args {
     }
 
     /// Printed text below the answer, with --verbose also the solver's part.
-    fn rest(&self, results: &Results, files: &str) -> Shown {
-        let (summary, mut shown) = (results.summary(), Shown::default());
+    fn rest(&self, results: &Results, files: &str) -> ScreenText {
+        let (summary, mut text) = (results.summary(), ScreenText::default());
         if !summary.lines.is_empty() {
-            shown = wrapped(&format!("\n{}", summary.lines));
+            text = wrapped(&format!("\n{}", summary.lines));
         }
         for stage in summary.stages.iter().filter(|_| self.verbose) {
-            shown = shown + "\n".into() + table(None, stage.rows().map(|row| row.map(Cell::from)).collect());
+            text = text + "\n".into() + table(&[], stage.rows().map(|row| row.map(Cell::from)));
         }
         let comparisons = results.comparisons.iter().map(|comparison| comparison.sentence() + "\n");
-        shown + wrapped(&format!("\n{}{files}\n", comparisons.collect::<String>()))
+        text + wrapped(&format!("\n{}{files}\n", comparisons.collect::<String>()))
     }
 }

@@ -4,8 +4,7 @@ use super::code::{BadRequest, Code};
 use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Count, Progress};
-use super::say::{Shown, say, say_json, warn};
-use super::table::{table_of, wrapped};
+use super::screen::{ScreenText, print, print_json, table, warn, wrapped};
 use anyhow::Context;
 use serde::Serialize;
 use stampflow::results::ResultFolder;
@@ -106,12 +105,12 @@ impl StudyOptions {
         }
         let files = &folder.commit()?;
         if self.json.json {
-            say_json(&ReportJson { report, extra, files })?;
+            print_json(&ReportJson { report, extra, files })?;
         } else {
             let notes: String = report.notes.iter().map(|note| format!("\n- {note}")).collect();
             let text = wrapped(&format!("{}{notes}", report.headline));
             let text = tables().fold(text, |text, table| text + "\n".into() + screen_table(table));
-            say(text + wrapped(&format!("\n{}", dir.display())))?;
+            print(text + wrapped(&format!("\n{}", dir.display())))?;
         }
         Ok(if report.found { Code::Done } else { Code::Failed })
     }
@@ -163,7 +162,7 @@ pub fn run(
     if own != Shard::WHOLE {
         table.finish().with_context(|| format!("cannot write {}", path.display()))?;
         let (n, path) = (runs.runs.len(), path.display());
-        return say(wrapped(&format!("{n} runs in {path}; `stampflow merge` joins the shards")));
+        return print(wrapped(&format!("{n} runs in {path}; `stampflow merge` joins the shards")));
     }
     let rows = std::fs::read(&table.part).with_context(|| format!("cannot read {}", table.part.display()))?;
     let wall_s = start.elapsed().as_secs_f64();
@@ -182,8 +181,8 @@ pub fn request(error: StudyError) -> anyhow::Error {
 }
 
 /// A table of results on the screen.
-pub fn screen_table(table: &ReportTable) -> Shown {
-    table_of(Some(table.columns.iter().map(String::as_str).collect()), table.rows.clone())
+pub fn screen_table(table: &ReportTable) -> ScreenText {
+    self::table(&table.columns.iter().map(String::as_str).collect::<Vec<_>>(), table.rows.clone())
 }
 
 fn stem(path: &Path) -> String {

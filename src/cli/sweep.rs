@@ -2,9 +2,8 @@
 
 use super::code::Code;
 use super::place;
-use super::say::say;
+use super::screen::{print, wrapped};
 use super::study::{ShardOptions, StudyOptions, TableOptions, request, run};
-use super::table::wrapped;
 use stampflow::results::write;
 use stampflow::study::{self, Evaluated, Sweep};
 use std::path::{Path, PathBuf};
@@ -105,5 +104,5 @@ pub fn merge(args: &MergeArgs) -> anyhow::Result<Code> {
     place::replaced(&args.out, b"study,designs,index,", "--out")?;
     let (text, designs) = study::merge(&args.shards).map_err(request)?;
     write(&args.out, text.as_bytes())?;
-    say(wrapped(&format!("{designs} designs of {} shards in {}", args.shards.len(), args.out.display())))
+    print(wrapped(&format!("{designs} designs of {} shards in {}", args.shards.len(), args.out.display())))
 }

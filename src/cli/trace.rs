@@ -3,8 +3,7 @@
 use super::code::{BadRequest, Code};
 use super::options::Overrides;
 use super::progress::{Progress, Records};
-use super::say::{Shown, say};
-use super::table::{Cell, table, wrapped};
+use super::screen::{Cell, ScreenText, print, table, wrapped};
 use super::{job, place};
 use stampflow::case::Case;
 use stampflow::model::Iteration;
@@ -84,7 +83,7 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
     if let Some(path) = &args.out {
         write(path, &step_csv(&trace.histories))?;
     }
-    say(screen(&case, &trace))
+    print(screen(&case, &trace))
 }
 
 fn methods(text: &str) -> Result<Vec<Iteration>, String> {
@@ -101,7 +100,7 @@ fn methods(text: &str) -> Result<Vec<Iteration>, String> {
 /// Rows shown at the beginning and at the end of a longer table.
 const SHOWN: [usize; 2] = [12, 6];
 
-fn screen(case: &Case, trace: &Trace) -> Shown {
+fn screen(case: &Case, trace: &Trace) -> ScreenText {
     let Trace { before, record, dt, .. } = trace;
     let stage = case.stage_label(trace.stage - 1).map_or(String::new(), |stage| format!(" {stage}"));
     let head = format!(
@@ -112,7 +111,7 @@ fn screen(case: &Case, trace: &Trace) -> Shown {
 }
 
 /// Iterations of the last pass, and how fast they converge.
-fn iterations(history: &IterationHistory) -> Shown {
+fn iterations(history: &IterationHistory) -> ScreenText {
     let pass = history.last_pass();
     let start = pass.first().map_or("", |row| row.start.key());
     let head = format!("\n{} matrix, start: {start}\n\n", key(history.matrix));
@@ -135,7 +134,7 @@ fn iterations(history: &IterationHistory) -> Shown {
             format!("{order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
         }
     };
-    wrapped(&head) + table(Some(headers), rows) + wrapped(&format!("{end} {rate}"))
+    wrapped(&head) + table(&headers, rows) + wrapped(&format!("{end} {rate}"))
 }
 
 fn cells(row: &IterationRecord) -> [String; 8] {

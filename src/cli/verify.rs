@@ -7,8 +7,7 @@ use super::json;
 use super::options::{Json, Overrides, Threads};
 use super::place;
 use super::progress::{Progress, Records};
-use super::say::{say, say_json};
-use super::table::{Cell, table, wrapped};
+use super::screen::{Cell, print, print_json, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess;
 use stampflow::case::Case;
@@ -68,8 +67,8 @@ pub fn verify(args: &Args) -> anyhow::Result<Code> {
         }
     }
     let printed = match values.as_slice() {
-        [value] if args.json.json && args.cases.len() == 1 => say_json(value),
-        [_, ..] if args.json.json => say_json(&values),
+        [value] if args.json.json && args.cases.len() == 1 => print_json(value),
+        [_, ..] if args.json.json => print_json(&values),
         _ => Ok(code),
     };
     failed.extend(printed.err());
@@ -108,14 +107,16 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
     let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()].map(Cell::from);
-    let rows = verification.numbers.iter().filter(is_printed).map(row).collect();
+    let rows = verification.numbers.iter().filter(is_printed).map(row);
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
     let notes: String = verification.notes.iter().chain(&moved).map(|note| format!("- {note}\n")).collect();
-    say(wrapped(&format!("{title}{}\n\n", Amount::time(seconds)))
-        + table(Some(["Quantity", "Value", "Made of (observed order)"]), rows)
-        + wrapped(&format!("\n{notes}")))?;
+    print(
+        wrapped(&format!("{title}{}\n\n", Amount::time(seconds)))
+            + table(&["Quantity", "Value", "Made of (observed order)"], rows)
+            + wrapped(&format!("\n{notes}")),
+    )?;
     if let Some(path) = path {
-        say(format!("{} is written", path.display()))?;
+        print(format!("{} is written", path.display()))?;
     }
     Ok((code, Value::Null))
 }

@@ -83,15 +83,3 @@ fn header_unit(drawing: &Drawing) -> Result<(DrawingUnit, &'static str), ImportE
     };
     Ok((unit, "$INSUNITS of the drawing"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: the international yard and pound agreement of 1959 defines the inch and the foot.
-    #[test]
-    fn a_drawing_and_a_case_file_mean_the_same_units() {
-        let mm = DrawingUnit::ALL.map(DrawingUnit::mm);
-        assert_eq!(mm, [1.0, 10.0, 1000.0, 25.4, 304.8, 0.0254, 0.001]);
-    }
-}

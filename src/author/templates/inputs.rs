@@ -1,6 +1,6 @@
 //! Options of templates and their values.
 
-use super::template::Template;
+use super::Template;
 use crate::assess::design::Picked;
 use crate::case::CaseError;
 use crate::units::{
