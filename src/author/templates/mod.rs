@@ -50,9 +50,9 @@ pub struct Template {
     /// Its own options; those of the sheet, [`SHEET`], come on top.
     pub own: &'static [Choice],
     /// Case file with placeholders.
-    pub(super) text: &'static str,
+    text: &'static str,
     /// Derives the values of the placeholders.
-    pub(super) sizes: fn(&Inputs, &Sheet) -> Result<Values, CaseError>,
+    sizes: fn(&Inputs, &Sheet) -> Result<Values, CaseError>,
 }
 
 impl Template {
