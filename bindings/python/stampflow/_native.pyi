@@ -9,6 +9,19 @@ _Picture = tuple[str, str]
 _Runs = tuple[list[str], list[list[str]]]
 _Progress = Callable[[float], object] | None
 
+__all__ = [
+    "Case",
+    "Solution",
+    "__version__",
+    "compare",
+    "fill",
+    "fit_law",
+    "from_drawing",
+    "materials",
+    "study",
+    "templates",
+    "toml",
+]
 __version__: str
 
 @final

@@ -12,7 +12,7 @@ class Picture(str):
     """SVG text, which notebooks show as a picture."""
 
     #: Title of the chart.
-    title: str
+    caption: str
     #: Chart value: panels with axes, and series with their points. For those who draw themselves.
     chart: dict[str, Any]
 
@@ -20,14 +20,14 @@ class Picture(str):
     def _of(cls, svg: str, chart: str) -> Picture:
         picture = cls(svg)
         picture.chart = json.loads(chart)
-        picture.title = picture.chart.get("title", "")
+        picture.caption = picture.chart.get("title", "")
         return picture
 
     def _repr_svg_(self) -> str:
         return str(self)
 
     def __repr__(self) -> str:
-        return f"<Picture: {self.title}>"
+        return f"<Picture: {self.caption}>"
 
     def save(self, path: str | Path) -> None:
         """Writes the SVG to a file."""

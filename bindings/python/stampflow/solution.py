@@ -50,7 +50,8 @@ class Finding:
 
     @classmethod
     def _of(cls, row: dict[str, Any]) -> Finding:
-        return cls(**{name: row.get(name) for name in cls.__dataclass_fields__})
+        values: dict[str, Any] = {name: row.get(name) for name in cls.__dataclass_fields__}
+        return cls(**values)
 
 
 @dataclass(frozen=True)
@@ -212,7 +213,7 @@ class Solution:
     @cached_property
     def numbers(self) -> dict[str, Number]:
         """Numbers of the part by names with units: ``numbers["punch_force_N"]``."""
-        return {name: Number(*parts) for name, *parts in self._native.numbers()}
+        return {row[0]: Number(*row[1:]) for row in self._native.numbers()}
 
     def verify(self, *, quick: bool = False, progress: Callable[[float], object] | None = None) -> Solution:
         """Returns the solution with error bars on numbers, findings and pictures.

@@ -69,10 +69,10 @@ def test_a_solution_has_arrays_numbers_and_frames(solution: sf.Solution) -> None
 
 
 def test_pictures_are_the_svg_of_the_program(program: str, solution: sf.Solution, tmp_path: Path) -> None:
-    args = [program, "run", "cases/quickstart.toml", "--format", "svg", "--out", tmp_path, "--quiet"]
+    args = [program, "run", "cases/quickstart.toml", "--format", "svg", "--out", str(tmp_path), "--quiet"]
     subprocess.run(args, cwd=ROOT, capture_output=True, check=True)
     picture = solution.plot.load_travel()
-    assert picture._repr_svg_().startswith("<svg") and picture.title
+    assert picture._repr_svg_().startswith("<svg") and picture.caption
     assert picture == (tmp_path / "load_travel.svg").read_text(encoding="utf-8")
     assert picture.chart["panels"]
     with pytest.raises(AttributeError, match="there is no picture"):

@@ -55,5 +55,5 @@ def test_runs_are_compared(case: sf.Case) -> None:
 
 def test_a_wrong_study_is_named(case: sf.Case) -> None:
     with pytest.raises(sf.StudyError) as caught:
-        sf.sweep(case, {"blank.thickness": "0.8..1.2/3"})
+        sf.sweep(case, {"blank.thickness": "0.8 mm.."})
     assert caught.value.help
