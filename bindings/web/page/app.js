@@ -4,7 +4,6 @@ import { Editor } from "./editor.js";
 import { compiled, Engine } from "./engine.js";
 import { Lessons } from "./lessons.js";
 import { drawOptions } from "./options.js";
-import { report } from "./report.js";
 import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
 import { Steps } from "./steps.js";
@@ -158,10 +157,7 @@ function listen() {
   };
   byId("save-curves").addEventListener("click", table("load_travel.csv", "steps"));
   byId("save-profile").addEventListener("click", table("profile.csv", "end"));
-  byId("save-report").addEventListener("click", () => {
-    save(state.name.replace(/\.toml$/, ".html"), report(view.result.title, view.result.text), "text/html");
-  });
-  byId("theme").addEventListener("change", ({ target }) => (document.documentElement.dataset.theme = target.value));
+  byId("print").addEventListener("click", () => print());
   addEventListener("dragover", (event) => (event.preventDefault(), document.body.classList.add("dropping")));
   addEventListener("dragleave", () => document.body.classList.remove("dropping"));
   addEventListener("drop", (event) => {
@@ -173,13 +169,6 @@ function listen() {
     const next = await unpacked(location.hash.slice(1));
     if (next) begin(next);
   });
-}
-
-/** What a template or sheet may be called, for the lists. */
-function fillLists({ sheets }) {
-  const named = templates.map(({ name, about }) => Object.assign(new Option(name, name), { title: about }));
-  byId("template").replaceChildren(new Option("–", ""), ...named);
-  byId("sheet").replaceChildren(new Option("as the case says", ""), ...sheets.map((name) => new Option(name, name)));
 }
 
 /** A step, iteration by iteration. */
@@ -203,7 +192,8 @@ async function start() {
   listen();
   const lists = await engine.ask({ do: "templates" });
   templates = lists.templates;
-  fillLists(lists);
+  byId("template").replaceChildren(new Option("–", ""), ...templates.map(({ name, about }) => Object.assign(new Option(name, name), { title: about })));
+  byId("sheet").replaceChildren(new Option("as the case says", ""), ...lists.sheets.map((name) => new Option(name, name)));
   await begin((await unpacked(location.hash.slice(1))) ?? begun());
   for (let i = 0; i < WARMING; i++) await engine.ask(question(i % 2 === 0));
   document.documentElement.dataset.warm = "yes";

@@ -1,7 +1,7 @@
 // The charts of a solved stage: load, thickness, forming limit. Each has a sentence for who does not see it.
 import { draw } from "./plot.js";
 import { nearest } from "./section.js";
-import { format } from "./dom.js";
+import { format, html } from "./dom.js";
 
 /** Forces of several thousand are shown in thousands. */
 function forceUnit(stage) {
@@ -70,12 +70,12 @@ export function drawThickness(host, { stage, picture, other, isRound, place, onP
   const now = thicknessAt(stage, picture);
   const flat = { x: [0, stage.length], y: [stage.thickness, stage.thickness], look: "flat" };
   const series = [flat, { name: "Thickness", x: s0, y: now, look: "c0" }];
-  if (other) series.push({ name: `A: Thickness`, x: other.stage.end.s0, y: thicknessAt(other.stage, other.picture), look: "a" });
+  if (other) series.push({ name: "A: Thickness", x: other.stage.end.s0, y: thicknessAt(other.stage, other.picture), look: "a" });
   const least = now.indexOf(Math.min(...now));
   const text = `thinnest ${format(now[least])} mm at ${format(s0[least])} mm`;
   draw(host, {
     x: { label: placeLabel(isRound) },
-    y: { label: `Thickness [mm]`, least: 0.1 * stage.thickness },
+    y: { label: "Thickness [mm]", least: 0.1 * stage.thickness },
     series,
     flags: [{ x: s0[least], y: now[least], label: text, isBelow: true }],
     cursor: Number.isFinite(place) ? { x: place, y: now[nearest(s0, place)] } : undefined,
@@ -84,73 +84,55 @@ export function drawThickness(host, { stage, picture, other, isRound, place, onP
   });
 }
 
-/** Minor and major strain of every element at a picture [–]. */
+/** Minor and major strain of every element at a picture, and the limit's major strain there [–]. */
 function strains({ film }, picture) {
-  const at = 2 * film.elements * picture;
-  const pairs = Array.from({ length: film.elements }, (_, e) => Array.from(film.strains.subarray(at + 2 * e, at + 2 * e + 2)).sort((a, b) => a - b));
-  return { minor: pairs.map((pair) => pair[0]), major: pairs.map((pair) => pair[1]) };
-}
-
-/** The major strain of the limit at a minor strain, as the solver goes on beyond its points [–]. */
-function limitAt(points, minor) {
-  const last = points.length - 2;
-  if (minor <= points[0]) return points[1] + points[0] - minor;
-  if (minor >= points[last]) return points[last + 1];
-  let i = 0;
-  while (points[i + 2] < minor) i += 2;
-  return points[i + 1] + ((points[i + 3] - points[i + 1]) * (minor - points[i])) / (points[i + 2] - points[i]);
+  const [minor, major, limit] = [film.minor, film.major, film.limit].map((all) => all.subarray(film.elements * picture, film.elements * (picture + 1)));
+  return { minor, major, limit };
 }
 
 export function drawLimit(host, { stage, picture, other, isRound, place, onPlace }) {
   if (!stage.limit) return nothing(host, "no forming limit in this case");
-  const { points, name, endsAt } = stage.limit;
-  const now = strains(stage, picture);
-  const margin = now.major.map((major, e) => limitAt(points, now.minor[e]) - major);
-  const judged = margin.map((left, e) => (endsAt === null || now.minor[e] <= endsAt ? -left : -Infinity));
-  const worst = peakOf(judged);
-  const used = now.major[worst] / limitAt(points, now.minor[worst]);
   const { s0 } = stage.end;
-  const text = `nearest to the limit: ${format(100 * used)} % at ${format(s0[worst])} mm`;
+  const { minor, major, limit } = strains(stage, picture);
+  const worst = peakOf(Array.from(major, (strain, e) => (Number.isNaN(limit[e]) ? -Infinity : strain - limit[e])));
+  const text = `nearest to the limit: ${format((100 * major[worst]) / limit[worst])} % at ${format(s0[worst])} mm`;
   const chosen = Number.isFinite(place) ? nearest(s0, place) : worst;
+  const name = `limit: ${stage.limit.name}`;
+  const summary = `Forming limit: ${text}`;
   if (!isRound) {
-    const level = limitAt(points, 0);
+    const level = stage.limit.planeStrain;
     return draw(host, {
       x: { label: placeLabel(false) },
-      y: { label: `Major strain [–]`, least: 0.05 },
-      series: [
-        { name: "Major strain", x: s0, y: now.major, look: "c0" },
-        { name: `limit: ${name}`, x: [0, stage.length], y: [level, level], look: "limit" },
-      ],
-      flags: [{ x: s0[worst], y: now.major[worst], label: text }],
-      cursor: Number.isFinite(place) ? { x: place, y: now.major[chosen] } : undefined,
-      summary: `Forming limit: ${text}`,
+      y: { label: "Major strain [–]", least: 0.05 },
+      series: [{ name: "Major strain", x: s0, y: major, look: "c0" }, { name, x: [0, stage.length], y: [level, level], look: "limit" }],
+      flags: [{ x: s0[worst], y: major[worst], label: text }],
+      cursor: Number.isFinite(place) ? { x: place, y: major[chosen] } : undefined,
+      summary,
       onPick: onPlace,
     });
   }
-  const low = Math.min(-0.05, ...now.minor) - 0.05;
-  const high = Math.max(0.1, ...now.minor) + 0.05;
-  const top = 1.1 * Math.max(...now.major, limitAt(points, 0), limitAt(points, high));
-  const grid = Array.from({ length: 61 }, (_, i) => low + (i * (high - low)) / 60).filter((minor) => endsAt === null || minor <= endsAt);
-  const limits = grid.map((minor) => limitAt(points, minor)).map((major) => (major <= top ? major : NaN));
-  const pictures = Array.from({ length: picture + 1 }, (_, i) => strains(stage, i));
-  const dots = [{ x: now.minor, y: now.major, look: "c0" }];
-  if (other) dots.unshift(((before) => ({ x: before.minor, y: before.major, look: "a" }))(strains(other.stage, other.picture)));
+  const [low, high] = [Math.min(-0.05, ...minor) - 0.05, Math.max(0.1, ...minor) + 0.05];
+  const isSeen = (x) => x >= low && x <= high;
+  const top = 1.1 * Math.max(...major, stage.limit.planeStrain, ...stage.limit.major.filter((_, i) => isSeen(stage.limit.minor[i]) && stage.limit.minor[i] > 0));
+  const path = Array.from({ length: picture + 1 }, (_, i) => strains(stage, i));
+  const dots = [{ x: minor, y: major, look: "c0" }, { x: [minor[chosen]], y: [major[chosen]], look: "chosen" }];
+  if (other) {
+    const before = strains(other.stage, other.picture);
+    dots.unshift({ x: before.minor, y: before.major, look: "a" });
+  }
   draw(host, {
-    x: { label: `Minor strain [–]`, range: [low, high] },
-    y: { label: `Major strain [–]`, range: [Math.min(0, ...now.major), top] },
+    x: { label: "Minor strain [–]", range: [low, high] },
+    y: { label: "Major strain [–]", range: [Math.min(0, ...major), top] },
     series: [
-      { name: `limit: ${name}`, x: grid, y: limits, look: "limit" },
-      { name: "", x: pictures.map(({ minor }) => minor[chosen]), y: pictures.map(({ major }) => major[chosen]), look: "path" },
+      { name, x: stage.limit.minor, y: stage.limit.major, look: "limit" },
+      { name: "", x: path.map((at) => at.minor[chosen]), y: path.map((at) => at.major[chosen]), look: "path" },
     ],
-    dots: [...dots, { x: [now.minor[chosen]], y: [now.major[chosen]], look: "chosen" }],
-    flags: [{ x: now.minor[worst], y: now.major[worst], label: text }],
-    summary: `Forming limit: ${text}`,
+    dots,
+    flags: [{ x: minor[worst], y: major[worst], label: text }],
+    summary,
   });
 }
 
 function nothing(host, text) {
-  const words = document.createElement("p");
-  words.className = "nothing";
-  words.textContent = text;
-  host.replaceChildren(words);
+  host.replaceChildren(html("p", { className: "nothing" }, text));
 }

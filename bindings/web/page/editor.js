@@ -1,4 +1,5 @@
 // The case file as text, with the numbers of its lines; an error stands at its line, as the command line prints it.
+import { html } from "./dom.js";
 
 export class Editor {
   constructor({ text, lines, error, printed }) {
@@ -16,12 +17,7 @@ export class Editor {
   /** The numbers of the lines; the line of an error stands out. */
   number(wrong) {
     const count = this.text.value.split("\n").length;
-    const numbers = Array.from({ length: count }, (_, i) => {
-      const number = document.createElement("div");
-      number.textContent = i + 1;
-      if (i + 1 === wrong) number.className = "wrong";
-      return number;
-    });
+    const numbers = Array.from({ length: count }, (_, i) => html("div", { className: i + 1 === wrong ? "wrong" : "" }, i + 1));
     this.lines.replaceChildren(...numbers);
     this.lines.scrollTop = this.text.scrollTop;
   }
@@ -34,11 +30,7 @@ export class Editor {
   /** Shows what is wrong; of an error with a place, its line too. */
   refuse({ what, help, line, column, rendered }) {
     const place = line ? `line ${line}, column ${column}: ` : "";
-    const head = document.createElement("p");
-    head.textContent = `${place}${what}`;
-    const whole = document.createElement("pre");
-    whole.textContent = rendered || help || "";
-    this.error.replaceChildren(head, whole);
+    this.error.replaceChildren(html("p", {}, `${place}${what}`), html("pre", {}, rendered || help || ""));
     this.error.hidden = false;
     this.number(line);
     if (line) this.text.scrollTop = Math.max(0, (line - 4) * parseFloat(getComputedStyle(this.text).lineHeight));

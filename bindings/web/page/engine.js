@@ -1,84 +1,65 @@
-// The solver's thread: started, asked, and ended and begun anew where an answer is no longer wanted or never comes.
+// The solver in a worker, which is ended and begun anew when nobody waits for its answer any more, or when it fails.
 
-/** How long an answer that nobody waits for any more may still take [ms]; then its thread is ended. */
+/** Time that an answer may take after a newer question [ms]; then its worker is ended. */
 const PATIENCE = 300;
 
 export class Engine {
   /** @param module the compiled solver  @param source text of the worker */
   constructor(module, source) {
-    this.module = module;
-    this.url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    this.waiting = [];
-    this.running = null;
-    this.count = 0;
-    this.restarts = -1;
+    Object.assign(this, { module, url: URL.createObjectURL(new Blob([source], { type: "text/javascript" })), waiting: [], running: null, count: 0 });
     this.begin();
   }
 
   begin() {
-    this.restarts += 1;
+    this.worker?.terminate();
     this.worker = new Worker(this.url);
     this.worker.postMessage({ module: this.module });
     this.worker.onmessage = ({ data }) => this.answered(data);
     this.worker.onerror = (event) => this.answered({ id: this.running?.id, trap: event.message });
   }
 
-  /** Ends the thread in the midst of whatever it does; its question is answered with null. */
-  restart() {
-    this.worker.terminate();
-    const { running } = this;
-    this.running = null;
-    this.begin();
-    running?.resolve(null);
-    this.next();
-  }
-
-  /** Answers one after the other. */
-  ask(question, file) {
+  /** Answers one question after the other. */
+  ask(question, file, isLatest = false) {
     return new Promise((resolve) => {
-      this.waiting.push({ id: ++this.count, question, file, resolve });
+      this.waiting.push({ id: ++this.count, question, file, resolve, isLatest });
       this.next();
     });
   }
 
-  /** As ask; what was asked this way before and is not answered yet is dropped, and answered with null. */
+  /** Like `ask`; answers earlier questions of this kind with null, and ends one that takes long. */
   askLatest(question) {
-    for (const job of this.waiting.filter((job) => job.dropped)) job.resolve(null);
-    this.waiting = this.waiting.filter((job) => !job.dropped);
+    for (const job of this.waiting.filter(({ isLatest }) => isLatest)) job.resolve(null);
+    this.waiting = this.waiting.filter(({ isLatest }) => !isLatest);
     const { running } = this;
-    if (running?.dropped && !running.question.coarse) {
-      setTimeout(() => this.running === running && this.restart(), Math.max(0, PATIENCE - (performance.now() - running.since)));
+    if (running?.isLatest && !running.question.coarse) {
+      setTimeout(() => this.running === running && this.finish(null, true), Math.max(0, PATIENCE - (performance.now() - running.since)));
     }
-    const answer = this.ask(question);
-    const job = this.waiting.at(-1) ?? this.running;
-    job.dropped = true;
-    return answer;
+    return this.ask(question, undefined, true);
   }
 
   next() {
     if (this.running || this.waiting.length === 0) return;
-    this.running = this.waiting.shift();
-    this.running.since = performance.now();
+    this.running = Object.assign(this.waiting.shift(), { since: performance.now() });
     const { id, question, file } = this.running;
     this.worker.postMessage({ id, question, file });
   }
 
   answered({ id, answer, took, trap }) {
+    if (this.running?.id !== id) return;
+    if (trap === undefined) this.finish(Object.assign(answer, { took }), false);
+    else this.finish({ error: { what: trap, help: "", rendered: trap } }, true);
+  }
+
+  finish(answer, isBegunAnew) {
     const { running } = this;
-    if (!running || running.id !== id) return;
     this.running = null;
-    if (trap === undefined) {
-      running.resolve(Object.assign(answer, { took }));
-    } else {
-      this.worker.terminate();
-      this.begin();
-      running.resolve({ error: { what: trap, help: "", rendered: trap } });
-    }
+    if (isBegunAnew) this.begin();
+    running.resolve(answer);
     this.next();
   }
 }
 
-/** The solver out of the page: gzip in base64. */
+/** The solver of the page: gzip in base64. */
 export async function compiled(base64) {
   const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -128,34 +128,24 @@ export class Lessons {
   }
 
   toggle() {
-    const panel = byId("lessons");
-    panel.hidden = !panel.hidden;
-    byId("learn").setAttribute("aria-pressed", !panel.hidden);
-    if (panel.hidden) this.close();
-    else this.open(0);
-  }
-
-  close() {
+    const isShown = byId("lessons").hidden;
+    byId("lessons").hidden = !isShown;
+    byId("learn").setAttribute("aria-pressed", isShown);
+    if (isShown) return this.open(0);
     this.current = null;
     this.highlight();
   }
 
   async open(number) {
     Object.assign(this, { current: LESSONS[number], result: null, first: null });
-    this.write();
-    await this.begin(this.current.template);
-    await this.steps.toggle(Boolean(this.current.isOfStep));
-  }
-
-  /** Title, text and question of the lesson. */
-  write() {
-    const titles = LESSONS.map(({ title }, i) => new Option(`${i + 1}. ${(title)}`, i, false, LESSONS[i] === this.current));
-    byId("lesson").replaceChildren(...titles);
-    if (!this.current) return;
-    byId("lesson-says").textContent = (this.current.says);
-    byId("lesson-asks").textContent = (this.current.asks);
-    byId("lesson-book").textContent = `More in the book: docs/lessons.md, “${this.current.title}”`;
+    const { title, says, asks, template, isOfStep } = this.current;
+    byId("lesson").replaceChildren(...LESSONS.map((lesson, i) => new Option(`${i + 1}. ${lesson.title}`, i, false, i === number)));
+    byId("lesson-says").textContent = says;
+    byId("lesson-asks").textContent = asks;
+    byId("lesson-book").textContent = `More in the book: docs/lessons.md, “${title}”`;
     byId("lesson-answer").textContent = "";
+    await this.begin(template);
+    await this.steps.toggle(Boolean(isOfStep));
   }
 
   /** A result: whether it answers the question. */

@@ -1,5 +1,5 @@
 // The section as it stands at a picture of the film: true thickness, coloured by how much thinner it is; the tools around it.
-import { format, svg } from "./dom.js";
+import { format, html, svg } from "./dom.js";
 
 /** Change of thickness at the ends of the colours [–]. */
 const FULL = 0.25;
@@ -108,12 +108,8 @@ function summary(stage, picture) {
 }
 
 function scaleBar() {
-  const list = document.createElement("p");
-  list.className = "scale";
-  const bar = document.createElement("span");
-  bar.className = "bar";
+  const bar = html("span", { className: "bar" });
   bar.style.background = `linear-gradient(to right, ${COLOURS.map((mix) => `rgb(${mix.join(",")})`).join(",")})`;
   const percent = format(100 * FULL);
-  list.append(`${percent} % thicker `, bar, ` ${percent} % thinner`);
-  return list;
+  return html("p", { className: "scale" }, `${percent} % thicker `, bar, ` ${percent} % thinner`);
 }

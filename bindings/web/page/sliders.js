@@ -1,49 +1,27 @@
 // A slider for each number that matters, with its unit and a field beside it.
-import { format } from "./dom.js";
+import { format, html } from "./dom.js";
 
-const LABELS = {
-  blank: "Blank",
-  thickness: "Sheet thickness",
-  punch_radius: "Punch",
-  nose: "Punch nose radius",
-  throat: "Die opening",
-  shoulder: "Die shoulder radius",
-  clearance: "Clearance",
-  inner_radius: "Holder opening",
-  holder_force: "Holder force",
-  holder_pressure: "Holder pressure",
-  travel: "Punch travel",
-  friction: "Friction",
-  k: "Hardening k",
-  n: "Hardening n",
-  elements: "Elements",
-};
-/** Those that are half of what shops measure, of a round part. */
-const HALVES = ["blank", "punch_radius", "throat", "inner_radius"];
-/** Of a sheet of the library the law is not the case's. */
-const OF_THE_LAW = ["k", "n"];
+/** Keys of radii, of which shops measure the diameter; keys of the law, which a sheet of the library brings. */
+const [RADII, LAW] = [["blank", "punch_radius", "throat", "inner_radius"], ["k", "n"]];
 const STEPS = 200;
 
 /** onMove(key, value, isLast): while it moves, and when it is let go. */
 export function drawSliders(host, { sliders }, { values, sheet, isRound }, onMove) {
-  const shown = sliders.filter(({ key }) => !(sheet && OF_THE_LAW.includes(key)));
+  const shown = sliders.filter(({ key }) => !(sheet && LAW.includes(key)));
   host.replaceChildren(...shown.map((slider) => row(slider, values[slider.key] ?? slider.value, isRound, onMove)));
 }
 
-function row({ key, value: begun, unit, low, high }, value, isRound, onMove) {
+function row({ key, label, value: begun, unit, low, high }, value, isRound, onMove) {
   const [most, least] = [Math.max(high, value), Math.min(low, value)];
-  const range = Object.assign(document.createElement("input"), { type: "range", min: least, max: most, step: (most - least) / STEPS, value });
-  const field = Object.assign(document.createElement("input"), { type: "number", step: "any", value: Number(value.toPrecision(4)) });
-  const line = document.createElement("div");
-  const name = (LABELS[key]);
-  line.className = "slider";
+  const ariaLabel = `${label} [${unit || "–"}]`;
+  const range = html("input", { type: "range", min: least, max: most, step: (most - least) / STEPS, value, ariaLabel });
+  const field = html("input", { type: "number", step: "any", value: Number(value.toPrecision(4)), ariaLabel });
+  const across = html("small");
+  const line = html("div", { className: "slider" }, html("span", {}, label, " ", across), range, field, html("span", { className: "unit" }, unit || "–"));
   line.dataset.key = key;
-  range.setAttribute("aria-label", `${name} [${unit || "–"}]`);
-  field.setAttribute("aria-label", `${name} [${unit || "–"}]`);
-  const across = document.createElement("small");
   const show = (now) => {
     range.setAttribute("aria-valuetext", `${format(now)} ${unit}`);
-    across.textContent = isRound && HALVES.includes(key) ? `Ø ${format(2 * now, 4)} ${unit}` : "";
+    across.textContent = isRound && RADII.includes(key) ? `Ø ${format(2 * now, 4)} ${unit}` : "";
     line.classList.toggle("moved", Math.abs(now - begun) > 1e-9 * Math.abs(begun));
   };
   range.addEventListener("input", () => {
@@ -58,12 +36,6 @@ function row({ key, value: begun, unit, low, high }, value, isRound, onMove) {
     show(field.valueAsNumber);
     onMove(key, field.valueAsNumber, true);
   });
-  const label = document.createElement("span");
-  label.append(name, " ", across);
-  const units = document.createElement("span");
-  units.className = "unit";
-  units.textContent = unit || "–";
-  line.append(label, range, field, units);
   show(value);
   return line;
 }

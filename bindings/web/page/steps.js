@@ -1,6 +1,6 @@
 // One step of the solver, iteration by iteration: the sheet as it is tried, norms with each matrix, equations with their numbers.
 import { draw } from "./plot.js";
-import { byId, format, svg } from "./dom.js";
+import { byId, format, html, svg } from "./dom.js";
 
 const MATRICES = { primal_dual: "primal-dual", newton: "Newton", secant: "secant" };
 const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic", friction: "friction", contact: "contact springs" };
@@ -20,25 +20,20 @@ export class Steps {
     byId("step").addEventListener("input", () => (byId("step-text").textContent = byId("step").value));
     byId("iteration").addEventListener("input", () => this.draw());
     byId("matrix").addEventListener("change", () => this.begin());
-    new ResizeObserver(([{ contentRect }]) => this.fit(contentRect.width)).observe(byId("steps"));
+    new ResizeObserver(() => this.draw()).observe(byId("main"));
   }
 
   get isShown() {
     return !byId("steps").hidden;
   }
 
-  /** The iteration that is shown. */
-  get at() {
-    return byId("iteration").valueAsNumber;
-  }
-
-  /** With which matrix. */
+  /** History of the chosen matrix. */
   get way() {
     return this.trace.ways[Math.max(0, byId("matrix").selectedIndex)];
   }
 
   get iterate() {
-    return this.trace && this.way.iterates[this.at];
+    return this.trace && this.way.iterates[byId("iteration").valueAsNumber];
   }
 
   async toggle(isShown) {
@@ -74,16 +69,10 @@ export class Steps {
     this.draw();
   }
 
-  /** Pictures are drawn for their width. */
-  fit(width) {
-    if (width === this.width) return;
-    this.width = width;
-    this.draw();
-  }
-
   draw() {
     if (!this.trace || !this.isShown) return;
-    const { trace, at, iterate, way } = this;
+    const { trace, iterate, way } = this;
+    const at = byId("iteration").valueAsNumber;
     byId("step-text").textContent = `${trace.step}: ${format(trace.travel)} mm`;
     byId("iteration-text").textContent = `${at} / ${way.iterates.length - 1}`;
     const pick = (node) => {
@@ -138,11 +127,9 @@ function drawTried(host, { nodes, forces, contacts, cutOff, sticking }, element)
   }
   for (let i = 0; i < count; i++) arrow(rs[i], zs[i], [long(forces[2 * i], most), long(forces[2 * i + 1], most)], "");
   root.append(svg("circle", { cx: x((rs[element] + rs[element + 1]) / 2), cy: y((zs[element] + zs[element + 1]) / 2), r: 7, class: "place" }));
-  const words = document.createElement("p");
-  words.className = "hint";
-  const key = (look, text) => Object.assign(document.createElement("span"), { className: `force-key ${look}`, textContent: `→ ${text}` });
-  words.append(`${summary}. `, key("contact", `contact force: ${format(pressed)} N`), "  ", key("", `out of balance: ${format(most)} N`));
-  host.replaceChildren(root, words);
+  const key = (look, text) => html("span", { className: `force-key ${look}` }, `→ ${text}`);
+  const keys = [key("contact", `contact force: ${format(pressed)} N`), "  ", key("", `out of balance: ${format(most)} N`)];
+  host.replaceChildren(root, html("p", { className: "hint" }, `${summary}. `, ...keys));
 }
 
 function drawNorms(host, trace, at) {
@@ -169,20 +156,14 @@ function drawResidual(host, iterate, element, onPick) {
 }
 
 function drawPower(host, power) {
-  const all = Object.entries(POWERS).map(([key, name]) => [(name), power[key]]).filter(([, value]) => value !== 0);
-  const largest = Math.max(...all.map(([, value]) => Math.abs(value)), LEAST);
-  const width = Math.max(240, host.clientWidth);
-  const line = 34;
-  const height = line * all.length + 8;
-  const summary = all.map(([name, value]) => `${name} ${format((100 * value) / largest)} %`).join(", ");
-  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
-  all.forEach(([name, value], i) => {
-    const length = ((width - 200) * Math.abs(value)) / largest;
-    root.append(svg("text", { x: 106, y: line * i + 23, class: "label end" }, name));
-    root.append(svg("rect", { x: 114, y: line * i + 8, width: Math.max(1, length), height: 20, class: "bar-of" }));
-    root.append(svg("text", { x: 120 + length, y: line * i + 23 }, `${format((100 * value) / largest)} %`));
+  const all = Object.entries(POWERS).filter(([key]) => power[key] !== 0);
+  const largest = Math.max(...all.map(([key]) => Math.abs(power[key])), LEAST);
+  const rows = all.map(([key, name]) => {
+    const share = power[key] / largest;
+    const cells = [name, html("meter", { value: Math.abs(share), ariaLabel: name }), `${format(100 * share)} %`];
+    return html("tr", {}, ...cells.map((cell) => html("td", {}, cell)));
   });
-  host.replaceChildren(root);
+  host.replaceChildren(html("table", { className: "power" }, ...rows));
 }
 
 /** MathML of plain parts. */
@@ -205,10 +186,8 @@ function drawEquations(host, trace, iterate, element) {
     math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
     math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === null ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
   ];
-  const note = document.createElement("p");
-  note.className = "hint";
-  const state = (iterate.cutOff[element] ? "nearly rigid" : "flows");
-  note.textContent = `Element ${element}: ${state}. Each matrix takes the step from the same state; pick an element in the chart of nodes.`;
+  const state = iterate.cutOff[element] ? "nearly rigid" : "flows";
+  const note = `Element ${element}: ${state}. Each matrix takes the step from the same state; pick an element in the chart of nodes.`;
   host.innerHTML = rows.map((row) => `<p>${row}</p>`).join("");
-  host.prepend(note);
+  host.prepend(html("p", { className: "hint" }, note));
 }

@@ -1,19 +1,13 @@
 // The verdict: its sentence with the light, the part's numbers, every row, and what should be known besides.
+import { html } from "./dom.js";
 
 /** Shapes beside the colours. */
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
-function element(name, className, ...children) {
-  const made = document.createElement(name);
-  if (className) made.className = className;
-  made.append(...children);
-  return made;
-}
+const element = (name, className, ...children) => html(name, { className }, ...children);
 
 function light(name, text) {
-  const shape = element("span", `light ${name}`, SHAPES[name]);
-  shape.setAttribute("aria-hidden", "true");
-  return element("span", "lit", shape, ` ${text}`);
+  return element("span", "lit", html("span", { className: `light ${name}`, ariaHidden: "true" }, SHAPES[name]), ` ${text}`);
 }
 
 export function drawAnswer(host, { verdict }, isA) {
@@ -27,17 +21,10 @@ export function drawAnswer(host, { verdict }, isA) {
 export function drawRows(host, { verdict }) {
   const order = ["red", "amber", "grey", "green"];
   const rows = [...verdict.rows].sort((a, b) => order.indexOf(a.light) - order.indexOf(b.light));
-  const head = ["Finding", "Found", "Limit", "What to do"].map((text) => {
-    const cell = element("th", "", (text));
-    cell.scope = "col";
-    return cell;
-  });
+  const head = ["Finding", "Found", "Limit", "What to do"].map((text) => html("th", { scope: "col" }, text));
   const body = rows.map(({ light: name, label, found, limit, source, advice }) => {
-    const first = element("th", "", light(name, label));
-    first.scope = "row";
-    const bound = element("td", "", limit);
-    bound.title = source;
-    return element("tr", "", first, element("td", "", found), bound, element("td", "", advice));
+    const bound = html("td", { title: source }, limit);
+    return element("tr", "", html("th", { scope: "row" }, light(name, label)), element("td", "", found), bound, element("td", "", advice));
   });
   host.replaceChildren(element("thead", "", element("tr", "", ...head)), element("tbody", "", ...body));
 }

@@ -49,7 +49,7 @@ export class View {
 
   play() {
     this.isPlaying = !this.isPlaying;
-    byId("play").textContent = (this.isPlaying ? "Stop" : "Play");
+    byId("play").textContent = this.isPlaying ? "Stop" : "Play";
     if (!this.isPlaying) return;
     const from = performance.now() - PLAYED * (this.at >= 1 ? 0 : this.at);
     const next = (now) => {
@@ -92,7 +92,6 @@ export class View {
     drawLoad(byId("load"), { ...shown, onTravel: (travel) => this.toTravel(travel) });
     drawThickness(byId("thickness"), { ...shown, onPlace });
     drawLimit(byId("limit"), { ...shown, onPlace });
-    byId("travel-text").textContent = `${format(stage.film.travel[picture])} mm`;
-    byId("travel").setAttribute("aria-valuetext", `${format(stage.film.travel[picture])} mm`);
+    byId("travel-text").textContent = byId("travel").ariaValueText = `${format(stage.film.travel[picture])} mm`;
   }
 }

@@ -10,7 +10,6 @@
 //!
 //! A panic ends the instance; its message is then the text of the answer.
 
-mod drawing;
 mod film;
 mod request;
 mod sliders;

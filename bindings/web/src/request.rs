@@ -1,12 +1,17 @@
 //! Requests of the page, and why one fails.
 
-use crate::{drawing, sliders, solve, trace};
+use crate::sliders::Sliders;
+use crate::{solve, trace};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use stampflow::author::templates::{Choice, TEMPLATES, find};
+use stampflow::author::templates::{Choice, TEMPLATES, Template, find};
+use stampflow::author::{Import, ImportFailure};
 use stampflow::case::files::Memory;
 use stampflow::case::{Case, CaseError, library, parse_with};
+use stampflow::import::Options;
+use stampflow::model::Geometry;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// A request; `do` is its kind.
 #[derive(Deserialize)]
@@ -32,11 +37,7 @@ pub enum Request {
         step: usize,
     },
     /// A case around the tools of a DXF drawing.
-    Drawing {
-        name: String,
-        #[serde(default)]
-        plane_strain: bool,
-    },
+    Drawing { name: String },
 }
 
 /// A case as text, with the files beside it.
@@ -72,23 +73,17 @@ impl Request {
                 let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (&key[..], &value[..])).collect();
                 Ok(json!({ "text": find(name)?.fill(&given)? }))
             }
-            Self::Sliders { text } => Ok(sliders::sliders(text)),
+            Self::Sliders { text } => Ok(json!(Sliders::of_case(text))),
             Self::Solve { case, coarse } => Ok(solve::solve(case.case()?, *coarse)),
             Self::Trace { case, step } => trace::step(&case.case()?, *step),
-            Self::Drawing { name, plane_strain } => drawing::read(name, *plane_strain, file),
+            Self::Drawing { name } => drawing(name, file),
         }
     }
 }
 
 fn templates() -> Value {
-    let option = |choice: &'static Choice| {
-        json!({
-            "key": choice.key,
-            "default": choice.default,
-            "about": choice.about,
-        })
-    };
-    let template = |template: &stampflow::author::templates::Template| {
+    let option = |choice: &Choice| json!({ "key": choice.key, "default": choice.default, "about": choice.about });
+    let template = |template: &Template| {
         let options: Vec<Value> = template.options().map(option).collect();
         json!({ "name": template.name, "about": template.about, "options": options })
     };
@@ -96,6 +91,14 @@ fn templates() -> Value {
         "templates": TEMPLATES.iter().map(template).collect::<Vec<_>>(),
         "sheets": library::names().collect::<Vec<_>>(),
     })
+}
+
+/// Text of a case around the tools of a drawing, with placeholders, and how the drawing was understood.
+fn drawing(name: &str, file: &[u8]) -> Result<Value, Failure> {
+    let (options, geometry) = (Options::default(), Geometry::Axisymmetric);
+    let import = Import { options, geometry, material: None, thickness: None, blank: None, travel: None };
+    let imported = import.read(file, Path::new(name))?;
+    Ok(json!({ "text": imported.text, "notes": imported.notes }))
 }
 
 /// Why there is no answer.
@@ -120,6 +123,18 @@ impl From<CaseError> for Failure {
             line: at.map(|at| at.0),
             column: at.map(|at| at.1),
             rendered: error.render(false),
+        }
+    }
+}
+
+impl From<ImportFailure> for Failure {
+    fn from(failure: ImportFailure) -> Self {
+        match failure {
+            ImportFailure::Drawing(error) => {
+                let rendered = error.to_string();
+                Self { what: error.what, help: error.help, line: error.line, column: error.line.map(|_| 1), rendered }
+            }
+            ImportFailure::Sheet(error) | ImportFailure::Case(error) => error.into(),
         }
     }
 }

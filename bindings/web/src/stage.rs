@@ -42,8 +42,9 @@ const ELEMENT: [Column<ElementRecord>; 9] = [
 ];
 
 /// Curves, the section as it moves, events, and why the stage ended.
-pub fn json(name: &str, stage: &StageSolution, strip: Strip) -> Value {
+pub fn json(name: &str, stage: &StageSolution, mut strip: Strip) -> Value {
     let model = &stage.model;
+    strip.take(model, &stage.end);
     let elements = stage.frames.last().map_or(&[][..], |frame| &frame.elements);
     let tools = model.tools.iter().map(|tool| {
         let outline: Vec<f64> = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]).collect();
@@ -61,7 +62,7 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip) -> Value {
         "isRelease": model.release.is_some(),
         "steps": columns(&STEP, &stage.steps),
         "end": columns(&ELEMENT, elements),
-        "film": strip.json(&stage.end),
+        "film": strip,
         "tools": tools.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "limit": model.forming_limit.as_ref().map(limit),
@@ -76,8 +77,9 @@ fn columns<T>(fields: &[Column<T>], rows: &[T]) -> Value {
     Value::Object(fields.iter().map(column).collect::<Map<_, _>>())
 }
 
-/// Minor and major strain of the curve's points.
+/// Points of the forming limit for a chart \[–\].
 fn limit(curve: &Curve) -> Value {
-    let points: Vec<f64> = curve.points().iter().flatten().copied().collect();
-    json!({ "name": curve.name, "points": points, "endsAt": curve.ends_at() })
+    let minor: Vec<f64> = (-80..=80).map(|i| 0.01 * f64::from(i)).filter(|minor| curve.knows(*minor)).collect();
+    let major: Vec<f64> = minor.iter().map(|minor| curve.major_at(*minor)).collect();
+    json!({ "name": curve.name, "minor": minor, "major": major, "planeStrain": curve.plane_strain() })
 }

@@ -26,13 +26,7 @@ pub fn step(case: &Case, step: usize) -> Result<Value, Failure> {
         "tolerance": traced.tolerance,
         "cutoff": case.model().settings.cutoff_strain,
         "ways": histories.collect::<Vec<_>>(),
-        "power": {
-            "external": power.external,
-            "plastic": power.plastic,
-            "elastic": power.elastic,
-            "friction": power.friction,
-            "contact": power.contact,
-        },
+        "power": { "external": power.external, "plastic": power.plastic, "elastic": power.elastic, "friction": power.friction, "contact": power.contact },
     }))
 }
 

@@ -4,21 +4,9 @@ import { execFileSync } from "node:child_process";
 import puppeteer from "puppeteer-core";
 import { PAGE } from "./solver.mjs";
 
-const NAMES = ["chromium", "chromium-browser", "google-chrome"];
-
-function executable() {
-  for (const name of NAMES) {
-    try {
-      return execFileSync("which", [name], { encoding: "utf8" }).trim();
-    } catch {
-      // The next name.
-    }
-  }
-  throw new Error(`none of ${NAMES.join(", ")} is installed`);
-}
-
 export async function browser() {
-  return puppeteer.launch({ executablePath: executable(), headless: true, args: ["--no-sandbox", "--disable-gpu"] });
+  const installed = execFileSync("sh", ["-c", "command -v chromium || command -v chromium-browser || command -v google-chrome"], { encoding: "utf8" });
+  return puppeteer.launch({ executablePath: installed.trim(), headless: true, args: ["--no-sandbox", "--disable-gpu"] });
 }
 
 /** What the page did that it never may: errors in the console, requests to anywhere. */
@@ -49,28 +37,32 @@ export async function after(page, what, ...of) {
   await settled(page);
 }
 
-/** Moves a slider to a share of what it stands at, as a pointer would. */
-export async function move(page, key, times, isLast = true) {
-  const moved = (key, times, isLast) => {
-    const range = document.querySelector(`.slider[data-key="${key}"] input[type="range"]`);
-    range.value = range.valueAsNumber * times;
-    range.dispatchEvent(new Event("input", { bubbles: true }));
-    if (isLast) range.dispatchEvent(new Event("change", { bubbles: true }));
-  };
-  if (isLast) await after(page, moved, key, times, true);
-  else await page.evaluate(moved, key, times, false);
+/** Sets a control to a value, as a user would; `events` are input while it moves, change when it is let go. */
+export function set(page, selector, value, ...events) {
+  return page.$eval(selector, (control, value, events) => {
+    control.value = value;
+    for (const event of events) control.dispatchEvent(new Event(event, { bubbles: true }));
+  }, value, events);
+}
+
+/** Sets a control and waits for the result. */
+export async function setAndSettle(page, selector, value) {
+  await page.evaluate(() => (document.documentElement.dataset.state = "asked"));
+  await set(page, selector, value, "input", "change");
+  await settled(page);
+}
+
+export const slider = (key) => `.slider[data-key="${key}"] input[type="range"]`;
+
+/** Moves a slider to a share of its value. */
+export async function move(page, key, share) {
+  await setAndSettle(page, slider(key), share * (await page.$eval(slider(key), (range) => range.valueAsNumber)));
 }
 
 export const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
 export const caseText = (page) => page.$eval("#text", (element) => element.value);
 
-export async function pick(page, name) {
-  await after(page, (name) => {
-    const list = document.getElementById("template");
-    list.value = name;
-    list.dispatchEvent(new Event("change", { bubbles: true }));
-  }, name);
-}
+export const pick = (page, template) => setAndSettle(page, "#template", template);
 
 export async function isSolved(page, what) {
   assert.equal(await stateOf(page), "solved", `${what}: ${await text(page, "#status")}`);

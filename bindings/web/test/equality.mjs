@@ -5,10 +5,8 @@ import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { NATIVE, ROOT, solver } from "./solver.mjs";
 
-/** What both may differ by, of the largest number of a column [–], beside the rounding of the command line's tables. */
-const SAME = 1e-9;
-/** Digits of a number in these tables. */
-const DIGITS = 9;
+/** What both may differ by, of the largest number of a column [–]: 1e-9, and half of the ninth digit of the tables. */
+const SAME = 6e-9;
 /**
  * Stages that come to the same end in another number of steps, because the last digits of exp and ln, which are the system's
  * there and those of Rust's own library here, decide whether a step is halved: they are compared by their end.
@@ -24,46 +22,30 @@ function columns(text, keys) {
   return Object.fromEntries(keys.filter((key) => at(key) >= 0).map((key) => [key, rows.map((row) => Number(row[at(key)]))]));
 }
 
-/** The last rows of a table that has all kept instants: one per element. */
-function lastOf(column, count) {
-  return column.slice(column.length - count);
-}
-
-/** Half of the last digit that a number has in a table; a little more, for it is rounded to a double, too. */
-function rounding(value) {
-  return value === 0 ? 0 : 0.5001 * 10 ** (Math.floor(Math.log10(Math.abs(value))) + 1 - DIGITS);
-}
-
 const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-300);
-
-function difference(own, native, size) {
-  return Math.max(0, ...native.map((value, i) => (Math.abs(value - own[i]) - rounding(value)) / size));
-}
 
 function files(folder) {
   const all = readdirSync(join(ROOT, folder)).filter((name) => /\.(csv|toml)$/.test(name));
   return Object.fromEntries(all.map((name) => [`${folder}/${name}`, readFileSync(join(ROOT, folder, name), "utf8")]));
 }
 
+/** The largest difference of a case, and its place. */
 function compared(name, answer, folder) {
   let worst = [0, ""];
-  /** Of each column of the stage before: what a release leaves of its stresses is the difference of numbers of that size. */
+  /** Sizes of the stage before: what a release leaves of stresses is the difference of numbers of that size. */
   let sizes = {};
-  const many = answer.stages.length > 1;
   answer.stages.forEach((stage, i) => {
-    const of = many ? join(folder, `${i + 1}-${stage.name}`) : folder;
+    const own = answer.stages.length > 1 ? join(folder, `${i + 1}-${stage.name}`) : folder;
     for (const [file, key] of Object.entries(TABLES)) {
       if (key === "steps" && OTHER_STEPS.includes(`${name} ${stage.name}`)) continue;
-      const own = stage[key];
-      const native = columns(readFileSync(join(of, file), "utf8"), Object.keys(own));
-      for (const [column, values] of Object.entries(native)) {
-        const rows = key === "end" ? lastOf(values, own[column].length) : values;
-        const isAsLong = rows.length === own[column].length;
-        const size = Math.max(largest(rows), stage.isRelease ? (sizes[`${file} ${column}`] ?? 0) : 0);
-        const off = isAsLong ? difference(own[column], rows, size) : Infinity;
-        sizes[`${file} ${column}`] = largest(rows);
-        const where = `${stage.name} ${file} ${column}${isAsLong ? "" : `, ${own[column].length} rows and ${rows.length}`}`;
-        if (!(off <= worst[0])) worst = [off, where];
+      for (const [column, all] of Object.entries(columns(readFileSync(join(own, file), "utf8"), Object.keys(stage[key])))) {
+        const values = stage[key][column];
+        // The profile has a row for each element of every kept frame; the page has the last.
+        const native = key === "end" ? all.slice(all.length - values.length) : all;
+        const size = Math.max(largest(native), stage.isRelease ? (sizes[file + column] ?? 0) : 0);
+        sizes[file + column] = largest(native);
+        const off = native.length === values.length ? largest(native.map((value, row) => value - values[row])) / size : Infinity;
+        if (!(off <= worst[0])) worst = [off, `${stage.name} ${file} ${column}: ${values.length} and ${native.length} rows`];
       }
     }
   });
