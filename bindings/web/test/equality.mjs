@@ -22,7 +22,7 @@ function columns(text, keys) {
   return Object.fromEntries(keys.filter((key) => at(key) >= 0).map((key) => [key, rows.map((row) => Number(row[at(key)]))]));
 }
 
-const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-300);
+const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
 function files(folder) {
   const all = readdirSync(join(ROOT, folder)).filter((name) => /\.(csv|toml)$/.test(name));
@@ -42,7 +42,7 @@ function compared(name, answer, folder) {
         const values = stage[key][column];
         // The profile has a row for each element of every kept frame; the page has the last.
         const native = key === "end" ? all.slice(all.length - values.length) : all;
-        const size = Math.max(largest(native), stage.isRelease ? (sizes[file + column] ?? 0) : 0);
+        const size = Math.max(1e-300, largest(native), stage.isRelease ? (sizes[file + column] ?? 0) : 0);
         sizes[file + column] = largest(native);
         const off = native.length === values.length ? largest(native.map((value, row) => value - values[row])) / size : Infinity;
         if (!(off <= worst[0])) worst = [off, `${stage.name} ${file} ${column}: ${values.length} and ${native.length} rows`];
