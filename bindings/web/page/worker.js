@@ -1,5 +1,5 @@
 // The solver in a thread of its own: questions come in, answers go out, one after the other.
-let solver;
+let [instance, solver] = [];
 
 function textOf(address, length) {
   return new TextDecoder().decode(new Uint8Array(solver.memory.buffer, address, length));
@@ -8,7 +8,7 @@ function textOf(address, length) {
 /** Lists of numbers as typed arrays; null stands for a number that is not finite. */
 function typed(value) {
   if (Array.isArray(value)) {
-    const isNumeric = value.every((entry) => entry === null || typeof entry === "number");
+    const isNumeric = value.length > 0 && value.every((entry) => entry === null || typeof entry === "number");
     return isNumeric ? Float64Array.from(value, (entry) => entry ?? NaN) : value.map(typed);
   }
   if (value === null || typeof value !== "object") return value;
@@ -18,7 +18,9 @@ function typed(value) {
 function call(question, file) {
   const text = new TextEncoder().encode(JSON.stringify(question));
   const extra = file ?? new Uint8Array(0);
-  const room = new Uint8Array(solver.memory.buffer, solver.input(text.length + extra.length), text.length + extra.length);
+  // Making room may move the memory.
+  const address = solver.input(text.length + extra.length);
+  const room = new Uint8Array(solver.memory.buffer, address, text.length + extra.length);
   room.set(text);
   room.set(extra, text.length);
   solver.call(text.length);
@@ -26,10 +28,8 @@ function call(question, file) {
 }
 
 onmessage = async ({ data }) => {
-  if (data.module) {
-    solver = (await WebAssembly.instantiate(data.module, {})).exports;
-    return;
-  }
+  if (data.module) return void (instance = WebAssembly.instantiate(data.module, {}));
+  solver = (await instance).exports;
   const start = performance.now();
   try {
     const answer = call(data.question, data.file);
