@@ -1,6 +1,7 @@
 //! The yield condition in the plane of the sheet, in which it is isotropic: principal strains make principal stresses of the
 //! same directions, and in-plane shear is only a turn of them.
 
+use crate::material::flow::YieldCondition;
 use crate::material::{Material, YieldCriterion};
 
 /// The yield condition of a sheet, of in-plane strains.

@@ -84,12 +84,6 @@ impl Hill48 {
         [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear]
     }
 
-    /// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
-    #[inline]
-    pub fn equivalent_increment(&self, e: Triple) -> f64 {
-        dot(e, self.apply(e)).sqrt()
-    }
-
     /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
     #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {

@@ -52,31 +52,11 @@ pub struct Hosford {
     inverse_weight: f64,
 }
 
-/// Place on the curve φ, of the stress (1, x) with the larger component first.
-pub(super) struct Place {
-    /// x, the smaller stress over the larger one \[–\].
-    pub ratio: f64,
-    /// φ(1, x) \[–\].
-    pub size: f64,
-    /// ∂φ/∂σ, which is the same all along the ray.
-    pub normal: [f64; 2],
-    /// κ of the second derivative φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1), which is the same all along the ray.
-    pub bend: f64,
-}
-
 /// Inner root: x, x'(β) or the chord that stands for it, and 1/φ².
 struct Root {
     ratio: f64,
     rate: f64,
     inverse_square: f64,
-}
-
-/// A [`Metric`] without its shear.
-struct Plane {
-    gradient: [f64; 2],
-    /// ss, sθ, θθ.
-    matrix: [f64; 3],
-    square: f64,
 }
 
 impl Hosford {
@@ -118,11 +98,6 @@ impl Hosford {
         self.quadratic
     }
 
-    /// σ_θ/σ_s where the sheet does not strain along θ \[–\].
-    pub fn plane_strain_ratio(&self) -> f64 {
-        self.plane_strain
-    }
-
     /// Equivalent stress σ̄ \[MPa\].
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
         let (major, minor, _) = ordered(s);
@@ -130,49 +105,20 @@ impl Hosford {
         (size * size + SHEAR_INVERSE * s[2] * s[2]).sqrt()
     }
 
-    /// ∂σ̄/∂σ: the direction of flow, Δε = Δε̄ ∂σ̄/∂σ \[–\]; nothing for no stress.
-    pub fn flow_direction(&self, s: Triple) -> Triple {
-        let equivalent = self.equivalent_stress(s);
-        if equivalent == 0.0 {
-            return [0.0; 3];
-        }
-        let (major, minor, swapped) = ordered(s);
-        let shear = SHEAR_INVERSE * s[2] / equivalent;
-        if major == 0.0 {
-            return [0.0, 0.0, shear];
-        }
-        let Place { size, normal, .. } = self.at(minor / major);
-        let [along, across] = normal.map(|n| major * size / equivalent * n);
-        if swapped { [across, along, shear] } else { [along, across, shear] }
-    }
-
-    /// Equivalent strain increment Δε̄ \[–\].
-    pub fn equivalent_increment(&self, e: Triple) -> f64 {
-        self.metric(e).square.sqrt()
-    }
-
-    /// ∂Δε̄/∂Δε: the stress of a strain increment over the yield stress \[–\]; nothing for no increment.
-    pub fn stress(&self, e: Triple) -> Triple {
-        let metric = self.metric(e);
-        if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
-    }
-
-    /// Metric of an increment without its shear; the matrix is the chord to the carried stress `w` where there is one.
+    /// Metric of an increment; the matrix is the chord to the carried stress `w` where there is one.
     #[inline]
-    fn plane(&self, [s, t]: [f64; 2], w: Option<[f64; 2]>) -> Plane {
-        let swapped = t.abs() > s.abs();
-        let (major, minor) = if swapped { (t, s) } else { (s, t) };
+    fn metric_by(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
+        let (major, minor, swapped) = ordered(e);
         if major == 0.0 {
-            // Nothing says where on the curve: Hill's is as good as any.
-            let Metric { gradient: [along, across, _], matrix: [ss, st, tt, ..], square } =
-                self.quadratic.metric([s, t, 0.0]);
-            return Plane { gradient: [along, across], matrix: [ss, st, tt], square };
+            // No direction on the curve: Hill's matrix is as good as any.
+            return self.quadratic.metric(e);
         }
         let inverse = 1.0 / major;
         let (beta, sum) = (minor * inverse, (major + minor) * inverse);
-        let w = w.and_then(
-            |[s, t]| if swapped { within(t * inverse, s * inverse) } else { within(s * inverse, t * inverse) },
-        );
+        let w = w.and_then(|[s, t]| {
+            let [s, t] = if swapped { [t * inverse, s * inverse] } else { [s * inverse, t * inverse] };
+            (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
+        });
         let Root { ratio, rate, inverse_square } = self.root(beta, sum, w);
         // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
         let along = (major + minor * ratio) * inverse_square;
@@ -181,19 +127,11 @@ impl Hosford {
         let bent = bend * beta;
         let (own, mixed) = (inverse_square + bent * beta, ratio * inverse_square - bent);
         let other = ratio * ratio * inverse_square + bend;
-        let square = along * major + across * minor;
-        if swapped {
-            return Plane { gradient: [across, along], matrix: [other, mixed, own], square };
-        }
-        Plane { gradient: [along, across], matrix: [own, mixed, other], square }
-    }
-
-    #[inline]
-    fn with_shear(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
-        let Plane { gradient: [along, across], matrix: [ss, st, tt], square } = self.plane([e[0], e[1]], w);
         let shear = SHEAR * e[2];
-        let matrix = [ss, st, tt, 0.0, 0.0, SHEAR];
-        Metric { gradient: [along, across, shear], matrix, square: square + shear * e[2] }
+        let square = along * major + across * minor + shear * e[2];
+        let (gradient, [ss, tt]) =
+            if swapped { ([across, along, shear], [other, own]) } else { ([along, across, shear], [own, other]) };
+        Metric { gradient, matrix: [ss, mixed, tt, 0.0, 0.0, SHEAR], square }
     }
 
     /// φ(1, x).
@@ -204,25 +142,23 @@ impl Hosford {
         self.power.root(sum / (1.0 + r))
     }
 
-    /// The place of the stress (1, x).
+    /// Second derivative of ½φ² at the stress (1, x) and all along its ray: ss, sθ, θθ.
     #[inline]
-    pub(super) fn at(&self, x: f64) -> Place {
+    pub(super) fn curvature(&self, x: f64) -> Triple {
         let (y, r) = (1.0 - x, self.ratio());
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         // (1 + r̄) φ^(a−1) ∂φ/∂σ, and its product with (1, x), which is (1 + r̄) φ^a
         let (along, across) = (1.0 + between * y, x * own - between * y);
         let sum = 1.0 + x * x * own + between * y * y;
-        let size = self.power.root(sum / (1.0 + r));
-        let unit = size / sum;
-        let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own)) * unit * unit;
-        Place { ratio: x, size, normal: [unit * along, unit * across], bend }
+        let unit = self.power.root(sum / (1.0 + r)) / sum;
+        let square = unit * unit;
+        let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own));
+        [
+            square * (along * along + bend * x * x),
+            square * (along * across - bend * x),
+            square * (across * across + bend),
+        ]
     }
-}
-
-/// t/s of a stress, or the end of −1 to 1 that is nearer to it; none against the strain.
-#[inline]
-fn within(s: f64, t: f64) -> Option<f64> {
-    (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
 }
 
 /// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
@@ -234,16 +170,16 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 impl YieldCondition for Hosford {
     #[inline]
     fn metric(&self, e: Triple) -> Metric {
-        self.with_shear(e, None)
+        self.metric_by(e, None)
     }
 
     /// On a flat part of the curve the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
     /// side to side. The chord to the strain of the carried stress is right where that stress is, and where the strain is.
     #[inline]
     fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
-        self.with_shear(e, Some(w))
+        self.metric_by(e, Some(w))
     }
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -117,6 +117,18 @@ pub trait YieldCondition {
     fn strain_share(&self) -> f64 {
         1.0
     }
+
+    /// Equivalent strain increment Δε̄ of the metal \[–\].
+    #[inline]
+    fn equivalent_increment(&self, e: Triple) -> f64 {
+        self.strain_share() * self.metric(e).square.sqrt()
+    }
+
+    /// ∂D/∂Δε: the stress of a strain increment over the yield stress \[–\]; zero for no increment.
+    fn stress(&self, e: Triple) -> Triple {
+        let Metric { gradient, square, .. } = self.metric(e);
+        if square == 0.0 { [0.0; 3] } else { gradient.map(|s| s / square.sqrt()) }
+    }
 }
 
 /// wᵀ A⁻¹ w of a positive definite A, by its factors L D Lᵀ.

@@ -32,20 +32,10 @@ impl From<Hosford> for YieldCriterion {
     }
 }
 
-/// Hands a method on to the condition.
-macro_rules! by_condition {
-    ($self:ident, $condition:ident => $call:expr) => {
-        match $self {
-            Self::Hill48($condition) => $call,
-            Self::Hosford($condition) => $call,
-        }
-    };
-}
-
 impl YieldCriterion {
     /// r̄ \[–\].
     pub fn ratio(&self) -> f64 {
-        by_condition!(self, condition => condition.ratio())
+        self.quadratic().ratio()
     }
 
     /// Hill's condition of the same r̄.
@@ -59,44 +49,31 @@ impl YieldCriterion {
     /// Equivalent stress σ̄ \[MPa\].
     #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
-        by_condition!(self, condition => condition.equivalent_stress(s))
-    }
-
-    /// Equivalent strain increment Δε̄ \[–\].
-    #[inline]
-    pub fn equivalent_increment(&self, e: Triple) -> f64 {
-        by_condition!(self, condition => condition.equivalent_increment(e))
-    }
-
-    /// Equivalent increment of a part of the thickness over which it goes evenly from `e` − `k` to `e` + `k`: its root mean
-    /// square \[–\].
-    pub fn equivalent_across(&self, e: Triple, k: [f64; 2]) -> f64 {
-        by_condition!(self, condition => condition.layer(e, k, None).square.sqrt())
-    }
-
-    /// ½Δε̄² of a strain increment: its gradient, which is Δε̄ times the stress over the yield stress, and second derivative.
-    #[inline]
-    pub fn metric(&self, e: Triple) -> Metric {
-        by_condition!(self, condition => condition.metric(e))
-    }
-
-    /// ∂Δε̄/∂Δε: the stress of a strain increment over the yield stress \[–\]; nothing for no increment.
-    pub fn stress(&self, e: Triple) -> Triple {
-        let Metric { gradient, square, .. } = self.metric(e);
-        if square == 0.0 { [0.0; 3] } else { gradient.map(|s| s / square.sqrt()) }
+        match self {
+            Self::Hill48(hill) => hill.equivalent_stress(s),
+            Self::Hosford(hosford) => hosford.equivalent_stress(s),
+        }
     }
 
     /// σ_θ/σ_s where the sheet does not strain along θ \[–\].
     pub fn plane_strain_ratio(&self) -> f64 {
-        match self {
-            Self::Hill48(hill) => hill.coupling(),
-            Self::Hosford(hosford) => hosford.plane_strain_ratio(),
-        }
+        let [s, t, _] = self.stress([1.0, 0.0, 0.0]);
+        t / s
     }
 
     /// Stress of equi-biaxial tension over that of tension along one direction, when both yield \[–\].
     pub fn biaxial_factor(&self) -> f64 {
         1.0 / self.equivalent_stress([1.0, 1.0, 0.0])
+    }
+}
+
+impl YieldCondition for YieldCriterion {
+    #[inline]
+    fn metric(&self, e: Triple) -> Metric {
+        match self {
+            Self::Hill48(hill) => hill.metric(e),
+            Self::Hosford(hosford) => hosford.metric(e),
+        }
     }
 }
 

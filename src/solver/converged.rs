@@ -7,6 +7,7 @@ use super::terms::contact;
 use super::trial::Trial;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
+use crate::material::flow::YieldCondition;
 use crate::material::{Elastic, Gtn};
 use crate::model::{Edge, Mode, Theory};
 use crate::numerics::Grid;

@@ -2,6 +2,7 @@
 
 use crate::common::shipped::shipped_case as case;
 use crate::common::simple;
+use stampflow::material::flow::YieldCondition;
 use stampflow::material::{Hill48, Hosford, Rate, YieldCriterion};
 use stampflow::model::{Geometry, Theory};
 use stampflow::{Model, StageSolution, solver};

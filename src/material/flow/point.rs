@@ -1,6 +1,7 @@
 //! State of a thickness point at the start of a step.
 
 use super::Triple;
+use crate::material::yield_condition::YieldCondition;
 use crate::material::{Gtn, Surroundings, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
@@ -55,7 +56,7 @@ impl PointState {
         voids: Option<&Gtn>,
     ) -> Self {
         let (equivalent, spread) = match voids {
-            None => (criterion.equivalent_across(p, spread), spread),
+            None => (criterion.layer(p, spread, None).square.sqrt(), spread),
             Some(voids) => (voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p), [0.0; 2]),
         };
         let (strain, spread) = (p.map(|p| a * p), spread.map(|k| a * k));

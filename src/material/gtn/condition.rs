@@ -103,11 +103,6 @@ impl GtnCondition {
         Place { m, kappa, along, across, growth, dissipation: kappa * across + m * along / (2.0 * c) }
     }
 
-    /// Δε̄ of the metal around the voids \[–\].
-    pub fn equivalent_increment(&self, e: Triple) -> f64 {
-        self.share * self.place(e).dissipation
-    }
-
     /// Δε̄ of the metal around the voids and the volume strain of an increment \[–\].
     pub(super) fn strains(&self, e: Triple) -> [f64; 2] {
         let place = self.place(e);

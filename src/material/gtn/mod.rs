@@ -16,6 +16,7 @@ pub use condition::GtnCondition;
 
 use super::Hill48;
 use super::yield_condition::Triple;
+use super::yield_condition::YieldCondition;
 use crate::material::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;

@@ -20,6 +20,14 @@ fn directions() -> impl Iterator<Item = Triple> {
     })
 }
 
+/// ∂σ̄/∂σ.
+pub(in crate::material) fn flow_direction(law: &Hosford, s: Triple) -> Triple {
+    let (major, minor, swapped) = ordered(s);
+    let [ss, st, tt] = law.curvature(if major == 0.0 { 0.0 } else { minor / major });
+    let [ss, tt] = if swapped { [tt, ss] } else { [ss, tt] };
+    [ss * s[0] + st * s[1], st * s[0] + tt * s[1], SHEAR_INVERSE * s[2]].map(|g| g / law.equivalent_stress(s))
+}
+
 /// Trust: closed forms. In tension σ = Y; equi-biaxial σ = Y ((1 + r̄)/2)^(1/a); in plane strain the ratio x of the flow rule,
 /// x^(a−1) = r̄ (1 − x)^(a−1), in the condition itself.
 #[test]
@@ -40,7 +48,6 @@ fn stresses_of_tension_biaxial_stretching_and_plane_strain_are_the_closed_forms(
         let stress = law.stress([1.0, 0.0, 0.0]);
         assert_relative_eq!(stress[0], plane, max_relative = 1e-12);
         assert_relative_eq!(stress[1], x * plane, max_relative = 1e-9);
-        assert_relative_eq!(law.plane_strain_ratio(), x, max_relative = 1e-12);
         // Pure shear in the plane.
         let shear = law.stress([1.0, -1.0, 0.0]);
         assert_relative_eq!(shear[0], ((1.0 + r) / (2.0 + r * 2f64.powf(a))).powf(1.0 / a), max_relative = 1e-9);
@@ -76,7 +83,7 @@ fn stress_lies_on_the_surface_with_the_strain_as_its_normal() {
             let (stress, increment) = (law.stress(e), law.equivalent_increment(e));
             assert_relative_eq!(law.equivalent_stress(stress), 1.0, max_relative = 1e-12);
             assert_relative_eq!(dot(stress, e), increment, max_relative = 1e-12);
-            let normal = law.flow_direction(stress);
+            let normal = flow_direction(&law, stress);
             for i in 0..3 {
                 assert!((increment * normal[i] - e[i]).abs() < 1e-9, "{law:?} {e:?}");
             }

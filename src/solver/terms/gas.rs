@@ -1,7 +1,7 @@
 //! Gas pressure on the faces of the sheet, given over time or controlled by a strain rate.
 
 use crate::geometry::Point;
-use crate::material::flow::Metric;
+use crate::material::flow::{Metric, YieldCondition};
 use crate::model::{Geometry, Pressure};
 use crate::solver::evaluation::{Evaluation, HeldRate};
 use crate::solver::step::Step;
