@@ -162,7 +162,7 @@ fn every_kind_of_limit_makes_a_curve() {
 #[test]
 fn every_law_of_the_reference_has_a_source() {
     let schema: serde_json::Value = serde_json::from_str(&stampflow::case::schema()).expect("JSON");
-    for family in ["Hardening", "Rate", "ThermalLaw", "Friction"] {
+    for family in ["Hardening", "Rate", "ThermalLaw", "FrictionLaw"] {
         for (name, law) in schema["$defs"][family]["properties"].as_object().expect("laws") {
             let text = law.to_string();
             let referred = text.split("#/$defs/").nth(1).and_then(|rest| rest.split('"').next()).expect("a definition");

@@ -28,14 +28,14 @@ impl<'a> Frictions<'a> {
     pub fn law(&self, role: Role, source: &Source) -> Result<Friction, CaseError> {
         let tool = role.name();
         if let Some(law) = self.tools[role as usize] {
-            return only(law, &format!("tools.{tool}.friction"), source);
+            return only(law.laws(), &format!("tools.{tool}.friction"), source);
         }
         let (side, key) = match role {
             Role::Punch | Role::Holder => (self.sides.punch_side, "punch_side"),
             Role::Die => (self.sides.die_side, "die_side"),
         };
         let (law, origin) = match (side, role) {
-            (Some(law), _) => (only(law, &format!("friction.{key}"), source)?, "that of its side of the sheet"),
+            (Some(law), _) => (only(law.laws(), &format!("friction.{key}"), source)?, "that of its side of the sheet"),
             (None, Role::Holder) => (source.silently(|| self.law(Role::Die, source))?, "the die's"),
             (None, _) => return Err(source.missing(&format!("tools.{tool}"), "friction")),
         };

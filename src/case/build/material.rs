@@ -2,9 +2,10 @@
 
 use crate::case::file::{self, Anisotropy, Crystal, YieldCondition};
 use crate::case::{CaseError, source::Source};
-use crate::material::law::{Family, LawError, Named};
+use crate::material::hardening::HardeningTable;
+use crate::material::law::{Family, LawError};
 use crate::material::{
-    BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, RValues, YieldCriterion,
+    BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, RValues, Rate, ThermalLaw, YieldCriterion,
 };
 use crate::model::Mode;
 use crate::units::{Amount, Digits, Dimensioned};
@@ -31,8 +32,9 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
     source.require(YIELD.contains(&stress), HARDENING, what, help)?;
     let yield_criterion = yield_criterion(file, source)?;
-    let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
-    let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
+    let rate = file.rate.map(|table| only(Rate::named(table), "material.rate", source)).transpose()?;
+    let thermal =
+        file.softening.map(|table| only(ThermalLaw::named(table), "material.softening", source)).transpose()?;
     let mut gtn = file.voids;
     if let Some(gtn) = &mut gtn {
         gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
@@ -98,15 +100,12 @@ pub(super) fn mode(mode: Mode, material: &Material, path: &str, source: &Source)
 }
 
 /// Hardening law, exactly one.
-fn hardening(
-    file: Option<Named<Hardening>>,
-    elastic: Option<Elastic>,
-    source: &Source,
-) -> Result<Hardening, CaseError> {
-    let names = match file.map_or(Err(Vec::new()), Named::only) {
-        Ok(law) => return prepared(law, elastic.map(|e| e.young), HARDENING, source),
-        Err(names) => names,
+fn hardening(file: Option<HardeningTable>, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
+    let laws = match <[_; 1]>::try_from(file.map_or(Vec::new(), Hardening::named)) {
+        Ok([law]) => return prepared(law, elastic.map(|e| e.young), HARDENING, source),
+        Err(laws) => laws,
     };
+    let names: Vec<&str> = laws.iter().map(Family::name).collect();
     let Some(second) = names.get(1) else {
         let help = format!("write one of [{HARDENING}.…]: {}", Hardening::NAMES.join(", "));
         return Err(source.error(HARDENING, "the material has no hardening law", help));
@@ -127,10 +126,10 @@ pub(in crate::case) fn mean_of(r: RValues) -> String {
 }
 
 /// Law of a table that must name exactly one, ready for use.
-pub(super) fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
-    match named.only() {
-        Ok(law) => prepared(law, None, path, source),
-        Err(given) => Err(not_one(given.len(), path, &F::NAMES.join(", "), source)),
+pub(super) fn only<F: Family>(laws: Vec<F>, path: &str, source: &Source) -> Result<F, CaseError> {
+    match <[F; 1]>::try_from(laws) {
+        Ok([law]) => prepared(law, None, path, source),
+        Err(laws) => Err(not_one(laws.len(), path, &F::NAMES.join(", "), source)),
     }
 }
 

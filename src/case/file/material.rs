@@ -2,8 +2,10 @@
 
 use super::untagged::untagged;
 use crate::forming_limit::{KeelerBrazier, MarciniakKuczynski, Strain};
-use crate::material::law::Named;
-use crate::material::{BackStress, Gtn, Hardening, RValues, Rate, ThermalLaw};
+use crate::material::hardening::HardeningTable;
+use crate::material::rate::RateTable;
+use crate::material::thermal::ThermalTable;
+use crate::material::{BackStress, Gtn, RValues};
 use crate::model::Mode;
 use crate::units::{Dimensioned, Fraction, Number, Positive, Stress};
 use schemars::JsonSchema;
@@ -44,9 +46,9 @@ pub struct Material {
     #[schemars(example = &"elasto_viscoplastic", extend("default" = "flow"))]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; default none. The punch's `speed` then matters.
-    pub rate: Option<Named<Rate>>,
+    pub rate: Option<RateTable>,
     /// Dependence on the temperature; default none. `[heat]` gives the temperature.
-    pub softening: Option<Named<ThermalLaw>>,
+    pub softening: Option<ThermalTable>,
     /// Back-stresses of an elasto-viscoplastic sheet, at most two; default none. The hardening law is then the yield stress
     /// less the back-stresses.
     ///
@@ -62,7 +64,7 @@ pub struct Material {
     #[schemars(example = 0.22)]
     pub fitted_up_to: Option<Positive<Number>>,
     /// Exactly one law, such as `[material.hardening.swift]`.
-    pub hardening: Option<Named<Hardening>>,
+    pub hardening: Option<HardeningTable>,
 }
 
 /// Normal anisotropy: the mean r-value, or those of three directions.

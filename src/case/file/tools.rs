@@ -1,15 +1,40 @@
 //! `[tools]` and the tools of `[[stages]]`.
 
+use super::untagged::untagged;
 use super::{Given, HolderForce, Section, Stiffness};
 use crate::contact::friction;
-use crate::material::law::Named;
+use crate::material::law::Family;
 use crate::model::Role;
-use crate::units::{Length, LineForce, NonNegative, Positive, Speed, Stress, Time};
+use crate::units::{Dimensioned, Fraction, Length, LineForce, NonNegative, Positive, Speed, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde::de::IntoDeserializer;
 
-/// Coulomb's coefficient, or another law with its parameters.
-pub type Friction = Named<friction::Friction>;
+/// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.
+#[derive(Clone, Copy, Debug, PartialEq, JsonSchema)]
+#[schemars(untagged)]
+pub enum Friction {
+    /// Coulomb's coefficient.
+    Coefficient(Fraction),
+    /// Another law with its parameters.
+    Law(friction::FrictionTable),
+}
+
+impl Friction {
+    /// Laws that it gives.
+    pub fn laws(self) -> Vec<friction::Friction> {
+        match self {
+            Self::Coefficient(coefficient) => vec![coefficient.value().into()],
+            Self::Law(table) => friction::Friction::named(table),
+        }
+    }
+}
+
+untagged!(
+    Friction, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }",
+    number(number) => Fraction::deserialize(number.into_deserializer()).map(Friction::Coefficient),
+    table => Friction::Law
+);
 
 /// Friction by the face of the sheet, for tools without their own, and the source of all friction numbers.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]

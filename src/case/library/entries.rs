@@ -3,8 +3,8 @@
 use crate::case::CaseError;
 use crate::case::file;
 use crate::case::thickness_tolerance::Standard;
-use crate::material::law::Named;
-use crate::material::{BackStress, Hardening};
+use crate::material::hardening::HardeningTable;
+use crate::material::BackStress;
 use crate::model::Mode;
 use crate::units::{Dimensioned, Stress};
 use serde::Deserialize;
@@ -47,7 +47,7 @@ pub(super) struct EntryFile {
 #[serde(deny_unknown_fields)]
 pub(super) struct Shifting {
     pub kinematic: Vec<BackStress>,
-    pub hardening: Named<Hardening>,
+    pub hardening: HardeningTable,
 }
 
 impl EntryFile {

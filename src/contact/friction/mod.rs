@@ -63,17 +63,18 @@ trait FrictionLaw: Law {
 }
 
 family! {
-    /// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.
-    pub enum Friction: FrictionLaw;
+    /// The friction law of one tool: exactly one, or Coulomb's coefficient, 0 to 1.
+    pub enum Friction: FrictionLaw, named in FrictionTable as "FrictionLaw";
     /// Friction stress and its derivatives.
     fn at(sliding: &Sliding) -> FrictionStress;
-    [coulomb: Coulomb, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }"]
+    [coulomb: Coulomb]
     pressure_dependent: PressureDependent,
     stribeck: Stribeck,
     tresca: Tresca,
 }
 
 impl Copy for Friction {}
+impl Copy for FrictionTable {}
 
 impl From<f64> for Friction {
     /// Coulomb's law with this coefficient \[–\].

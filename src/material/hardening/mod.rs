@@ -24,7 +24,7 @@ use flow_stress::HardeningLaw;
 
 family! {
     /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
-    pub enum Hardening: HardeningLaw;
+    pub enum Hardening: HardeningLaw, named in HardeningTable as "Hardening";
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
     fn at_temperature(strain: f64, temperature: f64) -> FlowStress;
     swift: Swift,

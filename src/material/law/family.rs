@@ -1,25 +1,32 @@
 //! Laws of one kind as one type.
 
 /// Makes a family of laws: an enum with a variant for each, which hands one method to the law without a virtual call and
-/// the others through [`law`]. A law in brackets is not named in cases: a plain number stands for it, as
-/// the text says that answers what is neither a number nor a law.
+/// the others through `law`, and the table of a case that names one. A law in brackets is not named in that table.
 macro_rules! family {
     (
-        $(#[doc = $doc:expr])+
-        pub enum $family:ident: $trait:ident;
+        $(#[$doc:meta])+
+        pub enum $family:ident: $trait:ident, named in $table:ident as $title:tt;
         $(#[$method_doc:meta])*
         fn $method:ident $arguments:tt -> $output:ty;
-        $([$plain_name:ident: $plain:ident, $wanted:literal])?
+        $([$plain_name:ident: $plain:ident])?
         $($name:ident: $law:ident,)*
     ) => {
         $(pub use $plain_name::$plain;)?
         $(pub use $name::$law;)*
 
-        $(#[doc = $doc])+
+        $(#[$doc])+
         #[derive(Clone, Debug, PartialEq)]
         pub enum $family {
             $(#[doc = concat!("As in [`", stringify!($plain), "`].")] $plain($plain),)?
             $(#[doc = concat!("As in [`", stringify!($law), "`].")] $law($law),)*
+        }
+
+        $(#[$doc])+
+        #[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        #[schemars(rename = $title, transform = $crate::material::law::one_of)]
+        pub struct $table {
+            $($name: Option<$law>,)*
         }
 
         impl $family {
@@ -51,7 +58,7 @@ macro_rules! family {
         }
 
         impl $crate::material::law::Family for $family {
-            const TITLE: &'static str = stringify!($family);
+            type Table = $table;
             const NAMES: &'static [&'static str] = &[$(stringify!($name)),*];
 
             fn name(&self) -> &'static str {
@@ -61,26 +68,16 @@ macro_rules! family {
                 }
             }
 
+            fn named(table: $table) -> Vec<Self> {
+                [$(table.$name.map(Self::$law)),*].into_iter().flatten().collect()
+            }
+
             fn prepared(mut self, young: Option<f64>) -> Result<Self, $crate::material::law::LawError> {
                 match &mut self {
                     $(Self::$plain(law) => $crate::material::law::Law::prepare(law, young)?,)?
                     $(Self::$law(law) => $crate::material::law::Law::prepare(law, young)?,)*
                 }
                 Ok(self)
-            }
-        }
-
-        impl $crate::material::law::Readable for $family {
-            const ABOUT: &'static str = concat!($($doc, "\n"),+);
-            const NUMBER: Option<$crate::material::law::OfNumber<Self>> = $crate::material::law::family!(@number $($plain $wanted)?);
-
-            fn read<'de, A: serde::de::MapAccess<'de>>(index: usize, map: &mut A) -> Result<Self, A::Error> {
-                let laws = [$(|map: &mut A| map.next_value().map(Self::$law)),*];
-                laws[index](map)
-            }
-
-            fn schemas(generator: &mut schemars::SchemaGenerator) -> Vec<schemars::Schema> {
-                vec![$(generator.subschema_for::<$law>()),*]
             }
         }
     };
@@ -96,7 +93,5 @@ macro_rules! family {
             $(Self::$variant($law) => $call,)*
         }
     };
-    (@number) => { None };
-    (@number $plain:ident $wanted:literal) => { Some((|number| Self::$plain($plain::from(number)), $wanted)) };
 }
 pub(crate) use family;

@@ -6,10 +6,8 @@
 //! `swift: Swift`. Whatever must hold for all of them is tested over the family's `examples()`.
 
 mod family;
-mod named;
 
 pub(crate) use family::family;
-pub use named::{Named, OfNumber, Readable};
 
 /// Why a set of parameters is not a law.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -90,17 +88,32 @@ pub trait Law {
 
 /// Laws of one kind, of which a case names one. Made by `family!`.
 pub trait Family: Sized {
-    /// Name in the schema.
-    const TITLE: &'static str;
+    /// Table of a case that names a law with its parameters.
+    type Table;
     /// The laws that a case can name, in the order of the family.
     const NAMES: &'static [&'static str];
 
     /// Key of the law in case files.
     fn name(&self) -> &'static str;
 
+    /// The laws that a table names.
+    fn named(table: Self::Table) -> Vec<Self>;
+
     /// The law as it was read, made ready for use: see [`Law::prepare`].
     ///
     /// # Errors
     /// When its parameters do not go together.
     fn prepared(self, young: Option<f64>) -> Result<Self, LawError>;
+}
+
+/// Restricts the schema of a table of laws to exactly one of them.
+pub(crate) fn one_of(table: &mut schemars::Schema) {
+    for law in
+        table.get_mut("properties").and_then(|laws| laws.as_object_mut()).into_iter().flat_map(|laws| laws.values_mut())
+    {
+        *law = law["anyOf"][0].take();
+    }
+    for key in ["minProperties", "maxProperties"] {
+        table.insert(key.to_owned(), 1.into());
+    }
 }

@@ -29,7 +29,7 @@ trait RateLaw: Law {
 
 family! {
     /// A factor on the hardening law: exactly one.
-    pub enum Rate: RateLaw;
+    pub enum Rate: RateLaw, named in RateTable as "Rate";
     /// g and dg/dε̄̇ at the equivalent strain rate `rate` > 0 \[1/s\].
     fn at(rate: f64) -> Factor;
     power: PowerRate,
@@ -38,6 +38,7 @@ family! {
 }
 
 impl Copy for Rate {}
+impl Copy for RateTable {}
 
 impl Rate {
     /// Whether the sheet resists necking by its rate alone: a power of 0.3 or more, as superplastic alloys have.

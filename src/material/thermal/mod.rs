@@ -16,7 +16,7 @@ trait TemperatureLaw: Law {
 
 family! {
     /// A factor on the hardening law: exactly one. A table of curves by temperature is `[material.hardening.isotherms]`.
-    pub enum ThermalLaw: TemperatureLaw;
+    pub enum ThermalLaw: TemperatureLaw, named in ThermalTable as "ThermalLaw";
     /// h at a temperature \[K\].
     fn at(temperature: f64) -> f64;
     johnson_cook: Melting,
@@ -25,6 +25,7 @@ family! {
 }
 
 impl Copy for ThermalLaw {}
+impl Copy for ThermalTable {}
 
 /// A temperature \[K\] in °C, for captions.
 fn celsius(kelvin: f64) -> f64 {
