@@ -1,6 +1,6 @@
 //! Values in rows of equal length: tools by nodes, elements by thickness points.
 
-use std::ops::{Deref, DerefMut, Index, IndexMut, Range};
+use std::ops::{Deref, DerefMut, Index, IndexMut};
 
 /// Values by row and column over one vector, row after row; as a slice, all of them in that order.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,18 +55,6 @@ impl<T> Grid<T> {
     #[inline]
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.values[row * self.columns..(row + 1) * self.columns]
-    }
-
-    /// Some rows, one after the other.
-    #[inline]
-    pub fn rows_of(&self, rows: Range<usize>) -> &[T] {
-        &self.values[rows.start * self.columns..rows.end * self.columns]
-    }
-
-    /// Some rows, to be changed.
-    #[inline]
-    pub fn rows_of_mut(&mut self, rows: Range<usize>) -> &mut [T] {
-        &mut self.values[rows.start * self.columns..rows.end * self.columns]
     }
 
     /// Every row.

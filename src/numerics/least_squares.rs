@@ -65,7 +65,7 @@ pub struct Minimum {
     pub ended: Ended,
 }
 
-/// Damping: at first, and beyond which no step is left to try.
+/// First damping, and the one beyond which no step is left to try.
 const FIRST: f64 = 1e-3;
 const LAST: f64 = 1e8;
 /// Dampings that are tried at once.
@@ -74,17 +74,15 @@ const LADDER: [f64; 2] = [1.0, 30.0];
 /// Goes downhill from the start; `None` where that has no residuals.
 pub fn minimise(parameters: &[Parameter], residuals: &mut Residuals, limits: Limits) -> Option<Minimum> {
     let start: Vec<f64> = parameters.iter().map(|p| p.start.clamp(p.low, p.high)).collect();
-    let first = residuals(std::slice::from_ref(&start)).into_iter().next().flatten()?;
+    let first = residuals(std::slice::from_ref(&start)).pop().flatten()?;
     let jacobian = DMatrix::zeros(first.len(), start.len());
     let free = vec![false; start.len()];
     let mut best = Minimum { values: start, residuals: first, jacobian, free, ended: Ended::Steps };
     let mut damping = FIRST;
     for _ in 0..limits.steps {
-        match jacobian_at(parameters, residuals, &best) {
-            Ok(jacobian) => best.jacobian = jacobian,
-            Err(ended) => return Some(Minimum { ended, ..best }),
+        if let Err(ended) = best.linearise(parameters, residuals) {
+            return Some(Minimum { ended, ..best });
         }
-        best.free = best.free_of(parameters);
         if best.sum() == 0.0 || !best.free.contains(&true) {
             return Some(Minimum { ended: Ended::Found, ..best });
         }
@@ -110,45 +108,12 @@ pub fn minimise(parameters: &[Parameter], residuals: &mut Residuals, limits: Lim
             }
         };
         if moved <= limits.change {
-            best.ended = Ended::Found;
-            if let Ok(jacobian) = jacobian_at(parameters, residuals, &best) {
-                best.jacobian = jacobian;
-                best.free = best.free_of(parameters);
-            }
-            return Some(best);
+            // The matrix of the step before serves where this one is refused.
+            let _ = best.linearise(parameters, residuals);
+            return Some(Minimum { ended: Ended::Found, ..best });
         }
     }
     Some(best)
-}
-
-/// Central differences, one-sided at a bound and where one side has no residuals.
-fn jacobian_at(parameters: &[Parameter], residuals: &mut Residuals, best: &Minimum) -> Result<DMatrix<f64>, Ended> {
-    let moving: Vec<usize> = (0..parameters.len()).filter(|&j| parameters[j].low < parameters[j].high).collect();
-    let at = |j: usize, side: f64| {
-        let mut point = best.values.clone();
-        point[j] = (point[j] + side * parameters[j].step).clamp(parameters[j].low, parameters[j].high);
-        point
-    };
-    let points: Vec<Vec<f64>> = moving.iter().flat_map(|&j| [at(j, -1.0), at(j, 1.0)]).collect();
-    let found = residuals(&points);
-    if found.len() < points.len() {
-        return Err(Ended::Stopped);
-    }
-    let mut jacobian = DMatrix::zeros(best.residuals.len(), parameters.len());
-    for (i, &j) in moving.iter().enumerate() {
-        let side = |k: usize| match &found[2 * i + k] {
-            Some(r) => (points[2 * i + k][j], r),
-            None => (best.values[j], &best.residuals),
-        };
-        let ((a, low), (b, high)) = (side(0), side(1));
-        if a == b {
-            return Err(Ended::Blind(j));
-        }
-        for row in 0..best.residuals.len() {
-            jacobian[(row, j)] = (high[row] - low[row]) / (b - a);
-        }
-    }
-    Ok(jacobian)
 }
 
 impl Parameter {
@@ -164,68 +129,75 @@ impl Minimum {
         square(&self.residuals)
     }
 
-    /// Parameters that are free.
-    pub fn count(&self) -> usize {
-        self.free.iter().filter(|free| **free).count()
-    }
-
-    /// n − p, at least 1.
-    pub fn freedom(&self) -> f64 {
-        (self.residuals.len() as f64 - self.count() as f64).max(1.0)
-    }
-
-    /// s².
+    /// s², with a denominator n − p of at least 1.
     pub fn variance(&self) -> f64 {
-        self.sum() / self.freedom()
+        let free = self.free.iter().filter(|free| **free).count();
+        self.sum() / (self.residuals.len() as f64 - free as f64).max(1.0)
     }
 
     /// C for residuals of that variance; zero of what is not free, `None` where the residuals cannot tell parameters apart.
     pub fn covariance(&self, variance: f64) -> Option<DMatrix<f64>> {
-        let inverse = self.normal(0.0).0.try_inverse()?;
-        let (free, sizes) = self.normal(0.0).1;
-        let mut all = DMatrix::zeros(self.values.len(), self.values.len());
-        for (a, &i) in free.iter().enumerate() {
-            for (b, &j) in free.iter().enumerate() {
-                all[(i, j)] = variance * inverse[(a, b)] / (sizes[a] * sizes[b]);
-            }
-        }
-        (0..all.nrows()).all(|i| all[(i, i)] >= 0.0 && all[(i, i)].is_finite()).then_some(all)
+        let (weights, normal) = self.normal(0.0);
+        let all = &weights * normal.try_inverse()? * &weights * variance;
+        all.diagonal().iter().all(|c| *c >= 0.0 && c.is_finite()).then_some(all)
     }
 
-    /// Free parameters: neither fixed nor pushed out of their bounds.
-    fn free_of(&self, parameters: &[Parameter]) -> Vec<bool> {
-        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals));
+    /// Jacobian by central differences, one-sided at a bound and where one side has no residuals, and the free parameters.
+    fn linearise(&mut self, parameters: &[Parameter], residuals: &mut Residuals) -> Result<(), Ended> {
+        let moving: Vec<usize> = (0..parameters.len()).filter(|&j| parameters[j].low < parameters[j].high).collect();
+        let at = |j: usize, side: f64| {
+            let mut point = self.values.clone();
+            point[j] = (point[j] + side * parameters[j].step).clamp(parameters[j].low, parameters[j].high);
+            point
+        };
+        let points: Vec<Vec<f64>> = moving.iter().flat_map(|&j| [at(j, -1.0), at(j, 1.0)]).collect();
+        let found = residuals(&points);
+        if found.len() < points.len() {
+            return Err(Ended::Stopped);
+        }
+        let mut jacobian = DMatrix::zeros(self.residuals.len(), parameters.len());
+        for (&j, (points, found)) in moving.iter().zip(points.chunks(2).zip(found.chunks(2))) {
+            let side = |k: usize| found[k].as_ref().map_or((self.values[j], &self.residuals), |r| (points[k][j], r));
+            let ((a, low), (b, high)) = (side(0), side(1));
+            if a == b {
+                return Err(Ended::Blind(j));
+            }
+            let difference = low.iter().zip(high).map(|(low, high)| (high - low) / (b - a));
+            jacobian.set_column(j, &DVector::from_iterator(self.residuals.len(), difference));
+        }
+        self.jacobian = jacobian;
+        let gradient = self.gradient();
         let is_free = |(j, p): (usize, &Parameter)| {
             let (x, slope) = (self.values[j], gradient[j]);
             p.low < p.high && !(x <= p.low && slope > 0.0 || x >= p.high && slope < 0.0)
         };
-        parameters.iter().enumerate().map(is_free).collect()
+        self.free = parameters.iter().enumerate().map(is_free).collect();
+        Ok(())
     }
 
-    /// D⁻¹JᵀJD⁻¹ + λ I of what is free, its indices and D.
-    fn normal(&self, damping: f64) -> (DMatrix<f64>, (Vec<usize>, Vec<f64>)) {
-        let free: Vec<usize> = (0..self.free.len()).filter(|&j| self.free[j]).collect();
-        let sizes: Vec<f64> = free.iter().map(|&j| self.jacobian.column(j).norm().max(f64::MIN_POSITIVE)).collect();
-        let scaled = DMatrix::from_fn(self.residuals.len(), free.len(), |i, k| self.jacobian[(i, free[k])] / sizes[k]);
-        let mut normal = scaled.tr_mul(&scaled);
-        for k in 0..free.len() {
-            normal[(k, k)] += damping;
-        }
-        (normal, (free, sizes))
+    /// Jᵀ r.
+    fn gradient(&self) -> DVector<f64> {
+        self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals))
+    }
+
+    /// D⁻¹, zero of what is not free, and D⁻¹JᵀJD⁻¹ + λ I.
+    fn normal(&self, damping: f64) -> (DMatrix<f64>, DMatrix<f64>) {
+        let columns = self.jacobian.column_iter().zip(&self.free);
+        let weights = columns.map(|(j, free)| if *free { 1.0 / j.norm().max(f64::MIN_POSITIVE) } else { 0.0 });
+        let weights = DMatrix::from_diagonal(&DVector::from_iterator(self.free.len(), weights));
+        let scaled = &self.jacobian * &weights;
+        let shift = self.free.iter().map(|free| if *free { damping } else { 1.0 });
+        let normal = scaled.tr_mul(&scaled) + DMatrix::from_diagonal(&DVector::from_iterator(self.free.len(), shift));
+        (weights, normal)
     }
 
     /// The point that a damping leads to, within the bounds.
     fn stepped(&self, parameters: &[Parameter], damping: f64) -> Vec<f64> {
-        let (normal, (free, sizes)) = self.normal(damping);
-        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals));
-        let right = DVector::from_iterator(free.len(), free.iter().zip(&sizes).map(|(&j, size)| -gradient[j] / size));
-        let mut values = self.values.clone();
-        if let Some(step) = normal.cholesky().map(|cholesky| cholesky.solve(&right)) {
-            for (k, &j) in free.iter().enumerate() {
-                values[j] = (values[j] + step[k] / sizes[k]).clamp(parameters[j].low, parameters[j].high);
-            }
-        }
-        values
+        let (weights, normal) = self.normal(damping);
+        let step = normal.cholesky().map(|factors| -&weights * factors.solve(&(&weights * self.gradient())));
+        let to = |j: usize| step.as_ref().map_or(0.0, |step| step[j]);
+        let moved = |(j, p): (usize, &Parameter)| (self.values[j] + to(j)).clamp(p.low, p.high);
+        parameters.iter().enumerate().map(moved).collect()
     }
 }
 

@@ -3,8 +3,8 @@
 use crate::case::CaseError;
 use crate::case::file;
 use crate::case::thickness_tolerance::Standard;
-use crate::material::hardening::HardeningTable;
 use crate::material::BackStress;
+use crate::material::hardening::HardeningTable;
 use crate::model::Mode;
 use crate::units::{Dimensioned, Stress};
 use serde::Deserialize;

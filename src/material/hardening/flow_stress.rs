@@ -12,6 +12,21 @@ pub struct FlowStress {
     pub slope: f64,
 }
 
+impl FlowStress {
+    /// `share` of the way to another flow stress.
+    #[inline]
+    pub(super) fn towards(self, other: Self, share: f64) -> Self {
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Self { stress: between(self.stress, other.stress), slope: between(self.slope, other.slope) }
+    }
+
+    /// The same metal, `factor` times as strong.
+    #[inline]
+    pub(in crate::material) fn times(self, factor: f64) -> Self {
+        Self { stress: factor * self.stress, slope: factor * self.slope }
+    }
+}
+
 /// Interface of a hardening law.
 pub(super) trait HardeningLaw: Law {
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
@@ -28,13 +43,10 @@ pub(super) trait HardeningLaw: Law {
     }
 }
 
-/// Strain below which ε^n is replaced by its chord from the origin.
-///
-/// With n < 1 the power has an infinite slope at ε = 0, which no iteration matrix can carry. The stress changes by
-/// less than K (1e-6)^n on the first 1e-6 of strain and not at all beyond.
+/// Strain below which ε^n is replaced by its chord from the origin: its slope at 0 is infinite for n < 1 \[–\].
 const CHORD_UP_TO: f64 = 1e-6;
 
-/// ε^n and its derivative, finite at ε = 0 (see [`CHORD_UP_TO`]).
+/// ε^n and its derivative, finite at ε = 0.
 #[inline]
 pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
     if strain > CHORD_UP_TO {

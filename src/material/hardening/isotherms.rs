@@ -1,11 +1,5 @@
-//! Hardening curves measured at several temperatures.
-//!
-//! σ_y(ε̄, T): one curve per temperature, in between interpolated straight over the temperature, held beyond the coldest
-//! and the hottest.
-
 use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone};
-use super::table::Table;
 use super::table::few;
 use crate::material::law::prelude::*;
 
@@ -39,12 +33,9 @@ struct Isotherm {
 
 impl Isotherms {
     /// Curves at rising temperatures \[K\].
-    ///
-    /// # Errors
-    /// When there are fewer than two, or the temperatures do not rise.
-    pub fn new(curves: impl IntoIterator<Item = (f64, Table)>) -> Result<Self, LawError> {
-        let curve = |(temperature, Table { curve, .. })| Isotherm { temperature, points: vec![], curve };
-        let mut law = Self { curves: curves.into_iter().map(curve).collect(), extrapolation: Extrapolation::Slope };
+    fn new(curves: [(f64, Monotone); 2]) -> Result<Self, LawError> {
+        let curves = curves.map(|(temperature, curve)| Isotherm { temperature, points: vec![], curve });
+        let mut law = Self { curves: curves.into(), extrapolation: Extrapolation::Slope };
         law.prepare(None).map(|()| law)
     }
 
@@ -55,8 +46,8 @@ impl Isotherms {
 
 impl Law for Isotherms {
     fn examples() -> Vec<Self> {
-        let curve = |temperature, factor| (temperature, Monotone::example(factor).into());
-        vec![Self::new([curve(293.15, 1.0), curve(503.15, 0.6)]).expect("valid")]
+        let curves = [(293.15, 1.0), (503.15, 0.6)].map(|(t, factor)| (t, Monotone::example(factor)));
+        vec![Self::new(curves).expect("valid")]
     }
 
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
@@ -65,8 +56,9 @@ impl Law for Isotherms {
                 continue;
             }
             let points = std::mem::take(&mut isotherm.points);
-            let pairs = points.iter().map(|(strain, stress)| (strain.value(), stress.value()));
-            let curve = few("points", points.len(), 1000).and_then(|()| Monotone::of_pairs(pairs, self.extrapolation));
+            let pairs: Vec<_> = points.iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
+            let key = |column: usize, point: usize| format!("points.{point}.{column}");
+            let curve = few("points", pairs.len(), 1000).and_then(|()| Monotone::new(&pairs, self.extrapolation, key));
             isotherm.curve = curve.map_err(|error| {
                 let key = if error.key.is_empty() { "points" } else { &error.key };
                 let (key, message) = (format!("curves.{i}.{key}"), format!("curve {}: {}", i + 1, error.message));
@@ -100,12 +92,8 @@ impl HardeningLaw for Isotherms {
             return self.curves[after.min(self.curves.len() - 1)].curve.at(strain);
         }
         let [before, after] = [&self.curves[after - 1], &self.curves[after]];
-        let (cold, hot) = (before.curve.at(strain), after.curve.at(strain));
         let x = (temperature - before.temperature) / (after.temperature - before.temperature);
-        FlowStress {
-            stress: cold.stress + x * (hot.stress - cold.stress),
-            slope: cold.slope + x * (hot.slope - cold.slope),
-        }
+        before.curve.at(strain).towards(after.curve.at(strain), x)
     }
 
     fn valid_up_to(&self) -> Option<f64> {
@@ -126,14 +114,14 @@ mod tests {
     #[test]
     fn isotherms_are_interpolated_and_held() {
         let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07));
-        let curves = |temperatures: [f64; 2]| {
-            temperatures.into_iter().zip([1.0, 0.6]).map(|(t, factor)| (t, Monotone::example(factor).into()))
+        let law = |temperatures: [f64; 2]| {
+            Isotherms::new([(temperatures[0], Monotone::example(1.0)), (temperatures[1], Monotone::example(0.6))])
         };
-        let law = Isotherms::new(curves([300.0, 400.0])).expect("valid");
+        assert!(law([300.0, 300.0]).is_err());
+        let law = law([300.0, 400.0]).expect("valid");
         let middle = law.at_temperature(0.07, 350.0);
         assert_relative_eq!(middle.stress, 0.5 * (cold.stress + hot.stress), max_relative = 1e-14);
         assert_relative_eq!(middle.slope, 0.5 * (cold.slope + hot.slope), max_relative = 1e-14);
         assert_eq!([200.0, 500.0].map(|t| law.at_temperature(0.07, t)), [cold, hot]);
-        assert!(Isotherms::new(curves([300.0, 300.0])).is_err());
     }
 }

@@ -24,17 +24,6 @@ pub struct Mixed {
     voce: Voce,
 }
 
-impl Mixed {
-    /// `weight` of Swift's law, 0 to 1.
-    ///
-    /// # Errors
-    /// When it is out of range.
-    pub fn new(weight: f64, swift: Swift, voce: Voce) -> Result<Self, LawError> {
-        let mut law = Self { weight, swift, voce };
-        law.prepare(None).map(|()| law)
-    }
-}
-
 impl Law for Mixed {
     fn examples() -> Vec<Self> {
         let laws = Swift::examples().into_iter().zip(Voce::examples());
@@ -60,9 +49,7 @@ impl Law for Mixed {
 impl HardeningLaw for Mixed {
     #[inline]
     fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
-        let [swift, voce] =
-            [self.swift.at_temperature(strain, temperature), self.voce.at_temperature(strain, temperature)];
-        let mixed = |a: f64, b: f64| self.weight * a + (1.0 - self.weight) * b;
-        FlowStress { stress: mixed(swift.stress, voce.stress), slope: mixed(swift.slope, voce.slope) }
+        let voce = self.voce.at_temperature(strain, temperature);
+        voce.towards(self.swift.at_temperature(strain, temperature), self.weight)
     }
 }

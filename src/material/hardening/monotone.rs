@@ -12,7 +12,6 @@
 
 use super::flow_stress::FlowStress;
 use crate::material::law::prelude::*;
-use crate::units::rounded;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 
@@ -45,63 +44,47 @@ pub(super) struct Monotone {
 }
 
 impl Monotone {
-    /// Points with rising strain from 0 and stress > 0 that does not fall.
-    pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
-        require("", strain.len() == stress.len() && strain.len() >= 2, || {
-            format!(
-                "needs at least two points, each with a strain and a stress; found {} strains and {} stresses",
-                strain.len(),
-                stress.len()
-            )
-        })?;
-        require("strain.0", strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
+    /// Points of strain, rising from 0, and stress > 0 that does not fall; `key` names the strain or the stress (0 or 1) of a
+    /// point.
+    pub fn new(
+        points: &[(f64, f64)],
+        beyond: Extrapolation,
+        key: impl Fn(usize, usize) -> String,
+    ) -> Result<Self, LawError> {
+        two_points(points.len(), points.len())?;
+        let (strain, stress): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+        require(&key(0, 0), strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
         for i in 0..strain.len() {
-            let (strain_key, stress_key) = (format!("strain.{i}"), format!("stress.{i}"));
-            require(&stress_key, stress[i] > 0.0 && stress[i].is_finite(), || {
+            let last = i.max(1) - 1;
+            require(&key(1, i), stress[i] > 0.0 && stress[i].is_finite(), || {
                 format!("point {}: the stress must be positive, found {} MPa", i + 1, stress[i])
             })?;
-            require(&strain_key, i == 0 || strain[i] > strain[i - 1], || {
-                format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[i - 1])
+            require(&key(0, i), i == 0 || strain[i] > strain[last], || {
+                format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[last])
             })?;
-            require(&stress_key, i == 0 || stress[i] >= stress[i - 1], || {
-                let [from, to] = [stress[i - 1], stress[i]].map(rounded);
+            require(&key(1, i), stress[i] >= stress[last], || {
+                let [from, to] = [stress[last], stress[i]].map(rounded);
                 format!("point {}: the stress falls from {from} to {to} MPa", i + 1)
             })?;
         }
         let n = strain.len();
         let stress = if n > FEW { smoothed(&strain, &stress) } else { stress };
         let chord: Vec<f64> = (0..n - 1).map(|i| (stress[i + 1] - stress[i]) / (strain[i + 1] - strain[i])).collect();
-        let slope = (0..n)
-            .map(|i| match i {
-                0 => chord[0],
-                i if i == n - 1 => match beyond {
-                    Extrapolation::Hold => 0.0,
-                    Extrapolation::Slope => chord[n - 2],
-                },
-                i if chord[i - 1] * chord[i] <= 0.0 => 0.0,
-                i => 2.0 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]),
-            })
-            .collect();
-        Ok(Self { strain, stress, slope, beyond })
-    }
-
-    /// Curve through pairs of strain and stress; errors are at `points`.
-    pub fn of_pairs(pairs: impl Iterator<Item = (f64, f64)>, beyond: Extrapolation) -> Result<Self, LawError> {
-        let (strain, stress) = pairs.unzip();
-        Self::new(strain, stress, beyond).map_err(|error| {
-            let key = match error.key.split_once('.') {
-                Some(("strain", i)) => format!("points.{i}.0"),
-                Some((_, i)) => format!("points.{i}.1"),
-                None => error.key,
-            };
-            LawError { key, ..error }
-        })
+        let slope = |i: usize| match (i, beyond) {
+            (0, _) => chord[0],
+            (i, Extrapolation::Hold) if i == n - 1 => 0.0,
+            (i, Extrapolation::Slope) if i == n - 1 => chord[n - 2],
+            _ if chord[i - 1] * chord[i] <= 0.0 => 0.0,
+            _ => 2.0 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]),
+        };
+        Ok(Self { slope: (0..n).map(slope).collect(), strain, stress, beyond })
     }
 
     /// Five points of a steel, its stresses times `factor`.
     pub fn example(factor: f64) -> Self {
-        let stress = [150.0, 210.0, 290.0, 360.0, 420.0].map(|stress| factor * stress);
-        Self::new(vec![0.0, 0.02, 0.1, 0.3, 0.8], stress.to_vec(), Extrapolation::Slope).expect("valid")
+        let points = [(0.0, 150.0), (0.02, 210.0), (0.1, 290.0), (0.3, 360.0), (0.8, 420.0)];
+        let points = points.map(|(strain, stress)| (strain, factor * stress));
+        Self::new(&points, Extrapolation::Slope, |_, _| String::new()).expect("valid")
     }
 
     pub fn beyond(&self) -> Extrapolation {
@@ -131,6 +114,15 @@ impl Monotone {
             slope: (sa + x * (2.0 * c + 3.0 * d * x)) / h,
         }
     }
+}
+
+/// Checks that there are two points at least, as many strains as stresses.
+pub(super) fn two_points(strains: usize, stresses: usize) -> Result<(), LawError> {
+    require("", strains == stresses && strains >= 2, || {
+        format!(
+            "needs at least two points, each with a strain and a stress; found {strains} strains and {stresses} stresses"
+        )
+    })
 }
 
 /// The stresses of points with scatter, put on the parabolas of their surroundings; they do not fall.
@@ -180,18 +172,19 @@ mod tests {
         520.0 * (5e-3 + strain).powf(0.22)
     }
 
-    /// `n` points of Swift's law up to a strain of `top`, each off by up to `scatter` of its stress, none below the one before.
-    fn record(n: usize, top: f64, scatter: f64) -> Monotone {
-        let strain: Vec<f64> = (0..n).map(|i| top * i as f64 / (n - 1) as f64).collect();
+    /// 300 points of Swift's law up to a strain of 0.6, each off by up to `scatter` of its stress, none below the one before.
+    fn record(scatter: f64) -> Monotone {
         let mut last: f64 = 0.0;
-        let stress = strain.iter().enumerate().map(|(i, e)| {
-            // Equally distributed in ±1, of no period: the fractional parts of multiples of the golden ratio.
-            let off = 2.0 * (i as f64 * 0.618_033_988_75).fract() - 1.0;
-            last = last.max(swift(*e) * (1.0 + scatter * off));
-            last
-        });
-        let stress = stress.collect();
-        Monotone::new(strain, stress, Extrapolation::Slope).expect("rising")
+        let points: Vec<(f64, f64)> = (0..300)
+            .map(|i| {
+                let strain = 0.6 * f64::from(i) / 299.0;
+                // Equally distributed in ±1, of no period: the fractional parts of multiples of the golden ratio.
+                let off = 2.0 * (f64::from(i) * 0.618_033_988_75).fract() - 1.0;
+                last = last.max(swift(strain) * (1.0 + scatter * off));
+                (strain, last)
+            })
+            .collect();
+        Monotone::new(&points, Extrapolation::Slope, |_, _| String::new()).expect("rising")
     }
 
     #[test]
@@ -205,7 +198,7 @@ mod tests {
     /// Trust: a law without scatter is moved by the remainder of a parabola, see `NEAR`.
     #[test]
     fn a_long_table_without_scatter_keeps_its_law() {
-        let table = record(300, 0.6, 0.0);
+        let table = record(0.0);
         let strains = (30..=300).map(|i| 0.6 * f64::from(i) / 300.0);
         let worst = strains.map(|e| (table.at(e).stress / swift(e) - 1.0).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-4, "{worst:e}");
@@ -215,7 +208,7 @@ mod tests {
     /// The slope of the record itself is nothing at one point and ten times too large at the next.
     #[test]
     fn a_long_table_with_scatter_hardens_evenly() {
-        let table = record(300, 0.6, 5e-3);
+        let table = record(5e-3);
         for i in 500..2900 {
             let e = 0.6 * f64::from(i) / 3000.0;
             let at = table.at(e);

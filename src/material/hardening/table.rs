@@ -1,8 +1,9 @@
-//! Measured stress-strain points.
-
 use super::flow_stress::{FlowStress, HardeningLaw};
-use super::monotone::{Extrapolation, Monotone};
+use super::monotone::{Extrapolation, Monotone, two_points};
 use crate::material::law::prelude::*;
+
+/// Most points.
+const MOST: usize = 1000;
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
 ///
@@ -29,19 +30,6 @@ pub struct Table {
     pub(super) curve: Monotone,
 }
 
-impl Table {
-    /// Most points.
-    const MOST: usize = 1000;
-
-    /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall.
-    ///
-    /// # Errors
-    /// When there are fewer than two points or they are not of that kind.
-    pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
-        Monotone::new(strain, stress, beyond).map(Self::from)
-    }
-}
-
 impl From<Monotone> for Table {
     fn from(curve: Monotone) -> Self {
         Self { points: None, strain: None, stress: None, extrapolation: curve.beyond(), curve }
@@ -54,24 +42,22 @@ impl Law for Table {
     }
 
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
-        let lengths = [
-            ("points", self.points.as_ref().map_or(0, Vec::len)),
-            ("strain", self.strain.as_ref().map_or(0, Vec::len)),
-            ("stress", self.stress.as_ref().map_or(0, Vec::len)),
-        ];
-        for (key, length) in lengths {
-            few(key, length, Self::MOST)?;
+        if self.curve != Monotone::default() {
+            return Ok(());
         }
         self.curve = match (self.points.take(), self.strain.take(), self.stress.take()) {
-            (None, None, None) if self.curve != Monotone::default() => return Ok(()),
             (Some(points), None, None) => {
-                let pairs = points.iter().map(|(strain, stress)| (strain.value(), stress.value()));
-                Monotone::of_pairs(pairs, self.extrapolation)?
+                few("points", points.len(), MOST)?;
+                let pairs: Vec<_> =
+                    points.into_iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
+                Monotone::new(&pairs, self.extrapolation, |column, i| format!("points.{i}.{column}"))?
             }
             (None, Some(strain), Some(stress)) => {
-                let strain = strain.into_iter().map(Dimensioned::value).collect();
-                let stress = stress.into_iter().map(Dimensioned::value).collect();
-                Monotone::new(strain, stress, self.extrapolation)?
+                few("strain", strain.len(), MOST)?;
+                few("stress", stress.len(), MOST)?;
+                two_points(strain.len(), stress.len())?;
+                let pairs: Vec<_> = strain.into_iter().zip(stress).map(|(e, s)| (e.value(), s.value())).collect();
+                Monotone::new(&pairs, self.extrapolation, |column, i| format!("{}.{i}", ["strain", "stress"][column]))?
             }
             _ => {
                 let help =
