@@ -31,7 +31,7 @@ impl Friction {
 }
 
 untagged!(
-    Friction, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }",
+    [] Friction, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }",
     number(number) => Fraction::deserialize(number.into_deserializer()).map(Friction::Coefficient),
     table => Friction::Law
 );
