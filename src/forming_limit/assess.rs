@@ -2,10 +2,9 @@
 
 use super::{Curve, Paths};
 
-/// A path counts as crooked where it leaves the straight line from its start to its end by more than this share of the
-/// line's length \[–\], a convention; straight lines are what limit curves are measured on.
+/// Largest distance of a straight path from the line between its ends, over that line's length \[–\], a convention.
 pub const CROOKED: f64 = 0.1;
-/// Paths shorter than this are not looked at: nothing has happened there \[–\].
+/// Shortest path that is judged \[–\].
 pub const SHORTEST: f64 = 0.02;
 
 /// One element at the end of a run.
@@ -23,8 +22,7 @@ pub struct Judged {
     pub limit: f64,
     /// Whether the curve has ended before this minor strain.
     pub beyond_end: bool,
-    /// Largest distance of its path from the straight line between its ends, over that line's length; 0 for a path
-    /// shorter than [`SHORTEST`] \[–\].
+    /// Distance of its path from straight, as [`CROOKED`]; 0 for a path shorter than [`SHORTEST`] \[–\].
     pub crookedness: f64,
 }
 
@@ -80,11 +78,8 @@ impl Assessment {
     /// # Panics
     /// Never: there is one element at least.
     pub fn worst(&self) -> &Judged {
-        let least = |open: bool| {
-            let those = self.elements.iter().filter(|element| open || !element.is_open());
-            those.min_by(|a, b| a.margin().total_cmp(&b.margin()))
-        };
-        least(false).or(least(true)).expect("an assessment has elements")
+        let order = |a: &&Judged, b: &&Judged| a.is_open().cmp(&b.is_open()).then(a.margin().total_cmp(&b.margin()));
+        self.elements.iter().min_by(order).expect("an assessment has elements")
     }
 
     /// The element that is strained most of those that the curve, having ended, does not judge.
@@ -109,12 +104,10 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
     if paths.instants.is_empty() || paths.s0.is_empty() {
         return None;
     }
-    let mut elements = Vec::with_capacity(paths.s0.len());
-    let mut reached: Option<Reached> = None;
-    for (e, &s0) in paths.s0.iter().enumerate() {
+    let judged = |(e, &s0): (usize, &f64)| {
         let path = paths.of(e);
         let [minor, major] = path[path.len() - 1];
-        let judged = Judged {
+        Judged {
             s0,
             minor,
             major,
@@ -122,15 +115,11 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
             limit: curve.major_at(minor),
             beyond_end: !curve.knows(minor),
             crookedness: crookedness(&path),
-        };
-        elements.push(judged);
-        let first = crossing(curve, paths, e, s0);
-        reached = match (reached, first) {
-            (Some(before), Some(now)) if before.time <= now.time => Some(before),
-            (before, now) => now.or(before),
-        };
-    }
-    Some(Assessment { elements, reached })
+        }
+    };
+    let crossings = paths.s0.iter().enumerate().filter_map(|(e, &s0)| crossing(curve, paths, e, s0));
+    let reached = crossings.min_by(|a, b| a.time.total_cmp(&b.time));
+    Some(Assessment { elements: paths.s0.iter().enumerate().map(judged).collect(), reached })
 }
 
 /// When an element first comes to the curve, as far as it goes.
@@ -154,7 +143,6 @@ fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Rea
     Some(Reached { time, travel, s0, minor, major })
 }
 
-/// Largest distance of a path from the straight line between its ends, over that line's length \[–\].
 fn crookedness(path: &[[f64; 2]]) -> f64 {
     let (start, end) = (path[0], path[path.len() - 1]);
     let along = [end[0] - start[0], end[1] - start[1]];

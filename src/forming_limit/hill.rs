@@ -2,13 +2,13 @@
 
 use super::instability::{Hardened, Proportional, hardening_note, ratios};
 use super::plane::Plane;
-use super::{Curve, Kind, LimitError, Sheet, swift};
+use super::{Curve, Kind, Sheet, swift};
+use crate::material::law::LawError;
 
 /// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
 ///
-/// For a power law ε₁ + ε₂ = n in the isotropic sheet and in the normally anisotropic one. With β > 0 no line of the sheet
-/// keeps its length and there is no such neck: there the curve goes on as [`super::Swift`]'s, which meets it in plane
-/// strain.
+/// For a power law ε₁ + ε₂ = n. With β > 0 no line of the sheet keeps its length: there the curve goes on as
+/// [`super::Swift`]'s, which meets it in plane strain.
 ///
 /// # References
 /// R. Hill, On discontinuous plastic states, with special reference to localized necking in thin sheets, J. Mech. Phys.
@@ -21,7 +21,7 @@ pub struct Hill {
 }
 
 impl Hill {
-    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let plane = Plane::of(sheet.material);
         let mut hardened = Hardened::new(sheet, self.n);
         let point = |beta: f64| {

@@ -8,9 +8,10 @@
 //!
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
+use super::Sheet;
 use super::plane::Plane;
-use super::{LimitError, Sheet};
 use crate::material::FlowStress;
+use crate::material::law::LawError;
 use crate::numerics::bisect;
 use crate::units::{Amount, Digits};
 
@@ -22,7 +23,7 @@ const STEP: f64 = 1e-3;
 ///
 /// # Errors
 /// When the law has no maximum of the force, or begins with it.
-pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LimitError> {
+pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
     Hardened::new(sheet, None).limit(1.0)
 }
 
@@ -41,7 +42,7 @@ impl<'a> Hardened<'a> {
     }
 
     /// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
-    pub fn limit(&mut self, loss: f64) -> Result<f64, LimitError> {
+    pub fn limit(&mut self, loss: f64) -> Result<f64, LawError> {
         if let Some(n) = self.n {
             return Ok(power_law(n, 0.0, loss));
         }
@@ -49,11 +50,8 @@ impl<'a> Hardened<'a> {
         let holds = |law: FlowStress| law.slope > loss * law.stress;
         let stable = |strain: f64| holds(sheet.hardening(strain));
         if !stable(1e-6) {
-            let what = "the hardening law hardly hardens: its force falls from the start";
-            return Err(LimitError::new(
-                what,
-                "give points, or marciniak_kuczynski where a rate law holds the sheet together",
-            ));
+            let help = "give points, or marciniak_kuczynski where a rate law holds the sheet together";
+            return Err(LawError::new("the hardening law hardly hardens: its force falls from the start", help));
         }
         let steps = (LARGEST / STEP) as usize;
         let mut at = |i: usize| {
@@ -64,7 +62,7 @@ impl<'a> Hardened<'a> {
         };
         let Some(i) = (1..=steps).find(|&i| !holds(at(i))) else {
             let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
-            return Err(LimitError::new(what, "give n, or points"));
+            return Err(LawError::new(what, "give n, or points"));
         };
         let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
         Ok(0.5 * (low + high))
@@ -92,12 +90,12 @@ impl Proportional {
     }
 }
 
-/// Ratios from tension to plane strain in `left` intervals, and from there to equi-biaxial stretching in `right` ones, ends
-/// included; to plane strain alone where the yield condition [overrates](Plane::overrates_biaxial) what is beyond.
+/// Ratios from tension to plane strain in `left` intervals, and to equi-biaxial stretching in `right` ones unless the yield
+/// condition [overrates](Plane::overrates_biaxial) it, ends included.
 pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<Item = f64> {
     let right = if plane.overrates_biaxial() { 0 } else { right };
-    let of_left = (0..=left).map(move |i| plane.tension() * (1.0 - i as f64 / left as f64));
-    of_left.chain((1..=right).map(move |i| i as f64 / right as f64))
+    let drawn = (0..=left).map(move |i| plane.tension() * (1.0 - i as f64 / left as f64));
+    drawn.chain((1..=right).map(move |i| i as f64 / right as f64))
 }
 
 /// The words for n, and for a law's own hardening.

@@ -12,7 +12,7 @@
 //! Micro Alloying 75 (1977) 517–530 (not read). The shape on both sides: AHSS Insights, Forming Limit Curves, WorldAutoSteel
 //! (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
 
-use super::{Curve, Kind, LimitError, Sheet, uniform_strain};
+use super::{Curve, Kind, Sheet, uniform_strain};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits, joined};
 
@@ -43,11 +43,11 @@ impl KeelerBrazier {
         (0.233 + 0.1413 * thickness) * n.min(Self::N) / Self::N
     }
 
-    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let thickness = self.thickness.unwrap_or(sheet.thickness);
         if thickness > Self::THICKNESS {
             let what = format!("keeler_brazier holds up to {} mm of thickness, found {thickness} mm", Self::THICKNESS);
-            return Err(LimitError::new(what, "use measured points, hill or marciniak_kuczynski"));
+            return Err(LawError::new(what, "use measured points, hill or marciniak_kuczynski"));
         }
         let (n, origin) = match self.n {
             Some(n) => (n, "given"),

@@ -1,14 +1,11 @@
 //! A groove that thins before the sheet around it does.
 //!
-//! The analysis of Marciniak and Kuczyński: the sheet carries a groove of f₀ times its thickness, which is strained along
-//! with it, thins faster, and in the end alone. The limit is the strain of the sheet around it when the groove strains
-//! [`MarciniakKuczynski::CRITICAL`] times as fast.
+//! The sheet carries a groove of f₀ times its thickness, which thins faster. The limit is the strain of the sheet around it
+//! when the groove strains [`MarciniakKuczynski::CRITICAL`] times as fast.
 //!
-//! Hardening, rate and yield condition are those of the sheet. On the left the groove lies as it hurts most; it turns with
-//! the sheet. f₀ is no measured thickness: it stands for all that is uneven in a sheet, and has to be fitted to one measured
-//! point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and to the yield condition: it is
-//! high by Hill's, most of all for r̄ < 1 (for AA6016-T4, r̄ = 0.36, 1.2 in equi-biaxial stretching, beyond what sheet bears),
-//! so that the curve ends in plane strain there. Hosford's corner brings it down.
+//! On the left the groove lies as it hurts most; it turns with the sheet. f₀ stands for all that is uneven in a sheet and has
+//! to be fitted to a measured point. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and to the yield condition:
+//! it is too high by Hill's with r̄ < 1 (for AA6016-T4 1.2 in equi-biaxial stretching). Hosford's corner brings it down.
 //!
 //! # References
 //! Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
@@ -17,7 +14,7 @@
 
 use super::instability::{Proportional, ratios};
 use super::plane::Plane;
-use super::{Curve, Kind, LimitError, Sheet};
+use super::{Curve, Kind, Sheet};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits};
 use groove::{Failure, Groove};
@@ -92,7 +89,7 @@ impl MarciniakKuczynski {
         })
     }
 
-    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let limits = ratios(Plane::of(sheet.material), 8, 10)
             .map(|beta| self.limit(sheet, beta))
             .collect::<Result<Vec<_>, _>>()?;
@@ -117,27 +114,31 @@ impl MarciniakKuczynski {
     /// # Errors
     /// When no groove necks below [`Self::LARGEST`], the integration fails, or the answer does not settle as its step is
     /// halved.
-    pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LimitError> {
+    pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LawError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
         let path = Proportional::new(Plane::of(sheet.material), beta);
         let mut before = f64::NAN;
         for step in Self::STEPS {
-            let strain = self.strain_at(sheet, beta, angle, step)?.ok_or_else(|| beyond(beta))?;
+            let Some(strain) = self.strain_at(sheet, beta, angle, step)? else {
+                let most = Self::LARGEST;
+                let what =
+                    format!("no groove necks below an equivalent strain of {most}, at a strain ratio of {beta:.3}");
+                let help = "use points, or an imperfection further from 1: a sheet like this hardly necks";
+                return Err(LawError::new(what, help));
+            };
             if (strain - before).abs() < Self::AGREEMENT * strain {
                 return Ok(Limit { minor: path.strain[1] * strain, major: path.strain[0] * strain, angle });
             }
             before = strain;
         }
         let what = format!("the groove's limit does not settle as its step is halved, at a strain ratio of {beta:.3}");
-        Err(LimitError::new(what, "use hill, or an imperfection further from 1"))
+        Err(LawError::new(what, "use hill, or an imperfection further from 1"))
     }
 
     /// The groove that necks first.
-    fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LimitError> {
+    fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LawError> {
         let step = Self::STEPS[0];
-        let at = |angle: f64| -> Result<f64, LimitError> {
-            Ok(self.strain_at(sheet, beta, angle, step)?.unwrap_or(f64::INFINITY))
-        };
+        let at = |angle: f64| self.strain_at(sheet, beta, angle, step).map(|strain| strain.unwrap_or(f64::INFINITY));
         let apart = Self::STEEPEST / Self::ANGLES as f64;
         let mut best = (f64::INFINITY, 0.0);
         for i in 0..=Self::ANGLES {
@@ -155,22 +156,14 @@ impl MarciniakKuczynski {
     }
 
     /// Equivalent strain of the sheet when the groove necks; `None` beyond [`Self::LARGEST`].
-    fn strain_at(&self, sheet: &Sheet, beta: f64, angle: f64, step: f64) -> Result<Option<f64>, LimitError> {
+    fn strain_at(&self, sheet: &Sheet, beta: f64, angle: f64, step: f64) -> Result<Option<f64>, LawError> {
         let groove = Groove::new(self.imperfection, self.strain_rate, sheet, beta, angle);
         groove.neck(step).map_err(|Failure { strain, ratio }| {
             let what = format!(
                 "the groove's equations have no solution beyond an equivalent strain of {strain:.4}, where it strains {ratio:.1} \
                  times as fast as the sheet, at a strain ratio of {beta:.3}"
             );
-            LimitError::new(what, "use hill or points; an imperfection nearer to 1 may help")
+            LawError::new(what, "use hill or points; an imperfection nearer to 1 may help")
         })
     }
-}
-
-fn beyond(beta: f64) -> LimitError {
-    let what = format!(
-        "no groove necks below an equivalent strain of {}, at a strain ratio of {beta:.3}",
-        MarciniakKuczynski::LARGEST
-    );
-    LimitError::new(what, "use points, or an imperfection further from 1: a sheet like this hardly necks")
 }

@@ -32,23 +32,8 @@ pub use swift::Swift;
 use plane::Plane;
 
 use crate::material::Material;
+use crate::material::law::LawError;
 use crate::units::Amount;
-
-/// Why there is no curve.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct LimitError {
-    /// Cause.
-    pub message: String,
-    /// Remedy.
-    pub help: String,
-}
-
-impl LimitError {
-    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), help: help.into() }
-    }
-}
 
 /// The sheet that a curve is for.
 #[derive(Clone, Copy, Debug)]
@@ -88,7 +73,7 @@ impl Kind {
     ///
     /// # Errors
     /// When the kind does not hold for the sheet, or its equations have no solution.
-    pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+    pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         match self {
             Self::Points(kind) => kind.curve(sheet),
             Self::KeelerBrazier(kind) => kind.curve(sheet),
@@ -115,11 +100,10 @@ impl Kind {
     }
 }
 
-/// A forming limit curve, straight between its points.
+/// A forming limit curve, straight between its points, left of them at constant thickness strain and right of them level.
 ///
-/// To the left of its first point it goes on at constant thickness strain, ε₁ + ε₂ = const; to the right of its last one
-/// it stays level. One that [ends](Curve::ends_at) is not known there: the level of its last point, in plane strain, is then
-/// no more than what a sheet surely bears, because limits are lowest about plane strain.
+/// One that [ends](Curve::ends_at) is not known to the right: there the level of its last point, in plane strain, is what a
+/// sheet surely bears.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// How it was made, to make it again of another material.
@@ -142,23 +126,23 @@ impl Curve {
     ///
     /// # Errors
     /// When there are fewer than two, or the minor strain does not rise.
-    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<String>) -> Result<Self, LimitError> {
+    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<String>) -> Result<Self, LawError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
-            return Err(LimitError::new(what, "give more points"));
+            return Err(LawError::new(what, "give more points"));
         }
         if let Some(i) = points.windows(2).position(|w| w[1][0] <= w[0][0]) {
-            let what = format!(
-                "the minor strain must rise from point to point, but {:.4} follows {:.4}",
-                points[i + 1][0],
-                points[i][0]
-            );
-            return Err(LimitError::new(what, "write the points from left to right"));
+            let (before, after) = (points[i][0], points[i + 1][0]);
+            let what = format!("the minor strain must rise from point to point, but {after:.4} follows {before:.4}");
+            return Err(LawError::new(what, "write the points from left to right"));
         }
         let plane = Plane::of(sheet.material);
         let ends = kind.feels_yield_condition() && plane.overrates_biaxial();
         if ends {
-            notes.push(format!("The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.", r = Amount::number(plane.ratio())));
+            let r = Amount::number(plane.ratio());
+            notes.push(format!(
+                "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high."
+            ));
         }
         let (name, thickness, temperature) = (kind.name(), sheet.thickness, sheet.temperature);
         Ok(Self { kind, thickness, temperature, ends, points, name, notes })
@@ -168,7 +152,7 @@ impl Curve {
     ///
     /// # Errors
     /// As [`Kind::curve`].
-    pub fn of_material(&self, material: &Material) -> Result<Self, LimitError> {
+    pub fn of_material(&self, material: &Material) -> Result<Self, LawError> {
         self.kind.curve(&Sheet { material, thickness: self.thickness, temperature: self.temperature })
     }
 
@@ -177,8 +161,7 @@ impl Curve {
         matches!(self.kind, Kind::Points(_))
     }
 
-    /// The minor strain at which it ends, because what is computed beyond is known to be wrong; `None` where it goes on
-    /// \[–\].
+    /// Minor strain beyond which its computation is known to be wrong, if there is one \[–\].
     pub fn ends_at(&self) -> Option<f64> {
         self.ends.then(|| self.points[self.points.len() - 1][0])
     }

@@ -1,4 +1,4 @@
-//! The way that each element takes through the plane of strains.
+//! Strain path of each element.
 
 /// The mid-surface strains at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +13,7 @@ pub struct Instant {
 
 /// The strains of a run, the first instant being its start and the last one its end.
 ///
-/// At most [`Paths::MOST`] instants are held, so that memory does not grow with the number of steps: up to as many steps
-/// each is kept, then every second one, every fourth, and so on, evenly over the run so far.
+/// At most [`Paths::MOST`] instants are kept: beyond as many steps every second one, every fourth, and so on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Paths {
     /// Initial distance of the elements' middles from the axis \[mm\].
@@ -60,10 +59,7 @@ impl Paths {
         self.stride
     }
 
-    /// The path of an element: minor and major strain at every instant \[–\].
-    ///
-    /// The direction that is the major one at the end is the major one throughout, so that a path does not fold over
-    /// where the two change places.
+    /// The path of an element: minor and major strain at every instant, with the major direction of the end \[–\].
     pub fn of(&self, element: usize) -> Vec<[f64; 2]> {
         let hoop_is_major = self.hoop_is_major(element);
         let ordered =

@@ -1,5 +1,4 @@
-//! The yield condition in the plane of the sheet, in which it is isotropic: principal strains make principal stresses of the
-//! same directions, and in-plane shear is only a turn of them.
+//! The yield condition in the plane of the sheet, in which it is isotropic: in-plane shear only turns principal directions.
 
 use crate::material::flow::YieldCondition;
 use crate::material::{Material, YieldCriterion};
@@ -47,9 +46,8 @@ impl Plane {
         -self.ratio() / (1.0 + self.ratio())
     }
 
-    /// Whether limits of biaxial stretching that are computed by it are known to be too high, and are left out: Hill's
-    /// condition of 1948 with r̄ below 1 has a yield stress in equi-biaxial tension below that of tension, √((1 + r̄)/2) of
-    /// it, where aluminium is as strong or stronger, and a curve there that is far too blunt.
+    /// Whether limits of biaxial stretching come out too high: Hill 1948 with r̄ below 1 yields in equi-biaxial tension at
+    /// √((1 + r̄)/2) of the yield stress, where aluminium is as strong or stronger, on a curve that is far too blunt.
     ///
     /// # References
     /// That aluminium is stronger: J. Woodthorpe, R. Pearce, The anomalous behaviour of aluminium sheet under balanced

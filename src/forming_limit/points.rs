@@ -1,6 +1,7 @@
 //! A measured curve.
 
-use super::{Curve, Kind, LimitError, Sheet};
+use super::{Curve, Kind, Sheet};
+use crate::material::law::LawError;
 
 /// Strains of a measured curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
@@ -34,7 +35,7 @@ pub struct Points {
 }
 
 impl Points {
-    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let points: Vec<[f64; 2]> =
             self.points.iter().map(|point| point.map(|strain| self.strain.logarithmic(strain))).collect();
         // The comparisons are also false for NaN.
@@ -44,7 +45,7 @@ impl Points {
             let what = format!("point {} has the minor strain {minor} and the major strain {major}", i + 1);
             let help = "strains are plain numbers, 0.3 for 30 %, the minor one first and not above the major one, which is \
                         positive and below 3";
-            return Err(LimitError::new(what, help));
+            return Err(LawError::new(what, help));
         }
         let measure = match self.strain {
             Strain::Logarithmic => "logarithmic as given",

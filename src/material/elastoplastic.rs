@@ -195,11 +195,7 @@ impl ElastoplasticLaw<'_> {
             yielding.stress *= factor.value;
         }
         let softening = self.softening.map_or(1.0, |law| law.at(point.temperature));
-        let factor = softening * (1.0 + point.dilation);
-        yielding.slope *= factor;
-        yielding.stress *= factor;
-        point.surroundings.hold(&mut yielding, increment);
-        yielding
+        point.surroundings.held(yielding.times(softening * (1.0 + point.dilation)), increment)
     }
 
     /// Back-stresses after Δp.

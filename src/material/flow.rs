@@ -6,18 +6,16 @@
 //! Δε̄² = Δεᵀ A Δε        σ = (σ_y/Δε̄) A Δε = μ·3A ε̇,   μ = σ_y/(3 ε̄̇)
 //! ```
 //!
-//! The law is written for the increment of a step, Δε = Δt ε̇: for a rate-free metal the step length drops out.
-//! σ_y is taken at the END of the step, and Δε̄ is cut off where the sheet hardly flows: Δε̄_reg² = Δε̄² + Δε₀².
+//! σ_y is taken at the end of the step Δε = Δt ε̇, and Δε̄ is cut off where the sheet hardly flows: Δε̄_reg² = Δε̄² + Δε₀².
 //!
-//! The stress goes with the strain rate at the end of the step. Where the sheet flows steadily that is not the mean rate of
-//! the step, Δε/Δt, but the second-order backward difference (BDF2), by which σ_y finds its strain too:
+//! The stress goes with the strain rate at the end of the step. Where the sheet flows steadily that is the second-order
+//! backward difference (BDF2), by which σ_y finds its strain too:
 //!
 //! ```text
 //! Δt ε̇ = (1 + a) Δε − a p,   ε̄_end = ε̄ + (Δt ε̄̇ + a p̄)/(1 + a),   a = Δt/(Δt + Δt_before)
 //! ```
 //!
-//! with what the rate of the step before would strain in this one, p and p̄. Elsewhere a = 0, which is backward Euler's
-//! method: it keeps nothing of a past that is over.
+//! with what the rate of the step before would strain in this one, p and p̄. Elsewhere a = 0: backward Euler's method.
 //!
 //! # References
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
@@ -113,13 +111,8 @@ impl FlowLaw<'_> {
             yielding.slope = yielding.slope * factor.value + yielding.stress * factor.slope * ratio / self.duration;
             yielding.stress *= factor.value;
         }
-        point.surroundings.hold(&mut yielding, increment);
-        if let Some(softening) = self.softening {
-            let factor = softening.at(point.temperature);
-            yielding.slope *= factor;
-            yielding.stress *= factor;
-        }
-        yielding
+        let softening = self.softening.map_or(1.0, |law| law.at(point.temperature));
+        point.surroundings.held(yielding, increment).times(softening)
     }
 }
 

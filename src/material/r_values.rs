@@ -24,8 +24,7 @@ pub struct RValues {
 }
 
 impl RValues {
-    /// r̄ = (r0 + 2 r45 + r90)/4, the normal anisotropy, a mean in which 45° counts twice because it is met four times round
-    /// the sheet, and 0° and 90° twice each (ISO 10113, not read) \[–\].
+    /// r̄ = (r0 + 2 r45 + r90)/4, the normal anisotropy (ISO 10113, not read) \[–\].
     pub fn mean(&self) -> f64 {
         rounded(0.25 * (self.r0 + 2.0 * self.r45 + self.r90))
     }
@@ -36,18 +35,14 @@ impl RValues {
         rounded(0.5 * (self.r0 - 2.0 * self.r45 + self.r90))
     }
 
-    /// How far the edge of a drawn cup stands beyond its mean over the directions at 0°, 45° and 90°, along the sheet \[mm\].
-    ///
-    /// A part that is compressed along the hoop by ε_θ < 0, and by nothing else, stretches along the meridian by
-    /// −ε_θ r/(1 + r), r that of the hoop's direction, at a right angle to the meridian's:
+    /// Height of the edge of a drawn cup at 0°, 45° and 90° over its mean, along the sheet \[mm\].
     ///
     /// ```text
     /// ΔL(α) = Σ ℓ {exp[−(m_α − m̄) ε_θ] − 1},   m = r/(1 + r),   r_α = r(α + 90°)      over parts with ε_θ < 0
     /// ```
     ///
-    /// `parts` has the length ℓ \[mm\] and the logarithmic hoop strain ε_θ of each, as computed with r̄. An estimate of the
-    /// trend: the yield stress by direction has a share in ears as large, and tension from the holder and the die makes them
-    /// smaller.
+    /// `parts` has the length ℓ \[mm\] and the logarithmic hoop strain ε_θ of each, as computed with r̄. An estimate: the yield
+    /// stress by direction has a share in ears as large, and tension makes them smaller.
     ///
     /// # References
     /// The part of the r-values in: J. W. Yoon, R. E. Dick, F. Barlat, A new analytical theory for earing generated from

@@ -9,7 +9,7 @@ use stampflow::material::{Hardening, Hill48, Material, Rate};
 
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
-    let law = Hollomon::with_offset(500.0, n, 1e-6).expect("valid");
+    let law = Hollomon::new(500.0, n, Some(1e-6), None).expect("valid");
     Material { yield_criterion: Hill48::new(r).into(), ..Material::plain(Hardening::Hollomon(law)) }
 }
 

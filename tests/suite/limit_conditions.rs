@@ -9,7 +9,7 @@ use stampflow::material::{Hardening, Hill48, Hosford, Material, YieldCriterion};
 
 /// A power law of n = 0.2; the offset of 1e-6 shifts limits by as much.
 fn sheet_of(criterion: impl Into<YieldCriterion>) -> Material {
-    let law = Hollomon::with_offset(500.0, 0.2, 1e-6).expect("valid");
+    let law = Hollomon::new(500.0, 0.2, Some(1e-6), None).expect("valid");
     Material { yield_criterion: criterion.into(), ..Material::plain(Hardening::Hollomon(law)) }
 }
 

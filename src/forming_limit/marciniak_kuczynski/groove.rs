@@ -45,7 +45,6 @@ pub struct Groove<'a> {
     tangent: f64,
 }
 
-/// How far both have come.
 #[derive(Clone, Copy)]
 struct Strained {
     /// Equivalent strains of sheet and groove \[–\].
@@ -57,7 +56,6 @@ struct Strained {
     rate: [f64; 2],
 }
 
-/// Demand of the sheet on the groove in a step.
 struct Demand {
     /// Δε_tt.
     along: f64,

@@ -58,36 +58,26 @@ pub struct Gtn {
     pub coalescence: Option<Coalescence>,
 }
 
-/// Strain-controlled nucleation, spread normally.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Nucleation {
-    /// Porosity f_N that all particles make.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.04)]
-    pub fraction: f64,
-    /// Mean strain ε_N.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.3)]
-    pub strain: f64,
-    /// Standard deviation s_N.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.1)]
-    pub deviation: f64,
+parameters! {
+    /// Strain-controlled nucleation, spread normally.
+    pub struct Nucleation {
+        /// Porosity f_N that all particles make.
+        pub fraction: Fraction = 0.04,
+        /// Mean strain ε_N.
+        pub strain: Positive<Number> = 0.3,
+        /// Standard deviation s_N.
+        pub deviation: Positive<Number> = 0.1,
+    }
 }
 
-/// Faster loss of strength from a critical porosity on.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Coalescence {
-    /// f_c.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.15)]
-    pub critical: f64,
-    /// f_F, at which the sheet bears nothing any more: the run ends there.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.25)]
-    pub fracture: f64,
+parameters! {
+    /// Faster loss of strength from a critical porosity on.
+    pub struct Coalescence {
+        /// f_c.
+        pub critical: Fraction = 0.15,
+        /// f_F, at which the sheet bears nothing any more: the run ends there.
+        pub fracture: Fraction = 0.25,
+    }
 }
 
 fn tvergaard() -> f64 {

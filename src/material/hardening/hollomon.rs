@@ -1,7 +1,4 @@
-//! Hollomon's power law, started at the elastic line.
-//!
-//! σ = K ε^n is zero with an infinite slope at ε = 0. The law is therefore σ_y = K (ε₀ + ε̄)^n, whose offset ε₀ is either
-//! given, or is the strain where the law meets the elastic line, K ε₀^n = E ε₀.
+//! σ_y = K (ε₀ + ε̄)^n with a declared offset ε₀, or that of the elastic line, K ε₀^n = E ε₀.
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
@@ -31,28 +28,19 @@ pub struct Hollomon {
 }
 
 impl Hollomon {
-    /// Law with a declared offset strain ε₀ > 0. `k` \[MPa\].
+    /// Law with a declared offset strain, or else that of the elastic line of modulus `young`. `k` and `young` \[MPa\].
     ///
     /// # Errors
-    /// When a parameter is out of range.
-    pub fn with_offset(k: f64, n: f64, offset: f64) -> Result<Self, LawError> {
-        let mut law = Self { k, n, offset: Some(offset), start: 0.0 };
-        law.prepare(None).map(|()| law)
-    }
-
-    /// Law whose offset is its intersection with the elastic line of modulus `young` \[MPa\].
-    ///
-    /// # Errors
-    /// When a parameter is out of range, or the intersection lies at a strain above 0.05 (then K or E has a wrong unit).
-    pub fn from_elastic_line(k: f64, n: f64, young: f64) -> Result<Self, LawError> {
-        let mut law = Self { k, n, offset: None, start: 0.0 };
-        law.prepare(Some(young)).map(|()| law)
+    /// When a parameter is out of range, or the elastic line is met at a strain above 0.05 (then K or E has a wrong unit).
+    pub fn new(k: f64, n: f64, offset: Option<f64>, young: Option<f64>) -> Result<Self, LawError> {
+        let mut law = Self { k, n, offset, start: 0.0 };
+        law.prepare(young).map(|()| law)
     }
 }
 
 impl Law for Hollomon {
     fn examples() -> Vec<Self> {
-        vec![Self::from_elastic_line(547.0, 0.18, 210_000.0).expect("valid")]
+        vec![Self::new(547.0, 0.18, None, Some(210_000.0)).expect("valid")]
     }
 
     fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
@@ -74,9 +62,9 @@ impl Law for Hollomon {
                 start
             }
             (None, None) => {
-                let message = "k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from".to_owned();
+                let message = "k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from";
                 let help = "add offset = 0.001 to the law, or young = \"210 GPa\" and poisson = 0.3 to [material]";
-                return Err(LawError { message, key: String::new(), help });
+                return Err(LawError::new(message, help));
             }
         };
         // From here on it is Swift's.

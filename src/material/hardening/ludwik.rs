@@ -1,27 +1,19 @@
-//! Ludwik's law.
-
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use crate::material::law::prelude::*;
 
-/// σ = initial + k ε^n.
-///
-/// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
-/// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ludwik {
-    /// Yield stress σ₀ \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "150 MPa")]
-    initial: f64,
-    /// K, the hardening at a strain of 1 \[MPa\].
-    #[serde(with = "As::<NonNegative<Stress>>")]
-    #[schemars(example = "400 MPa")]
-    k: f64,
-    /// Hardening exponent, above 0 and up to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.5)]
-    n: f64,
+parameters! {
+    /// σ = initial + k ε^n.
+    ///
+    /// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
+    /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
+    pub struct Ludwik {
+        /// Yield stress σ₀ \[MPa\].
+        initial: Positive<Stress> = "150 MPa",
+        /// K, the hardening at a strain of 1 \[MPa\].
+        k: NonNegative<Stress> = "400 MPa",
+        /// Hardening exponent, above 0 and up to 1.
+        n: Fraction = 0.5,
+    }
 }
 
 constructor!(Ludwik { initial, k, n });

@@ -1,7 +1,3 @@
-//! Swift's and Voce's law, each with its share.
-//!
-//! Beyond uniform elongation the one hardens without end and the other comes to an end; most sheets lie between.
-
 use super::flow_stress::{FlowStress, HardeningLaw};
 use super::{Swift, Voce};
 use crate::material::law::prelude::*;

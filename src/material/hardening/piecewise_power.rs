@@ -1,11 +1,5 @@
-//! Offset power law in branches, as Woo (1968) gives it.
-//!
-//! The gap that rounded constants leave where branches meet is closed by shifting the later branch, so that σ_y is
-//! continuous.
-//!
-//! # References
-//! D. M. Woo, On the complete solution of the deep drawing problem, Int. J. Mech. Sci. 10 (1968) 83–94;
-//! Sosnowski (1994) equations 14 and 15, where the second exponent is misprinted.
+//! Offset power law in branches, as Woo (1968) gives it: a gap that rounded constants leave is closed by shifting the later
+//! branch. Sosnowski (1994), equations 14 and 15, misprints the second exponent.
 
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use super::table::few;

@@ -1,27 +1,19 @@
-//! Swift's power law.
-
 use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
-/// σ = k (offset + ε)^n.
-///
-/// Valid up to large strains for most steels; it hardens without end.
-/// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Swift {
-    /// K, the stress at a total strain of 1 \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "520 MPa")]
-    k: f64,
-    /// Hardening exponent, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.22)]
-    n: f64,
-    /// Offset strain, 1e-6 to 1.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.005)]
-    offset: f64,
+parameters! {
+    /// σ = k (offset + ε)^n.
+    ///
+    /// Valid up to large strains for most steels; it hardens without end.
+    /// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
+    pub struct Swift {
+        /// K, the stress at a total strain of 1 \[MPa\].
+        k: Positive<Stress> = "520 MPa",
+        /// Hardening exponent, 0 to 1.
+        n: Fraction = 0.22,
+        /// Offset strain, 1e-6 to 1.
+        offset: Positive<Number> = 0.005,
+    }
 }
 
 constructor!(Swift { k, n, offset });

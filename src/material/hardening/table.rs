@@ -62,8 +62,7 @@ impl Law for Table {
             _ => {
                 let help =
                     "write points = [[0, \"150 MPa\"], [0.1, \"290 MPa\"]], or both strain = [..] and stress = [..]";
-                let message = "needs `points`, or `strain` and `stress`".to_owned();
-                return Err(LawError { message, key: String::new(), help });
+                return Err(LawError::new("needs `points`, or `strain` and `stress`", help));
             }
         };
         Ok(())

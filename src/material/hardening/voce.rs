@@ -1,7 +1,3 @@
-//! Voce's saturating law, with an optional exponent on the strain.
-//!
-//! The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
-
 use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
 use crate::material::law::prelude::*;
 

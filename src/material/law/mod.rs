@@ -1,13 +1,14 @@
 //! Common ground of all laws: hardening, rate, thermal softening, friction.
 //!
-//! A law is one file: a struct of its parameters, whose documentation says equation, range of validity and source. The
-//! struct is its own text form: plain numbers in the solver's units, read with units by [`As`](crate::units::As). From it
-//! come the JSON schema and the `laws` verb. The law joins its `family!` by two lines: `mod swift;` and
-//! `swift: Swift`. Whatever must hold for all of them is tested over the family's `examples()`.
+//! A law is one file: a struct of its `parameters!`, whose documentation says equation, range of validity and source, read
+//! with units and described in the JSON schema. It joins its `family!` by two lines: `mod swift;` and `swift: Swift`.
+//! Whatever must hold for all of them is tested over the family's `examples()`.
 
 mod family;
+mod parameters;
 
 pub(crate) use family::family;
+pub(crate) use parameters::parameters;
 
 /// Why a set of parameters is not a law.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -21,10 +22,17 @@ pub struct LawError {
     pub help: &'static str,
 }
 
+impl LawError {
+    /// Error of the whole law.
+    pub fn new(message: impl Into<String>, help: &'static str) -> Self {
+        Self { message: message.into(), key: String::new(), help }
+    }
+}
+
 /// Imports of a law's file.
 pub(crate) mod prelude {
     pub use super::{Law, LawError};
-    pub(crate) use super::{constructor, require, require_or};
+    pub(crate) use super::{constructor, parameters, require, require_or};
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};
 

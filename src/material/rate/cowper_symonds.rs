@@ -1,24 +1,18 @@
-//! Overstress with a threshold: the law of Cowper and Symonds, which is Perzyna's with a power of the overstress.
-
 use super::{Factor, RateLaw};
 use crate::material::law::prelude::*;
 
-/// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
-///
-/// Valid for the strong rate dependence of mild steel at press speeds and beyond.
-/// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
-/// 9 (1966) 243–377 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CowperSymonds {
-    /// C \[1/s\].
-    #[serde(with = "As::<Positive<StrainRate>>")]
-    #[schemars(example = "40 /s")]
-    pub rate: f64,
-    /// p.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 5.0)]
-    pub exponent: f64,
+parameters! {
+    /// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
+    ///
+    /// Valid for the strong rate dependence of mild steel at press speeds and beyond.
+    /// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
+    /// 9 (1966) 243–377 (not read).
+    pub struct CowperSymonds {
+        /// C \[1/s\].
+        pub rate: Positive<StrainRate> = "40 /s",
+        /// p.
+        pub exponent: Positive<Number> = 5.0,
+    }
 }
 
 impl Law for CowperSymonds {

@@ -1,27 +1,20 @@
-//! The logarithm of the rate: the rate term of Johnson and Cook.
-//!
-//! g = 1 + C ln(ε̄̇/ε̇₀) above the reference rate; below it, where the logarithm would fall without bound, g comes smoothly
-//! down to 1: g = 1 + ½ C ln(1 + (ε̄̇/ε̇₀)²).
+//! g = 1 + C ln(ε̄̇/ε̇₀) above the reference rate, below it smoothly down to 1: g = 1 + ½ C ln(1 + (ε̄̇/ε̇₀)²).
 
 use super::{Factor, RateLaw};
 use crate::material::law::prelude::*;
 
-/// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
-///
-/// Valid above the reference rate, for a weak dependence.
-/// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
-/// read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct JohnsonCook {
-    /// C.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.015)]
-    pub coefficient: f64,
-    /// ε̇₀ \[1/s\].
-    #[serde(with = "As::<Positive<StrainRate>>")]
-    #[schemars(example = "0.001 /s")]
-    pub reference: f64,
+parameters! {
+    /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
+    ///
+    /// Valid above the reference rate, for a weak dependence.
+    /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
+    /// read).
+    pub struct JohnsonCook {
+        /// C.
+        pub coefficient: Positive<Number> = 0.015,
+        /// ε̇₀ \[1/s\].
+        pub reference: Positive<StrainRate> = "0.001 /s",
+    }
 }
 
 impl Law for JohnsonCook {

@@ -1,31 +1,23 @@
-//! Strength of hot metal whose flow is thermally activated.
-
 use super::TemperatureLaw;
 use crate::material::law::prelude::*;
 
 /// R \[N mm/(mol K)\].
 const GAS_CONSTANT: f64 = 8_314.462_618;
 
-/// exp(exponent activation/R (1/T − 1/reference)): with a power of the strain rate of the same exponent the stress
-/// depends on the Zener-Hollomon parameter Z = ε̄̇ exp(Q/RT) alone.
-///
-/// Valid for hot metal, above half its absolute melting point.
-/// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Arrhenius {
-    /// Activation energy Q \[N mm/mol\].
-    #[serde(with = "As::<Positive<Energy>>")]
-    #[schemars(example = "150 kJ/mol")]
-    pub activation: f64,
-    /// m, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.1)]
-    pub exponent: f64,
-    /// Temperature at which the hardening law was measured \[K\].
-    #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "420 °C")]
-    pub reference: f64,
+parameters! {
+    /// exp(exponent activation/R (1/T − 1/reference)): with a power of the strain rate of the same exponent the stress
+    /// depends on the Zener-Hollomon parameter Z = ε̄̇ exp(Q/RT) alone.
+    ///
+    /// Valid for hot metal, above half its absolute melting point.
+    /// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
+    pub struct Arrhenius {
+        /// Activation energy Q \[N mm/mol\].
+        pub activation: Positive<Energy> = "150 kJ/mol",
+        /// m, 0 to 1.
+        pub exponent: Fraction = 0.1,
+        /// Temperature at which the hardening law was measured \[K\].
+        pub reference: Positive<Temperature> = "420 °C",
+    }
 }
 
 impl Arrhenius {

@@ -1,23 +1,17 @@
-//! A share of the strength lost per kelvin.
-
 use super::{TemperatureLaw, celsius};
 use crate::material::law::prelude::*;
 
-/// exp(−coefficient (T − reference)).
-///
-/// Valid in the range of temperatures that the coefficient was fitted to: 0.001 to 0.005 /K in warm forming.
-/// Source: in common use for warm forming.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Exponential {
-    /// Share of the strength lost per kelvin \[1/K\].
-    #[serde(with = "As::<Positive<PerKelvin>>")]
-    #[schemars(example = "0.003 /K")]
-    pub coefficient: f64,
-    /// Temperature at which the hardening law was measured \[K\].
-    #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "20 °C")]
-    pub reference: f64,
+parameters! {
+    /// exp(−coefficient (T − reference)).
+    ///
+    /// Valid in the range of temperatures that the coefficient was fitted to: 0.001 to 0.005 /K in warm forming.
+    /// Source: in common use for warm forming.
+    pub struct Exponential {
+        /// Share of the strength lost per kelvin \[1/K\].
+        pub coefficient: Positive<PerKelvin> = "0.003 /K",
+        /// Temperature at which the hardening law was measured \[K\].
+        pub reference: Positive<Temperature> = "20 °C",
+    }
 }
 
 impl Law for Exponential {

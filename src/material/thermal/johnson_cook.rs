@@ -1,31 +1,23 @@
-//! Strength that goes towards the melting point: the thermal term of Johnson and Cook.
-
 use super::{TemperatureLaw, celsius};
 use crate::material::law::prelude::*;
 
 /// Least factor, near the melting point \[–\].
 const LEAST: f64 = 1e-3;
 
-/// 1 − ((T − reference)/(melting − reference))^exponent; 1 below the reference.
-///
-/// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
-/// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
-/// read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Melting {
-    /// Temperature at which the hardening law was measured \[K\].
-    #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "20 °C")]
-    pub reference: f64,
-    /// Melting point \[K\].
-    #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "600 °C")]
-    pub melting: f64,
-    /// Thermal exponent.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 1.0)]
-    pub exponent: f64,
+parameters! {
+    /// 1 − ((T − reference)/(melting − reference))^exponent; 1 below the reference.
+    ///
+    /// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
+    /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
+    /// read).
+    pub struct Melting {
+        /// Temperature at which the hardening law was measured \[K\].
+        pub reference: Positive<Temperature> = "20 °C",
+        /// Melting point \[K\].
+        pub melting: Positive<Temperature> = "600 °C",
+        /// Thermal exponent.
+        pub exponent: Positive<Number> = 1.0,
+    }
 }
 
 impl Law for Melting {

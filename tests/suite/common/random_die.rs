@@ -63,7 +63,7 @@ fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
     }
     let law = match rng.usize(0..6) {
         0 => Hardening::Swift(Swift::new(k, n, between(rng, 1e-4, 2e-2)).expect("in range")),
-        1 => Hardening::Hollomon(Hollomon::with_offset(k, n, 2e-3).expect("in range")),
+        1 => Hardening::Hollomon(Hollomon::new(k, n, Some(2e-3), None).expect("in range")),
         2 => Hardening::Ludwik(Ludwik::new(0.4 * k, 0.8 * k, n.max(0.1)).expect("in range")),
         3 => Hardening::Voce(Voce::new(0.4 * k, k, between(rng, 2.0, 12.0), 1.0).expect("in range")),
         4 => Hardening::PiecewisePower(branches(rng, k, n)),
