@@ -13,8 +13,8 @@
 //! κ M = m + c g(m),   g = q₁ q₂ f* sinh(q₂ m/2),   κ² E² = 1 + q₃ f*² − 2 q₁ f* cosh(q₂ m/2) − m²/2c =: Y(m)
 //! ```
 //!
-//! so that m is the root of M² Y − E² (m + c g)², which is concave and falls: Newton's method comes down to it from the
-//! root without voids, and nothing is left to chance.
+//! so that m is the root of M² Y − E² (m + c g)², which is concave and falls: Newton's method descends to it from the root
+//! without voids.
 //!
 //! # References
 //! A. L. Gurson, J. Eng. Mater. Technol. 99 (1977) 2–15; V. Tvergaard, Int. J. Fract. 17 (1981) 389–407; V. Tvergaard,
@@ -28,7 +28,7 @@ use crate::material::yield_condition::{Metric, Triple, YieldCondition, dot};
 const ROOT: f64 = 1e-14;
 const MOST_ROOTS: usize = 60;
 
-/// sinh and cosh by one exponential; beside 1 it does not matter that a tiny sinh loses digits.
+/// sinh and cosh by one exponential.
 #[inline]
 fn hyperbolic(x: f64) -> (f64, f64) {
     let e = x.exp();
@@ -47,7 +47,7 @@ pub struct GtnCondition {
     c: f64,
 }
 
-/// Place of the maximum: normalised stresses, D and the parts of the strain increment.
+/// Maximum of the dissipation: normalised stresses, D and the parts of the strain increment.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     m: f64,
@@ -81,7 +81,7 @@ impl GtnCondition {
         if whole == 0.0 {
             return Place { m: 0.0, kappa: 0.0, along, across, growth: 0.0, dissipation: 0.0 };
         }
-        // In units of the largest of the two parts, so that tiny increments do not underflow.
+        // Scaled, so that tiny increments do not underflow.
         let (m2, e2) = (along * along / whole, across / whole);
         let mut m = along.abs() / whole.sqrt();
         let (mut x, mut y) = (0.0, 0.0);
@@ -145,18 +145,5 @@ impl YieldCondition for GtnCondition {
 
     fn strain_share(&self) -> f64 {
         self.share
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::material::{Gtn, Hill48};
-
-    #[test]
-    fn metal_without_voids_keeps_its_volume() {
-        for voids in [Gtn::gurson(0.0), Gtn::example()] {
-            let [_, volume] = voids.condition(Hill48::default(), 0.0).strains([0.01, 0.0, 0.0]);
-            assert_eq!(volume, 0.0);
-        }
     }
 }

@@ -21,11 +21,11 @@ use crate::material::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// Strain increment that one stage of the integration of f takes \[–\]: fourth order, so its error is near 1e-10.
+/// Largest strain step of the integration of f \[–\]: its fourth-order error is near 1e-10.
 const STRAIN_STEP: f64 = 0.005;
-/// Largest initial porosity \[–\]: beyond it the sheet is a sieve.
+/// Largest initial porosity \[–\].
 const POROUS: f64 = 0.3;
-/// Share of the porosity of fracture up to which stress is reckoned: there the metal is as good as gone \[–\].
+/// Share of the porosity of fracture up to which stress is computed \[–\].
 const LARGEST: f64 = 0.99;
 
 /// σ̄²/σ_y² + 2 q1 f* cosh(3 q2 p/2σ_y) = 1 + q3 f*² with the mean stress p: Gurson's yield condition.
@@ -123,23 +123,22 @@ impl Gtn {
             self.q3 = q1 * q1;
         }
         let q3 = self.q3;
+        let square = q1 * q1;
         for (key, value, least, most) in [("q1", q1, 0.5, 5.0), ("q2", q2, 0.1, 5.0), ("q3", q3, 0.1, 25.0)] {
             require_or(key, (least..=most).contains(&value), "1.5, 1 and 2.25 are usual", || {
                 format!("`{key}` must lie between {least} and {most}, found {value}")
             })?;
         }
-        let square = q1 * q1;
         require_or("q3", q3 <= square * (1.0 + 1e-9), "leave it out: it is q1² then", || {
             format!("`q3` must not exceed q1² = {square}, found {q3}")
         })?;
         if let Some(Coalescence { critical, fracture }) = self.coalescence {
-            let key = "coalescence.fracture";
+            let (key, most) = ("coalescence.fracture", 1.0 / q1);
             require_or(key, critical < fracture, "fracture must lie above critical: 0.15 and 0.25 are usual", || {
                 format!("voids join from {critical} on and the sheet is gone at {fracture}")
             })?;
-            let gone = "there the sheet bears nothing without coalescence either";
-            require_or(key, fracture <= 1.0 / q1, gone, || {
-                format!("`fracture` must not exceed 1/q1 = {:.3}, found {fracture}", 1.0 / q1)
+            require_or(key, fracture <= most, "there the sheet bears nothing without coalescence either", || {
+                format!("`fracture` must not exceed 1/q1 = {most:.3}, found {fracture}")
             })?;
         }
         let most = self.coalescence.map_or(POROUS, |c| c.critical.min(POROUS));
@@ -174,7 +173,7 @@ impl Gtn {
         effective.min(LARGEST * ultimate)
     }
 
-    /// Porosity a step reckons with, foreseen from the rate of the last step: kept where the model holds \[–\].
+    /// Porosity of a step, extrapolated from the last one and kept where the model holds \[–\].
     pub fn foreseen(&self, f: f64) -> f64 {
         f.clamp(0.0, LARGEST * self.fracture())
     }

@@ -30,6 +30,18 @@ pub struct Table {
     pub(super) curve: Monotone,
 }
 
+impl Table {
+    /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall.
+    ///
+    /// # Errors
+    /// When there are fewer than two points or they are not of that kind.
+    pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
+        two_points(strain.len(), stress.len())?;
+        let points: Vec<_> = strain.into_iter().zip(stress).collect();
+        Monotone::new(&points, beyond, |column, i| format!("{}.{i}", ["strain", "stress"][column])).map(Self::from)
+    }
+}
+
 impl From<Monotone> for Table {
     fn from(curve: Monotone) -> Self {
         Self { points: None, strain: None, stress: None, extrapolation: curve.beyond(), curve }
@@ -55,9 +67,11 @@ impl Law for Table {
             (None, Some(strain), Some(stress)) => {
                 few("strain", strain.len(), MOST)?;
                 few("stress", stress.len(), MOST)?;
-                two_points(strain.len(), stress.len())?;
-                let pairs: Vec<_> = strain.into_iter().zip(stress).map(|(e, s)| (e.value(), s.value())).collect();
-                Monotone::new(&pairs, self.extrapolation, |column, i| format!("{}.{i}", ["strain", "stress"][column]))?
+                let [strain, stress] = [
+                    strain.into_iter().map(Dimensioned::value).collect(),
+                    stress.into_iter().map(Dimensioned::value).collect(),
+                ];
+                Self::new(strain, stress, self.extrapolation)?.curve
             }
             _ => {
                 let help =

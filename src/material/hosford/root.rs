@@ -2,18 +2,17 @@
 
 use super::{Hosford, Root};
 
-/// Step of the inner root over the product of its distances to 0 and to 1 after which it is right to round-off: of third
-/// order is its method \[–\]; and where it is round-off itself.
+/// Step over its distances to 0 and to 1 after which x is right to round-off \[–\]: Halley's method is of third order.
 const LAST: f64 = 1e-6;
+/// Width of a bracket that is round-off \[–\].
 const ROUND_OFF: f64 = 1e-16;
 /// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
 const SAME: f64 = 1e-7;
-/// Iterations of the inner root that are not watched.
-const FEW: usize = 4;
 /// Most iterations of the inner root: halving alone needs fifty.
 const MOST: usize = 60;
 
 /// A step of the inner root.
+#[derive(Clone, Copy)]
 struct Halley {
     /// Residual, its part that goes with 1 + β, and the step towards its root.
     value: f64,
@@ -28,17 +27,21 @@ impl Hosford {
         let weight = self.ratio() * sum;
         let start = w.unwrap_or_else(|| self.guess(beta, sum));
         let first = self.halley(beta, weight, start);
-        let (mut x, mut step) = (start, first.step);
-        for left in (0..FEW).rev() {
-            x -= step;
-            if step.abs() <= LAST * (x * (1.0 - x)).abs() {
+        let (mut low, mut high) = (-1.0, 1.0);
+        let (mut x, mut at) = (start, first);
+        for _ in 0..MOST {
+            if at.value > 0.0 {
+                high = x
+            } else {
+                low = x
+            }
+            let next = x - at.step;
+            let inside = next >= low && next <= high;
+            x = if inside { next } else { 0.5 * (low + high) };
+            if inside && at.step.abs() <= LAST * (x * (1.0 - x)).abs() || high - low <= ROUND_OFF {
                 break;
             }
-            if left == 0 {
-                x = self.enclosed(beta, weight, x);
-                break;
-            }
-            step = self.halley(beta, weight, x).step;
+            at = self.halley(beta, weight, x);
         }
         let (y, r) = (1.0 - x, self.ratio());
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
@@ -66,29 +69,6 @@ impl Hosford {
         let newton = value / ((1.0 + more) * both);
         let step = newton * space / (space - 0.5 * more * newton * (y * own - x * between));
         Halley { value, between: across, step }
-    }
-
-    /// The root wherever it is, within bounds that close in on it.
-    #[cold]
-    #[inline(never)]
-    fn enclosed(&self, beta: f64, weight: f64, x: f64) -> f64 {
-        let (mut low, mut high) = (-1.0, 1.0);
-        let mut x = if x.abs() <= 1.0 { x } else { 0.0 };
-        for _ in 0..MOST {
-            let Halley { value, step, .. } = self.halley(beta, weight, x);
-            if value > 0.0 {
-                high = x
-            } else {
-                low = x
-            }
-            let next = x - step;
-            let inside = next >= low && next <= high;
-            x = if inside { next } else { 0.5 * (low + high) };
-            if (inside && step.abs() <= LAST * next.abs().min(1.0 - next)) || high - low <= ROUND_OFF {
-                break;
-            }
-        }
-        x
     }
 
     /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
