@@ -67,10 +67,8 @@ impl Law for Table {
             (None, Some(strain), Some(stress)) => {
                 few("strain", strain.len(), MOST)?;
                 few("stress", stress.len(), MOST)?;
-                let [strain, stress] = [
-                    strain.into_iter().map(Dimensioned::value).collect(),
-                    stress.into_iter().map(Dimensioned::value).collect(),
-                ];
+                let strain = strain.into_iter().map(Dimensioned::value).collect();
+                let stress = stress.into_iter().map(Dimensioned::value).collect();
                 Self::new(strain, stress, self.extrapolation)?.curve
             }
             _ => {
