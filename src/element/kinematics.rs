@@ -22,7 +22,7 @@ use nalgebra::{SMatrix, SVector};
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = SVector<f64, 5>;
 
-/// Place of the meridional membrane strain in [`Generalised`]; the others follow.
+/// Index of the meridional membrane strain in [`Generalised`].
 pub const EPS_S: usize = 0;
 /// Hoop membrane strain.
 pub const EPS_T: usize = 1;
@@ -33,8 +33,7 @@ pub const KAPPA_T: usize = 3;
 /// Transverse shear.
 pub const GAMMA: usize = 4;
 
-/// Least area of a face over that of the mid-surface \[–\]: a radius of half the thickness, where there is no inner face, is
-/// no bend of a shell.
+/// Least area of a face over that of the mid-surface \[–\]; at a radius of half the thickness there is no inner face.
 const SMALLEST_FACE: f64 = 0.25;
 
 /// Element in its reference configuration, that of the start of the step.
@@ -65,14 +64,13 @@ impl Fibre {
         Self { cos, sin }
     }
 
-    /// Turned on.
     #[inline]
     fn turned(&self, by: &Self) -> Self {
         Self { cos: self.cos * by.cos - self.sin * by.sin, sin: self.sin * by.cos + self.cos * by.sin }
     }
 }
 
-/// The element in its current configuration: as it is tried at the end of the step.
+/// The element in its current configuration, at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Current {
     reference: Reference,
@@ -113,11 +111,10 @@ impl Reference {
         })
     }
 
-    /// Areas of the lower and the upper face of a sheet of this `thickness` \[mm\] over that of its mid-surface \[–\]; the
-    /// lower face lies along −n, on the outside of a sheet that turns to the left; equal in a membrane, which has no turn.
+    /// Areas of the lower and the upper face of a sheet of this `thickness` \[mm\] over that of its mid-surface \[–\].
     ///
     /// ```text
-    /// (1 ∓ ½ t dθ/ds)(1 ∓ ½ t sin θ/r), − for the upper face
+    /// (1 ± ½ t dθ/ds)(1 ± ½ t sin θ/r), − for the upper face, which lies along n; 1 for a membrane
     /// ```
     pub fn faces(&self, turn: f64, thickness: f64) -> [f64; 2] {
         if !self.bending {
@@ -130,11 +127,9 @@ impl Reference {
         })
     }
 
-    /// The element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
-    /// the axis.
+    /// The element after its nodes have moved by `a` and `b`; `None` when it has collapsed or crossed the axis.
     ///
-    /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
-    /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
+    /// Strains are formed from the moves: where the sheet hardly flows, differences of positions would be round-off.
     #[inline]
     pub fn moved(&self, a: [f64; 3], b: [f64; 3]) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);

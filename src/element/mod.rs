@@ -24,6 +24,14 @@ impl Geometry {
             Self::PlaneStrain => "plane_strain",
         }
     }
+
+    /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
+    pub fn area(self, r: f64) -> f64 {
+        match self {
+            Self::Axisymmetric => std::f64::consts::PI * r * r,
+            Self::PlaneStrain => r,
+        }
+    }
 }
 
 impl FromStr for Geometry {
@@ -46,27 +54,6 @@ pub enum Theory {
     Membrane,
     /// Bending where the sheet is curved, chosen in every step, membrane elsewhere.
     Selective,
-}
-
-impl Theory {
-    /// The theory of one element, `bends` being the choice for it in a selective sheet.
-    pub fn of_element(self, bends: bool) -> Self {
-        match self {
-            Theory::Selective if bends => Theory::Bending,
-            Theory::Selective => Theory::Membrane,
-            theory => theory,
-        }
-    }
-}
-
-impl Geometry {
-    /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
-    pub fn area(self, r: f64) -> f64 {
-        match self {
-            Geometry::Axisymmetric => std::f64::consts::PI * r * r,
-            Geometry::PlaneStrain => r,
-        }
-    }
 }
 
 /// A node's position and fibre rotation `[r, z, θ]` \[mm, mm, rad\], or an increment of them.

@@ -5,8 +5,7 @@
 //! ```
 //!
 //! The nodes' rotations bow it: a chord of 1.1 mm sags from an arc of 25 mm by 6 µm, more than the contact penalty's foot.
-//! The bow's slope vanishes in the middle, so that the strains at the element's one point do not change. It is linear in
-//! the rotations and in the positions, and so are its derivatives.
+//! The bow's slope vanishes in the middle, where the strains are taken.
 //!
 //! # References
 //! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
@@ -35,8 +34,7 @@ pub const STATIONS: usize = 2;
 /// Contact points of an element that bends, Gauss's: they integrate pressures that vary like a cubic along it.
 const INSIDE: [Station; STATIONS] = [Station::at(-GAUSS, -0.25 * GAUSS), Station::at(GAUSS, 0.25 * GAUSS)];
 
-/// Contact points of a membrane, its nodes with the areas of linear shape functions: what cannot bend is a chain of chords,
-/// and only their ends lie where the sheet does.
+/// Contact points of a membrane: its nodes, because only the ends of its chord lie where the sheet does.
 const ENDS: [Station; STATIONS] = [Station::at(-1.0, -1.0 / 12.0), Station::at(1.0, 1.0 / 12.0)];
 
 /// 1/√3.

@@ -90,10 +90,8 @@ impl PointLaw for FlowLaw<'_> {
 }
 
 impl FlowLaw<'_> {
-    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end.
-    ///
-    /// The derivative of the increment by the hardening is `steep`; `flow` is the increment, regularised, and `ratio` its
-    /// derivative.
+    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, which
+    /// is `steep` times as large; `flow` is the increment, regularised, and `ratio` its derivative.
     #[inline]
     fn yield_stress(
         &self,
@@ -160,15 +158,14 @@ impl Iterate {
     /// w ← σ + C δ(Δε), scaled back to √(wᵀA⁻¹w) = σ_y when beyond it
     /// ```
     ///
-    /// If bending reverses the flow within the point's part of the thickness the stress jumps: a single point would
-    /// stick to the jump and bear any tension without stretching. With k the strain of bending over half the part, the
-    /// root mean square of the strain over it
+    /// If bending reverses the flow within the point's part of the thickness, the stress of a single point would jump. With k
+    /// the strain of bending over half the part, the root mean square of the strain over it
     ///
     /// ```text
     /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
     /// ```
     ///
-    /// takes the place of Δε̄_reg: a norm of both, so that stress, moment and matrices are those of a point with five strains.
+    /// takes the place of Δε̄_reg: stress, moment and matrices are those of a point with five strains.
     ///
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.

@@ -5,8 +5,7 @@
 //! Δε̄² = Δεᵀ A Δε,  A = P⁻¹ = [1 q 0; q 1 0; 0 0 k (1−q²)/3]/(1 − q²)   for P = [1 −q 0; −q 1 0; 0 0 3/k]
 //! ```
 //!
-//! The transverse shear keeps the value of Huber-Mises: sheet metal is hardly ever tested in it, and it carries next to
-//! nothing.
+//! The transverse shear, in which sheet metal is hardly ever tested, keeps the value of Huber-Mises.
 //!
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
@@ -78,7 +77,6 @@ impl Hill48 {
         [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
     }
 
-    /// A.
     #[inline]
     fn matrix(&self) -> Symmetric {
         [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear]
@@ -90,7 +88,6 @@ impl Hill48 {
         self.square(s).sqrt()
     }
 
-    /// σ̄².
     #[inline]
     fn square(&self, s: Triple) -> f64 {
         s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]

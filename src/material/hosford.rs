@@ -7,14 +7,14 @@
 //! Δε̄² = ψ² + (k/3) Δγ²,   ψ(Δε) = max of σ·Δε over φ(σ) = 1      the dual potential
 //! ```
 //!
-//! The stress of a strain increment is the place of the curve φ = 1 whose normal it is. With β = Δε_θ/Δε_s, |β| ≤ 1 (the
-//! larger one is called s, and the signs are turned so that it is positive), the ratio x = σ_θ/σ_s is the root of
+//! The stress of a strain increment is the point of the curve φ = 1 whose normal it is. With β = Δε_θ/Δε_s, |β| ≤ 1 and
+//! Δε_s > 0, the ratio x = σ_θ/σ_s is the root of
 //!
 //! ```text
 //! x|x|^(a−2) − r̄ (1 + β)(1 − x)^(a−1) − β = 0,   −1 ≤ x ≤ 1
 //! ```
 //!
-//! whose left side rises. What ½Δε̄² has for gradient and second derivative follows in closed form:
+//! whose left side rises. Gradient and second derivative of ½Δε̄² follow in closed form:
 //!
 //! ```text
 //! σ = (1, x)/φ(1, x),   ∂½ψ²/∂Δε = ψ σ,   ∂²½ψ²/∂Δε² = σ⊗σ + x'(β)/φ² (−β, 1)⊗(−β, 1)
@@ -161,7 +161,7 @@ impl Hosford {
     }
 }
 
-/// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
+/// The larger one of the first two entries, the smaller one, and whether they are swapped.
 #[inline]
 pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
     if v[1].abs() > v[0].abs() { (v[1], v[0], true) } else { (v[0], v[1], false) }
@@ -173,8 +173,8 @@ impl YieldCondition for Hosford {
         self.metric_by(e, None)
     }
 
-    /// On a flat part of the curve the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
-    /// side to side. The chord to the strain of the carried stress is right where that stress is, and where the strain is.
+    /// On a flat part of the curve the stress ratio follows the strain's like a seventh root, and Newton's method overshoots; the
+    /// chord to the strain of the carried stress is right at both.
     #[inline]
     fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
         self.metric_by(e, Some(w))

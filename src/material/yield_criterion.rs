@@ -61,7 +61,7 @@ impl YieldCriterion {
         t / s
     }
 
-    /// Stress of equi-biaxial tension over that of tension along one direction, when both yield \[–\].
+    /// Yield stress of equi-biaxial tension over that of tension \[–\].
     pub fn biaxial_factor(&self) -> f64 {
         1.0 / self.equivalent_stress([1.0, 1.0, 0.0])
     }

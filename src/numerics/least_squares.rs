@@ -1,5 +1,4 @@
-//! Least squares with bounds: Levenberg and Marquardt's method with Jacobians of differences, many points at a time so that
-//! whoever computes them can do so side by side.
+//! Least squares with bounds: Levenberg and Marquardt's method, with differences of points that may be computed in parallel.
 //!
 //! ```text
 //! S(x) = Σ rᵢ(x)²                            J = ∂r/∂x by central differences, one-sided at a bound

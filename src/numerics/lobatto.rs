@@ -1,4 +1,4 @@
-//! Gauss-Lobatto rules through the thickness: they have points on both faces, where bending yields first.
+//! Gauss-Lobatto rules through the thickness, with points on both faces, where bending yields first.
 
 /// A point of integration through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]

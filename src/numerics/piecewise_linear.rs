@@ -38,13 +38,8 @@ impl PiecewiseLinear {
 
     /// Place at which a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
     pub fn reaches(&self, value: f64) -> f64 {
-        let after = self.points.partition_point(|p| p.1 < value);
-        if after == 0 {
-            return self.points[0].0;
-        }
-        let Some(&(x1, v1)) = self.points.get(after) else { return self.points[after - 1].0 };
-        let (x0, v0) = self.points[after - 1];
-        x0 + (x1 - x0) * (value - v0) / (v1 - v0)
+        let inverse: Vec<(f64, f64)> = self.points.iter().map(|(x, value)| (*value, *x)).collect();
+        interpolated(&inverse, value)
     }
 
     /// Slope of the line that leads up to `x`; 0 up to the first point and beyond the last.

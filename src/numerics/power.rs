@@ -6,16 +6,12 @@ pub struct Power {
     exponent: f64,
     /// The exponent where it is whole.
     whole: Option<i32>,
-    /// How many square roots make the root, where the exponent is a power of two.
-    square_roots: Option<u32>,
 }
 
 impl Power {
     /// Power with an exponent of 2 to 1000.
     pub fn new(exponent: f64) -> Self {
-        let whole = (exponent.fract() == 0.0).then_some(exponent as i32);
-        let square_roots = whole.filter(|a| a.count_ones() == 1).map(i32::trailing_zeros);
-        Self { exponent, whole, square_roots }
+        Self { exponent, whole: (exponent.fract() == 0.0).then_some(exponent as i32) }
     }
 
     /// a.
@@ -38,9 +34,11 @@ impl Power {
     /// y^(1/a).
     #[inline]
     pub fn root(&self, y: f64) -> f64 {
-        match self.square_roots {
-            Some(count) => (0..count).fold(y, |y, _| y.sqrt()),
-            None => y.powf(1.0 / self.exponent),
+        match self.whole {
+            Some(8) => y.sqrt().sqrt().sqrt(),
+            Some(4) => y.sqrt().sqrt(),
+            Some(2) => y.sqrt(),
+            _ => y.powf(1.0 / self.exponent),
         }
     }
 

@@ -5,6 +5,7 @@ use super::restraints::Grip;
 use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
+use crate::element::Theory;
 use crate::element::kinematics::Reference;
 use crate::element::section;
 use crate::geometry::Profile;
@@ -142,11 +143,10 @@ pub(super) fn references<'a>(
     state: &'a State,
     bends: &'a [bool],
 ) -> impl Iterator<Item = Reference> + 'a {
-    state
-        .nodes
-        .windows(2)
-        .zip(bends)
-        .map(|(pair, &bends)| Reference::new(model.geometry, model.blank.theory.of_element(bends), pair[0], pair[1]))
+    state.nodes.windows(2).zip(bends).map(|(pair, &bends)| {
+        let theory = if bends { Theory::Bending } else { Theory::Membrane };
+        Reference::new(model.geometry, theory, pair[0], pair[1])
+    })
 }
 
 /// Nodal forces in equilibrium with the stress of the sheet \[N, N mm\].

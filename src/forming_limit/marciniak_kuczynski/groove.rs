@@ -12,6 +12,7 @@
 use crate::forming_limit::Sheet;
 use crate::forming_limit::instability::Proportional;
 use crate::forming_limit::plane::Plane;
+use nalgebra::{Matrix2, Vector2};
 
 /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\].
 pub const CRITICAL: f64 = 10.0;
@@ -53,7 +54,7 @@ struct Strained {
     /// ln(t/t₀) of the groove \[–\].
     thickness: f64,
     /// Δε_nn and Δγ_nt of the groove per Δε̄ of the sheet, in the last step.
-    rate: [f64; 2],
+    rate: Vector2<f64>,
 }
 
 struct Demand {
@@ -74,7 +75,7 @@ impl<'a> Groove<'a> {
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
     pub fn neck(&self, step: f64) -> Result<Option<f64>, Failure> {
         let ([across, _], shear) = self.in_groove(self.path.strain, 0.0);
-        let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: [across, 2.0 * shear] };
+        let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: Vector2::new(across, 2.0 * shear) };
         // Of the last step that was taken, and of the fastest that was tried.
         let (mut ratio, mut fastest) = (1.0, 1.0_f64);
         let mut step = step;
@@ -107,32 +108,21 @@ impl<'a> Groove<'a> {
         let thinning = (self.path.strain[0] + self.path.strain[1]) * sheet;
         let force = self.yield_stress(sheet, self.strain_rate) * (-thinning).exp() / self.imperfection;
         let demand = Demand { along: along * step, force: [force * stress, force * shear], duration };
-        let mut x = now.rate.map(|rate| rate * step);
-        let scale = 1e-7 * step;
+        let mut x = now.rate * step;
+        let h = 1e-7 * step;
         for _ in 0..ITERATIONS {
             let r = self.residual(now, &demand, x)?;
-            if r[0].abs().max(r[1].abs()) < TOLERANCE {
-                let (increment, _) = self.plane.turned(x[0], demand.along, x[1]);
-                return Some(Strained {
-                    sheet,
-                    groove: now.groove + increment,
-                    thickness: now.thickness - x[0] - demand.along,
-                    rate: x.map(|x| x / step),
-                });
+            let (increment, _) = self.plane.turned(x[0], demand.along, x[1]);
+            if r.amax() < TOLERANCE {
+                let thickness = now.thickness - x[0] - demand.along;
+                return Some(Strained { sheet, groove: now.groove + increment, thickness, rate: x / step });
             }
-            let a = self.residual(now, &demand, [x[0] + scale, x[1]])?.map(|v| v / scale);
-            let b = self.residual(now, &demand, [x[0], x[1] + scale])?.map(|v| v / scale);
-            let [a, b] = [[a[0] - r[0] / scale, a[1] - r[1] / scale], [b[0] - r[0] / scale, b[1] - r[1] / scale]];
-            let determinant = a[0] * b[1] - a[1] * b[0];
-            let mut move_by = [-(r[0] * b[1] - r[1] * b[0]) / determinant, -(a[0] * r[1] - a[1] * r[0]) / determinant];
+            let column = |along: Vector2<f64>| Some((self.residual(now, &demand, x + h * along)? - r) / h);
+            let jacobian = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
+            let move_by = jacobian.try_inverse()? * -r;
             // No further than the groove strains: beyond, the difference quotients mean nothing.
-            let most = 0.5 * self.plane.turned(x[0], demand.along, x[1]).0.max(step);
-            let far = move_by[0].abs().max(move_by[1].abs());
-            if far > most {
-                move_by = move_by.map(|m| m * most / far);
-            }
-            x = [x[0] + move_by[0], x[1] + move_by[1]];
-            if !(x[0].is_finite() && x[1].is_finite()) {
+            x += move_by * (0.5 * increment.max(step) / move_by.amax()).min(1.0);
+            if !x.iter().all(|x| x.is_finite()) {
                 return None;
             }
         }
@@ -140,15 +130,15 @@ impl<'a> Groove<'a> {
     }
 
     /// Missing part of the sheet's forces in the groove, over the force across it \[–\].
-    fn residual(&self, now: &Strained, demand: &Demand, [across, shear]: [f64; 2]) -> Option<[f64; 2]> {
-        let (increment, [pull, slip]) = self.plane.turned(across, demand.along, shear);
+    fn residual(&self, now: &Strained, demand: &Demand, x: Vector2<f64>) -> Option<Vector2<f64>> {
+        let (increment, [pull, slip]) = self.plane.turned(x[0], demand.along, x[1]);
         if increment.is_nan() || increment <= 0.0 {
             return None;
         }
         let yields = self.yield_stress(now.groove + increment, increment / demand.duration);
-        let thin = (now.thickness - across - demand.along).exp();
+        let thin = (now.thickness - x[0] - demand.along).exp();
         let [wanted, along] = demand.force;
-        Some([yields * thin * pull / wanted - 1.0, (yields * thin * slip - along) / wanted])
+        Some(Vector2::new(yields * thin * pull / wanted - 1.0, (yields * thin * slip - along) / wanted))
     }
 
     /// Across, along (nn, tt) and shear (nt) components of principal values, at an equivalent strain of the sheet.

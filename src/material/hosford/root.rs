@@ -71,8 +71,7 @@ impl Hosford {
         Halley { value, between: across, step }
     }
 
-    /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
-    /// it is the answer.
+    /// Linear between the known ratios of pure shear, tension, plane strain and equi-biaxial stretching: exact for Hill's.
     #[inline]
     fn guess(&self, beta: f64, sum: f64) -> f64 {
         let (tension, plane) = (self.quadratic.coupling(), self.plane_strain);
