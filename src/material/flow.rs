@@ -21,16 +21,75 @@
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-mod point;
-
-pub use point::{PointState, PreviousRate, ROOM_TEMPERATURE};
-
-use super::{FlowStress, Gtn, Hardening, PointLaw, Rate, ThermalLaw, YieldCriterion};
+use super::{FlowStress, Gtn, Hardening, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
+use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{StressUpdate, Tangent};
 pub use super::yield_condition::{
     Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition,
 };
+
+/// State of a thickness point at the start of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointState {
+    /// ε̄ at the start of the step \[–\].
+    pub strain: f64,
+    /// f that the step reckons with, 0 for a sheet without voids \[–\].
+    pub porosity: f64,
+    /// T \[K\].
+    pub temperature: f64,
+    /// Rate at the end of the step before.
+    pub previous: PreviousRate,
+    /// Resistance of its surroundings.
+    pub surroundings: Surroundings,
+}
+
+/// Rate at the end of the step before, times its weight a in the rate of this one; zero in a first step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PreviousRate {
+    /// a \[–\].
+    weight: f64,
+    /// a p \[–\].
+    strain: Triple,
+    /// a times its spread over the point's part of the thickness \[–\].
+    spread: [f64; 2],
+    /// a p̄ \[–\].
+    equivalent: f64,
+}
+
+impl PointState {
+    /// A point of ordinary metal at room temperature, by itself.
+    pub fn at(strain: f64) -> Self {
+        Self {
+            strain,
+            porosity: 0.0,
+            temperature: ROOM_TEMPERATURE,
+            previous: PreviousRate::default(),
+            surroundings: Surroundings::default(),
+        }
+    }
+
+    /// Point of a sheet that goes on flowing: the last rate would strain it by `p`, with this spread, in the step.
+    #[must_use]
+    pub fn following(
+        self,
+        p: Triple,
+        spread: [f64; 2],
+        a: f64,
+        criterion: YieldCriterion,
+        voids: Option<&Gtn>,
+    ) -> Self {
+        let (equivalent, spread) = match voids {
+            None => (criterion.layer(p, spread, None).square.sqrt(), spread),
+            Some(voids) => (voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p), [0.0; 2]),
+        };
+        let (strain, spread) = (p.map(|p| a * p), spread.map(|k| a * k));
+        Self { previous: PreviousRate { weight: a, strain, spread, equivalent: a * equivalent }, ..self }
+    }
+}
+
+/// 20 °C \[K\].
+pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -89,31 +148,6 @@ impl PointLaw for FlowLaw<'_> {
     }
 }
 
-impl FlowLaw<'_> {
-    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, which
-    /// is `steep` times as large; `flow` is the increment, regularised, and `ratio` its derivative.
-    #[inline]
-    fn yield_stress(
-        &self,
-        point: &PointState,
-        hardening: f64,
-        steep: f64,
-        increment: f64,
-        flow: f64,
-        ratio: f64,
-    ) -> FlowStress {
-        let FlowStress { stress, slope } = self.hardening.at_temperature(point.strain + hardening, point.temperature);
-        let mut yielding = FlowStress { stress, slope: slope / steep };
-        if let Some(rate) = self.rate {
-            let factor = rate.at(flow / self.duration);
-            yielding.slope = yielding.slope * factor.value + yielding.stress * factor.slope * ratio / self.duration;
-            yielding.stress *= factor.value;
-        }
-        let softening = self.softening.map_or(1.0, |law| law.at(point.temperature));
-        point.surroundings.held(yielding, increment).times(softening)
-    }
-}
-
 /// Memory of a thickness point from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Iterate {
@@ -149,7 +183,7 @@ impl Iterate {
     /// Evaluates the law at a strain increment and moves on to it.
     ///
     /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times the factor of the point's
-    /// [`Surroundings`](crate::material::Surroundings). With Δε for Δt ε̇, which is (1 + a) times as steep, the matrices are
+    /// [`Surroundings`]. With Δε for Δt ε̇, which is (1 + a) times as steep, the matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -189,8 +223,17 @@ impl Iterate {
         let inverse_square = 1.0 / (metric.square + law.cutoff * law.cutoff);
         let (inverse, share) = (inverse_square.sqrt(), condition.strain_share());
         let hardening = (share * increment + equivalent) / steep;
-        let FlowStress { stress: yield_stress, slope } =
-            law.yield_stress(point, hardening, steep, share * increment, share / inverse, increment * inverse);
+        let FlowStress { stress, slope } = law.hardening.at_temperature(point.strain + hardening, point.temperature);
+        let mut yielding = FlowStress { stress, slope: slope / steep };
+        if let Some(rate) = law.rate {
+            let factor = rate.at(share / inverse / law.duration);
+            let by_increment = factor.slope * (increment * inverse) / law.duration;
+            yielding.slope = yielding.slope * factor.value + yielding.stress * by_increment;
+            yielding.stress *= factor.value;
+        }
+        let softening = law.softening.map_or(1.0, |softening| softening.at(point.temperature));
+        let yielding = point.surroundings.held(yielding, share * increment).times(softening);
+        let FlowStress { stress: yield_stress, slope } = yielding;
         let f = yield_stress * inverse;
         let h = if increment > 0.0 { share * slope * inverse / increment } else { 0.0 };
 

@@ -1,7 +1,7 @@
 //! The flow law against its closed forms and its matrices against differences.
 
 use super::*;
-use crate::material::{Hill48, Hosford, Surroundings};
+use crate::material::{Hill48, Hosford};
 use approx::assert_relative_eq;
 
 const CUTOFF: f64 = 1e-6;

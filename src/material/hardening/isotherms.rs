@@ -1,6 +1,6 @@
 use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone};
-use super::table::few;
+use super::table::{Points, curve};
 use crate::material::law::prelude::*;
 
 /// Measured points at several temperatures, interpolated straight over the temperature.
@@ -25,7 +25,7 @@ struct Isotherm {
     #[schemars(example = "150 °C")]
     temperature: f64,
     /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
-    points: Vec<(NonNegative<Number>, Positive<Stress>)>,
+    points: Points,
     /// Takes the place of the points that were read.
     #[serde(skip)]
     curve: Monotone,
@@ -56,10 +56,7 @@ impl Law for Isotherms {
                 continue;
             }
             let points = std::mem::take(&mut isotherm.points);
-            let pairs: Vec<_> = points.iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
-            let key = |column: usize, point: usize| format!("points.{point}.{column}");
-            let curve = few("points", pairs.len(), 1000).and_then(|()| Monotone::new(&pairs, self.extrapolation, key));
-            isotherm.curve = curve.map_err(|error| {
+            isotherm.curve = curve(points, self.extrapolation).map_err(|error| {
                 let key = if error.key.is_empty() { "points" } else { &error.key };
                 let (key, message) = (format!("curves.{i}.{key}"), format!("curve {}: {}", i + 1, error.message));
                 LawError { key, message, ..error }

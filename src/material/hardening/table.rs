@@ -2,6 +2,9 @@ use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone, two_points};
 use crate::material::law::prelude::*;
 
+/// Pairs of strain and stress, as a case has them.
+pub(super) type Points = Vec<(NonNegative<Number>, Positive<Stress>)>;
+
 /// Most points.
 const MOST: usize = 1000;
 
@@ -17,7 +20,7 @@ const MOST: usize = 1000;
 #[schemars(extend("dependentRequired" = { "strain": ["stress"], "stress": ["strain"] }))]
 pub struct Table {
     /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
-    points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
+    points: Option<Points>,
     /// Strains, when not given as `points`.
     strain: Option<Vec<NonNegative<Number>>>,
     /// Stresses, when not given as `points`.
@@ -58,12 +61,7 @@ impl Law for Table {
             return Ok(());
         }
         self.curve = match (self.points.take(), self.strain.take(), self.stress.take()) {
-            (Some(points), None, None) => {
-                few("points", points.len(), MOST)?;
-                let pairs: Vec<_> =
-                    points.into_iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
-                Monotone::new(&pairs, self.extrapolation, |column, i| format!("points.{i}.{column}"))?
-            }
+            (Some(points), None, None) => curve(points, self.extrapolation)?,
             (None, Some(strain), Some(stress)) => {
                 few("strain", strain.len(), MOST)?;
                 few("stress", stress.len(), MOST)?;
@@ -83,6 +81,13 @@ impl Law for Table {
     fn formula(&self) -> String {
         self.curve.to_string()
     }
+}
+
+/// Curve through pairs of strain and stress.
+pub(super) fn curve(points: Points, beyond: Extrapolation) -> Result<Monotone, LawError> {
+    few("points", points.len(), MOST)?;
+    let pairs: Vec<_> = points.into_iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
+    Monotone::new(&pairs, beyond, |column, i| format!("points.{i}.{column}"))
 }
 
 /// No more entries than `most`.
