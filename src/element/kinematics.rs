@@ -17,7 +17,7 @@
 
 use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory, Vector6};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, UnitComplex};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = SVector<f64, 5>;
@@ -43,31 +43,12 @@ pub struct Reference {
     bending: bool,
     dr: f64,
     dz: f64,
-    fibre: Fibre,
+    /// Mean rotation θ_m.
+    fibre: UnitComplex<f64>,
     /// Length of the meridian \[mm\].
     pub length: f64,
     /// Radius of the middle \[mm\].
     pub radius: f64,
-}
-
-/// Cosine and sine of the mean rotation θ_m.
-#[derive(Clone, Copy, Debug)]
-struct Fibre {
-    cos: f64,
-    sin: f64,
-}
-
-impl Fibre {
-    #[inline]
-    fn new(angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
-        Self { cos, sin }
-    }
-
-    #[inline]
-    fn turned(&self, by: &Self) -> Self {
-        Self { cos: self.cos * by.cos - self.sin * by.sin, sin: self.sin * by.cos + self.cos * by.sin }
-    }
 }
 
 /// The element in its current configuration, at the end of the step.
@@ -78,7 +59,7 @@ pub struct Current {
     sin: f64,
     length: f64,
     radius: f64,
-    fibre: Fibre,
+    fibre: UnitComplex<f64>,
     /// Strain increments of the step.
     pub strain: Generalised,
 }
@@ -92,7 +73,7 @@ impl Reference {
             bending: theory == Theory::Bending,
             dr,
             dz,
-            fibre: Fibre::new(0.5 * (a[2] + b[2])),
+            fibre: UnitComplex::new(0.5 * (a[2] + b[2])),
             length: (dr * dr + dz * dz).sqrt(),
             radius: 0.5 * (a[0] + b[0]),
         }
@@ -120,7 +101,7 @@ impl Reference {
         if !self.bending {
             return [1.0; 2];
         }
-        let around = if self.hoop { self.fibre.sin / self.radius } else { 0.0 };
+        let around = if self.hoop { self.fibre.im / self.radius } else { 0.0 };
         [1.0, -1.0].map(|side| {
             let h = 0.5 * side * thickness;
             ((1.0 + h * turn / self.length) * (1.0 + h * around)).max(SMALLEST_FACE)
@@ -154,10 +135,10 @@ impl Reference {
             strain[KAPPA_S] = turn / self.length;
             if self.hoop {
                 // sin(θ + δ) − sin θ = 2 cos(θ + δ/2) sin(δ/2)
-                let half = Fibre::new(rotation * 0.5);
-                let middle = fibre.turned(&half);
-                strain[KAPPA_T] = middle.cos * 2.0 * half.sin / self.radius;
-                fibre = middle.turned(&half);
+                let half = UnitComplex::new(rotation * 0.5);
+                let middle = fibre * half;
+                strain[KAPPA_T] = middle.re * 2.0 * half.im / self.radius;
+                fibre = middle * half;
             }
             strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
@@ -194,7 +175,7 @@ impl Current {
         if reference.bending {
             (b[(KAPPA_S, 2)], b[(KAPPA_S, 5)]) = (-1.0 / reference.length, 1.0 / reference.length);
             if reference.hoop {
-                let turn = 0.5 * self.fibre.cos / reference.radius;
+                let turn = 0.5 * self.fibre.re / reference.radius;
                 (b[(KAPPA_T, 2)], b[(KAPPA_T, 5)]) = (turn, turn);
             }
             (b[(GAMMA, 0)], b[(GAMMA, 1)], b[(GAMMA, 2)]) = (s, -c, -0.5);
@@ -216,7 +197,7 @@ impl Current {
         let rz = shear * (y * y - x * x) - 2.0 * s[EPS_S] * x * y;
         let sum = -s[EPS_T] * hoop * hoop;
         let turns = reference.bending && reference.hoop;
-        let turn = if turns { -0.25 * s[KAPPA_T] * self.fibre.sin / reference.radius } else { 0.0 };
+        let turn = if turns { -0.25 * s[KAPPA_T] * self.fibre.im / reference.radius } else { 0.0 };
         let mut k = Matrix6::zeros();
         for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
             (k[(i, j)], k[(i, j + 1)]) = (sign * rr + sum, sign * rz);
