@@ -53,7 +53,7 @@ mod tests {
         #[test]
         fn an_arc_fills_its_box(start in -7.0..7.0_f64, sweep in -6.2..6.2_f64, radius in 0.1..100.0_f64) {
             prop_assume!(sweep.abs() > 0.01);
-            let piece = Piece::Arc(Arc::new(Point::new(3.0, -2.0), radius, start, sweep));
+            let piece = Piece::arc(Point::new(3.0, -2.0), radius, start, sweep);
             let (found, points) = (piece.bounds(), piece.sample(400));
             prop_assert!(points.iter().all(|p| !found.is_beyond(*p, 1e-9 * radius)));
             let needed = points.iter().fold(Bounds { low: points[0], high: points[0] }, |b, p| b.with(*p));

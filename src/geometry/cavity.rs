@@ -2,7 +2,7 @@
 
 use super::crossing::common;
 use super::fillet::parallel_arc;
-use super::{Piece, Point, Profile, Segment};
+use super::{Piece, Point, Profile};
 
 /// Reason why a line does not become a die.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -37,7 +37,7 @@ impl Profile {
         if self.first().y <= face {
             return Err(CavityError::Below { below: face - self.first().y });
         }
-        let plane = Piece::Segment(Segment::new(Point::new(reach, face), Point::new(0.0, face)));
+        let plane = Piece::line(Point::new(reach, face), Point::new(0.0, face));
         let crossing = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty());
         let Some(crossed) = crossing else {
             return Err(CavityError::Above { above: self.last().y - face });
@@ -48,8 +48,7 @@ impl Profile {
             (corner.sweep < 0.0).then_some((crossed - back, corner))
         });
         let Some((last, corner)) = corner else { return Err(CavityError::Shoulder { shoulder }) };
-        let mut pieces =
-            vec![Piece::Segment(Segment::new(Point::new(reach, face), corner.at(0.0))), Piece::Arc(corner)];
+        let mut pieces = vec![Piece::line(Point::new(reach, face), corner.at(0.0)), Piece::Arc(corner)];
         pieces.extend(self.pieces()[last].reversed().split(corner.at(1.0))[1]);
         pieces.extend(self.pieces()[..last].iter().rev().map(Piece::reversed));
         Self::new(pieces).map_err(|_| CavityError::Shoulder { shoulder })

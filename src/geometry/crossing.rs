@@ -1,6 +1,6 @@
 //! Intersections of pieces, and folds of a profile.
 
-use super::{Bounds, Piece, Point, Profile, Segment};
+use super::{Bounds, Piece, Point, Profile};
 use std::f64::consts::PI;
 
 /// Largest distance of touching pieces \[mm\].
@@ -75,7 +75,7 @@ const FAR: f64 = 1e6;
 impl Piece {
     /// Cuts the piece at the axis r = 0, but not closer than `near` \[mm\] to an end.
     pub fn cut_at_axis(&self, near: f64) -> Vec<Piece> {
-        let axis = Piece::Segment(Segment::new(Point::new(0.0, -FAR), Point::new(0.0, FAR)));
+        let axis = Piece::line(Point::new(0.0, -FAR), Point::new(0.0, FAR));
         let far_from_ends = |p: &Point| (p - self.first()).norm() > near && (p - self.last()).norm() > near;
         let mut parts = vec![*self];
         for point in common(self, &axis).into_iter().filter(far_from_ends) {
@@ -150,11 +150,11 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
     fn line(x: [f64; 4]) -> Piece {
-        Piece::Segment(Segment::new(Point::new(x[0], x[1]), Point::new(x[2], x[3])))
+        Piece::line(Point::new(x[0], x[1]), Point::new(x[2], x[3]))
     }
 
     fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
-        Piece::Arc(Arc::new(Point::new(center[0], center[1]), radius, start, sweep))
+        Piece::arc(Point::new(center[0], center[1]), radius, start, sweep)
     }
 
     /// Trust: hand calculation.

@@ -1,7 +1,7 @@
 //! Corners rounded by an arc that is tangent to both sides.
 
 use super::crossing::common;
-use super::{Arc, Piece, Point, Segment, turn};
+use super::{Arc, Piece, Point, turn};
 
 /// Turn below which a vertex has no corner \[rad\].
 const STRAIGHT: f64 = 1e-9;
@@ -25,15 +25,11 @@ pub struct FilletTooLarge {
 /// # Errors
 /// When the tangent lengths R tan(turn/2) of two neighbours are longer than the segment between them.
 pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLarge> {
-    let sides: Vec<Piece> = points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))).collect();
+    let sides: Vec<Piece> = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
     // Tangent length per radius; 0 at the ends.
-    let tangent: Vec<f64> = (0..points.len())
-        .map(|i| match i {
-            0 => 0.0,
-            i if i == sides.len() => 0.0,
-            i => (0.5 * turn(sides[i - 1].tangent(true), sides[i].tangent(false)).abs()).tan(),
-        })
-        .collect();
+    let at_vertex = |w: &[Piece]| (0.5 * turn(w[0].tangent(true), w[1].tangent(false)).abs()).tan();
+    let inner = sides.windows(2).map(at_vertex);
+    let tangent: Vec<f64> = [0.0].into_iter().chain(inner).chain([0.0]).collect();
     for (i, side) in sides.iter().enumerate() {
         if radii[i] * tangent[i] + radii[i + 1] * tangent[i + 1] > side.length() * (1.0 + 1e-12) {
             let larger = |j: usize| if tangent[j] > 0.0 { radii[j] } else { 0.0 };
@@ -47,25 +43,17 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
             return Err(FilletTooLarge { vertex, at: points[vertex], radius: radii[vertex], largest });
         }
     }
-    let mut pieces = Vec::new();
-    let mut here = points[0];
+    let (mut pieces, mut here) = (Vec::new(), points[0]);
     let go_to = |to: Point, here: Point, pieces: &mut Vec<Piece>| {
         if (to - here).norm() > super::piece::SHORTEST {
-            pieces.push(Piece::Segment(Segment::new(here, to)));
+            pieces.push(Piece::line(here, to));
         }
     };
     for i in 1..sides.len() {
-        match tangent_arc(&sides[i - 1], &sides[i], radii[i]) {
-            Some(arc) => {
-                go_to(arc.at(0.0), here, &mut pieces);
-                here = arc.at(1.0);
-                pieces.push(Piece::Arc(arc));
-            }
-            None => {
-                go_to(points[i], here, &mut pieces);
-                here = points[i];
-            }
-        }
+        let arc = tangent_arc(&sides[i - 1], &sides[i], radii[i]);
+        go_to(arc.map_or(points[i], |arc| arc.at(0.0)), here, &mut pieces);
+        here = arc.map_or(points[i], |arc| arc.at(1.0));
+        pieces.extend(arc.map(Piece::Arc));
     }
     go_to(points[points.len() - 1], here, &mut pieces);
     Ok(pieces)
@@ -98,9 +86,9 @@ mod tests {
     /// from the centre of the circle.
     #[test]
     fn a_line_runs_into_an_arc() {
-        let arc = Piece::Arc(Arc::new(Point::new(0.0, 0.0), 20.0, -0.3, 1.2));
+        let arc = Piece::arc(Point::new(0.0, 0.0), 20.0, -0.3, 1.2);
         let start = arc.first();
-        let line = Piece::Segment(Segment::new(start + Point::new(50.0, 0.0), start));
+        let line = Piece::line(start + Point::new(50.0, 0.0), start);
         let fillet = tangent_arc(&line, &arc, 3.0).unwrap();
         assert_relative_eq!(fillet.center.y, start.y + 3.0, epsilon = 1e-9);
         assert_relative_eq!(fillet.center.norm(), 23.0, epsilon = 1e-9);

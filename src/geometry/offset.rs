@@ -1,7 +1,7 @@
 //! Offset of a profile on the sheet's side: the line of a counter-tool.
 
 use super::crossing::common;
-use super::{Arc, Fold, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
+use super::{Fold, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
 /// Largest turn of a hollow vertex that counts as rounding of a drawing \[rad\].
@@ -56,11 +56,8 @@ impl Profile {
         }
         self.tightest_vertex()?;
         let mut line = self.corner_on_axis(by, true).into_iter().collect::<Vec<_>>();
-        for piece in moved {
+        for piece in moved.into_iter().chain(self.corner_on_axis(by, false)) {
             join(&mut line, piece, by);
-        }
-        if let Some(corner) = self.corner_on_axis(by, false) {
-            join(&mut line, corner, by);
         }
         let offset = Self::new(line).map_err(|_| OffsetError::TooTight { radius: 0.0, at: self.first() })?;
         match offset.fold() {
@@ -70,8 +67,7 @@ impl Profile {
     }
 
     fn tightest_vertex(&self) -> Result<(), OffsetError> {
-        let ends = [(self.first(), self.pieces()[0].tangent(false)), (self.last(), self.end_tangent())];
-        let tips = ends.into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
+        let tips = self.end_tangents().into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
         let inner = self.vertices().map(|v| (v.point, v.turn));
         match inner.chain(tips).find(|(_, turn)| *turn > KINK) {
             Some((at, _)) => Err(OffsetError::TooTight { radius: 0.0, at }),
@@ -79,16 +75,15 @@ impl Profile {
         }
     }
 
-    fn end_tangent(&self) -> Point {
-        self.pieces()[self.pieces().len() - 1].tangent(true)
+    /// First and last point, and the tangents there.
+    pub(super) fn end_tangents(&self) -> [(Point, Point); 2] {
+        let [first, last] = [self.pieces[0], self.pieces[self.pieces.len() - 1]];
+        [(first.first(), first.tangent(false)), (last.last(), last.tangent(true))]
     }
 
     /// Half arc around a tip on the axis, at the first or the last point.
     fn corner_on_axis(&self, by: f64, at_first: bool) -> Option<Piece> {
-        let (tip, tangent) = match at_first {
-            true => (self.first(), self.pieces()[0].tangent(false)),
-            false => (self.last(), self.end_tangent()),
-        };
+        let (tip, tangent) = self.end_tangents()[usize::from(!at_first)];
         let turn = turn_on_axis(tangent);
         if !on_axis(&tip) || -turn * by < super::profile::GAP {
             return None;
@@ -96,7 +91,7 @@ impl Profile {
         let normal = turned(tangent);
         let at_tangent = normal.y.atan2(normal.x);
         let start = if at_first { at_tangent - 0.5 * turn } else { at_tangent };
-        Some(Piece::Arc(Arc::new(tip, by, start, 0.5 * turn)))
+        Some(Piece::arc(tip, by, start, 0.5 * turn))
     }
 }
 
@@ -111,7 +106,7 @@ fn join(line: &mut Vec<Piece>, piece: Piece, by: f64) {
     if turn < 0.0 {
         let normal = turned(a);
         let vertex = last.last() - by * normal;
-        line.push(Piece::Arc(Arc::new(vertex, by, normal.y.atan2(normal.x), turn)));
+        line.push(Piece::arc(vertex, by, normal.y.atan2(normal.x), turn));
         return line.push(piece);
     }
     let near = |p: &Point| (p - last.last()).norm_squared();

@@ -141,6 +141,16 @@ impl Arc {
 }
 
 impl Piece {
+    /// Segment between two different points \[mm\].
+    pub fn line(from: Point, to: Point) -> Self {
+        Self::Segment(Segment::new(from, to))
+    }
+
+    /// Arc about `center` \[mm\] starting at angle `start` \[rad\] and turning by `sweep` \[rad\].
+    pub fn arc(center: Point, radius: f64, start: f64, sweep: f64) -> Self {
+        Self::Arc(Arc::new(center, radius, start, sweep))
+    }
+
     /// First point \[mm\].
     pub fn first(&self) -> Point {
         match self {
@@ -178,15 +188,11 @@ impl Piece {
 
     /// Points along the piece in `n` ≥ 1 intervals, both ends included.
     pub fn sample(&self, n: usize) -> Vec<Point> {
-        (0..=n)
-            .map(|i| {
-                let f = i as f64 / n as f64;
-                match self {
-                    Piece::Segment(s) => s.from + f * (s.to - s.from),
-                    Piece::Arc(a) => a.at(f),
-                }
-            })
-            .collect()
+        let at = |f: f64| match self {
+            Piece::Segment(s) => s.from + f * (s.to - s.from),
+            Piece::Arc(a) => a.at(f),
+        };
+        (0..=n).map(|i| at(i as f64 / n as f64)).collect()
     }
 
     /// Points along the piece with both ends, an arc every `step` \[rad\] or finer.
@@ -208,18 +214,15 @@ impl Piece {
     /// Parts before and after a point of the piece; one without length is left out.
     pub(super) fn split(&self, point: Point) -> [Option<Piece>; 2] {
         let halves = match self {
-            Piece::Segment(s) => [Segment::new(s.from, point), Segment::new(point, s.to)].map(Piece::Segment),
+            Piece::Segment(s) => [Piece::line(s.from, point), Piece::line(point, s.to)],
             Piece::Arc(a) => {
                 let from_center = point - a.center;
                 let sense = a.sweep.signum();
                 let swept = (sense * (from_center.y.atan2(from_center.x) - a.start)).rem_euclid(TAU);
                 // Just before the first point is just after a full turn.
                 let before = if swept > 0.5 * (TAU + a.sweep.abs()) { 0.0 } else { swept.min(a.sweep.abs()) * sense };
-                [
-                    Arc::new(a.center, a.radius, a.start, before),
-                    Arc::new(a.center, a.radius, a.start + before, a.sweep - before),
-                ]
-                .map(Piece::Arc)
+                let [after, rest] = [a.start + before, a.sweep - before];
+                [Piece::arc(a.center, a.radius, a.start, before), Piece::arc(a.center, a.radius, after, rest)]
             }
         };
         halves.map(|half| (half.length() > SHORTEST).then_some(half))
@@ -230,11 +233,11 @@ impl Piece {
         match self {
             Piece::Segment(s) => {
                 let shift = by * turned(s.direction);
-                Some(Piece::Segment(Segment::new(s.from + shift, s.to + shift)))
+                Some(Piece::line(s.from + shift, s.to + shift))
             }
             Piece::Arc(a) => {
                 let radius = a.radius - by * a.sweep.signum();
-                (radius > 0.0).then(|| Piece::Arc(Arc::new(a.center, radius, a.start, a.sweep)))
+                (radius > 0.0).then(|| Piece::arc(a.center, radius, a.start, a.sweep))
             }
         }
     }

@@ -52,35 +52,8 @@ impl Nearest {
 
 /// Reason why a chain of pieces is not a profile.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ProfileError {
-    /// There is no piece.
-    #[error("a profile needs at least one piece")]
-    Empty,
-    /// A piece is a point.
-    #[error("piece {index} has no length (it starts and ends at r = {r:.4} mm, z = {z:.4} mm)")]
-    NoLength {
-        /// Index of the piece, from 0.
-        index: usize,
-        /// Distance of its first point from the axis \[mm\].
-        r: f64,
-        /// Height of its first point \[mm\].
-        z: f64,
-    },
-    /// A piece does not begin where the one before ends.
-    #[error(
-        "piece {index} starts {gap:.3e} mm away from the end of the piece before it (r = {r:.4} mm, z = {z:.4} mm)"
-    )]
-    Gap {
-        /// Index of the piece, from 0.
-        index: usize,
-        /// Distance between both ends \[mm\].
-        gap: f64,
-        /// Distance of its first point from the axis \[mm\].
-        r: f64,
-        /// Height of its first point \[mm\].
-        z: f64,
-    },
-}
+#[error("{0}")]
+pub struct ProfileError(String);
 
 impl Profile {
     /// Joins pieces into a profile.
@@ -89,36 +62,40 @@ impl Profile {
     /// When there is no piece, a piece has no length, or consecutive pieces are more than 1e-6 mm apart.
     pub fn new(pieces: Vec<Piece>) -> Result<Self, ProfileError> {
         if pieces.is_empty() {
-            return Err(ProfileError::Empty);
+            return Err(ProfileError("a profile needs at least one piece".into()));
         }
         for (index, piece) in pieces.iter().enumerate() {
             let first = piece.first();
+            let at = || format!("r = {:.4} mm, z = {:.4} mm", first.x, first.y);
             if piece.length().is_nan() || piece.length() <= SHORTEST {
-                return Err(ProfileError::NoLength { index, r: first.x, z: first.y });
+                return Err(ProfileError(format!("piece {index} has no length (it starts and ends at {})", at())));
             }
-            if index > 0 {
-                let gap = (first - pieces[index - 1].last()).norm();
-                if gap > GAP {
-                    return Err(ProfileError::Gap { index, gap, r: first.x, z: first.y });
-                }
+            let gap = if index > 0 { (first - pieces[index - 1].last()).norm() } else { 0.0 };
+            if gap > GAP {
+                let away = format!("piece {index} starts {gap:.3e} mm away from the end of the piece before it");
+                return Err(ProfileError(format!("{away} ({})", at())));
             }
         }
         let normal = |i: usize, last: bool| turned(pieces[i].tangent(last));
         let n = pieces.len();
-        let vertex_normals = (0..=n)
-            .map(|v| {
-                let sum = match v {
-                    0 => normal(0, false),
-                    v if v == n => normal(n - 1, true),
-                    v => normal(v - 1, true) + normal(v, false),
-                };
-                sum.normalize()
-            })
-            .collect();
+        let vertex_normals = (0..=n).map(|v| {
+            let sum = match v {
+                0 => normal(0, false),
+                v if v == n => normal(n - 1, true),
+                v => normal(v - 1, true) + normal(v, false),
+            };
+            sum.normalize()
+        });
+        let vertex_normals = vertex_normals.collect();
         let ends = [pieces[0].first(), pieces[n - 1].last()];
         let closes = (ends[1] - ends[0]).norm() <= GAP;
         let ends = ends.map(|end| (!closes && !on_axis(&end)).then_some(end));
         Ok(Self { pieces, vertex_normals, ends })
+    }
+
+    /// Profile of pieces that are known to be connected.
+    pub(super) fn connected(pieces: impl IntoIterator<Item = Piece>) -> Self {
+        Self::new(pieces.into_iter().collect()).expect("a connected chain")
     }
 
     /// The pieces in order.
@@ -211,20 +188,17 @@ impl Profile {
 
     /// Polyline for drawing: arcs sampled every `step` radians or finer.
     pub fn polyline(&self, step: f64) -> Vec<Point> {
-        let mut points = vec![self.pieces[0].first()];
-        for piece in &self.pieces {
-            points.extend(piece.polyline(step).into_iter().skip(1));
-        }
-        points
+        let rest = self.pieces.iter().flat_map(|piece| piece.polyline(step).into_iter().skip(1));
+        std::iter::once(self.first()).chain(rest).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Arc, Segment};
+    use crate::geometry::Arc;
     use approx::assert_relative_eq;
-    use std::f64::consts::FRAC_PI_2;
+    use std::f64::consts::{FRAC_PI_2, PI};
 
     fn point(x: f64, y: f64) -> Point {
         Point::new(x, y)
@@ -232,28 +206,23 @@ mod tests {
 
     /// A plate from the axis to r = 10 mm at z = 0, the sheet above, nothing else drawn.
     fn plate() -> Profile {
-        Profile::new(vec![Piece::Segment(Segment::new(point(0.0, 0.0), point(10.0, 0.0)))]).unwrap()
+        Profile::connected([Piece::line(point(0.0, 0.0), point(10.0, 0.0))])
     }
 
     /// Trust: to the bit, along ways of small steps and of jumps past a plate, a nose and a die's shoulder.
     #[test]
     fn what_is_known_of_a_point_before_it_moved_changes_nothing() {
-        let shoulder = Profile::new(vec![
-            Piece::Segment(Segment::new(point(0.0, -9.0), point(0.0, -2.0))),
-            Piece::Arc(Arc::new(point(2.0, -2.0), 2.0, std::f64::consts::PI, -FRAC_PI_2)),
-            Piece::Segment(Segment::new(point(2.0, 0.0), point(9.0, 0.0))),
-        ])
-        .unwrap();
-        for profile in [plate(), shoulder] {
-            for step in [1e-3, 0.05, 0.7] {
-                let (mut known, mut last) = (Nearest::default(), Point::zeros());
-                for i in 0..4000 {
-                    let t = step * f64::from(i);
-                    let x = point(4.0 + 6.0 * (0.31 * t).sin(), -1.0 + 4.0 * (0.53 * t).cos());
-                    let found = profile.closest_after(x, (x - last).norm(), &mut known);
-                    assert_eq!(found, profile.closest(x));
-                    last = x;
-                }
+        let shoulder = Profile::connected([
+            Piece::line(point(0.0, -9.0), point(0.0, -2.0)),
+            Piece::arc(point(2.0, -2.0), 2.0, PI, -FRAC_PI_2),
+            Piece::line(point(2.0, 0.0), point(9.0, 0.0)),
+        ]);
+        for (profile, step) in [plate(), shoulder].iter().flat_map(|p| [1e-3, 0.05, 0.7].map(|step| (p, step))) {
+            let (mut known, mut last) = (Nearest::default(), Point::zeros());
+            for t in (0..4000).map(|i| step * f64::from(i)) {
+                let x = point(4.0 + 6.0 * (0.31 * t).sin(), -1.0 + 4.0 * (0.53 * t).cos());
+                assert_eq!(profile.closest_after(x, (x - last).norm(), &mut known), profile.closest(x));
+                last = x;
             }
         }
     }
@@ -261,7 +230,6 @@ mod tests {
     /// Trust: by hand, right triangles of 3, 4 and 5.
     #[test]
     fn what_has_passed_the_end_is_outside_and_what_is_pressed_in_is_inside() {
-        let plate = plate();
         for (x, distance, normal) in [
             (point(5.0, 2.0), 2.0, point(0.0, 1.0)),
             (point(5.0, -2.0), -2.0, point(0.0, 1.0)),
@@ -271,30 +239,30 @@ mod tests {
             // Behind the line: nearer round the end than through it, and the other way about.
             (point(7.0, -4.0), 5.0, point(-0.6, -0.8)),
             (point(6.0, -3.0), -3.0, point(0.0, 1.0)),
+            // The line meets its mirror image on the axis: that is no end.
+            (point(0.0, -2.0), -2.0, point(0.0, 1.0)),
         ] {
-            let closest = plate.closest(x);
+            let closest = plate().closest(x);
             assert_relative_eq!(closest.distance, distance, epsilon = 1e-12);
             assert_relative_eq!(closest.normal, normal, epsilon = 1e-12);
         }
-        // The line meets its mirror image on the axis: that is no end.
-        assert_eq!(plate.closest(point(0.0, -2.0)).distance, -2.0);
     }
 
     /// Trust: the definition of smoothness, half a thickness of 1 mm off a nose that ends after 40°, round to the other face.
     #[test]
     fn distance_and_normal_are_continuous_for_a_sheet_that_bends_over_the_end() {
         let arc = Arc::new(point(0.0, -6.0), 6.0, FRAC_PI_2, -0.7);
-        let (nose, end) = (Profile::new(vec![Piece::Arc(arc)]).unwrap(), arc.at(1.0));
-        let on_nose =
-            (0..700).map(|i| FRAC_PI_2 - 1e-3 * f64::from(i)).map(|a| arc.center + 6.5 * point(a.cos(), a.sin()));
-        let round =
-            (0..2600).map(|i| FRAC_PI_2 - 0.7 - 1e-3 * f64::from(i)).map(|a| end + 0.5 * point(a.cos(), a.sin()));
-        let way: Vec<_> = on_nose.chain(round).map(|x| (x, nose.closest(x))).collect();
+        let nose = Profile::connected([Piece::Arc(arc)]);
+        let around = |center: Point, radius: f64, from: f64, count: i32| {
+            let angles = (0..count).map(move |i| from - 1e-3 * f64::from(i));
+            angles.map(move |angle| center + radius * point(angle.cos(), angle.sin()))
+        };
+        let way = around(arc.center, 6.5, FRAC_PI_2, 700).chain(around(arc.at(1.0), 0.5, FRAC_PI_2 - 0.7, 2600));
+        let way: Vec<_> = way.map(|x| (x, nose.closest(x))).collect();
         for pair in way.windows(2) {
             let [(x, a), (y, b)] = [pair[0], pair[1]];
-            let moved = (y - x).norm();
             assert!((a.distance - 0.5).abs() < 1e-12 && (b.distance - a.distance).abs() < 1e-12, "{a:?} {b:?}");
-            assert!((b.normal - a.normal).norm() <= 1.001 * moved / 0.5, "{a:?} {b:?}");
+            assert!((b.normal - a.normal).norm() <= 1.001 * (y - x).norm() / 0.5, "{a:?} {b:?}");
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Corners, vertices, ends, extreme points and distances of profiles.
 
 use super::crossing::common;
-use super::{Arc, Piece, Point, Profile, Segment, turn};
+use super::{Arc, Piece, Point, Profile, turn};
+use std::f64::consts::FRAC_PI_2;
 
 /// Largest turn between two arcs of one corner \[rad\].
 const SMOOTH: f64 = 0.02;
@@ -23,19 +24,14 @@ pub struct Vertex {
 impl Profile {
     /// Replaces every arc by `per_quarter` chords per 90°, at least one.
     pub fn faceted(&self, per_quarter: usize) -> Self {
-        let mut pieces = Vec::new();
-        for piece in &self.pieces {
-            match piece {
-                Piece::Segment(_) => pieces.push(*piece),
-                Piece::Arc(arc) => {
-                    let quarters = arc.sweep.abs() / std::f64::consts::FRAC_PI_2;
-                    let n = (quarters * per_quarter as f64).ceil().max(1.0) as usize;
-                    let points = piece.sample(n);
-                    pieces.extend(points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))));
-                }
+        let chords = |piece: &Piece| match piece {
+            Piece::Segment(_) => vec![*piece],
+            Piece::Arc(arc) => {
+                let n = (arc.sweep.abs() / FRAC_PI_2 * per_quarter as f64).ceil().max(1.0) as usize;
+                piece.sample(n).windows(2).map(|pair| Piece::line(pair[0], pair[1])).collect()
             }
-        }
-        Self::new(pieces).expect("chords of a connected chain are connected")
+        };
+        Self::connected(self.pieces.iter().flat_map(chords))
     }
 
     /// Convex corners in order; smoothly connected arcs of about one radius are one corner.
@@ -95,15 +91,15 @@ impl Profile {
 
     /// Free ends of the line with their unit directions away from it; `None` on the axis and where it closes.
     pub fn ends(&self) -> [Option<(Point, Point)>; 2] {
-        let last = &self.pieces[self.pieces.len() - 1];
-        let away = [-self.pieces[0].tangent(false), last.tangent(true)];
+        let [(_, first), (_, last)] = self.end_tangents();
+        let away = [-first, last];
         [0, 1].map(|k| self.ends[k].map(|end| (end, away[k])))
     }
 
     /// Highest (or lowest) point with r ≤ `within` \[mm\]; `None` when the profile lies beyond it.
     pub fn extreme(&self, highest: bool, within: f64) -> Option<Point> {
         let sign = if highest { 1.0 } else { -1.0 };
-        let edge = Piece::Segment(Segment::new(Point::new(within, -1e6), Point::new(within, 1e6)));
+        let edge = Piece::line(Point::new(within, -1e6), Point::new(within, 1e6));
         let points = self.pieces().iter().flat_map(|piece| {
             let mut points = common(piece, &edge);
             points.extend([piece.first(), piece.last()]);

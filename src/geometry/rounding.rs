@@ -6,7 +6,7 @@
 //! Applying Nagata patches to smooth discretized surfaces used in 3D frictional contact problems, Comput. Methods Appl.
 //! Mech. Engrg. 271 (2014) 296–320; biarcs: K. M. Bolton, Computer-Aided Design 7 (1975) 89–92.
 
-use super::{Arc, Piece, Point, Profile, Segment, on_axis, turn, turn_on_axis, turned};
+use super::{Arc, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
 /// Turn at a vertex above which it is a corner \[rad\].
@@ -24,49 +24,37 @@ impl Profile {
         let pieces = self.pieces();
         let n = pieces.len();
         let is_smooth = |turn: f64| turn > STRAIGHT && turn < CORNER;
-        // Tangent shared at the vertex before each piece, where the chain is smooth there: the mean of the pieces',
-        // but where one is much longer it is a straight wall that runs into an arc, and has the say alone.
+        // Tangent shared at the vertex before each piece, where the chain is smooth there.
         let shared: Vec<Option<Point>> = (0..=n)
             .map(|v| {
                 if v == 0 || v == n {
-                    let (end, own) = if v == 0 {
-                        (self.first(), pieces[0].tangent(false))
-                    } else {
-                        (self.last(), pieces[n - 1].tangent(true))
-                    };
-                    let turn = turn_on_axis(own).abs();
+                    let (end, own) = self.end_tangents()[usize::from(v == n)];
                     // With its mirror image beyond the axis the chain is level there.
-                    return (on_axis(&end) && is_smooth(turn)).then(|| Point::new(own.x.signum(), 0.0));
+                    let smooth = on_axis(&end) && is_smooth(turn_on_axis(own).abs());
+                    return smooth.then(|| Point::new(own.x.signum(), 0.0));
                 }
                 let (before, after) = (&pieces[v - 1], &pieces[v]);
                 let (a, b) = (before.tangent(true), after.tangent(false));
-                let turn = turn(a, b).abs();
                 let (la, lb) = (before.length(), after.length());
                 let tangent = match la / lb {
+                    // A straight wall that runs into an arc has the say alone.
                     ratio if ratio > WALL => a,
                     ratio if ratio < 1.0 / WALL => b,
                     // The arc through three points has its tangent nearer to the shorter chord's.
                     _ => (a * lb + b * la).normalize(),
                 };
-                is_smooth(turn).then_some(tangent)
+                is_smooth(turn(a, b).abs()).then_some(tangent)
             })
             .collect();
-        let mut rounded = Vec::new();
-        for (i, piece) in pieces.iter().enumerate() {
+        let rounded = pieces.iter().enumerate().flat_map(|(i, piece)| {
+            let own = piece.tangent(false);
+            let (start, end) = (shared[i].unwrap_or(own), shared[i + 1].unwrap_or(own));
             match piece {
-                Piece::Segment(s) => {
-                    let own = piece.tangent(false);
-                    let (start, end) = (shared[i].unwrap_or(own), shared[i + 1].unwrap_or(own));
-                    if start == own && end == own {
-                        rounded.push(*piece);
-                    } else {
-                        rounded.extend(biarc(s.from, start, s.to, end));
-                    }
-                }
-                Piece::Arc(_) => rounded.push(*piece),
+                Piece::Segment(s) if start != own || end != own => biarc(s.from, start, s.to, end),
+                _ => vec![*piece],
             }
-        }
-        Self::new(rounded).expect("rounding keeps the vertices")
+        });
+        Self::connected(rounded)
     }
 }
 
@@ -82,12 +70,12 @@ pub fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
         (Some(first), Some(second)) => {
             let second = Arc::new(second.center, second.radius, second.start + second.sweep, -second.sweep);
             if (first.center - second.center).norm() < 1e-9 * first.radius {
-                return vec![Piece::Arc(Arc::new(first.center, first.radius, first.start, first.sweep + second.sweep))];
+                return vec![Piece::arc(first.center, first.radius, first.start, first.sweep + second.sweep)];
             }
             vec![Piece::Arc(first), Piece::Arc(second)]
         }
         // Straight to within round-off.
-        _ => vec![Piece::Segment(Segment::new(a, b))],
+        _ => vec![Piece::line(a, b)],
     }
 }
 

@@ -5,7 +5,7 @@ use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
 use super::stroke::Stroke;
-use crate::geometry::{Arc, Bounds, Piece, Point, Segment, turn};
+use crate::geometry::{Arc, Bounds, Piece, Point, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -224,7 +224,7 @@ fn close_joints(pieces: &mut [(Piece, usize)], is_closed: bool) -> f64 {
 pub(super) fn with_ends(piece: &Piece, from: Point, to: Point) -> Piece {
     match piece {
         _ if (from, to) == (piece.first(), piece.last()) => *piece,
-        Piece::Segment(_) => Piece::Segment(Segment::new(from, to)),
+        Piece::Segment(_) => Piece::line(from, to),
         Piece::Arc(arc) => Piece::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0),
     }
 }

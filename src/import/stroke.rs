@@ -6,7 +6,7 @@ use super::dxf::{MOST, Place, Source, Vertex};
 use super::frame::Frame;
 use super::layers::{Layers, ToolId};
 use super::spline;
-use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
+use crate::geometry::{Bounds, Piece, Point};
 use crate::units::{Dimensioned, Kind, Length, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -185,7 +185,7 @@ impl Pen<'_> {
         }
         let (start, sweep) = if side > 0.0 { (start, sweep) } else { (PI - start, -sweep) };
         let start = similarity.rotation + similarity.sense * start;
-        Ok(vec![Piece::Arc(Arc::new(center, radius, start, similarity.sense * sweep))])
+        Ok(vec![Piece::arc(center, radius, start, similarity.sense * sweep)])
     }
 
     fn elliptic(&self) -> ImportError {
@@ -229,10 +229,10 @@ impl Pen<'_> {
 
 fn bulged(from: Point, to: Point, bulge: f64) -> Piece {
     if bulge.abs() < STRAIGHT {
-        return Piece::Segment(Segment::new(from, to));
+        return Piece::line(from, to);
     }
     let half = 0.5 * (to - from);
     let center = from + half + (1.0 - bulge * bulge) / (2.0 * bulge) * Point::new(-half.y, half.x);
     let radial = from - center;
-    Piece::Arc(Arc::new(center, radial.norm(), radial.y.atan2(radial.x), 4.0 * bulge.atan()))
+    Piece::arc(center, radial.norm(), radial.y.atan2(radial.x), 4.0 * bulge.atan())
 }

@@ -46,9 +46,8 @@ impl Blank {
 }
 
 /// How element sizes are spread over the blank.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Grading {
     /// Equal elements.
     Uniform,
@@ -64,9 +63,8 @@ pub enum Grading {
 }
 
 /// The blank's outer edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Edge {
     /// Draws in under the holder.
     #[default]

@@ -30,14 +30,11 @@ impl Model {
         self.material.check()?;
         self.check_mode()?;
         self.check_tools()?;
-        self.check_beads()?;
-        self.check_gas()?;
-        if let Some(heat) = &self.heat {
-            heat.check(self)?;
-        }
-        self.check_action()?;
+        self.check_loads()?;
+        self.heat.as_ref().map_or(Ok(()), |heat| heat.check(self))?;
         self.check_motion()?;
-        self.check_stop()?;
+        optional(self.stop.load_drop, |share| positive("stop.load_drop", share))?;
+        optional(self.stop.contact_share, |share| within("stop.contact_share", share, 0.0, 1.0))?;
         self.settings.check()
     }
 
@@ -66,26 +63,19 @@ impl Model {
         Ok(())
     }
 
-    fn check_beads(&self) -> Checked {
+    fn check_loads(&self) -> Checked {
         for (i, bead) in self.beads.iter().enumerate() {
             within(&format!("beads.{i}.at"), bead.at, 0.0, self.blank.length)?;
             not_negative(&format!("beads.{i}.restraining"), bead.restraining)?;
             not_negative(&format!("beads.{i}.closing"), bead.closing)?;
         }
-        Ok(())
-    }
-
-    fn check_gas(&self) -> Checked {
         for (i, gas) in self.gas.iter().enumerate() {
             let twice = self.gas[..i].iter().any(|other| other.face == gas.face);
             check(!twice, "gas on one face", || "is given more than once".into())?;
             gas.check(&format!("gas.{i}"))?;
         }
         let held = self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count();
-        check(held < 2, "gas that holds a strain rate", || "is given more than once".into())
-    }
-
-    fn check_action(&self) -> Checked {
+        check(held < 2, "gas that holds a strain rate", || "is given more than once".into())?;
         let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
         let acts = pulled || !self.tools.is_empty() || !self.gas.is_empty() || self.release.is_some();
         check(acts, "tools", || "are missing: there is no gas, no pulled edge and no release that acts either".into())
@@ -113,12 +103,6 @@ impl Model {
         rising("frames", 0.0, self.frames.iter().copied())?;
         agree("last of the frames", self.frames[self.frames.len() - 1], "duration", self.duration)
     }
-
-    fn check_stop(&self) -> Checked {
-        let (load_drop, contact_share) = (self.stop.load_drop, self.stop.contact_share);
-        load_drop.map_or(Ok(()), |share| positive("stop.load_drop", share))?;
-        contact_share.map_or(Ok(()), |share| within("stop.contact_share", share, 0.0, 1.0))
-    }
 }
 
 impl Stage {
@@ -128,7 +112,7 @@ impl Stage {
     /// As [`Model::check`].
     pub fn check(&self, before: Option<&Model>) -> Checked {
         self.model.check()?;
-        self.begin.trim.map_or(Ok(()), |radius| positive("begin.trim", radius))?;
+        optional(self.begin.trim, |radius| positive("begin.trim", radius))?;
         for role in &self.begin.meets {
             needs("begin.meets", self.model.tool(*role).is_some(), role.name())?;
         }
@@ -162,11 +146,11 @@ impl Material {
     fn check(&self) -> Checked {
         let mut before = 0.0;
         for strain in STRAINS {
-            let found = self.hardening.at(strain);
+            let stress = self.hardening.at(strain).stress;
             let at = format!("material.hardening at a strain of {strain}");
-            not_negative(&at, found.stress)?;
-            within(&at, found.stress, before, f64::MAX)?;
-            before = found.stress;
+            not_negative(&at, stress)?;
+            within(&at, stress, before, f64::MAX)?;
+            before = stress;
         }
         positive("material.hardening", before)?;
         for rate in RATES.iter().filter_map(|rate| Some(self.rate?.at(*rate))) {
@@ -181,31 +165,28 @@ impl Material {
             not_negative("material.chaboche.modulus", law.modulus)?;
             not_negative("material.chaboche.dynamic_recovery", law.dynamic_recovery)?;
         }
-        self.gtn.as_ref().map_or(Ok(()), |gtn| {
-            for (what, value) in [("q1", gtn.q1), ("q2", gtn.q2), ("q3", gtn.q3)] {
-                positive(&format!("material.gtn.{what}"), value)?;
-            }
-            if let Some(law) = gtn.coalescence {
-                not_negative("material.gtn.coalescence.critical", law.critical)?;
-                rising("material.gtn.coalescence", law.critical, [law.fracture].into_iter())?;
-            }
-            if let Some(law) = gtn.nucleation {
-                not_negative("material.gtn.nucleation.fraction", law.fraction)?;
-                not_negative("material.gtn.nucleation.strain", law.strain)?;
-                positive("material.gtn.nucleation.deviation", law.deviation)?;
-            }
-            within("material.gtn.initial", gtn.initial, 0.0, gtn.fracture())
-        })
+        let Some(gtn) = &self.gtn else { return Ok(()) };
+        for (what, value) in [("q1", gtn.q1), ("q2", gtn.q2), ("q3", gtn.q3)] {
+            positive(&format!("material.gtn.{what}"), value)?;
+        }
+        if let Some(law) = gtn.coalescence {
+            not_negative("material.gtn.coalescence.critical", law.critical)?;
+            rising("material.gtn.coalescence", law.critical, [law.fracture])?;
+        }
+        if let Some(law) = gtn.nucleation {
+            not_negative("material.gtn.nucleation.fraction", law.fraction)?;
+            not_negative("material.gtn.nucleation.strain", law.strain)?;
+            positive("material.gtn.nucleation.deviation", law.deviation)?;
+        }
+        within("material.gtn.initial", gtn.initial, 0.0, gtn.fracture())
     }
 }
 
 impl Tool {
     fn check(&self) -> Checked {
         let name = self.role.name();
-        for place in self.profile.pieces().iter().flat_map(|piece| [piece.first(), piece.last()]) {
-            finite(&format!("{name}.profile"), place.x)?;
-            finite(&format!("{name}.profile"), place.y)?;
-        }
+        let ends = self.profile.pieces().iter().flat_map(|piece| [piece.first(), piece.last()]);
+        ends.flat_map(|end| [end.x, end.y]).try_for_each(|x| finite(&format!("{name}.profile"), x))?;
         slides(&format!("{name}.friction"), &self.friction)?;
         let motion = format!("{name}.motion");
         match &self.motion {
@@ -240,7 +221,7 @@ impl Heat {
     fn check(&self, model: &Model) -> Checked {
         curve("heat.initial", &self.initial, positive)?;
         for (_, temperature) in self.initial.points() {
-            model.material.thermal.map_or(Ok(()), |law| not_negative("material.thermal", law.at(*temperature)))?;
+            optional(model.material.thermal, |law| not_negative("material.thermal", law.at(*temperature)))?;
         }
         let Some(flow) = &self.flow else { return Ok(()) };
         positive("heat.flow.capacity", flow.capacity)?;
@@ -262,7 +243,7 @@ impl Settings {
     /// The first invalid parameter; `what` is its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
-        self.facets.map_or(Ok(()), |facets| count("settings.facets", facets, 1..=1000))?;
+        optional(self.facets, |facets| count("settings.facets", facets, 1..=1000))?;
         for (key, value, least, most) in [
             ("tolerance", self.tolerance, 1e-12, 0.1),
             ("min_step", self.min_step, 1e-12, 0.1),
@@ -278,6 +259,10 @@ impl Settings {
         }
         within("settings.first_step", self.first_step, self.min_step, self.max_step)
     }
+}
+
+fn optional<T>(value: Option<T>, valid: impl FnOnce(T) -> Checked) -> Checked {
+    value.map_or(Ok(()), valid)
 }
 
 fn slides(what: &str, law: &Friction) -> Checked {

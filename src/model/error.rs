@@ -8,46 +8,21 @@ const SAME: f64 = 1e-6;
 
 /// Reason why a model cannot be solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ModelError {
-    /// A number lies outside its range.
-    #[error("`{what}` must lie between {least:?} and {most:?}, found {value:?}")]
-    Range {
-        /// Path of the value in the model.
-        what: String,
-        /// Found value.
-        value: f64,
-        /// Lower bound.
-        least: f64,
-        /// Upper bound.
-        most: f64,
-    },
-    /// A whole number lies outside its range.
-    #[error("`{what}` must lie between {least} and {most}, found {value}")]
-    Count {
-        /// Path of the value in the model.
-        what: String,
-        /// Found value.
-        value: usize,
-        /// Lower bound.
-        least: usize,
-        /// Upper bound.
-        most: usize,
-    },
-    /// A value is missing, infinite, or contradicts another.
-    #[error("`{what}` {problem}")]
-    Invalid {
-        /// Path of the value in the model.
-        what: String,
-        /// Condition that is not met, and the found value.
-        problem: String,
-    },
+#[error("`{what}` {problem}")]
+pub struct ModelError {
+    /// Path of the value in the model.
+    pub what: String,
+    /// Condition that is not met, and the found value.
+    pub problem: String,
+    /// Nearest whole number that can be solved.
+    pub nearest: Option<usize>,
 }
 
 pub(super) type Checked = Result<(), ModelError>;
 
 /// An error unless a condition holds.
 pub(super) fn check(holds: bool, what: &str, problem: impl FnOnce() -> String) -> Checked {
-    if holds { Ok(()) } else { Err(ModelError::Invalid { what: what.into(), problem: problem() }) }
+    if holds { Ok(()) } else { Err(ModelError { what: what.into(), problem: problem(), nearest: None }) }
 }
 
 pub(super) fn finite(what: &str, value: f64) -> Checked {
@@ -65,16 +40,17 @@ pub(super) fn not_negative(what: &str, value: f64) -> Checked {
 /// A number from `least` to `most`, both included.
 pub(super) fn within(what: &str, value: f64, least: f64, most: f64) -> Checked {
     let inside = (least..=most).contains(&value);
-    if inside { Ok(()) } else { Err(ModelError::Range { what: what.into(), value, least, most }) }
+    check(inside, what, || format!("must lie between {least:?} and {most:?}, found {value:?}"))
 }
 
 pub(super) fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
     let (least, most) = (*range.start(), *range.end());
-    if range.contains(&value) { Ok(()) } else { Err(ModelError::Count { what: what.into(), value, least, most }) }
+    check(range.contains(&value), what, || format!("must lie between {least} and {most}, found {value}"))
+        .map_err(|error| ModelError { nearest: Some(value.clamp(least, most)), ..error })
 }
 
 /// Finite numbers that rise, the first above `before`.
-pub(super) fn rising(what: &str, mut before: f64, values: impl Iterator<Item = f64>) -> Checked {
+pub(super) fn rising(what: &str, mut before: f64, values: impl IntoIterator<Item = f64>) -> Checked {
     for value in values {
         finite(what, value)?;
         check(value > before, what, || format!("must rise from entry to entry, found {value:?} after {before:?}"))?;

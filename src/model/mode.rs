@@ -1,9 +1,8 @@
 //! Constitutive mode, and release of the tools.
 
 /// Constitutive mode of the metal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Mode {
     /// The flow approach, rigid-viscoplastic: σ = 3 μ A ε̇ with the flow viscosity μ = σ_y/(3 ε̄̇) and ε̄̇² = ε̇ᵀ A ε̇, all at the
     /// end of the step; where the sheet hardly flows ε̄̇² + ε̇₀² takes the place of ε̄̇² (`solver.cutoff_strain`).
@@ -39,9 +38,8 @@ pub struct Release {
 
 /// Stiffness of the iterations of a release.
 // Sosnowski (1994), equations 10 to 13.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum ReleaseStiffness {
     /// Formed anew in every iteration, with the geometric stiffness.
     #[default]

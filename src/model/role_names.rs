@@ -3,25 +3,17 @@
 use super::Role;
 
 /// Names of each tool in small letters without accents and separators.
-const WORDS: [(Role, &[&str]); 3] = [
-    (Role::Punch, &["punch", "stempel", "patrize", "poincon"]),
-    (Role::Die, &["die", "matrix", "drawring", "matrize", "ziehring", "gesenk", "matrice"]),
+const WORDS: [(Role, &str); 3] = [
+    (Role::Punch, "punch stempel patrize poincon"),
+    (Role::Die, "die matrix drawring matrize ziehring gesenk matrice"),
     (
         Role::Holder,
-        &[
-            "holder",
-            "binder",
-            "holddown",
-            "pressurering",
-            "niederhalter",
-            "blechhalter",
-            "faltenhalter",
-            "serreflan",
-            "serretole",
-            "presseflan",
-        ],
+        "holder binder holddown pressurering niederhalter blechhalter faltenhalter serreflan serretole presseflan",
     ),
 ];
+
+/// Letters with an accent, and without.
+const ACCENTS: &str = "àáâãäå=a ç=c èéêë=e ìíîï=i ñ=n òóôõö=o ùúûü=u ß=ss œ=oe";
 
 /// Prefixes that do not change the tool: `blank holder`, `Ziehstempel`.
 const BEFORE: [&str; 6] = ["blank", "draw", "drawing", "forming", "zieh", "blech"];
@@ -37,7 +29,9 @@ impl Role {
     /// Tool of a whole word or phrase, without case, accents and separators: `binder`, `Ziehstempel`, `serre-flan`.
     pub fn from_word(word: &str) -> Option<Self> {
         let word: String = letters(word).concat();
-        let means = |word: &str| WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(role, _)| *role);
+        let means = |word: &str| {
+            WORDS.iter().find(|(_, words)| words.split(' ').any(|other| other == word)).map(|(role, _)| *role)
+        };
         means(&word).or_else(|| BEFORE.iter().find_map(|before| means(word.strip_prefix(before)?)))
     }
 
@@ -48,13 +42,11 @@ impl Role {
         for other in OTHERS {
             whole = whole.replace(other, " ");
         }
-        let names = |word: &&str| {
-            if word.len() > SHORT {
-                return whole.contains(*word);
-            }
-            words.iter().any(|part| part.starts_with(*word) || part.ends_with(*word))
+        let names = |word: &str| match word.len() {
+            ..=SHORT => words.iter().any(|part| part.starts_with(word) || part.ends_with(word)),
+            _ => whole.contains(word),
         };
-        WORDS.iter().filter(|(_, words)| words.iter().any(names)).map(|(role, _)| *role).collect()
+        WORDS.iter().filter(|(_, words)| words.split(' ').any(names)).map(|(role, _)| *role).collect()
     }
 }
 
@@ -72,26 +64,16 @@ fn letters(text: &str) -> Vec<String> {
         }
         after_small = c.is_lowercase();
         let word = words.last_mut().expect("there is one");
-        c.to_lowercase().filter(|c| c.is_alphabetic()).for_each(|c| add_plain(word, c));
+        for c in c.to_lowercase().filter(|c| c.is_alphabetic()) {
+            let mut plain = ACCENTS.split(' ').filter_map(|pair| pair.split_once('='));
+            match plain.find(|(accented, _)| accented.contains(c)) {
+                Some((_, plain)) => word.push_str(plain),
+                None => word.push(c),
+            }
+        }
     }
     words.retain(|word| !word.is_empty());
     words
-}
-
-/// Adds a small letter without its accent.
-fn add_plain(word: &mut String, c: char) {
-    match c {
-        'à'..='å' => word.push('a'),
-        'ç' => word.push('c'),
-        'è'..='ë' => word.push('e'),
-        'ì'..='ï' => word.push('i'),
-        'ñ' => word.push('n'),
-        'ò'..='ö' => word.push('o'),
-        'ù'..='ü' => word.push('u'),
-        'ß' => word.push_str("ss"),
-        'œ' => word.push_str("oe"),
-        _ => word.push(c),
-    }
 }
 
 #[cfg(test)]

@@ -4,9 +4,8 @@ use super::Iteration;
 use crate::units::{As, Fraction, Number, Positive, Ratio, Stress};
 
 /// Numerical parameters; one default serves every case, so most files have no `[solver]`.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 #[schemars(rename = "Solver")]
 pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
@@ -103,9 +102,8 @@ impl Default for Settings {
 }
 
 /// Norm of acceptance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Norm {
     /// Relative increment of the velocities.
     Velocity,
@@ -116,9 +114,8 @@ pub enum Norm {
 }
 
 /// Method that keeps tools out of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum ContactMethod {
     /// Stiff springs: tools penetrate by thousandths of the thickness.
     Penalty,
@@ -127,9 +124,8 @@ pub enum ContactMethod {
 }
 
 /// When a run ends before its full travel: at the instant, found to a thousandth of a step, that a rule is first met.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 #[schemars(rename = "Stop")]
 pub struct StopRules {
     /// Ends where one place of the sheet takes all the stretching; true when not given.

@@ -18,9 +18,8 @@ pub struct Tool {
 }
 
 /// Role of a tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[derive(schemars::JsonSchema)]
 pub enum Role {
     /// Below the sheet, forms it towards +z.
     Punch,

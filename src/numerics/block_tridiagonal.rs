@@ -74,6 +74,20 @@ impl System {
         self.corner_rhs = Shared::zeros();
     }
 
+    /// Adds forces on the nodes `e` and `e + 1`.
+    pub fn add_forces(&mut self, e: usize, forces: &SVector<f64, 6>) {
+        self.rhs[e] += forces.fixed_rows::<3>(0);
+        self.rhs[e + 1] += forces.fixed_rows::<3>(3);
+    }
+
+    /// Adds the matrix of an element between the nodes `e` and `e + 1`.
+    pub fn add_element(&mut self, e: usize, matrix: &SMatrix<f64, 6, 6>) {
+        self.diagonal[e] += matrix.fixed_view::<3, 3>(0, 0);
+        self.diagonal[e + 1] += matrix.fixed_view::<3, 3>(3, 3);
+        self.upper[e] += matrix.fixed_view::<3, 3>(0, 3);
+        self.lower[e + 1] += matrix.fixed_view::<3, 3>(3, 0);
+    }
+
     /// Fixes one freedom of a node: its equation becomes x = 0.
     pub fn fix(&mut self, node: usize, freedom: usize) {
         for block in [&mut self.lower[node], &mut self.diagonal[node], &mut self.upper[node]] {

@@ -49,7 +49,7 @@ mod tests {
     const T: f64 = 1.0;
 
     fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
-        Piece::Segment(Segment::new(from.into(), to.into()))
+        Piece::line(from.into(), to.into())
     }
 
     fn height(holder: &Profile, die: &Profile) -> f64 {

@@ -7,7 +7,7 @@ use super::converged::Converged;
 use super::evaluation::{Contact, Evaluation};
 use super::step::CUT_OFF_ZONE;
 use crate::element::Node;
-use crate::element::surface::{STATIONS, stations};
+use crate::element::surface::STATIONS;
 use crate::geometry::{Point, turned};
 use crate::model::{Edge, Mode};
 use crate::solver::solution::Energy;
@@ -69,7 +69,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
                 continue;
             }
             let (e, k) = (i / STATIONS, i % STATIONS);
-            let station = &stations(step.bends[e])[k];
+            let station = &step.stations(e)[k];
             let place = |nodes: &[Node]| station.position(&nodes[e], &nodes[e + 1]);
             let moved = place(&now.nodes) - place(&state.nodes) - tool;
             let across = |contact: &Contact| contact.normal * contact.facing.dot(&moved);

@@ -1,13 +1,12 @@
 //! Evaluation of a trial: residual, matrix, stress, contacts.
 
-use super::contact_force_tangent::{ContactCandidate, ContactForceTangent, ContactPosition};
 use super::run_context::{RunContext, references};
 use super::step::half_thickness_difference;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::Vector6;
 use crate::element::kinematics::Reference;
-use crate::element::surface::{STATIONS, stations};
+use crate::element::surface::{STATIONS, Station, stations};
 use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, PressureCap};
@@ -28,6 +27,20 @@ pub(super) struct Linearisation {
     pub iteration: usize,
     /// Velocity norm of the last iteration \[–\].
     pub velocity_norm: f64,
+}
+
+/// Position of a contact point \[mm\], and the thickness of the sheet there \[mm\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ContactPosition {
+    pub position: Point,
+    pub thickness: f64,
+}
+
+impl ContactPosition {
+    /// Position of a station between two nodes; `rise` is half the thickness difference between them.
+    pub fn new(station: &Station, [a, b]: [&Node; 2], thickness: f64, rise: f64) -> Self {
+        Self { position: station.position(a, b), thickness: thickness + station.xi * rise }
+    }
 }
 
 /// Contact of a point with a tool; forces are zero out of reach.
@@ -97,9 +110,6 @@ pub(super) struct Evaluation {
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
     /// Positions of the contact points.
     pub contact_positions: Vec<ContactPosition>,
-    pub contact_tangents: Vec<ContactForceTangent>,
-    /// Contact points within reach of the last tool.
-    pub near: Vec<ContactCandidate>,
     /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
@@ -137,8 +147,6 @@ impl Evaluation {
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if context.holds_rate() { elements } else { 0 }],
             contact_positions: vec![ContactPosition::default(); state.contact_points()],
-            contact_tangents: vec![ContactForceTangent::default(); state.contact_points()],
-            near: Vec::with_capacity(state.contact_points()),
             contacts: Grid::new(context.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); context.tools.len()],
             active_contacts: 0,
@@ -156,11 +164,10 @@ impl Evaluation {
         for (j, tool) in context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let (e, k) = (i / STATIONS, i % STATIONS);
-                let station = &stations(state.bends[e])[k];
-                let place =
-                    ContactPosition::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
+                let (station, ends) = (&stations(state.bends[e])[k], [&state.nodes[e], &state.nodes[e + 1]]);
+                let place = ContactPosition::new(station, ends, state.thickness[e], rise[e]);
                 let closest = tool.profile.closest(place.position - state.tools[j]);
-                contact.gap = place.gap(closest.distance);
+                contact.gap = closest.distance - 0.5 * place.thickness;
                 let pressure = state.pressure[(j, i)];
                 if pressure > 0.0 {
                     contact.pressure.value = pressure;

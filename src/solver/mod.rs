@@ -3,7 +3,6 @@
 mod augmented_lagrangian;
 mod budget;
 mod closing;
-mod contact_force_tangent;
 mod converged;
 mod corrector;
 mod distance_blocks;

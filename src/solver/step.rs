@@ -4,6 +4,7 @@ use super::restraints::{BeadPosition, Seal};
 use super::run_context::{RunContext, references};
 use super::selective_bending::rotating;
 use crate::element::kinematics::Reference;
+use crate::element::surface::{STATIONS, Station, stations};
 use crate::material::Surroundings;
 use crate::material::chaboche;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
@@ -108,6 +109,11 @@ impl<'a> Step<'a> {
             beads: model.beads.iter().map(|bead| BeadPosition::find(bead, model, state)).collect(),
             seals: model.gas.iter().map(|gas| Seal::find(state, gas.within)).collect(),
         }
+    }
+
+    /// Contact points of element `e`.
+    pub fn stations(&self, e: usize) -> &'static [Station; STATIONS] {
+        stations(self.bends[e])
     }
 
     /// Cut-off Δε₀ of the step times `softening` \[–\].

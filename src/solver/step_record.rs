@@ -3,7 +3,7 @@
 use super::converged::Converged;
 use super::evaluation::Evaluation;
 use super::restraints::Seal;
-use crate::element::surface::{STATIONS, stations};
+use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Role};
 use crate::solver::solution::{Energy, StepRecord};
@@ -118,7 +118,7 @@ fn contact_share(converged: &Converged) -> f64 {
     let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
-        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / stations(step.bends[e])[1].xi);
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / step.stations(e)[1].xi);
         [middle - half, middle + half]
     };
     let (mut touching, mut whole) = (0.0, 0.0);

@@ -4,7 +4,7 @@ use super::lines::{Lines, Named};
 use super::tools::ToolContext;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
-use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
+use crate::geometry::{FilletTooLarge, Piece, Point, Profile, fillet};
 use crate::model::{Geometry, Role};
 use crate::table::{Csv, Record, Unit};
 use crate::units::{Amount, Dimensioned, Length};
@@ -62,7 +62,7 @@ pub(super) fn convert(
         return Err(text.error(end.line, what, "leave the radius empty there"));
     }
     let points: Vec<Point> = rows.iter().map(|row| row.point).collect();
-    let chords = points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))).collect();
+    let chords = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
     let chords = Profile::new(chords).expect("distinct points in a row are a chain");
     source.note(format!("the {}'s profile is read from {file}: {} points", role.name(), rows.len()));
     let profile = if radius.is_some() || rows.iter().any(|row| row.radius.is_some()) {

@@ -6,7 +6,7 @@ use super::points;
 use super::tools::ToolContext;
 use crate::case::file::{ProfileStep, Section, SectionTable, Turn};
 use crate::case::{CaseError, source::Source};
-use crate::geometry::{Arc, Piece, Point, Profile, Segment};
+use crate::geometry::{Arc, Piece, Point, Profile};
 use crate::model::Role;
 use crate::units::{Dimensioned, Length};
 
@@ -80,7 +80,7 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, 
             return fail("a step has no length", "drop it");
         }
         let Some((center, turn)) = center.zip(turn) else {
-            pieces.push(Piece::Segment(Segment::new(from, end)));
+            pieces.push(Piece::line(from, end));
             continue;
         };
         let (arc, moved) = Arc::between(from, end, point(center), turn == Turn::Left);

@@ -6,7 +6,7 @@ use super::values::count;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::throat;
-use crate::model::{ModelError, Role, Settings, StopRules, Tool};
+use crate::model::{Role, Settings, StopRules, Tool};
 use crate::units::{Dimensioned, rounded};
 
 /// Distance over the travel below which frames are one, and below which they are an error \[–\].
@@ -15,8 +15,7 @@ const CLOSEST: f64 = 1e-6;
 
 pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseError> {
     let Err(error) = settings.check() else { return Ok(()) };
-    let (ModelError::Range { what, .. } | ModelError::Count { what, .. } | ModelError::Invalid { what, .. }) = &error;
-    let key = what.trim_start_matches("settings.");
+    let key = error.what.trim_start_matches("settings.");
     if key == "first_step" {
         let Settings { min_step, first_step, max_step, .. } = settings;
         let given = source.written("solver", &["first_step", "max_step", "min_step"]);
@@ -26,11 +25,9 @@ pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseErro
         );
         return Err(source.error(&path, what, "they are fractions of the travel"));
     }
-    let help = match &error {
-        ModelError::Count { value, least, most, .. } => {
-            format!("the nearest that can be solved: {key} = {}", value.clamp(least, most))
-        }
-        _ => "leave it out: the default serves every case".to_owned(),
+    let help = match error.nearest {
+        Some(nearest) => format!("the nearest that can be solved: {key} = {nearest}"),
+        None => "leave it out: the default serves every case".to_owned(),
     };
     Err(source.error(&format!("solver.{key}"), error.to_string().replace("settings.", ""), help))
 }

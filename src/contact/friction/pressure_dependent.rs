@@ -11,9 +11,8 @@ use crate::material::law::prelude::*;
 ///
 /// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
 /// Tribology International 103 (2016) 266–273 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct PressureDependent {
     /// At the reference pressure, 0 to 1.
     #[serde(with = "As::<Fraction>")]

@@ -8,9 +8,8 @@ use crate::material::law::prelude::*;
 ///
 /// Source: in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing);
 /// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Stribeck {
     /// Coefficient of the slowest sliding, 0 to 1.
     #[serde(with = "As::<Fraction>")]

@@ -10,9 +10,8 @@ use crate::material::law::prelude::*;
 ///
 /// Source: the combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes
 /// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[derive(schemars::JsonSchema)]
 pub struct Tresca {
     /// Share m of k, 0 to 1.
     #[serde(with = "As::<Fraction>")]

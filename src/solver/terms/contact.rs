@@ -10,110 +10,59 @@
 //! Q acts as a force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2. Without friction
 //! F and Q are the gradient of one potential, and the matrix is symmetric.
 
-mod assembly;
-
 use crate::contact::penalty::ValueAndSlope;
-use crate::contact::{ContactLaw, ContactPoint};
-use crate::element::surface::{STATIONS, stations};
+use crate::contact::{ContactForce, ContactLaw, ContactPoint};
+use crate::element::surface::{STATIONS, thickness_second};
 use crate::geometry::Point;
 use crate::model::Iteration;
-use crate::solver::contact_force_tangent::{ContactCandidate, ContactForceTangent, ContactPosition, slope};
-use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
+use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
+use nalgebra::SMatrix;
 
 /// Adds contact and friction of all tools; returns the largest force on a point.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
-    locate(step, out);
-    out.contact_tangents.fill(ContactForceTangent::default());
+    for (e, places) in out.contact_positions.chunks_exact_mut(STATIONS).enumerate() {
+        for (k, place) in places.iter_mut().enumerate() {
+            let (ends, rise) = ([&out.nodes[e], &out.nodes[e + 1]], step.half_thickness_difference[e]);
+            *place = ContactPosition::new(&step.stations(e)[k], ends, out.thickness[e], rise);
+        }
+    }
     out.active_contacts = 0;
     let mut largest: f64 = 0.0;
-    for j in 0..step.context.tools.len() {
-        if step.context.tools[j].is_absent() {
-            out.tool_force[j] = Point::zeros();
+    for (j, tool) in step.context.tools.iter().enumerate() {
+        out.tool_force[j] = Point::zeros();
+        if tool.is_absent() {
             out.contacts.row_mut(j).fill(Contact::free());
         } else {
             largest = largest.max(press(step, trial, at, j, out));
         }
     }
-    assembly::assemble(step, at, out);
     largest
 }
 
-fn locate(step: &Step, out: &mut Evaluation) {
-    for (e, places) in out.contact_positions.chunks_exact_mut(STATIONS).enumerate() {
-        for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
-            *place = ContactPosition::new(
-                station,
-                &out.nodes[e],
-                &out.nodes[e + 1],
-                out.thickness[e],
-                step.half_thickness_difference[e],
-            );
-        }
-    }
-}
-
-/// Forces of tool `j` on the points of the sheet; returns the largest.
+/// Adds the forces of tool `j` on the points within its reach; returns the largest.
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
-    gather(step, trial, at, j, out);
-    let (context, tool) = (step.context, &step.context.tools[j]);
-    let law = ContactLaw {
-        penalty: &context.penalty,
-        friction: &tool.friction,
-        slip_scale: step.slip_scale,
-        duration: step.dt,
-    };
-    let (contacts, memories) = (out.contacts.row_mut(j), trial.contacts.row_mut(j));
-    let (mut largest, mut whole): (f64, Point) = (0.0, Point::zeros());
-    for ContactCandidate { index: i, point, by_thickness } in &out.near {
-        let force = law.force(point);
-        let (e, tangent) = (i / STATIONS, ContactForceTangent::new(&force, *by_thickness));
-        let contact = &mut contacts[*i];
-        (contact.normal, contact.tangential, contact.slip) = (force.normal, force.tangential, force.slip);
-        (contact.pressure, memories[*i].pressure) = (force.pressure, force.pressure);
-        let force = tangent.force.xy();
-        largest = largest.max(force.norm());
-        whole += force;
-        out.active_contacts += usize::from(point.gap < 0.0);
-        let sum = &mut out.contact_tangents[*i];
-        sum.force += tangent.force;
-        sum.matrix += tangent.matrix;
-        if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-            let station = &stations(step.bends[e])[i % STATIONS];
-            let slope = slope(station, &out.nodes[e], &out.nodes[e + 1], &out.thickness_rows[e]);
-            tangent.follow(e, &slope, shared, &mut out.system);
-        }
-    }
-    out.tool_force[j] = whole;
-    largest
-}
-
-/// Measures the gaps of the points that tool `j` may reach.
-fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) {
-    let Step { context, state, .. } = *step;
+    let Step { context, state, slip_scale, dt, .. } = *step;
     let (tool, displacement) = (&context.tools[j], trial.tools[j]);
-    let moved = displacement - state.tools[j];
+    let law = ContactLaw { penalty: &context.penalty, friction: &tool.friction, slip_scale, duration: dt };
     let reach = context.penalty.reach();
-    let memories = trial.contacts.row_mut(j).iter_mut().zip(state.pressure.row(j));
-    let points = out.contacts.row_mut(j).iter_mut().zip(memories).zip(&out.contact_positions);
-    out.near.clear();
-    for (i, ((contact, (memory, pressure)), place)) in points.enumerate() {
-        let ContactPosition { position: x, thickness } = *place;
+    let mut largest: f64 = 0.0;
+    for i in 0..out.contact_positions.len() {
+        let (contact, memory) = (&mut out.contacts[(j, i)], &mut trial.contacts[(j, i)]);
+        let ContactPosition { position: x, thickness } = out.contact_positions[i];
         let position = x - displacement;
         // A distance changes no faster than the point moves: far away it need not be measured again.
-        let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && *pressure == 0.0;
-        let shift = memory.shift;
-        let way = (position - memory.position).norm();
-        let away = memory.distance - way;
-        if free && away > 0.5 * thickness + reach - shift {
+        let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && state.pressure[(j, i)] == 0.0;
+        let moved = (position - memory.position).norm();
+        if free && memory.distance - moved > 0.5 * thickness + reach - memory.shift {
             if contact.gap < f64::INFINITY {
                 *contact = Contact::free();
                 memory.gap = f64::INFINITY;
             }
             continue;
         }
-        let closest = tool.profile.closest_after(position, way, &mut memory.nearest);
+        let closest = tool.profile.closest_after(position, moved, &mut memory.nearest);
         (memory.position, memory.distance) = (position, closest.distance);
         let (e, k) = (i / STATIONS, i % STATIONS);
         let [a, b] = [&out.nodes[e], &out.nodes[e + 1]];
@@ -130,22 +79,68 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
             let ValueAndSlope { value, slope } = memory.pressure;
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
         }
-        let station = &stations(step.bends[e])[k];
-        let relative = x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved;
-        let point = ContactPoint {
+        let start = step.stations(e)[k].position(&state.nodes[e], &state.nodes[e + 1]);
+        let force = law.force(&ContactPoint {
             facing: closest.normal,
             curvature: closest.curvature,
             gap,
-            relative,
+            by_thickness: -0.5 * share,
+            relative: x - start - (displacement - state.tools[j]),
             area: step.areas[i] * face,
             carried: memory.carried,
-            shift,
+            shift: memory.shift,
             shear_yield: step.shear_yield[e],
+        });
+        (memory.gap, memory.pressure) = (gap, force.pressure);
+        *contact = Contact {
+            gap: gap + 0.5 * going,
+            closing: 0.5 * going,
+            normal: force.normal,
+            tangential: force.tangential,
+            slip: force.slip,
+            pressure: force.pressure,
+            facing: closest.normal,
         };
-        *contact =
-            Contact { gap: gap + 0.5 * going, closing: 0.5 * going, facing: closest.normal, ..Contact::default() };
-        memory.gap = gap;
-        out.near.push(ContactCandidate { index: i, point, by_thickness: -0.5 * share });
+        largest = largest.max(force.force.xy().norm());
+        out.tool_force[j] += force.force.xy();
+        out.active_contacts += usize::from(gap < 0.0);
+        if force.force.z != 0.0 || force.matrix.m33 != 0.0 {
+            assemble(step, i, &force, tool.shared, at.residual_alone, out);
+        }
+    }
+    largest
+}
+
+/// Adds Gᵀ f and Gᵀ K G of contact point `i`, with the second derivatives of its position and thickness. The forces depend on
+/// the tool's `shared` displacement as on the point's z, with the opposite sign.
+fn assemble(
+    step: &Step,
+    i: usize,
+    force: &ContactForce,
+    shared: Option<usize>,
+    residual_alone: bool,
+    out: &mut Evaluation,
+) {
+    let (e, station) = (i / STATIONS, &step.stations(i / STATIONS)[i % STATIONS]);
+    let mut g = SMatrix::<f64, 3, 6>::zeros();
+    g.fixed_rows_mut::<2>(0).copy_from(&station.slope(&out.nodes[e], &out.nodes[e + 1]));
+    g.set_row(2, &out.thickness_rows[e].transpose());
+    let system = &mut out.system;
+    system.add_forces(e, &(g.transpose() * force.force));
+    if residual_alone {
+        return;
+    }
+    let thinning = thickness_second(&out.thickness_rows[e], out.thickness[e]) * force.force.z;
+    let turning = station.second([force.force.x, force.force.y]);
+    system.add_element(e, &-(g.transpose() * (force.matrix * g) + turning + thinning));
+    if let Some(shared) = shared {
+        let column = g.tr_mul(&force.matrix.column(1));
+        let row = g.tr_mul(&force.matrix.row(1).transpose());
+        for (node, first) in [(e, 0), (e + 1, 3)] {
+            system.columns[node][shared] += column.fixed_rows::<3>(first);
+            system.rows[node][shared] += row.fixed_rows::<3>(first);
+        }
+        system.corner[(shared, shared)] -= force.matrix.m22;
     }
 }
 
@@ -158,7 +153,7 @@ pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
             let moved = (position - memory.position).norm();
             memory.distance = tool.profile.closest_after(position, moved, &mut memory.nearest).distance;
             memory.position = position;
-            contact.gap = place.gap(memory.distance);
+            contact.gap = memory.distance - 0.5 * place.thickness;
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::element::Node;
 use crate::element::kinematics::{EPS_S, EPS_T};
 use crate::element::section::{Internal, Section, ThicknessIntegrand};
-use crate::element::surface::{STATIONS, stations};
+use crate::element::surface::STATIONS;
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
 use crate::model::{Iteration, Mode};
@@ -70,14 +70,9 @@ fn add_elements<L: PointLaw>(
         let thickness = step.growth[e] * step.state.thickness[e] * (-stretch[0] - stretch[1]).exp();
         out.thickness[e] = thickness;
         out.thickness_rows[e] = current.stretch_rows() * -thickness;
-        let system = &mut out.system;
-        system.rhs[e] -= force.fixed_rows::<3>(0);
-        system.rhs[e + 1] -= force.fixed_rows::<3>(3);
+        out.system.add_forces(e, &-force);
         if let Some(matrix) = matrix {
-            system.diagonal[e] += matrix.fixed_view::<3, 3>(0, 0);
-            system.diagonal[e + 1] += matrix.fixed_view::<3, 3>(3, 3);
-            system.upper[e].copy_from(&matrix.fixed_view::<3, 3>(0, 3));
-            system.lower[e + 1].copy_from(&matrix.fixed_view::<3, 3>(3, 0));
+            out.system.add_element(e, &matrix);
         }
     }
     true
@@ -89,7 +84,7 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
         return;
     }
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
-        for (area, station) in areas.iter().zip(stations(step.bends[e])) {
+        for (area, station) in areas.iter().zip(step.stations(e)) {
             for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
                 let stiffness = STABILISATION * step.context.penalty.stiffness * area * share;
                 out.system.rhs[i].y -= stiffness * trial.moves[i][1];
