@@ -2,7 +2,7 @@
 
 use super::forming_limit::Nearest;
 use super::thinning::torn;
-use crate::measure::{PartPlace, place_on_part};
+use crate::measure::place_on_part;
 use crate::model::Geometry;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, joined};
@@ -89,7 +89,8 @@ pub(super) fn on_part(stage: &StageSolution, s0: f64) -> String {
         Geometry::PlaneStrain => "from the middle of the flat blank",
     };
     let blank = format!("{} {from}", Amount::place(s0));
-    let Some(PartPlace { band, next_to, .. }) = place_on_part(stage, s0) else { return blank };
-    let next_to = next_to.map_or_else(String::new, |other| format!(", next to the {}", other.name()));
-    format!("{}{next_to} ({blank})", band.at())
+    match place_on_part(stage, s0) {
+        Some(place) => format!("{place} ({blank})"),
+        None => blank,
+    }
 }

@@ -14,7 +14,7 @@
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Geometry, Model, Role, Tool};
-use crate::solver::solution::{Frame, StageSolution};
+use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use std::ops::Range;
 
 /// Largest gap of a sheet that lies against a tool, over its thickness \[–\].
@@ -64,16 +64,6 @@ impl Band {
             Band::Flange => "flange",
         }
     }
-
-    /// Name with its preposition: `on the punch radius`.
-    pub fn at(self) -> String {
-        let preposition = match self {
-            Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
-            Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
-        };
-        let stretch = if self == Band::Unsupported { " stretch" } else { "" };
-        format!("{preposition} the {}{stretch}", self.name())
-    }
 }
 
 /// Extent of a band.
@@ -94,31 +84,28 @@ pub struct PartPlace {
     pub band: Band,
     /// Other band within three thicknesses.
     pub next_to: Option<Band>,
-    /// Length along the deformed mid-surface from the middle \[mm\].
-    pub along: f64,
-    /// Distance from the axis or symmetry plane \[mm\].
-    pub r: f64,
-    /// Absolute height from the middle of the part \[mm\].
-    pub height: f64,
 }
 
 impl std::fmt::Display for PartPlace {
     /// `in the wall, next to the punch radius`
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        f.write_str(&self.band.at())?;
+        let preposition = match self.band {
+            Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
+            Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
+        };
+        let stretch = if self.band == Band::Unsupported { " stretch" } else { "" };
+        write!(f, "{preposition} the {}{stretch}", self.band.name())?;
         self.next_to.map_or(Ok(()), |other| write!(f, ", next to the {}", other.name()))
     }
 }
 
 /// Length along the deformed mid-surface from the middle to each node \[mm\].
 pub fn along(frame: &Frame) -> Vec<f64> {
-    let mut length = 0.0;
-    let steps = frame.nodes.windows(2).map(|pair| (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
-    let ends = steps.map(|step| {
-        length += step;
-        length
-    });
-    std::iter::once(0.0).chain(ends).collect()
+    let mut along = vec![0.0];
+    for pair in frame.nodes.windows(2) {
+        along.push(along[along.len() - 1] + (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
+    }
+    along
 }
 
 /// Bands of the part after a stage, from the middle outward; empty if neither punch nor gas formed it.
@@ -160,14 +147,8 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let inner = i.checked_sub(1).map(|inner| (middle - from, bands[inner].band));
     let outer = bands.get(i + 1).map(|outer| (to - middle, outer.band));
     let nearest = [inner, outer].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
-    let crate::solver::solution::ElementRecord { r, z, .. } = frame.elements[element];
-    Some(PartPlace {
-        band: bands[i].band,
-        next_to: nearest.filter(|(distance, _)| *distance < near).map(|(_, band)| band),
-        along: middle,
-        r,
-        height: (z - frame.nodes.first()?.z).abs(),
-    })
+    let next_to = nearest.filter(|(distance, _)| *distance < near).map(|(_, band)| band);
+    Some(PartPlace { band: bands[i].band, next_to })
 }
 
 /// Tool that a node lies against.
@@ -187,36 +168,45 @@ impl NodeContact<'_> {
 
 /// Band of each node by the frame in which the tools formed it; `None` if neither punch nor gas did.
 fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
-    let (at_end, at_start) =
-        (touches(&stage.model, last), stage.start.as_ref().map(|start| touches(&stage.model, start)));
-    let punched = |touches: &[Option<NodeContact>]| touches.iter().flatten().any(NodeContact::is_punch);
-    let leaves = stage.model.release.is_some() || !punched(&at_end);
-    let (frame, touches) = match (&stage.start, &at_start) {
-        (Some(start), Some(at_start)) if leaves && punched(at_start) => (start, at_start),
-        _ => (last, &at_end),
-    };
+    let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(NodeContact::is_punch);
+    let (mut frame, mut contacts) = (last, contacts(&stage.model, last));
+    if let Some(start) = stage.start.as_ref().filter(|_| stage.model.release.is_some() || !punched(&contacts)) {
+        let at_start = self::contacts(&stage.model, start);
+        if punched(&at_start) {
+            (frame, contacts) = (start, at_start);
+        }
+    }
     // Without a punch or a gas that made the part, contact says nothing of its bands.
-    let formed = punched(touches) || !stage.model.gas.is_empty() && touches.iter().any(Option::is_some);
-    formed.then(|| node_bands(stage.model.geometry, frame, touches))
+    let formed = punched(&contacts) || !stage.model.gas.is_empty() && contacts.iter().any(Option::is_some);
+    formed.then(|| node_bands(stage.model.geometry, frame, &contacts))
 }
 
-/// Tool that each node lies against.
-fn touches<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {
-    frame.nodes.iter().map(|node| touch(model, frame, Point::new(node.r, node.z), node.thickness)).collect()
+/// Tool that each node lies against, the punch first.
+fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {
+    let of_node = |node: &NodeRecord| {
+        Role::ALL.into_iter().find_map(|role| {
+            let (i, tool) = model.tools.iter().enumerate().find(|(_, tool)| tool.role == role)?;
+            let moved = frame.tool_displacement.get(i).copied().unwrap_or_default();
+            let at = Point::new(node.r, node.z) - moved;
+            let closest = tool.profile.closest(at);
+            let gap = closest.distance / node.thickness - 0.5;
+            let touches = gap < TOUCHES && gap > -0.5 - BEHIND;
+            touches.then(|| NodeContact { tool, moved, band: of_piece(model.geometry, tool, closest.piece, at) })
+        })
+    };
+    frame.nodes.iter().map(of_node).collect()
 }
 
 /// Band of each node.
-fn node_bands(geometry: Geometry, frame: &Frame, touches: &[Option<NodeContact>]) -> Vec<Band> {
+fn node_bands(geometry: Geometry, frame: &Frame, contacts: &[Option<NodeContact>]) -> Vec<Band> {
     let at = |i: usize| Point::new(frame.nodes[i].r, frame.nodes[i].z);
-    let mut names: Vec<Band> = Vec::with_capacity(touches.len());
-    for run in touches.chunk_by(|a, b| a.is_some() == b.is_some()) {
+    let mut names: Vec<Band> = Vec::with_capacity(contacts.len());
+    for run in contacts.chunk_by(|a, b| a.is_some() == b.is_some()) {
         let nodes = names.len()..names.len() + run.len();
-        let inner = nodes.start.checked_sub(1).and_then(|i| touches[i]);
-        let outer = touches.get(nodes.end).copied().flatten();
-        names.extend(nodes.zip(run).map(|(i, touch)| match touch {
-            Some(touch) => touch.band,
-            None => between(geometry, at(i), inner.as_ref(), outer.as_ref()),
-        }));
+        let inner = nodes.start.checked_sub(1).and_then(|i| contacts[i]);
+        let outer = contacts.get(nodes.end).copied().flatten();
+        let free = |i: usize| between(geometry, at(i), inner.as_ref(), outer.as_ref());
+        names.extend(nodes.zip(run).map(|(i, contact)| contact.map_or_else(|| free(i), |contact| contact.band)));
     }
     // A bead in the flange is a part of it.
     let is_flange = |band: &Band| *band == Band::Flange;
@@ -224,19 +214,6 @@ fn node_bands(geometry: Geometry, frame: &Frame, touches: &[Option<NodeContact>]
         names[first..last].fill(Band::Flange);
     }
     names
-}
-
-/// Tool that a node lies against, the punch first.
-fn touch<'a>(model: &'a Model, frame: &Frame, node: Point, thickness: f64) -> Option<NodeContact<'a>> {
-    let touches = Role::ALL.into_iter().filter_map(|role| {
-        let (i, tool) = model.tools.iter().enumerate().find(|(_, tool)| tool.role == role)?;
-        let moved = frame.tool_displacement.get(i).copied().unwrap_or_default();
-        let closest = tool.profile.closest(node - moved);
-        let gap = closest.distance / thickness - 0.5;
-        let touches = gap < TOUCHES && gap > -0.5 - BEHIND;
-        touches.then(|| NodeContact { tool, moved, band: of_piece(model.geometry, tool, closest.piece, node - moved) })
-    });
-    touches.into_iter().next()
 }
 
 /// Band of a free node by its neighbours.

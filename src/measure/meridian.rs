@@ -152,12 +152,10 @@ fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
         slope[after - 1] + f * (slope[after] - slope[after - 1])
     };
     let within = |s: f64| s.clamp(first, last);
-    along
-        .iter()
-        .map(|s| {
-            let (from, to) = (within(s - reach), within(s + reach));
-            // Farther than the reach from every middle, in a long first or last element, there is no window.
-            if to > from { (at(to) - at(from)) / (to - from) } else { 0.0 }
-        })
-        .collect()
+    let of_node = |s: &f64| {
+        let (from, to) = (within(s - reach), within(s + reach));
+        // Farther than the reach from every middle, in a long first or last element, there is no window.
+        if to > from { (at(to) - at(from)) / (to - from) } else { 0.0 }
+    };
+    along.iter().map(of_node).collect()
 }

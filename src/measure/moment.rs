@@ -19,28 +19,31 @@ pub struct MomentError {
 pub fn moment_error(frame: &Frame) -> Option<MomentError> {
     let layers = &frame.through.layers;
     let sections = || frame.elements.iter().zip(frame.through.elements());
-    // M over t²/2, which is the same in both integrals.
-    let squares = |thickness: f64| 0.5 * thickness * thickness;
-    let moments = sections().map(|(e, points)| squares(e.thickness) * summed(layers, points).abs());
-    let largest = moments.fold(0.0, f64::max);
+    let by_rule = |thickness: f64, points| moment(thickness, layers, points, |point| point.stress_meridional);
+    let largest = sections().map(|(e, points)| by_rule(e.thickness, points).abs()).fold(0.0, f64::max);
     let errors = sections().map(|(e, points)| MomentError {
-        share: squares(e.thickness) * (summed(layers, points) - linear(layers, points)).abs() / largest,
+        share: (by_rule(e.thickness, points) - linear(e.thickness, layers, points)).abs() / largest,
         s0: e.s0,
     });
     errors.filter(|error| error.share.is_finite()).max_by(|a, b| a.share.total_cmp(&b.share))
 }
 
-/// ½ ∫ ξ σ dξ by the rule \[MPa\].
-fn summed(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
-    layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * point.stress_meridional).sum()
+/// ∫ σ ζ dζ by the rule, ζ from the mid-surface towards the punch's face \[N\].
+pub(super) fn moment(
+    t: f64,
+    layers: &[ThicknessPoint],
+    points: &[PointRecord],
+    stress: fn(&PointRecord) -> f64,
+) -> f64 {
+    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
+    0.5 * t * t * sum
 }
 
-/// ½ ∫ ξ σ dξ of a stress that is linear between the points \[MPa\].
-fn linear(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
-    let intervals = layers.windows(2).zip(points.windows(2));
-    let parts = intervals.map(|(l, p)| {
+/// ∫ σ ζ dζ of a meridional stress that is linear between the points \[N\].
+fn linear(t: f64, layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
+    let parts = layers.windows(2).zip(points.windows(2)).map(|(l, p)| {
         let ((a, b), (at_a, at_b)) = ((l[0].xi, l[1].xi), (p[0].stress_meridional, p[1].stress_meridional));
         (b - a) / 12.0 * (at_a * (2.0 * a + b) + at_b * (a + 2.0 * b))
     });
-    parts.sum()
+    0.5 * t * t * parts.sum::<f64>()
 }

@@ -23,10 +23,10 @@
 //! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
 //! derived here); S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114, for the shell equation.
 
+use super::moment::moment;
 use super::part_height;
 use crate::material::Elastic;
 use crate::model::Geometry;
-use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord, StageSolution};
 use crate::units::{As, Length, NonNegative, Positive};
 use std::f64::consts::TAU;
@@ -126,13 +126,8 @@ impl Ring {
             // layers run towards the punch's face, inside of a wall that goes away from its bottom
             let outward = along.signum();
             let moment = |stress: fn(&PointRecord) -> f64| outward * moment(element.thickness, layers, points, stress);
-            let values = [
-                1.0,
-                element.r,
-                element.thickness,
-                moment(|point| point.stress_hoop),
-                moment(|point| point.stress_meridional),
-            ];
+            let moments = [moment(|point| point.stress_hoop), moment(|point| point.stress_meridional)];
+            let values = [1.0, element.r, element.thickness, moments[0], moments[1]];
             sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += share * value);
         }
         let [height, sums @ ..] = sums;
@@ -151,11 +146,10 @@ impl Ring {
 
     /// Openings of this ring and of rings all along the wall; `None` where it has none itself.
     pub fn test(self, stages: &[StageSolution]) -> Option<RingTest> {
-        let (frame, elastic) = released(stages)?;
         let opening = self.opening(stages)?;
-        let height = part_height(frame)?;
+        let height = part_height(released(stages)?.0)?;
         let others = (0..=PLACES).map(|i| height * f64::from(i) / f64::from(PLACES));
-        let along = others.filter_map(|from| Some((from, Self { from, ..self }.cut(frame)?.opening(elastic))));
+        let along = others.filter_map(|from| Some((from, Self { from, ..self }.opening(stages)?)));
         let mut places: Vec<(f64, f64)> = along.chain([(self.from, opening)]).collect();
         places.sort_by(|a, b| a.0.total_cmp(&b.0));
         Some(RingTest { ring: self, opening, places })
@@ -167,10 +161,4 @@ fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
     let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
     let [_, frame] = last.released()?;
     Some((frame, last.model.material.elastic?))
-}
-
-/// ∫ σ ζ dζ, ζ from the mid-surface towards the punch's face \[N\].
-fn moment(thickness: f64, layers: &[ThicknessPoint], points: &[PointRecord], stress: fn(&PointRecord) -> f64) -> f64 {
-    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
-    0.5 * thickness * thickness * sum
 }
