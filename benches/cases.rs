@@ -12,7 +12,6 @@ mod files;
 use fastest::fastest;
 use files::files;
 use stampflow::model::{Mode, Theory};
-use stampflow::solver::solution::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -21,7 +20,7 @@ use std::time::{Duration, Instant};
 struct Count(usize);
 
 impl Observer for Count {
-    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, _: &stampflow::solver::Iterate) {
         self.0 += 1;
     }
 }

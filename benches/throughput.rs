@@ -15,7 +15,6 @@ use rayon::iter::Either;
 use rayon::prelude::*;
 use stampflow::author::templates;
 use stampflow::case::CaseError;
-use stampflow::solver::solution::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -30,7 +29,7 @@ struct Count {
 }
 
 impl Observer for Count {
-    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, _: &stampflow::solver::Iterate) {
         self.iterations += 1;
     }
 

@@ -168,9 +168,9 @@ impl Observer for Watch {
         self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
     }
 
-    fn iteration(&mut self, record: &IterationRecord, _: &Iterate) {
+    fn iteration(&mut self, iterate: &Iterate) {
         if let Some(trace) = &mut self.records.trace {
-            trace.push(*record);
+            trace.push(iterate.record());
         }
         // Also while no step is accepted.
         if self.meter.has_lines {

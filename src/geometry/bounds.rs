@@ -44,7 +44,6 @@ impl Piece {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Arc;
     use super::*;
     use proptest::prelude::*;
 

@@ -146,7 +146,6 @@ fn radius(piece: &Piece) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Arc;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
     fn line(x: [f64; 4]) -> Piece {

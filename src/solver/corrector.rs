@@ -7,7 +7,6 @@ use super::step::Step;
 use super::trial::Trial;
 use super::{Iterate, Observer, Start};
 use crate::model::{Iteration, Mode, Model, Norm};
-use crate::solver::solution::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;
@@ -105,7 +104,7 @@ pub(super) fn correct(
         {
             return outcome;
         }
-        observe(step, pass, trial, evaluation, &outcome, observer);
+        observer.iteration(&Iterate { step, pass, trial, evaluation, outcome: &outcome });
         let looks_back = searches && (1..most).contains(&outcome.iterations);
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.context, -back);
@@ -128,35 +127,6 @@ pub(super) fn correct(
         // A capped increment says nothing of how far the answer still is.
         outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
     }
-}
-
-/// Calls the observer with the evaluation.
-fn observe(
-    step: &Step,
-    pass: Pass,
-    trial: &Trial,
-    evaluation: &Evaluation,
-    outcome: &Outcome,
-    observer: &mut dyn Observer,
-) {
-    let cutoff = if step.model.mode == Mode::Flow { step.cutoff(trial.softening) } else { 0.0 };
-    let iterate = Iterate { step, evaluation, cutoff };
-    let record = IterationRecord {
-        step: step.number,
-        travel: step.travel(),
-        start: pass.start,
-        matrix: pass.matrix,
-        iteration: outcome.iterations,
-        velocity_norm: outcome.increment,
-        residual_norm: outcome.residual_norm,
-        share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
-        worst_r: evaluation.nodes[evaluation.worst_node][0],
-        active_contacts: evaluation.active_contacts,
-        touching: iterate.contacts().count(),
-        sticking: iterate.contacts().filter(|contact| contact.sticks).count(),
-        cut_off: iterate.increments().filter(|[increment, _]| iterate.is_cut_off(*increment)).count(),
-    };
-    observer.iteration(&record, &iterate);
 }
 
 /// Evaluates a trial and its convergence; `false` when an element has collapsed.

@@ -43,7 +43,7 @@ pub(super) fn travel_until(holder: &Profile, die: &Profile, apart: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Arc, Piece, Segment};
+    use crate::geometry::{Arc, Piece};
     use approx::assert_relative_eq;
 
     const T: f64 = 1.0;

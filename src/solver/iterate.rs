@@ -1,17 +1,21 @@
-//! View of an evaluation of the corrector, and its owned copy.
+//! View of an evaluation of the corrector, and copies of it.
 
+use super::corrector::{Outcome, Pass};
 use super::evaluation::Evaluation;
 use super::step::{CUT_OFF_ZONE, Step};
+use super::trial::Trial;
 use crate::element::Node;
 use crate::geometry::turned;
-use nalgebra::Vector3;
+use crate::model::Mode;
+use crate::solver::solution::IterationRecord;
 
 /// Sheet and forces of one evaluation of the corrector.
 pub struct Iterate<'a> {
     pub(super) step: &'a Step<'a>,
+    pub(super) pass: Pass,
+    pub(super) trial: &'a Trial,
     pub(super) evaluation: &'a Evaluation,
-    /// Δε₀ of the pass \[–\]; 0 for elastoplastic metal.
-    pub(super) cutoff: f64,
+    pub(super) outcome: &'a Outcome,
 }
 
 /// Owned copy of an [`Iterate`].
@@ -19,11 +23,11 @@ pub struct Iterate<'a> {
 pub struct IterateSnapshot {
     /// Nodes from the axis outward \[mm, rad\].
     pub nodes: Vec<Node>,
-    /// Forces out of balance at the nodes along r and z, and moments \[N, N mm, or per mm of depth\].
+    /// Forces out of balance at the nodes along r and z, and moments; 0 at held freedoms \[N, N mm, or per mm of depth\].
     pub imbalance: Vec<[f64; 3]>,
     /// Largest strain increment of each element \[–\] and the yield stress there \[MPa\].
     pub increments: Vec<[f64; 2]>,
-    /// Flags of the elements that strain by less than ten cut-offs.
+    /// Flags of the elements that strain by less than ten cut-offs, where the stress is not the metal's.
     pub cut_off: Vec<bool>,
     /// Contact points under pressure, tool by tool.
     pub contacts: Vec<IterateContact>,
@@ -41,18 +45,39 @@ pub struct IterateContact {
 }
 
 impl Iterate<'_> {
-    /// Nodes from the axis outward \[mm, rad\].
-    pub fn nodes(&self) -> &[Node] {
-        &self.evaluation.nodes
+    /// Norms and counts of the evaluation.
+    pub fn record(&self) -> IterationRecord {
+        let Self { step, pass, trial, evaluation, outcome } = self;
+        IterationRecord {
+            step: step.number,
+            travel: step.travel(),
+            start: pass.start,
+            matrix: pass.matrix,
+            iteration: outcome.iterations,
+            velocity_norm: outcome.increment,
+            residual_norm: outcome.residual_norm,
+            share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
+            worst_r: evaluation.nodes[evaluation.worst_node][0],
+            active_contacts: evaluation.active_contacts,
+            touching: self.contacts().count(),
+            sticking: self.contacts().filter(|contact| contact.sticks).count(),
+            cut_off: self.increments().filter(|(_, is_cut_off)| *is_cut_off).count(),
+        }
     }
 
-    /// Forces out of balance at the nodes, −r; 0 at held freedoms \[N, N mm, or per mm of depth\].
-    pub fn imbalance(&self) -> &[Vector3<f64>] {
-        &self.evaluation.system.rhs
+    /// Copy of sheet and forces.
+    pub fn snapshot(&self) -> IterateSnapshot {
+        let (increments, cut_off) = self.increments().unzip();
+        IterateSnapshot {
+            nodes: self.evaluation.nodes.clone(),
+            imbalance: self.evaluation.system.rhs.iter().map(|force| (*force).into()).collect(),
+            increments,
+            cut_off,
+            contacts: self.contacts().collect(),
+        }
     }
 
-    /// Contact points under pressure, tool by tool.
-    pub fn contacts(&self) -> impl Iterator<Item = IterateContact> {
+    fn contacts(&self) -> impl Iterator<Item = IterateContact> {
         let (step, penalty) = (self.step, &self.step.context.penalty);
         let pairs = self.evaluation.contacts.rows().flat_map(|row| row.iter().zip(&self.evaluation.contact_positions));
         pairs.filter(move |(contact, _)| contact.is_active(penalty)).map(move |(contact, place)| IterateContact {
@@ -62,30 +87,17 @@ impl Iterate<'_> {
         })
     }
 
-    /// Largest strain increment of each element \[–\] and the yield stress there \[MPa\].
-    pub fn increments(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.evaluation.updates.rows().zip(&self.step.bends).map(|(updates, bends)| {
+    /// Largest strain increment of each element and the yield stress there, and whether it is cut off.
+    fn increments(&self) -> impl Iterator<Item = ([f64; 2], bool)> {
+        let is_flow = self.step.model.mode == Mode::Flow;
+        let limit = if is_flow { CUT_OFF_ZONE * self.step.cutoff(self.trial.softening) } else { 0.0 };
+        self.evaluation.updates.rows().zip(&self.step.bends).map(move |(updates, bends)| {
             let points = if *bends { updates } else { &updates[..1] };
             let larger = |most: [f64; 2], increment: f64, stress: f64| {
                 if increment > most[0] { [increment, stress] } else { most }
             };
-            points.iter().fold([0.0; 2], |most, point| larger(most, point.increment, point.yield_stress))
+            let most = points.iter().fold([0.0; 2], |most, point| larger(most, point.increment, point.yield_stress));
+            (most, most[0] < limit)
         })
-    }
-
-    /// True for a largest strain increment of an element below ten cut-offs, where the stress is not the metal's.
-    pub fn is_cut_off(&self, increment: f64) -> bool {
-        increment < CUT_OFF_ZONE * self.cutoff
-    }
-
-    /// Copies the view.
-    pub fn snapshot(&self) -> IterateSnapshot {
-        IterateSnapshot {
-            nodes: self.nodes().to_vec(),
-            imbalance: self.imbalance().iter().map(|force| (*force).into()).collect(),
-            cut_off: self.increments().map(|[increment, _]| self.is_cut_off(increment)).collect(),
-            increments: self.increments().collect(),
-            contacts: self.contacts().collect(),
-        }
     }
 }

@@ -1,9 +1,8 @@
 //! Callbacks of a run.
 
 use super::iterate::Iterate;
-use crate::model::Model;
-use crate::model::stage::Stage;
-use crate::solver::solution::{IterationRecord, StepRecord};
+use crate::model::{Model, Stage};
+use crate::solver::solution::StepRecord;
 use crate::solver::state::State;
 
 /// Receives the progress of a run and may end it; the solver itself never prints.
@@ -13,7 +12,7 @@ pub trait Observer {
     /// Called at the start and after every accepted step.
     fn state(&mut self, _model: &Model, _state: &State) {}
     /// Called after every evaluation of the corrector.
-    fn iteration(&mut self, _record: &IterationRecord, _iterate: &Iterate<'_>) {}
+    fn iteration(&mut self, _iterate: &Iterate<'_>) {}
     /// Called before each stage of a sequence.
     fn stage(&mut self, _stage: &Stage) {}
     /// Returns `true` to end the run with [`Stop::Interrupted`](crate::Stop::Interrupted) and all results so far; asked before

@@ -1,9 +1,14 @@
-//! Small models for unit tests.
+//! Small models and steps for unit tests.
 
+use super::evaluation::{Evaluation, Linearisation};
+use super::run_context::RunContext;
+use super::step::Step;
+use super::trial::Trial;
 use crate::element::{Geometry, Theory};
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
-use crate::model::{Blank, Edge, Grading, Mode, Model, Settings};
+use crate::model::{Blank, Edge, Grading, Iteration, Mode, Model, Settings};
+use crate::solver::state::State;
 
 /// A blank of so many elements without tools, solved with Newton's matrix.
 pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, elements: usize) -> Model {
@@ -34,9 +39,26 @@ pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, ele
         stop: Default::default(),
         timed: true,
         frames: vec![1.0],
-        settings: Settings { iteration: crate::model::Iteration::Newton, ..Settings::default() },
+        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
         mode: Mode::default(),
         release: None,
         forming_limit: None,
     }
+}
+
+pub const NEWTON: Linearisation =
+    Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
+
+/// Calls `test` with the second step of a run from `state` and a predicted trial.
+pub fn with_step<T>(
+    model: &Model,
+    state: &State,
+    (dt, from_rest): (f64, bool),
+    test: impl FnOnce(&Step, &mut Trial, &mut Evaluation) -> T,
+) -> T {
+    let context = RunContext::new(model, state);
+    let step = Step::new(&context, state, dt, 2);
+    let (mut trial, mut evaluation) = (Trial::new(&context, state), Evaluation::new(&context, state));
+    trial.predict(&step, from_rest);
+    test(&step, &mut trial, &mut evaluation)
 }

@@ -46,7 +46,8 @@ struct Allocations {
 }
 
 impl Observer for Allocations {
-    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
+        let record = &iterate.record();
         let now = ALLOCATIONS.get();
         if let Some((last, before)) = self.last.filter(|(last, _)| last.step == record.step)
             && record.iteration > last.iteration
@@ -95,7 +96,8 @@ impl Observer for Stopper {
     fn step(&mut self, _record: &StepRecord) {
         self.steps -= 1;
     }
-    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
+        let record = &iterate.record();
         self.iterations -= usize::from(record.iteration > 0);
     }
     fn wants_to_stop(&mut self) -> bool {
@@ -131,7 +133,8 @@ struct LastIteration {
 }
 
 impl Observer for LastIteration {
-    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
+        let record = &iterate.record();
         self.last = Some(*record);
     }
     fn step(&mut self, record: &StepRecord) {

@@ -21,7 +21,8 @@ impl Observer for OfStep {
         self.is_over = record.step == self.step;
     }
 
-    fn iteration(&mut self, record: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
+        let record = &iterate.record();
         self.kept.extend((record.step == self.step).then_some(*record));
     }
 

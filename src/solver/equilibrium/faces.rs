@@ -1,18 +1,16 @@
 //! Pressure on a face against thick shells, and the potential of contact.
 
-use super::tests::NEWTON;
 use super::*;
 use crate::element::kinematics::Reference;
 use crate::element::{Geometry, Theory};
-use crate::geometry::{Arc, Piece, Point, Profile, Segment};
+use crate::geometry::{Piece, Point, Profile};
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
 use crate::model::{Face, Gas, Model, Motion, Role, Settings, Tool};
 use crate::numerics::bisect;
-use crate::solver::run_context::RunContext;
 use crate::solver::state::State;
-use crate::solver::test_model::bare;
-use std::f64::consts::LN_2;
+use crate::solver::test_model::{NEWTON, bare, with_step};
+use std::f64::consts::{FRAC_PI_2, LN_2};
 
 /// Yield stress of a metal that does not harden \[MPa\].
 const YIELD: f64 = 300.0;
@@ -31,13 +29,8 @@ enum By {
 
 /// A cap of a sphere, or half an arch of a tube, that a concentric tool of the radius `inside` \[mm\] or a gas presses.
 fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> Model {
-    let arc = Arc::new(Point::zeros(), inside, std::f64::consts::FRAC_PI_2 + 0.1, -1.5);
-    let tool = Tool {
-        role: Role::Punch,
-        profile: Profile::new(vec![Piece::Arc(arc)]).expect("one arc"),
-        friction: 0.0.into(),
-        motion: Motion::Fixed,
-    };
+    let profile = Profile::new(vec![Piece::arc(Point::zeros(), inside, FRAC_PI_2 + 0.1, -1.5)]).expect("one arc");
+    let tool = Tool { role: Role::Punch, profile, friction: 0.0.into(), motion: Motion::Fixed };
     let gas = Gas { face: Face::Lower, pressure: gas.into(), within: RADIUS };
     let mut model = Model {
         material: Material::plain(Hardening::Swift(Swift::new(YIELD, 1e-9, 1e-3).expect("valid"))),
@@ -70,18 +63,15 @@ const GROWTH: f64 = 1e-5;
 /// Force along the normal on a node half-way, and the pressure on its face \[MPa\], as the shell grows.
 fn on_a_node(model: &Model) -> (f64, f64) {
     let state = curved(model);
-    let context = RunContext::new(model, &state);
-    let step = Step::new(&context, &state, 0.01, 2);
-    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
-    trial.predict(&step, true);
-    for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
-        *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
-    }
-    assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
-    let (i, e) = (ELEMENTS / 2, ELEMENTS);
-    let x = state.nodes[i];
-    let pressure = evaluation.contacts.get(e).map_or(0.0, |contact| contact.pressure.value);
-    (evaluation.system.rhs[i].xy().dot(&Point::new(x[0], x[1])), pressure)
+    with_step(model, &state, (0.01, true), |step, trial, evaluation| {
+        for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
+            *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
+        }
+        assert!(evaluate(step, trial, &NEWTON, evaluation));
+        let [r, z, _] = state.nodes[ELEMENTS / 2];
+        let pressure = evaluation.contacts.get(ELEMENTS).map_or(0.0, |contact| contact.pressure.value);
+        (evaluation.system.rhs[ELEMENTS / 2].xy().dot(&Point::new(r, z)), pressure)
+    })
 }
 
 /// Pressure on the inner face at which the shell flows \[MPa\].
@@ -106,10 +96,8 @@ fn limit(geometry: Geometry, thickness: f64, by: By) -> f64 {
 #[test]
 fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
     for slender in [0.02, 0.05, 0.1, 0.2] {
-        let (a, b) = (1.0 - 0.5 * slender, 1.0 + 0.5 * slender);
-        let shells = [(Geometry::Axisymmetric, 2.0), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt())];
-        for (geometry, factor) in shells {
-            let exact = factor * YIELD * f64::ln(b / a);
+        for (geometry, factor) in [(Geometry::Axisymmetric, 2.0), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt())] {
+            let exact = factor * YIELD * f64::ln((1.0 + 0.5 * slender) / (1.0 - 0.5 * slender));
             for by in [By::Contact, By::Gas] {
                 let error = limit(geometry, slender * RADIUS, by) / exact - 1.0;
                 let bound = 0.4 * slender * slender + 5e-5;
@@ -142,22 +130,20 @@ fn the_matrix_is_symmetric_without_friction() {
     for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
         let model = shell(geometry, 2.0, By::Contact, RADIUS - 1.0 + 0.003, 0.0);
         let state = curved(&model);
-        let context = RunContext::new(&model, &state);
-        let step = Step::new(&context, &state, 0.01, 2);
-        let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
-        trial.predict(&step, true);
-        for (i, (u, x)) in trial.moves.iter_mut().zip(&state.nodes).enumerate() {
-            let wave = (i as f64 * 1.7).sin();
-            *u = [GROWTH * x[0] * (1.0 + wave), GROWTH * x[1], 1e-4 * wave * (i.min(1) as f64)];
-        }
-        assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
-        assert!(evaluation.active_contacts > ELEMENTS);
-        let system = &evaluation.system;
-        for i in 1..ELEMENTS {
-            let size = system.diagonal[i].norm();
-            assert!((system.diagonal[i] - system.diagonal[i].transpose()).norm() < 1e-10 * size);
-            assert!((system.upper[i] - system.lower[i + 1].transpose()).norm() < 1e-10 * size);
-        }
+        with_step(&model, &state, (0.01, true), |step, trial, evaluation| {
+            for (i, (u, x)) in trial.moves.iter_mut().zip(&state.nodes).enumerate() {
+                let wave = (i as f64 * 1.7).sin();
+                *u = [GROWTH * x[0] * (1.0 + wave), GROWTH * x[1], 1e-4 * wave * (i.min(1) as f64)];
+            }
+            assert!(evaluate(step, trial, &NEWTON, evaluation));
+            assert!(evaluation.active_contacts > ELEMENTS);
+            let system = &evaluation.system;
+            for i in 1..ELEMENTS {
+                let size = system.diagonal[i].norm();
+                assert!((system.diagonal[i] - system.diagonal[i].transpose()).norm() < 1e-10 * size);
+                assert!((system.upper[i] - system.lower[i + 1].transpose()).norm() < 1e-10 * size);
+            }
+        });
     }
 }
 
@@ -165,26 +151,24 @@ fn the_matrix_is_symmetric_without_friction() {
 #[test]
 fn a_flat_tool_presses_a_flat_sheet_evenly_on_any_mesh() {
     let mut model = shell(Geometry::Axisymmetric, 1.0, By::Contact, 1.0, 0.0);
-    let line = Segment::new(Point::new(-1.0, -0.5), Point::new(RADIUS + 1.0, -0.5));
-    model.tools[0].profile = Profile::new(vec![Piece::Segment(line)]).expect("one line");
+    let line = Piece::line(Point::new(-1.0, -0.5), Point::new(RADIUS + 1.0, -0.5));
+    model.tools[0].profile = Profile::new(vec![line]).expect("one line");
     let mut s0 = vec![0.0];
     while s0.len() <= ELEMENTS {
         let last = s0[s0.len() - 1];
         s0.push(last + 0.2 * (0.1 + 0.9 * (s0.len() as f64 * 0.7).sin().abs()));
     }
-    let state = State::flat(&model, s0);
-    let state = State { tools: vec![Point::zeros()], ..state };
-    let context = RunContext::new(&model, &state);
-    let step = Step::new(&context, &state, 0.01, 2);
-    let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
-    trial.predict(&step, true);
-    assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
-    let pressure = context.penalty.at(0.0).value;
-    assert!(pressure > 0.0 && pressure < LN_2 * context.penalty.stiffness * context.penalty.smoothing);
-    for contact in evaluation.contacts.iter() {
-        assert!((contact.pressure.value - pressure).abs() < 1e-9 * pressure);
-    }
-    // Each node bears what linear shape functions give it.
-    let area: f64 = step.areas.iter().sum();
-    assert!((evaluation.tool_force[0].y - pressure * area).abs() < 1e-9 * pressure * area);
+    let state = State { tools: vec![Point::zeros()], ..State::flat(&model, s0) };
+    with_step(&model, &state, (0.01, true), |step, trial, evaluation| {
+        assert!(evaluate(step, trial, &NEWTON, evaluation));
+        let penalty = step.context.penalty;
+        let pressure = penalty.at(0.0).value;
+        assert!(pressure > 0.0 && pressure < LN_2 * penalty.stiffness * penalty.smoothing);
+        for contact in evaluation.contacts.iter() {
+            assert!((contact.pressure.value - pressure).abs() < 1e-9 * pressure);
+        }
+        // Each node bears what linear shape functions give it.
+        let area: f64 = step.areas.iter().sum();
+        assert!((evaluation.tool_force[0].y - pressure * area).abs() < 1e-9 * pressure * area);
+    });
 }

@@ -4,29 +4,25 @@ use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
 use crate::material::{Elastic, Gtn, Hill48, Rate, ThermalLaw};
-use crate::model::{
-    Bead, Face, Gas, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role, Tool, mesh,
-};
+use crate::model::{Bead, Face, Gas, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role, Tool};
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
+use crate::solver::run;
 use crate::solver::run_context::RunContext;
 use crate::solver::state::State;
-use crate::solver::test_model::bare;
+use crate::solver::test_model::{NEWTON, bare, with_step};
 use nalgebra::Vector3;
 
 /// A cup with every load: tools, springs, bead and gas.
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
-    let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
+    let force = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
+    let press = Press { force: force.into(), stiffness: 30.0 };
     Model {
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
             tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
-            tool(
-                Role::Holder,
-                Profile::holder(17.3, t),
-                Motion::Pressed(Press { force: holder.into(), stiffness: 30.0 }),
-            ),
+            tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(press)),
         ],
         beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
@@ -39,14 +35,12 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
 
 /// The state that the model is formed to.
 fn formed(model: &Model) -> State {
-    let flat = State::flat(model, mesh::nodes(model));
-    let run = crate::solver::run_from(model, flat, &mut ());
+    let mut model = model.clone();
+    model.settings.iteration = Iteration::PrimalDual;
+    let run = run(&model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     run.end
 }
-
-pub const NEWTON: Linearisation =
-    Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
 
 /// Trust: central differences of the whole residual, at a state in the middle of a draw that is disturbed off
 /// equilibrium: elements, contact, friction, thinning under contact and the holder's border all in one.
@@ -54,9 +48,7 @@ pub const NEWTON: Linearisation =
 fn matrix_is_the_derivative_of_the_residual() {
     for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
         for theory in [Theory::Bending, Theory::Membrane, Theory::Selective] {
-            let mut primal_dual = model(geometry, theory);
-            primal_dual.settings.iteration = Iteration::PrimalDual;
-            let state = formed(&primal_dual);
+            let state = formed(&model(geometry, theory));
             check(&model(geometry, theory), &state);
             // The same state with the gas as an unknown that holds a strain rate, or sits on a cap far below.
             for max_pressure in [f64::INFINITY, 1e-3] {
@@ -78,9 +70,7 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
         voided.material.thermal = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
         voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
-        let mut primal_dual = voided.clone();
-        primal_dual.settings.iteration = Iteration::PrimalDual;
-        let state = formed(&primal_dual);
+        let state = formed(&voided);
         assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);
     }
@@ -131,37 +121,40 @@ fn column(system: &System, k: usize) -> Vec<f64> {
 }
 
 fn check(model: &Model, state: &State) {
-    let context = RunContext::new(model, state);
-    let mut trial = Trial::new(&context, state);
-    let mut evaluation = Evaluation::new(&context, state);
-    let step = Step::new(&context, state, 0.05, 2);
-    trial.predict(&step, false);
-    for (i, x) in trial.moves.iter_mut().enumerate() {
-        let wave = (i as f64 * 1.7).sin();
-        x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
-        x[1] += 2e-4 * (i as f64 * 2.3).cos();
-        x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
-    }
+    with_step(model, state, (0.05, false), |step, trial, evaluation| {
+        for (i, x) in trial.moves.iter_mut().enumerate() {
+            let wave = (i as f64 * 1.7).sin();
+            x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
+            x[1] += 2e-4 * (i as f64 * 2.3).cos();
+            x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
+        }
+        compare(step, trial, evaluation);
+    });
+}
+
+/// Compares every column of the matrix with central differences of the residual.
+fn compare(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
+    let context = step.context;
     // A velocity norm of zero: H is the derivative only without the membrane's least tension.
     let mut at = |trial: &mut Trial| {
-        assert!(evaluate(&step, trial, &NEWTON, &mut evaluation));
+        assert!(evaluate(step, trial, &NEWTON, evaluation));
         evaluation.system.clone()
     };
     let residual = |system: &System| -> Vec<f64> {
         let nodes = system.rhs.iter().flat_map(|f| <[f64; 3]>::from(*f));
         nodes.chain(system.corner_rhs.iter().copied()).map(|f| -f).collect()
     };
-    let exact = at(&mut trial);
-    let n = state.nodes.len();
+    let exact = at(trial);
+    let n = step.state.nodes.len();
     let gas = context.gas_shared[0].map(|k| 3 * n + k);
     let held = |k: usize| k < 3 && k != 1 || k < 3 * n && k % 3 == 2 && !step.rotates[k / 3];
     for k in (0..3 * n + context.shared).filter(|k| !held(*k)) {
-        let (x, h) = (*unknown(&mut trial, &context, k), if gas == Some(k) { 1e-6 } else { 1e-8 });
+        let (x, h) = (*unknown(trial, context, k), if gas == Some(k) { 1e-6 } else { 1e-8 });
         let [plus, minus] = [x + h, x - h].map(|moved| {
-            *unknown(&mut trial, &context, k) = moved;
-            residual(&at(&mut trial))
+            *unknown(trial, context, k) = moved;
+            residual(&at(trial))
         });
-        *unknown(&mut trial, &context, k) = x;
+        *unknown(trial, context, k) = x;
         let expected = column(&exact, k);
         for row in (0..3 * n + context.shared).filter(|row| !held(*row)) {
             let difference = (plus[row] - minus[row]) / (2.0 * h);
@@ -184,23 +177,18 @@ fn check(model: &Model, state: &State) {
 #[test]
 fn a_gap_far_away_is_the_one_that_contact_would_see() {
     let model = model(Geometry::Axisymmetric, Theory::Bending);
-    let run = crate::solver::run(&model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    let state = run.end;
-    let context = RunContext::new(&model, &state);
-    let step = Step::new(&context, &state, 0.05, 2);
-    let largest = step.half_thickness_difference.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
-    assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
+    let state = formed(&model);
     let gaps = |far: f64, measure: fn(&Step, &mut Trial, &mut Evaluation)| {
-        let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
-        trial.predict(&step, false);
-        trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
-        assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
-        measure(&step, &mut trial, &mut evaluation);
-        evaluation.contacts.iter().map(|contact| contact.gap).collect::<Vec<_>>()
+        with_step(&model, &state, (0.05, false), |step, trial, evaluation| {
+            let largest = step.half_thickness_difference.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
+            assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
+            trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
+            assert!(evaluate(step, trial, &NEWTON, evaluation));
+            measure(step, trial, evaluation);
+            evaluation.contacts.iter().map(|contact| contact.gap).collect::<Vec<_>>()
+        })
     };
-    let near = gaps(f64::NEG_INFINITY, |_, _, _| {});
-    let far = gaps(f64::INFINITY, contact::measure_far);
+    let (near, far) = (gaps(f64::NEG_INFINITY, |_, _, _| {}), gaps(f64::INFINITY, contact::measure_far));
     for (near, far) in near.iter().zip(&far) {
         assert!((near - far).abs() < 1e-12, "{near} {far}");
     }

@@ -4,14 +4,6 @@ use crate::model::ModelError;
 use crate::units::{Amount, Unit};
 use std::fmt;
 
-const REFUSED: &str = "refused";
-const INTERRUPTED: &str = "interrupted";
-const CREEPING: &str = "creeping";
-const NO_EQUILIBRIUM: &str = "no equilibrium";
-
-/// Kinds of ends by the numerics or the user, which say nothing of the part.
-pub const LOST: [&str; 4] = [REFUSED, INTERRUPTED, CREEPING, NO_EQUILIBRIUM];
-
 /// Reason for the end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
@@ -158,13 +150,17 @@ impl Stop {
 
     /// True if the sheet or the tools ended the run, not the numerics or the user.
     pub fn is_physical(&self) -> bool {
-        !self.is_complete() && !LOST.contains(&self.kind())
+        let is_lost = matches!(
+            self,
+            Stop::Refused(_) | Stop::Interrupted { .. } | Stop::Creeping { .. } | Stop::NoEquilibrium { .. }
+        );
+        !self.is_complete() && !is_lost
     }
 
     /// Kind in a few words.
     pub fn kind(&self) -> &'static str {
         match self {
-            Stop::Refused(_) => REFUSED,
+            Stop::Refused(_) => "refused",
             Stop::FullTravel => "full travel",
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::ContactShare { .. } => "contact share reached",
@@ -176,110 +172,96 @@ impl Stop {
             Stop::DrawnThrough { .. } => "drawn through",
             Stop::HolderClosed { .. } => "holder closed",
             Stop::ToolsClosed { .. } => "tools closed",
-            Stop::Interrupted { .. } => INTERRUPTED,
-            Stop::Creeping { .. } => CREEPING,
-            Stop::NoEquilibrium { .. } => NO_EQUILIBRIUM,
+            Stop::Interrupted { .. } => "interrupted",
+            Stop::Creeping { .. } => "creeping",
+            Stop::NoEquilibrium { .. } => "no equilibrium",
         }
     }
 }
 
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mm = |length: &f64| Amount::place(*length);
-        let share = |share: &f64| Amount::share(*share);
-        match self {
-            Stop::Refused(why) => write!(f, "{why}"),
-            Stop::FullTravel => write!(f, "full travel reached"),
-            Stop::LoadMaximum { travel, peak, unit, drop } => write!(
-                f,
-                "load maximum passed: at {} of travel the load is {} below its peak of {}",
-                mm(travel),
-                share(drop),
-                Amount::force(*peak, *unit)
-            ),
-            Stop::ContactShare { share: found, asked, time, travel } => write!(
-                f,
-                "contact share reached: at {} {} of the sheet lies on its tools ({} asked for)",
-                reached(*travel, *time),
-                share(found),
-                Amount::given_share(*asked)
-            ),
-            Stop::PressureMaximum { pressure, height, s0 } => write!(
-                f,
-                "pressure maximum reached: no equilibrium beyond {}, where the sheet at s0 = {} is at a height of {}; it would \
-                 run away there, to burst or to fold",
-                Amount::stress(*pressure),
-                mm(s0),
-                mm(height)
-            ),
-            Stop::Mechanism { travel, s0 } => write!(
-                f,
-                "mechanism: at {} of travel nothing holds the strip of membranes; it gives way at s0 = {}",
-                mm(travel),
-                mm(s0)
-            ),
-            Stop::Arched { travel, ahead } => write!(
-                f,
-                "arched: at {} of travel the sheet's middle is {} ahead of the punch, an arch that snaps through",
-                mm(travel),
-                Amount::thickness(*ahead)
-            ),
-            Stop::Localised { travel, s0, share: left, why } => write!(
-                f,
-                "ended at {} of travel by a neck at s0 = {}, where {} of its thickness is left; {why}",
-                mm(travel),
-                mm(s0),
-                share(left)
-            ),
-            Stop::Coalesced { travel, s0, porosity } => write!(
-                f,
-                "voids grown together at {} of travel: the sheet tears at s0 = {}, where {} of its volume are voids",
-                mm(travel),
-                mm(s0),
-                share(porosity)
-            ),
-            Stop::DrawnThrough { travel, wished: false } => {
-                write!(f, "drawn through: the blank's edge has passed the die's throat at {} of travel", mm(travel))
+        let (mm, share) = (|length: &f64| Amount::place(*length), |share: &f64| Amount::share(*share));
+        let text = match self {
+            Stop::Refused(why) => why.to_string(),
+            Stop::FullTravel => "full travel reached".into(),
+            Stop::LoadMaximum { travel, peak, unit, drop } => {
+                let (travel, drop, peak) = (mm(travel), share(drop), Amount::force(*peak, *unit));
+                format!("load maximum passed: at {travel} of travel the load is {drop} below its peak of {peak}")
             }
-            Stop::DrawnThrough { travel, wished: true } => {
-                write!(
-                    f,
-                    "drawn through: at {} of travel the rim has left the die's shoulder: strip it off the punch",
-                    mm(travel)
+            Stop::ContactShare { share: reached_share, asked, time, travel } => {
+                let (at, lies, asked) = (reached(*travel, *time), share(reached_share), Amount::given_share(*asked));
+                format!("contact share reached: at {at} {lies} of the sheet lies on its tools ({asked} asked for)")
+            }
+            Stop::PressureMaximum { pressure, height, s0 } => {
+                let (pressure, s0, height) = (Amount::stress(*pressure), mm(s0), mm(height));
+                format!(
+                    "pressure maximum reached: no equilibrium beyond {pressure}, where the sheet at s0 = {s0} is at a height \
+                     of {height}; it would run away there, to burst or to fold"
                 )
             }
-            Stop::HolderClosed { travel } => write!(f, "holder closed: it has reached its force after {}", mm(travel)),
-            Stop::ToolsClosed { travel, r, z } => write!(
-                f,
-                "tools closed: at {} of travel punch and die are half the sheet's thickness apart, near r = {}, z = {}",
-                mm(travel),
-                mm(r),
-                mm(z)
-            ),
+            Stop::Mechanism { travel, s0 } => {
+                let (travel, s0) = (mm(travel), mm(s0));
+                format!(
+                    "mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {s0}"
+                )
+            }
+            Stop::Arched { travel, ahead } => {
+                let (travel, ahead) = (mm(travel), Amount::thickness(*ahead));
+                format!(
+                    "arched: at {travel} of travel the sheet's middle is {ahead} ahead of the punch, an arch that snaps through"
+                )
+            }
+            Stop::Localised { travel, s0, share: left, why } => {
+                let (travel, s0, left) = (mm(travel), mm(s0), share(left));
+                format!(
+                    "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {why}"
+                )
+            }
+            Stop::Coalesced { travel, s0, porosity } => {
+                let (travel, s0, voids) = (mm(travel), mm(s0), share(porosity));
+                format!(
+                    "voids grown together at {travel} of travel: the sheet tears at s0 = {s0}, where {voids} of its volume \
+                     are voids"
+                )
+            }
+            Stop::DrawnThrough { travel, wished: false } => {
+                format!("drawn through: the blank's edge has passed the die's throat at {} of travel", mm(travel))
+            }
+            Stop::DrawnThrough { travel, wished: true } => {
+                let travel = mm(travel);
+                format!(
+                    "drawn through: at {travel} of travel the rim has left the die's shoulder: strip it off the punch"
+                )
+            }
+            Stop::HolderClosed { travel } => format!("holder closed: it has reached its force after {}", mm(travel)),
+            Stop::ToolsClosed { travel, r, z } => {
+                let (travel, r, z) = (mm(travel), mm(r), mm(z));
+                format!(
+                    "tools closed: at {travel} of travel punch and die are half the sheet's thickness apart, near r = {r}, \
+                     z = {z}"
+                )
+            }
             Stop::Interrupted { travel, time } => {
-                write!(f, "interrupted at {}: the results up to there are kept", reached(*travel, *time))
+                format!("interrupted at {}: the results up to there are kept", reached(*travel, *time))
             }
             Stop::Creeping { travel, time, tries, step, worst_s0, seen } => {
-                write!(
-                    f,
-                    "creeping: {tries} tries of a step have come to {}, the next would take {}; worst at s0 = {}",
-                    reached(*travel, *time),
-                    Amount::time(*step),
-                    mm(worst_s0)
-                )?;
-                if seen.is_empty() { Ok(()) } else { write!(f, ": {seen}") }
+                let (at, step, worst) = (reached(*travel, *time), Amount::time(*step), mm(worst_s0));
+                let seen = if seen.is_empty() { String::new() } else { format!(": {seen}") };
+                format!(
+                    "creeping: {tries} tries of a step have come to {at}, the next would take {step}; worst at s0 = {worst}{seen}"
+                )
             }
-            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
-                f,
-                "no equilibrium found at {} with steps down to {} (velocity norm {}, residual norm {}, worst at s0 = {}); \
-                 {diagnosis}",
-                reached(*travel, *time),
-                Amount::time(*step),
-                norm(*velocity_norm),
-                norm(*residual_norm),
-                mm(worst_s0)
-            ),
-        }
+            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => {
+                let (at, step, worst) = (reached(*travel, *time), Amount::time(*step), mm(worst_s0));
+                let [velocity, residual] = [velocity_norm, residual_norm].map(|value| norm(*value));
+                format!(
+                    "no equilibrium found at {at} with steps down to {step} (velocity norm {velocity}, residual norm \
+                     {residual}, worst at s0 = {worst}); {diagnosis}"
+                )
+            }
+        };
+        f.write_str(&text)
     }
 }
 

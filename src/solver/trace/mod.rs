@@ -17,7 +17,7 @@ mod rate;
 pub use rate::ConvergenceRate;
 
 use crate::model::{Iteration, Model, Settings, Stage};
-use crate::solver::solution::{IterationRecord, StepRecord, Stop};
+use crate::solver::solution::{IterationRecord, StageSolution, StepRecord, Stop};
 use crate::solver::state::State;
 use crate::solver::{Iterate, IterateSnapshot, Observer, solve, try_step};
 
@@ -92,30 +92,15 @@ impl IterationHistory {
 /// Reason why a step cannot be traced.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoSuchStep {
-    /// The case has fewer stages.
-    #[error("there is no stage {stage}: the case has {stages}, counted from 1")]
-    Stage {
-        /// Requested stage.
-        stage: usize,
-        /// Number of stages.
-        stages: usize,
-    },
-    /// The stage has fewer steps.
-    #[error("there is no step {step}: the run has {steps}, counted from 1")]
-    Step {
-        /// Requested step.
-        step: usize,
-        /// Number of steps.
-        steps: usize,
-    },
-    /// The run ended in an earlier stage.
-    #[error("stage {stage} is not reached: the run ends in stage {reached}")]
-    NotReached {
-        /// Requested stage.
-        stage: usize,
-        /// Last stage of the run.
-        reached: usize,
-    },
+    /// Requested stage of a case with so many stages.
+    #[error("there is no stage {0}: the case has {1}, counted from 1")]
+    Stage(usize, usize),
+    /// Requested step of a stage with so many steps.
+    #[error("there is no step {0}: the run has {1}, counted from 1")]
+    Step(usize, usize),
+    /// Requested stage of a run that ends in an earlier one.
+    #[error("stage {0} is not reached: the run ends in stage {1}")]
+    NotReached(usize, usize),
     /// The observer ended the run before the step.
     #[error("interrupted before the step")]
     Interrupted,
@@ -126,10 +111,19 @@ pub enum NoSuchStep {
 /// # Errors
 /// When the run has no such step.
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
-    let Replay { begin: Some((model, before)), record: Some(record), dt: Some(dt), .. } =
-        replay(stages, request, observer)?
-    else {
-        return Err(NoSuchStep::Interrupted);
+    let &TraceRequest { stage, step, .. } = request;
+    if stage == 0 || stage > stages.len() {
+        return Err(NoSuchStep::Stage(stage, stages.len()));
+    }
+    let mut replay = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
+    let solutions = solve(stages, &mut replay);
+    let Replay { begin: Some((model, before)), record: Some(record), dt: Some(dt), .. } = replay else {
+        let interrupted = |run: &StageSolution| matches!(run.stop, Stop::Interrupted { .. });
+        return Err(match solutions.get(stage - 1) {
+            _ if solutions.iter().take(stage).any(interrupted) => NoSuchStep::Interrupted,
+            Some(run) => NoSuchStep::Step(step, run.steps.len()),
+            None => NoSuchStep::NotReached(stage, solutions.len()),
+        });
     };
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
     let own = [model.settings.iteration];
@@ -137,36 +131,12 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     let repeat = |&matrix: &Iteration| {
         let mut model = model.clone();
         model.settings = Settings { iteration: matrix, tolerance, ..model.settings };
-        let mut rows = Rows::default();
-        let end = try_step(&model, &before, dt, request.step, &mut rows);
-        IterationHistory { matrix, rows: rows.0, iterates: rows.1, end }
+        let mut history = IterationHistory { matrix, rows: vec![], iterates: vec![], end: None };
+        history.end = try_step(&model, &before, dt, step, &mut history);
+        history
     };
     let histories = matrices.iter().map(repeat).collect();
-    Ok(Trace { stage: request.stage, tolerance, before, record, dt, histories })
-}
-
-/// Runs stages up to and including the requested step.
-fn replay<'a>(
-    stages: &[Stage],
-    request: &'a TraceRequest,
-    observer: &'a mut dyn Observer,
-) -> Result<Replay<'a>, NoSuchStep> {
-    let TraceRequest { stage, step, .. } = *request;
-    if stage == 0 || stage > stages.len() {
-        return Err(NoSuchStep::Stage { stage, stages: stages.len() });
-    }
-    let mut run = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
-    let solutions = solve(stages, &mut run);
-    if run.dt.is_some() {
-        return Ok(run);
-    }
-    match solutions.get(stage - 1) {
-        _ if solutions.iter().take(stage).any(|run| matches!(run.stop, Stop::Interrupted { .. })) => {
-            Err(NoSuchStep::Interrupted)
-        }
-        Some(run) => Err(NoSuchStep::Step { step, steps: run.steps.len() }),
-        None => Err(NoSuchStep::NotReached { stage, reached: solutions.len() }),
-    }
+    Ok(Trace { stage, tolerance, before, record, dt, histories })
 }
 
 /// Keeps the state before the requested step and ends the run after it.
@@ -181,9 +151,7 @@ struct Replay<'a> {
 
 impl Observer for Replay<'_> {
     fn step(&mut self, record: &StepRecord) {
-        if self.stage == self.request.stage {
-            self.record = Some(*record);
-        }
+        self.record = (self.stage == self.request.stage).then_some(*record);
         self.observer.step(record);
     }
 
@@ -203,8 +171,8 @@ impl Observer for Replay<'_> {
         self.observer.stage(stage);
     }
 
-    fn iteration(&mut self, record: &IterationRecord, iterate: &Iterate<'_>) {
-        self.observer.iteration(record, iterate);
+    fn iteration(&mut self, iterate: &Iterate<'_>) {
+        self.observer.iteration(iterate);
     }
 
     fn wants_to_stop(&mut self) -> bool {
@@ -212,13 +180,9 @@ impl Observer for Replay<'_> {
     }
 }
 
-/// Keeps every iteration.
-#[derive(Default)]
-struct Rows(Vec<IterationRecord>, Vec<IterateSnapshot>);
-
-impl Observer for Rows {
-    fn iteration(&mut self, record: &IterationRecord, iterate: &Iterate<'_>) {
-        self.0.push(*record);
-        self.1.push(iterate.snapshot());
+impl Observer for IterationHistory {
+    fn iteration(&mut self, iterate: &Iterate<'_>) {
+        self.rows.push(iterate.record());
+        self.iterates.push(iterate.snapshot());
     }
 }

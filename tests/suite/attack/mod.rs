@@ -20,7 +20,6 @@ use stampflow::model::{Geometry, Model};
 use stampflow::plot::svg;
 use stampflow::results::comparison::{Computed, comparisons};
 use stampflow::results::{Make, OUTPUTS, Results, csv};
-use stampflow::solver::solution::IterationRecord;
 use stampflow::{Observer, State};
 use std::fmt::Write;
 use std::fs;
@@ -114,7 +113,7 @@ impl Observer for Budget {
         self.size = model.blank.elements * (model.blank.layers + pieces);
     }
 
-    fn iteration(&mut self, _: &IterationRecord, _: &stampflow::solver::Iterate) {
+    fn iteration(&mut self, _: &stampflow::solver::Iterate) {
         self.left = self.left.saturating_sub(self.size);
     }
 
