@@ -33,7 +33,6 @@ impl Bounds {
 }
 
 impl Piece {
-    /// Bounding box of the piece.
     pub(crate) fn bounds(&self) -> Bounds {
         let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
         let Piece::Arc(arc) = self else { return ends };

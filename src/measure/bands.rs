@@ -151,7 +151,6 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     Some(PartPlace { band: bands[i].band, next_to })
 }
 
-/// Tool that a node lies against.
 #[derive(Clone, Copy)]
 struct NodeContact<'a> {
     tool: &'a Tool,
@@ -197,7 +196,6 @@ fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>>
     frame.nodes.iter().map(of_node).collect()
 }
 
-/// Band of each node.
 fn node_bands(geometry: Geometry, frame: &Frame, contacts: &[Option<NodeContact>]) -> Vec<Band> {
     let at = |i: usize| Point::new(frame.nodes[i].r, frame.nodes[i].z);
     let mut names: Vec<Band> = Vec::with_capacity(contacts.len());

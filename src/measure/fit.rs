@@ -3,7 +3,6 @@
 use crate::geometry::Point;
 use nalgebra::{Matrix3, Vector3};
 
-/// Fitted line and curvature.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
     /// Middle of the line, and its direction from the first point to the last.
@@ -37,7 +36,6 @@ impl Fit {
     }
 }
 
-/// Half the lengths to the neighbours.
 fn weights(points: &[Point]) -> Vec<f64> {
     let length = |i: usize| if i == 0 || i == points.len() { 0.0 } else { (points[i] - points[i - 1]).norm() };
     (0..points.len()).map(|i| 0.5 * (length(i) + length(i + 1))).collect()

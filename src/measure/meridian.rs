@@ -32,7 +32,6 @@ pub(super) struct Meridian {
     pub(super) thickness: f64,
 }
 
-/// Bend or straight stretch.
 struct Part {
     nodes: Range<usize>,
     /// −1 for a clockwise and 1 for a counter-clockwise bend; 0 straight.
@@ -89,7 +88,6 @@ impl Meridian {
         legs.filter_map(|i| Some((self.without_ends(&parts[i].nodes)?, inside(i)?.sense))).collect()
     }
 
-    /// Bends and straight stretches in turn.
     fn parts(&self, level: f64) -> Vec<Part> {
         let senses: Vec<i8> =
             self.curvature.iter().map(|k| if k.abs() < FLAT * level { 0 } else { k.signum() as i8 }).collect();

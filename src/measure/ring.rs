@@ -36,7 +36,6 @@ const UPRIGHT: f64 = 0.866;
 /// Round-off of a ring's height \[–\].
 const ROUND_OFF: f64 = 1e-9;
 
-/// Number of rings over the height of a cup.
 const PLACES: u32 = 100;
 
 /// Ring of the wall of a cup that stands on its bottom.

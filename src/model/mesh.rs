@@ -33,7 +33,6 @@ pub fn nodes(model: &Model) -> Vec<f64> {
     }
 }
 
-/// Divides or joins elements to `n`.
 fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
     let elements = nodes.len() - 1;
     let at = |i: usize| {
@@ -44,7 +43,6 @@ fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
     (0..=n).map(at).collect()
 }
 
-/// Nodes of `n` elements, graded by the zones.
 fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     let length = model.blank.length;
     let uniform = |i: usize| length * i as f64 / n as f64;

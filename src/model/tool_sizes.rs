@@ -56,7 +56,6 @@ pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
 }
 
-/// Distance of two tools.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap {
     /// Smallest signed distance \[mm\], negative where they overlap.
@@ -94,7 +93,6 @@ pub(crate) fn flat_level(tool: &Tool) -> Option<f64> {
     flats(tool).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x))).map(|flat| flat.to.y)
 }
 
-/// Flat lines of a section in order.
 fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
     tool.profile.pieces().iter().filter_map(|piece| match piece {
         Piece::Segment(line) if (line.to.y - line.from.y).abs() < ROUNDED => Some(*line),

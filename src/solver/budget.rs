@@ -9,7 +9,6 @@ const IN_A_STRETCH: usize = 500;
 const PLANNED: usize = 5;
 const SPARE: usize = 5000;
 
-/// Tries so far and their limits.
 pub(super) struct Budget {
     tries: usize,
     /// Progress at the start of the last stretch \[–\], and the tries before it.
@@ -43,7 +42,6 @@ impl Budget {
         self.tries - self.begun.1 <= self.in_a_stretch && self.tries <= self.in_all
     }
 
-    /// Tries so far.
     pub fn tries(&self) -> usize {
         self.tries
     }

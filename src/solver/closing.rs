@@ -51,7 +51,6 @@ pub(super) fn closed(model: &Model, way: f64) -> Model {
     model
 }
 
-/// The model without punch, gas and beads, its holder moving to the die.
 fn closing_model(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
     model.tools.retain(|tool| tool.role != Role::Punch);

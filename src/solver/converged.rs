@@ -18,7 +18,6 @@ const STEADY: f64 = 0.6;
 /// Least strain increment of flow, in cut-offs \[–\].
 const FLOWING: f64 = 10.0;
 
-/// Converged step.
 pub(super) struct Converged<'a> {
     pub step: &'a Step<'a>,
     pub trial: &'a Trial,
@@ -27,7 +26,6 @@ pub(super) struct Converged<'a> {
 }
 
 impl<'a> Converged<'a> {
-    /// Completes a step in equilibrium.
     pub fn new(step: &'a Step, trial: &'a mut Trial, evaluation: &'a mut Evaluation, outcome: Outcome) -> Self {
         settle(step, trial, evaluation);
         contact::measure_far(step, trial, evaluation);

@@ -25,16 +25,13 @@ const CAP: f64 = 1e-10;
 /// Factor on the iterations of the secant matrix, which converges linearly.
 const SECANT_PATIENCE: usize = 10;
 
-/// Factor on the iterations of a matrix.
 pub(super) fn patience(matrix: Iteration) -> usize {
     if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 }
 }
 
-/// Outcome of a try of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome {
     pub converged: bool,
-    /// True if the observer ended the run.
     pub interrupted: bool,
     pub iterations: usize,
     /// Passes of the corrector: 1 and the rounds of the augmented Lagrangian.
@@ -60,7 +57,6 @@ impl Outcome {
         residual_norm: f64::INFINITY,
     };
 
-    /// Records an increment of the velocities.
     fn moved(&mut self, increment: f64, whole: bool) {
         self.increment = increment;
         let norm = if whole { increment } else { f64::INFINITY };
@@ -147,7 +143,6 @@ fn judge(
     sound
 }
 
-/// True if the requested norms are small.
 fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
     let small = |norm: f64| norm <= model.settings.tolerance;
     let settled = outcome.residual_norm <= SETTLED_RESIDUAL && small(outcome.velocity_left);
@@ -165,7 +160,6 @@ fn has_negative_pressure(context: &RunContext, trial: &Trial) -> bool {
     context.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
-/// Share of the direction that moves nothing too far.
 fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
     let (model, line) = (context.model, &trial.line);
     let t = model.blank.thickness;

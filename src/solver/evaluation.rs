@@ -13,16 +13,14 @@ use crate::model::{Iteration, PressureCap};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// Least pressure of a point in contact, over that of touching \[–\].
 const LIGHT: f64 = 0.01;
 
-/// Linearisation of an iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linearisation {
     pub matrix: Iteration,
-    /// True if the matrix is not needed.
     pub residual_alone: bool,
     pub iteration: usize,
     /// Velocity norm of the last iteration \[–\].
@@ -61,17 +59,14 @@ pub(super) struct Contact {
 }
 
 impl Contact {
-    /// Point far away.
     pub fn free() -> Self {
         Self { gap: f64::INFINITY, ..Self::default() }
     }
 
-    /// True if the tool presses.
     pub fn is_active(&self, penalty: &Penalty) -> bool {
         self.pressure.value > LIGHT * penalty.at_touch()
     }
 
-    /// True if the sheet lies on the tool.
     pub fn lies_on(&self, penalty: &Penalty) -> bool {
         self.gap < penalty.lying()
     }
@@ -84,7 +79,6 @@ pub(super) struct BeadForce {
     pub slip: f64,
 }
 
-/// State of a strain-rate-controlled pressure.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct HeldRate {
     /// Norm of the strain rate over its target \[–\].
@@ -108,13 +102,13 @@ pub(super) struct Evaluation {
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
-    /// Positions of the contact points.
     pub contact_positions: Vec<ContactPosition>,
+    /// Sums over the tools at each contact point of F_r, F_z, Q \[N, or N/mm\] and their derivatives.
+    pub contact_sums: Vec<(Vector3<f64>, Matrix3<f64>)>,
     /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
     pub tool_force: Vec<Point>,
-    /// Pairs of point and tool that penetrate.
     pub active_contacts: usize,
     pub bead_force: Vec<BeadForce>,
     /// Force of the gas on every node \[N, or N/mm\].
@@ -147,6 +141,7 @@ impl Evaluation {
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if context.holds_rate() { elements } else { 0 }],
             contact_positions: vec![ContactPosition::default(); state.contact_points()],
+            contact_sums: vec![(Vector3::zeros(), Matrix3::zeros()); state.contact_points()],
             contacts: Grid::new(context.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); context.tools.len()],
             active_contacts: 0,
@@ -185,7 +180,6 @@ impl Evaluation {
         self.thickness[i / STATIONS]
     }
 
-    /// Removes the forces of a tool that lets go.
     pub fn release(&mut self, tool: usize) {
         for contact in self.contacts.row_mut(tool) {
             (contact.normal, contact.tangential) = (0.0, 0.0);

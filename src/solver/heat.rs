@@ -22,7 +22,6 @@ use std::f64::consts::TAU;
 pub(super) struct HeatSolver<'a> {
     flow: &'a HeatFlow,
     geometry: Geometry,
-    /// Index and heat transfer of the tools that heat or cool.
     tools: Vec<(usize, ToolHeat)>,
     diagonal: Vec<f64>,
     /// Coupling to the next element.
@@ -88,7 +87,6 @@ impl<'a> HeatSolver<'a> {
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
     }
 
-    /// Heat exchange of the tools with the elements that lie on them.
     fn meet_tools(&mut self, converged: &Converged) {
         let Converged { step, evaluation, .. } = converged;
         let n = self.exchange.len();

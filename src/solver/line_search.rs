@@ -18,10 +18,8 @@ use nalgebra::{SVector, Vector3};
 const OVERSHOOT: f64 = 0.5;
 /// Least and largest share of λ that is kept \[–\].
 const KEPT: [f64; 2] = [0.1, 0.7];
-/// Most reductions of one iteration.
 const MOST: usize = 3;
 
-/// Direction of an iteration and the share gone along it.
 #[derive(Clone, Debug)]
 pub(super) struct LineSearch {
     /// −r before the iteration.

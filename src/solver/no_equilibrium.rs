@@ -50,7 +50,6 @@ pub(super) fn creeping(
     })
 }
 
-/// First node of the element that strained most in the last step.
 fn fastest_straining(state: &State) -> usize {
     let rate = |e: usize| state.points.row(e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);
     (0..state.thickness.len()).max_by(|&a, &b| rate(a).total_cmp(&rate(b))).unwrap_or(0)
@@ -117,7 +116,6 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     (pushes && presses && ahead > AHEAD * model.blank.thickness).then_some(Stop::Arched { travel: state.travel, ahead })
 }
 
-/// State of the sheet at node `i` in words.
 fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {
     let Step { model, state, .. } = *step;
     let last = steps.last().copied().unwrap_or_default();

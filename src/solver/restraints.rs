@@ -56,7 +56,6 @@ pub struct BeadPosition {
 }
 
 impl BeadPosition {
-    /// Finds the bead on the sheet; `None` when the sheet has left it.
     pub fn find(bead: &Bead, model: &Model, state: &State) -> Option<Self> {
         let nodes = &state.nodes;
         let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;

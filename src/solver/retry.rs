@@ -53,7 +53,6 @@ impl Start {
         }
     }
 
-    /// Counts a step that came to equilibrium from here.
     pub(super) fn count(self, effort: &mut Effort) {
         *match self {
             Start::Predictor => &mut effort.predictor,
@@ -65,7 +64,6 @@ impl Start {
 
 /// Factors on the cut-off of softened starts, the first for a single one.
 const SOFTENING: [f64; 3] = [30.0, 10.0, 3.0];
-/// Iterations of a secant start.
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
 const MOST_ROUNDS: usize = 40;
@@ -93,7 +91,6 @@ pub(super) fn solve<'s>(
     Err(last.unwrap_or(Outcome::BEGUN))
 }
 
-/// Tries a step from one start.
 fn attempt(
     step: &Step,
     trial: &mut Trial,

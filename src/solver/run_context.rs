@@ -21,7 +21,6 @@ const LEAST_FORCE: f64 = 1e-4;
 /// Strain of the yield stress in it \[–\].
 const STRENGTH_AT: f64 = 0.01;
 
-/// Tool in a run.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveTool {
     pub role: Role,
@@ -43,16 +42,13 @@ impl ActiveTool {
     }
 }
 
-/// Constant data of a run.
 pub(super) struct RunContext<'a> {
     pub model: &'a Model,
-    /// Tools in the model's order.
     pub tools: Vec<ActiveTool>,
     /// Thickness points of an element that bends.
     pub rule: Vec<ThicknessPoint>,
     /// Index of each gas pressure among the shared unknowns, if it is one.
     pub gas_shared: Vec<Option<usize>>,
-    /// Number of shared unknowns.
     pub shared: usize,
     pub penalty: Penalty,
     /// Least reference force of the residual \[N, or N/mm\].
@@ -65,7 +61,6 @@ pub(super) struct RunContext<'a> {
 }
 
 impl<'a> RunContext<'a> {
-    /// Prepares a run of `model` from `state`.
     pub fn new(model: &'a Model, state: &State) -> Self {
         let mut shared = 0;
         let mut index = |unknown: bool| {
@@ -110,7 +105,6 @@ impl<'a> RunContext<'a> {
         }
     }
 
-    /// True if a gas pressure holds a strain rate.
     pub fn holds_rate(&self) -> bool {
         self.gas_shared.iter().any(Option::is_some)
     }
@@ -137,7 +131,6 @@ fn strength(model: &Model) -> f64 {
     model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
 }
 
-/// Elements in their reference configuration.
 pub(super) fn references<'a>(
     model: &'a Model,
     state: &'a State,

@@ -24,14 +24,11 @@ const SLACK: f64 = 0.2;
 /// Share of the limit below which an element changes back \[–\].
 const HYSTERESIS: f64 = 0.7;
 
-/// Tool corners that bend the sheet.
 pub(super) struct Selection {
-    /// Index of the tool, and its corner.
     corners: Vec<(usize, Arc)>,
 }
 
 impl Selection {
-    /// Finds the corners with t/R above the limit.
     pub fn new(model: &Model) -> Self {
         let (t, limit) = (model.blank.thickness, model.settings.bend_ratio);
         let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
@@ -85,7 +82,6 @@ pub(super) fn rotating(bends: &[bool]) -> Vec<bool> {
     (0..=last).map(|i| bends[i.max(1) - 1] || bends[i.min(last - 1)]).collect()
 }
 
-/// Flags of the elements without tension.
 fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
     let anisotropy = &model.material.yield_criterion;
     let strongest = state.points.iter().map(|p| anisotropy.equivalent_stress(p.stress)).fold(0.0, f64::max);

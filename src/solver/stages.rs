@@ -11,7 +11,6 @@ use crate::numerics::bisect;
 use crate::solver::solution::{StageSolution, Stop, Trimmed};
 use crate::solver::state::{State, waiting, waiting_displacement};
 
-/// Fewest elements that trimming leaves.
 const LEAST_ELEMENTS: usize = 2;
 
 /// Step of the search for contact over the thickness \[–\], and bisections of the last one.

@@ -25,18 +25,15 @@ pub(super) const CUT_OFF_ZONE: f64 = 10.0;
 pub(super) struct Step<'a> {
     pub context: &'a RunContext<'a>,
     pub model: &'a Model,
-    /// State at the start.
     pub state: &'a State,
     /// Clock and process time \[s\].
     pub dt: f64,
     pub process_time: f64,
-    /// Number, from 1.
     pub number: usize,
     /// Punch speed over that of the step before \[–\].
     pub speed_ratio: f64,
     /// Regularisation of the slip \[mm\].
     pub slip_scale: f64,
-    /// Flags of bending elements, and of nodes with resisted rotation.
     pub bends: Vec<bool>,
     pub rotates: Vec<bool>,
     pub references: Vec<Reference>,
@@ -56,7 +53,6 @@ pub(super) struct Step<'a> {
     /// Volume of each element at that thickness \[mm³, or mm² in plane strain\], and its growth in the step.
     pub volume: Vec<f64>,
     pub growth: Vec<f64>,
-    /// Positions of beads and seals.
     pub beads: Vec<Option<BeadPosition>>,
     pub seals: Vec<Seal>,
 }
@@ -111,7 +107,6 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Contact points of element `e`.
     pub fn stations(&self, e: usize) -> &'static [Station; STATIONS] {
         stations(self.bends[e])
     }

@@ -21,10 +21,8 @@ const ROUND_OFF: f64 = 1e-6;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
 
-/// Throat of a die that a free edge may be drawn through.
 #[derive(Clone)]
 struct Throat {
-    /// Index of the die.
     die: usize,
     /// Least radius of the die \[mm\].
     radius: f64,
@@ -72,7 +70,6 @@ pub(super) struct Termination {
 }
 
 impl Termination {
-    /// Rules at the start of a run from `state`.
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
         let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;

@@ -11,14 +11,15 @@
 //! F and Q are the gradient of one potential, and the matrix is symmetric.
 
 use crate::contact::penalty::ValueAndSlope;
-use crate::contact::{ContactForce, ContactLaw, ContactPoint};
+use crate::contact::{ContactLaw, ContactPoint};
+use crate::element::kinematics::Matrix6;
 use crate::element::surface::{STATIONS, thickness_second};
 use crate::geometry::Point;
 use crate::model::Iteration;
 use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use nalgebra::SMatrix;
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 /// Adds contact and friction of all tools; returns the largest force on a point.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -28,6 +29,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             *place = ContactPosition::new(&step.stations(e)[k], ends, out.thickness[e], rise);
         }
     }
+    out.contact_sums.fill((Vector3::zeros(), Matrix3::zeros()));
     out.active_contacts = 0;
     let mut largest: f64 = 0.0;
     for (j, tool) in step.context.tools.iter().enumerate() {
@@ -38,10 +40,11 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             largest = largest.max(press(step, trial, at, j, out));
         }
     }
+    assemble(step, at, out);
     largest
 }
 
-/// Adds the forces of tool `j` on the points within its reach; returns the largest.
+/// Sums the forces of tool `j` on the points within its reach; returns the largest.
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     let Step { context, state, slip_scale, dt, .. } = *step;
     let (tool, displacement) = (&context.tools[j], trial.tools[j]);
@@ -104,43 +107,52 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         largest = largest.max(force.force.xy().norm());
         out.tool_force[j] += force.force.xy();
         out.active_contacts += usize::from(gap < 0.0);
-        if force.force.z != 0.0 || force.matrix.m33 != 0.0 {
-            assemble(step, i, &force, tool.shared, at.residual_alone, out);
+        let sum = &mut out.contact_sums[i];
+        (sum.0, sum.1) = (sum.0 + force.force, sum.1 + force.matrix);
+        if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
+            // The forces depend on the tool's displacement as on the point's z, with the opposite sign.
+            let g = gradient(step, i, out);
+            let (column, row) = (g.tr_mul(&force.matrix.column(1)), g.tr_mul(&force.matrix.row(1).transpose()));
+            let system = &mut out.system;
+            for (node, first) in [(e, 0), (e + 1, 3)] {
+                system.columns[node][shared] += column.fixed_rows::<3>(first);
+                system.rows[node][shared] += row.fixed_rows::<3>(first);
+            }
+            system.corner[(shared, shared)] -= force.matrix.m22;
         }
     }
     largest
 }
 
-/// Adds Gᵀ f and Gᵀ K G of contact point `i`, with the second derivatives of its position and thickness. The forces depend on
-/// the tool's `shared` displacement as on the point's z, with the opposite sign.
-fn assemble(
-    step: &Step,
-    i: usize,
-    force: &ContactForce,
-    shared: Option<usize>,
-    residual_alone: bool,
-    out: &mut Evaluation,
-) {
+/// G: derivatives of the position of contact point `i` and of its element's thickness by the element's freedoms.
+fn gradient(step: &Step, i: usize, out: &Evaluation) -> SMatrix<f64, 3, 6> {
     let (e, station) = (i / STATIONS, &step.stations(i / STATIONS)[i % STATIONS]);
-    let mut g = SMatrix::<f64, 3, 6>::zeros();
+    let mut g = SMatrix::zeros();
     g.fixed_rows_mut::<2>(0).copy_from(&station.slope(&out.nodes[e], &out.nodes[e + 1]));
     g.set_row(2, &out.thickness_rows[e].transpose());
-    let system = &mut out.system;
-    system.add_forces(e, &(g.transpose() * force.force));
-    if residual_alone {
-        return;
-    }
-    let thinning = thickness_second(&out.thickness_rows[e], out.thickness[e]) * force.force.z;
-    let turning = station.second([force.force.x, force.force.y]);
-    system.add_element(e, &-(g.transpose() * (force.matrix * g) + turning + thinning));
-    if let Some(shared) = shared {
-        let column = g.tr_mul(&force.matrix.column(1));
-        let row = g.tr_mul(&force.matrix.row(1).transpose());
-        for (node, first) in [(e, 0), (e + 1, 3)] {
-            system.columns[node][shared] += column.fixed_rows::<3>(first);
-            system.rows[node][shared] += row.fixed_rows::<3>(first);
+    g
+}
+
+/// Adds Gᵀ f and Gᵀ K G of every contact point, and the second derivatives of its position and thickness.
+fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
+    for e in 0..step.bends.len() {
+        let points = STATIONS * e..STATIONS * (e + 1);
+        if out.contact_sums[points.clone()].iter().all(|(force, matrix)| force.z == 0.0 && matrix.m33 == 0.0) {
+            continue;
         }
-        system.corner[(shared, shared)] -= force.matrix.m22;
+        let (mut matrix, mut squeeze) = (Matrix6::zeros(), 0.0);
+        for (i, station) in points.zip(step.stations(e)) {
+            let ((force, stiffness), g) = (out.contact_sums[i], gradient(step, i, out));
+            out.system.add_forces(e, &(g.transpose() * force));
+            if !at.residual_alone {
+                matrix += g.transpose() * (stiffness * g) + station.second([force.x, force.y]);
+                squeeze += force.z;
+            }
+        }
+        if !at.residual_alone {
+            matrix += squeeze * thickness_second(&out.thickness_rows[e], out.thickness[e]);
+            out.system.add_element(e, &-matrix);
+        }
     }
 }
 
