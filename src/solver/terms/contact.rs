@@ -127,7 +127,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
 /// G: derivatives of the position of contact point `i` and of its element's thickness by the element's freedoms.
 fn gradient(step: &Step, i: usize, out: &Evaluation) -> SMatrix<f64, 3, 6> {
     let (e, station) = (i / STATIONS, &step.stations(i / STATIONS)[i % STATIONS]);
-    let mut g = SMatrix::zeros();
+    let mut g = SMatrix::<f64, 3, 6>::zeros();
     g.fixed_rows_mut::<2>(0).copy_from(&station.slope(&out.nodes[e], &out.nodes[e + 1]));
     g.set_row(2, &out.thickness_rows[e].transpose());
     g
