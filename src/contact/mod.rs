@@ -4,11 +4,9 @@
 //! g = d(x) − t/2               gap between the tool and the sheet's face (current thickness)
 //! N = a p(g + λ)               normal force on the area a of a contact point, smoothed penalty p
 //! T = −a τ(p, s)               friction against the slip s relative to the tool
-//! F = N n + T τ                on the sheet; n points from the tool to the sheet
-//! Q = −N/2                     on its thickness: the virtual work is F·δx + Q δt
 //! ```
 //!
-//! Q is the mean normal stress of the pressure on one face. The augmented Lagrangian shifts the gap by λ ≤ 0.
+//! The virtual work is F·δx + Q δt: Q is the mean normal stress of the pressure on one face.
 
 pub mod friction;
 pub mod penalty;

@@ -2,8 +2,7 @@
 
 /// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
-/// Smoothing halves the iterations of the bare ramp. The 3 puts the pressures of forming, k δ/20, at a gap of zero: the sheet neither
-/// stands off nor sinks in by more than δ or two.
+/// Smoothing halves the iterations of the bare ramp. The 3 puts the pressures of forming, k δ/20, at a gap of zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalty {
     /// k \[N/mm³\].
@@ -68,8 +67,7 @@ impl Penalty {
 
     /// Pressure as [`Self::at`], with the slope of the chord to the gap where the law gives the pressure `carried` \[MPa\].
     ///
-    /// Newton's method moves along the exponential foot of the law by one δ an iteration; the primal-dual chord reaches the
-    /// carried pressure at once and leaves the pressure itself unchanged.
+    /// Newton's method moves by one δ an iteration along the exponential foot of the law; the chord reaches `carried` at once.
     #[inline]
     pub fn towards(&self, gap: f64, carried: f64) -> ValueAndSlope {
         let here = self.at(gap);

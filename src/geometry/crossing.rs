@@ -36,8 +36,7 @@ pub enum Fold {
 impl Profile {
     /// Finds the first place where the profile turns back, crosses or touches itself.
     pub fn fold(&self) -> Option<Fold> {
-        let back = self.vertices().find(|v| v.turn.abs() > BACK);
-        if let Some(v) = back {
+        if let Some(v) = self.vertices().find(|v| v.turn.abs() > BACK) {
             return Some(Fold::Back { at: v.point, after: v.after, turn: v.turn });
         }
         // In the order of their boxes along the chain's longer way, a piece meets only those that begin before it ends.
@@ -63,19 +62,17 @@ impl Profile {
     fn meeting(&self, [i, j]: [usize; 2]) -> Option<Point> {
         let (a, b) = (&self.pieces()[i], &self.pieces()[j]);
         // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
-        let radius = radius(a).max(radius(b));
+        let radius = [a, b].map(|piece| if let Piece::Arc(arc) = piece { arc.radius } else { 0.0 });
+        let radius = radius[0].max(radius[1]);
         let near = ROUNDED + (8.0 * radius * TOUCH).sqrt();
         common(a, b).into_iter().find(|p| j > i + 1 || (p - a.last()).norm() > near)
     }
 }
 
-/// Half length of the axis that pieces are cut at \[mm\].
-const FAR: f64 = 1e6;
-
 impl Piece {
     /// Cuts the piece at the axis r = 0, but not closer than `near` \[mm\] to an end.
     pub fn cut_at_axis(&self, near: f64) -> Vec<Piece> {
-        let axis = Piece::line(Point::new(0.0, -FAR), Point::new(0.0, FAR));
+        let axis = Piece::line(Point::new(0.0, -1e6), Point::new(0.0, 1e6));
         let far_from_ends = |p: &Point| (p - self.first()).norm() > near && (p - self.last()).norm() > near;
         let mut parts = vec![*self];
         for point in common(self, &axis).into_iter().filter(far_from_ends) {
@@ -136,13 +133,6 @@ fn either_side(middle: Point, along: Point, radius: f64, distance: f64) -> Vec<P
     vec![middle + half * along, middle - half * along]
 }
 
-fn radius(piece: &Piece) -> f64 {
-    match piece {
-        Piece::Segment(_) => 0.0,
-        Piece::Arc(a) => a.radius,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,7 +143,7 @@ mod tests {
     }
 
     fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
-        Piece::arc(Point::new(center[0], center[1]), radius, start, sweep)
+        Piece::arc(center.into(), radius, start, sweep)
     }
 
     /// Trust: hand calculation.

@@ -56,19 +56,6 @@ impl Segment {
         let length = (to - from).norm();
         Self { from, to, direction: (to - from) / length, length }
     }
-
-    #[inline]
-    fn foot(&self, x: Point) -> Foot {
-        let from_start = x - self.from;
-        let along = from_start.dot(&self.direction);
-        if along <= 0.0 {
-            Foot::End { first: true, point: self.from }
-        } else if along >= self.length {
-            Foot::End { first: false, point: self.to }
-        } else {
-            Foot::Interior { distance: self.direction.perp(&from_start) }
-        }
-    }
 }
 
 impl Arc {
@@ -124,19 +111,6 @@ impl Arc {
     #[inline]
     fn side(&self) -> f64 {
         if self.sweep < 0.0 { 1.0 } else { -1.0 }
-    }
-
-    #[inline]
-    fn foot(&self, x: Point) -> Foot {
-        let from_center = x - self.center;
-        let distance = from_center.norm();
-        if distance > 1e-12 && from_center.dot(&self.middle) >= distance * self.cos_half_sweep {
-            Foot::Interior { distance: self.side() * (distance - self.radius) }
-        } else {
-            let [a, b] = self.ends;
-            let first = (x - a).norm_squared() <= (x - b).norm_squared();
-            Foot::End { first, point: if first { a } else { b } }
-        }
     }
 }
 
@@ -245,8 +219,24 @@ impl Piece {
     #[inline]
     pub(super) fn foot(&self, x: Point) -> Foot {
         match self {
-            Piece::Segment(s) => s.foot(x),
-            Piece::Arc(a) => a.foot(x),
+            Piece::Segment(s) => {
+                let from_start = x - s.from;
+                let along = from_start.dot(&s.direction);
+                if along > 0.0 && along < s.length {
+                    return Foot::Interior { distance: s.direction.perp(&from_start) };
+                }
+                let first = along <= 0.0;
+                Foot::End { first, point: if first { s.from } else { s.to } }
+            }
+            Piece::Arc(a) => {
+                let from_center = x - a.center;
+                let distance = from_center.norm();
+                if distance > 1e-12 && from_center.dot(&a.middle) >= distance * a.cos_half_sweep {
+                    return Foot::Interior { distance: a.side() * (distance - a.radius) };
+                }
+                let first = (x - a.ends[0]).norm_squared() <= (x - a.ends[1]).norm_squared();
+                Foot::End { first, point: a.ends[usize::from(!first)] }
+            }
         }
     }
 

@@ -39,16 +39,8 @@ pub struct Nearest {
     room: f64,
 }
 
-impl Nearest {
-    /// Round-off of distances \[mm\].
-    const ROUNDED: f64 = 1e-9;
-
-    /// True if it is still the closest after a move \[mm\]; distances change no faster.
-    #[inline]
-    fn is_after(&self, moved: f64) -> bool {
-        moved < self.room - Self::ROUNDED
-    }
-}
+/// Round-off of distances \[mm\].
+const ROUNDED: f64 = 1e-9;
 
 /// Reason why a chain of pieces is not a profile.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -120,7 +112,9 @@ impl Profile {
 
     /// [`Self::closest`] for a point that has `moved` \[mm\] since `known`, which is updated.
     pub fn closest_after(&self, x: Point, moved: f64, known: &mut Nearest) -> Closest {
-        *known = if known.is_after(moved) { Nearest { room: known.room - moved, ..*known } } else { self.nearest(x) };
+        // Distances change no faster than the point moves.
+        let stays = moved < known.room - ROUNDED;
+        *known = if stays { Nearest { room: known.room - moved, ..*known } } else { self.nearest(x) };
         self.seen_from(x, known.piece)
     }
 

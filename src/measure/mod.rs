@@ -15,13 +15,8 @@
 //!   │        \________  flange         θ₂ = 90° + α − β, between wall and flange
 //!   │                                  2α   opening angle, between the two walls of the whole strip
 //! ```
-//! θ₁, θ₂ and the radius ρ of the side-wall curl are the numbers of the draw bending benchmark of 1993, which takes them from
-//! single points of the wall; here all points give the mean line and circle. The opening angle is that of the unconstrained
-//! cylindrical bending benchmark of 2002.
-//!
-//! # References
-//! A. Makinouchi, E. Nakamachi, E. Oñate, R. H. Wagoner (eds.), Numisheet '93, 2-D draw bending; D. Y. Yang, S. I. Oh,
-//! H. Huh, Y. H. Kim (eds.), Numisheet 2002, benchmark B, unconstrained cylindrical bending.
+//! θ₁, θ₂ and the radius ρ of the side-wall curl are those of Numisheet '93, 2-D draw bending, but from all points of the wall; the
+//! opening angle is that of Numisheet 2002, benchmark B, unconstrained cylindrical bending.
 
 mod bands;
 mod events;
@@ -225,13 +220,12 @@ pub fn places(frame: &Frame) -> Vec<Place> {
         nodes.push(("Edge", Some(last)));
     }
     let elements = frame.elements.len().min(last);
-    let place = |(name, node): (&'static str, Option<usize>)| {
-        Some(Place { name, element: node?.min(elements.checked_sub(1)?) })
-    };
     let mut found: Vec<Place> = Vec::new();
-    for place in nodes.into_iter().filter_map(place) {
-        if found.iter().all(|other| other.element != place.element) {
-            found.push(place);
+    for (name, node) in nodes {
+        let Some((node, edge)) = node.zip(elements.checked_sub(1)) else { continue };
+        let element = node.min(edge);
+        if found.iter().all(|other| other.element != element) {
+            found.push(Place { name, element });
         }
     }
     found

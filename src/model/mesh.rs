@@ -9,14 +9,6 @@ pub const PER_QUARTER: f64 = 12.0;
 /// Largest ratio of element sizes \[–\].
 const LARGEST_RATIO: f64 = 3.0;
 
-/// Largest draw-in over the punch's travel \[–\].
-fn drawn_in(geometry: Geometry) -> f64 {
-    match geometry {
-        Geometry::Axisymmetric => 0.6,
-        Geometry::PlaneStrain => 1.0,
-    }
-}
-
 /// Part of the blank that meets a corner, and its element size \[mm\].
 struct Zone {
     from: f64,
@@ -94,6 +86,8 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
 /// Parts of the blank that go over corners of punch and die.
 fn zones(model: &Model) -> Vec<Zone> {
     let length = model.blank.length;
+    // Largest draw-in \[mm\].
+    let drawn_in = model.travel * if model.geometry == Geometry::Axisymmetric { 0.6 } else { 1.0 };
     let mut zones = Vec::new();
     for tool in &model.tools {
         for corner in tool.profile.corners() {
@@ -107,7 +101,7 @@ fn zones(model: &Model) -> Vec<Zone> {
                 Role::Punch => Zone { from: inner - 0.5 * arc, to: inner + 1.5 * arc, size },
                 // A free blank flows over the shoulder: everything from the shoulder outward will pass it.
                 Role::Die if model.blank.edge == Edge::Free => {
-                    Zone { from: inner, to: length.min(outer + drawn_in(model.geometry) * model.travel), size }
+                    Zone { from: inner, to: length.min(outer + drawn_in), size }
                 }
                 Role::Die => Zone { from: inner - arc, to: outer + arc, size },
                 Role::Holder => continue,

@@ -91,6 +91,11 @@ impl Model {
         self.tools.iter().find(|t| t.role == role)
     }
 
+    /// Index of the tool of a role.
+    pub fn tool_index(&self, role: Role) -> Option<usize> {
+        self.tools.iter().position(|tool| tool.role == role)
+    }
+
     /// Elasticity in the model's mode; `None` by the flow law.
     pub fn elasticity(&self) -> Option<Elastic> {
         self.material.elastic.filter(|_| self.mode != Mode::Flow)

@@ -56,27 +56,16 @@ pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Gap {
-    /// Smallest signed distance \[mm\], negative where they overlap.
-    pub distance: f64,
-    /// Closest place, as tools are placed \[mm\].
-    pub at: Point,
-}
-
-/// Gap between two tools at a travel of the punch \[mm\].
-pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
-    let up = |tool: &Tool| if tool.role == Role::Punch { travel } else { 0.0 };
-    let shift = Point::new(0.0, up(a) - up(b));
-    let (distance, at) = a.profile.distance_by(&b.profile, shift, FINE, PARTS);
-    Gap { distance, at: at + Point::new(0.0, up(b)) }
+/// Smallest distance of two tools at a travel of the punch \[mm\], negative where they overlap, and the place \[mm\].
+pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> (f64, Point) {
+    let up = |tool: &Tool| Point::new(0.0, if tool.role == Role::Punch { travel } else { 0.0 });
+    let (distance, at) = a.profile.distance_by(&b.profile, up(a) - up(b), FINE, PARTS);
+    (distance, at + up(b))
 }
 
 /// Travel of the punch at which it is closer than `least` to another tool \[mm\], at most `most`.
 pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
-    let is_stuck = |travel: f64| gap(punch, other, travel).distance < least;
-    let [free, _] = bisect(0.0, most, 30, |travel| !is_stuck(travel));
-    free
+    bisect(0.0, most, 30, |travel| gap(punch, other, travel).0 >= least)[0]
 }
 
 /// Radius where the die's shoulder ends \[mm\]: at the innermost line on the level of its outermost one, so that the groove of a

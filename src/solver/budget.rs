@@ -10,7 +10,7 @@ const PLANNED: usize = 5;
 const SPARE: usize = 5000;
 
 pub(super) struct Budget {
-    tries: usize,
+    pub tries: usize,
     /// Progress at the start of the last stretch \[–\], and the tries before it.
     begun: (f64, usize),
     stretch: f64,
@@ -40,9 +40,5 @@ impl Budget {
         }
         self.tries += 1;
         self.tries - self.begun.1 <= self.in_a_stretch && self.tries <= self.in_all
-    }
-
-    pub fn tries(&self) -> usize {
-        self.tries
     }
 }

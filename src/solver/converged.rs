@@ -69,13 +69,7 @@ impl<'a> Converged<'a> {
             end_velocity: self.end_velocity(&velocity),
             velocity,
             thickness: evaluation.thickness.clone(),
-            volume: state.volume.clone(),
-            dilation: state.dilation.clone(),
-            dilation_rate: state.dilation_rate.clone(),
-            temperature: state.temperature.clone(),
-            temperature_rates: state.temperature_rates.clone(),
             membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
-            ironed: state.ironed.clone(),
             bends: step.bends.clone(),
             last_step: dt,
             steady: vec![false; state.steady.len()],
@@ -88,7 +82,7 @@ impl<'a> Converged<'a> {
             ),
             shift: Grid::from_values(points_of_contact, trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),
-            s0: state.s0.clone(),
+            ..state.clone()
         };
         mark_steady(step, evaluation, &mut next);
         if let Some(elastic) = model.elasticity() {

@@ -118,7 +118,7 @@ pub(super) fn correct(
         }
         outcome.iterations += 1;
         let share = allowed_share(step.context, trial);
-        trial.line.go(share);
+        trial.line.length = share;
         trial.advance(step.context, share);
         // A capped increment says nothing of how far the answer still is.
         outcome.moved(velocity_norm(model, trial, share), share >= 1.0);

@@ -13,11 +13,8 @@ const LAST_RISE: f64 = 1e-6;
 /// \[mm\]; `None` without a holder.
 pub(super) fn block_height(model: &Model) -> Option<f64> {
     let (holder, apart) = (model.tool(Role::Holder)?, APART * model.blank.thickness);
-    Some(
-        model
-            .tool(Role::Die)
-            .map_or(model.blank.thickness - apart, |die| travel_until(&holder.profile, &die.profile, apart)),
-    )
+    let on_die = model.tool(Role::Die).map(|die| travel_until(&holder.profile, &die.profile, apart));
+    Some(on_die.unwrap_or(model.blank.thickness - apart))
 }
 
 /// Move of a holder at which its closest place is so far from the die \[mm\].
@@ -52,8 +49,8 @@ mod tests {
         Piece::line(from.into(), to.into())
     }
 
-    fn height(holder: &Profile, die: &Profile) -> f64 {
-        travel_until(holder, die, APART * T)
+    fn height(holder: Vec<Piece>, die: &Profile) -> f64 {
+        travel_until(&Profile::new(holder).expect("a chain"), die, APART * T)
     }
 
     /// Trust: plain subtraction where flat lies under flat; nothing of a sleeve within the throat comes near the wall.
@@ -61,28 +58,27 @@ mod tests {
     fn a_flat_holder_stands_half_a_thickness_off_the_face_and_a_narrow_sleeve_goes_through() {
         let die = Profile::die(31.0, 6.0, T);
         for inner in [31.5, 34.0, 40.0] {
-            assert_relative_eq!(height(&Profile::holder(inner, T), &die), 0.5 * T, epsilon = 1e-9);
+            assert_relative_eq!(height(Profile::holder(inner, T).pieces().to_vec(), &die), 0.5 * T, epsilon = 1e-9);
         }
         let [a, b, c, d] = [[15.0, -100.0], [15.0, -0.5], [20.0, -0.5], [20.0, -100.0]];
-        let sleeve = Profile::new(vec![line(a, b), line(b, c), line(c, d)]);
-        assert!(height(&sleeve.expect("a chain"), &die) > 100.0);
+        assert!(height(vec![line(a, b), line(b, c), line(c, d)], &die) > 100.0);
     }
 
     /// Trust: the centres of two rounds half a thickness apart are their radii and that half apart, here 5.8 of it across.
     /// Measured at points 0.02 rad apart: within 6 × 0.02²/8 mm.
     #[test]
     fn a_sleeve_that_meets_the_shoulder_alone_comes_further() {
-        let (nose, shoulder, across) = (6.0, 6.8, 5.8);
-        let (throat, flat, top) = (31.5, 31.5 + shoulder - across, -0.5 * T);
+        let (nose, shoulder, across, throat, top) = (6.0, 6.8, 5.8, 31.5, -0.5 * T);
+        let flat = throat + shoulder - across;
         let center = Point::new(flat, top - nose);
-        let sleeve = Profile::new(vec![
+        let sleeve = vec![
             line([throat, -100.0], [throat, top]),
             line([throat, top], [flat, top]),
             Piece::Arc(Arc::between(center + Point::new(0.0, nose), center + Point::new(nose, 0.0), center, false).0),
             line([flat + nose, top - nose], [flat + nose, -100.0]),
-        ]);
-        let rise = height(&sleeve.expect("a chain"), &Profile::die(throat, shoulder, T));
+        ];
         let centers = (nose + shoulder + 0.5 * T).powi(2) - across * across;
+        let rise = height(sleeve, &Profile::die(throat, shoulder, T));
         assert_relative_eq!(rise, nose + shoulder + T - centers.sqrt(), epsilon = 1e-3);
     }
 }

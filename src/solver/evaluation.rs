@@ -156,10 +156,10 @@ impl Evaluation {
         let references: Vec<Reference> = references(context.model, state, &state.bends).collect();
         let areas: Vec<f64> = references.iter().flat_map(Reference::contact_areas).collect();
         let rise = half_thickness_difference(&references, &state.thickness);
-        for (j, tool) in context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+        for (j, tool) in context.acting_tools() {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
-                let (e, k) = (i / STATIONS, i % STATIONS);
-                let (station, ends) = (&stations(state.bends[e])[k], [&state.nodes[e], &state.nodes[e + 1]]);
+                let e = i / STATIONS;
+                let (station, ends) = (&stations(state.bends[e])[i % STATIONS], [&state.nodes[e], &state.nodes[e + 1]]);
                 let place = ContactPosition::new(station, ends, state.thickness[e], rise[e]);
                 let closest = tool.profile.closest(place.position - state.tools[j]);
                 contact.gap = closest.distance - 0.5 * place.thickness;
@@ -173,11 +173,6 @@ impl Evaluation {
             }
         }
         start
-    }
-
-    /// Thickness of the element of contact point `i` \[mm\].
-    pub fn thickness_at(&self, i: usize) -> f64 {
-        self.thickness[i / STATIONS]
     }
 
     pub fn release(&mut self, tool: usize) {

@@ -35,8 +35,7 @@ impl<'a> HeatSolver<'a> {
     /// Creates the solver; `None` at constant temperature.
     pub fn new(model: &'a Model, state: &State) -> Option<Self> {
         let flow = model.heat.as_ref()?.flow.as_ref()?;
-        let index = |role| model.tools.iter().position(|tool| tool.role == role);
-        let tools = flow.tools.iter().filter_map(|tool| Some((index(tool.role)?, *tool))).collect();
+        let tools = flow.tools.iter().filter_map(|tool| Some((model.tool_index(tool.role)?, *tool))).collect();
         let n = state.thickness.len();
         Some(Self {
             flow,
@@ -63,9 +62,9 @@ impl<'a> HeatSolver<'a> {
         }
         if self.flow.conductivity > 0.0 {
             for e in 1..n {
-                let [a, b, c] = [state.nodes[e - 1], state.nodes[e], state.nodes[e + 1]];
-                let distance = 0.5 * ((b[0] - a[0]).hypot(b[1] - a[1]) + (c[0] - b[0]).hypot(c[1] - b[1]));
-                let width = if self.geometry == Geometry::Axisymmetric { TAU * b[0] } else { 1.0 };
+                let [before, after] = [state.along(e - 1), state.along(e)];
+                let distance = 0.5 * (before.x.hypot(before.y) + after.x.hypot(after.y));
+                let width = if self.geometry == Geometry::Axisymmetric { TAU * state.nodes[e][0] } else { 1.0 };
                 let conducted = dt * self.flow.conductivity * width * state.thickness_at(e) / distance;
                 self.off[e - 1] = -conducted;
                 self.diagonal[e - 1] += conducted;

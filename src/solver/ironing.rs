@@ -34,7 +34,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
         most = if next.ironed[e] > next.ironed[most] { e } else { most };
     }
     record.ironing = (-(-next.ironed[most]).exp_m1()).max(0.0);
-    record.ironing_s0 = 0.5 * (next.s0[most] + next.s0[most + 1]);
+    record.ironing_s0 = next.middle(most);
 }
 
 /// True if two tools of given position press both faces of an element at one contact point.

@@ -56,7 +56,7 @@ impl Iterate<'_> {
             iteration: outcome.iterations,
             velocity_norm: outcome.increment,
             residual_norm: outcome.residual_norm,
-            share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
+            share: if outcome.iterations > 0 { trial.line.length } else { 0.0 },
             worst_r: evaluation.nodes[evaluation.worst_node][0],
             active_contacts: evaluation.active_contacts,
             touching: self.contacts().count(),

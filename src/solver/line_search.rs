@@ -8,8 +8,7 @@
 //! Elastic unloading and yielding change the tangent by a factor of hundreds, and Newton's method then cycles.
 //!
 //! # References
-//! M. A. Crisfield, Non-linear finite element analysis of solids and structures, vol. 1, Wiley (1991), section 9.2 (not
-//! read).
+//! M. A. Crisfield, Non-linear finite element analysis of solids and structures, vol. 1 (1991), section 9.2 (not read).
 
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
 use nalgebra::{SVector, Vector3};
@@ -29,7 +28,7 @@ pub(super) struct LineSearch {
     pub direction: Vec<Vector3<f64>>,
     pub shared: SVector<f64, MAX_SHARED>,
     /// λ \[–\].
-    length: f64,
+    pub length: f64,
     /// s(0).
     start: f64,
     rounds: usize,
@@ -60,16 +59,6 @@ impl LineSearch {
         self.start = self.project(&self.residual, &self.shared_residual);
         self.rounds = 0;
         true
-    }
-
-    /// Current λ \[–\].
-    pub fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// Sets λ \[–\].
-    pub fn go(&mut self, share: f64) {
-        self.length = share;
     }
 
     /// Share of the direction to take back; `None` if it was not too far.

@@ -82,7 +82,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         let step = Step::new(&context, &state, dt, last.step + 1);
         if !budget.spend(model.progress(state.time)) {
             let necking = termination.necking(model, &state);
-            run.stop = necking.unwrap_or_else(|| creeping(&step, &before, worst, &run.steps, budget.tries()));
+            run.stop = necking.unwrap_or_else(|| creeping(&step, &before, worst, &run.steps, budget.tries));
             break;
         }
         let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
@@ -145,7 +145,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     }
     run.effort.abandoned = rejected;
     if model.release.is_none() {
-        run.left_at = context.left_at();
+        run.left_at = context.tools.iter().map(|tool| tool.released).collect();
     }
     run.end = state;
     run

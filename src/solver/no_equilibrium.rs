@@ -64,11 +64,11 @@ fn named(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord
 fn mechanism(step: &Step, i: usize) -> Option<Stop> {
     let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
-    let tools = || step.context.tools.iter().filter(|tool| !tool.is_absent());
-    let rubs = tools().any(|tool| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
+    let tools = || step.context.acting_tools();
+    let rubs = tools().any(|(_, tool)| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
     let held = model.blank.edge != Edge::Free
         || !(model.beads.is_empty() && model.gas.is_empty())
-        || (rubs && tools().any(|tool| tool.role == Role::Holder));
+        || (rubs && tools().any(|(_, tool)| tool.role == Role::Holder));
     (model.geometry == Geometry::PlaneStrain && !bends && !held)
         .then(|| Stop::Mechanism { travel: step.state.travel, s0: step.state.s0[i] })
 }
@@ -103,7 +103,7 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
 /// A sheet whose middle is ahead of a pushing punch is an arch that snaps through without a balancing load.
 fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let (model, state) = (step.model, step.state);
-    let j = model.tools.iter().position(|tool| tool.role == Role::Punch)?;
+    let j = model.tool_index(Role::Punch)?;
     let punch = &model.tools[j];
     let pushes = match punch.motion {
         Motion::Travel => true,

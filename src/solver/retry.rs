@@ -100,8 +100,7 @@ fn attempt(
 ) -> Outcome {
     let settings = &step.model.settings;
     let matrix = settings.iteration;
-    let most =
-        settings.max_iterations * if trial.kept.is_some() { patience(Iteration::Secant) } else { patience(matrix) };
+    let most = settings.max_iterations * patience(if trial.kept.is_some() { Iteration::Secant } else { matrix });
     let mut correct = |trial: &mut Trial, evaluation: &mut Evaluation, matrix, most| {
         correct(step, trial, evaluation, Pass { start, matrix, most }, observer)
     };

@@ -94,7 +94,7 @@ impl<'a> RunContext<'a> {
                 smoothing: model.settings.contact_smoothing * model.blank.thickness,
             },
             least_force: LEAST_FORCE
-                * strength(model)
+                * model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
                 * model.blank.thickness
                 * model.geometry.area(model.blank.length)
                 / model.blank.length,
@@ -105,30 +105,23 @@ impl<'a> RunContext<'a> {
         }
     }
 
+    /// Tools that may touch the sheet, with their indices.
+    pub fn acting_tools(&self) -> impl Iterator<Item = (usize, &ActiveTool)> {
+        self.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent())
+    }
+
     pub fn holds_rate(&self) -> bool {
         self.gas_shared.iter().any(Option::is_some)
     }
 
     /// Releases a pressed tool once the sheet has run out from under it; returns its index.
     pub fn release(&mut self, state: &State) -> Option<usize> {
-        let lost = self.tools.iter().enumerate().position(|(j, tool)| {
-            !tool.is_absent()
-                && tool.shared.is_some()
-                && Grip::new(tool.inner, state.tools[j], &state.nodes, &state.bends).width <= 0.0
-        })?;
+        let grip = |j: usize, tool: &ActiveTool| Grip::new(tool.inner, state.tools[j], &state.nodes, &state.bends);
+        let has_left = |(j, tool): &(usize, &ActiveTool)| tool.shared.is_some() && grip(*j, tool).width <= 0.0;
+        let (lost, _) = self.acting_tools().find(has_left)?;
         self.tools[lost].released = Some(state.travel);
         Some(lost)
     }
-
-    /// Travel at which the sheet left each tool \[mm\].
-    pub fn left_at(&self) -> Vec<Option<f64>> {
-        self.tools.iter().map(|tool| tool.released).collect()
-    }
-}
-
-/// Yield stress of the metal at room temperature, hardly strained \[MPa\].
-fn strength(model: &Model) -> f64 {
-    model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
 }
 
 pub(super) fn references<'a>(

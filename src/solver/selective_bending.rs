@@ -31,10 +31,9 @@ pub(super) struct Selection {
 impl Selection {
     pub fn new(model: &Model) -> Self {
         let (t, limit) = (model.blank.thickness, model.settings.bend_ratio);
-        let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
-        let corners = model.tools.iter().map(sharp).enumerate();
-        let of_tool = |(j, arcs): (usize, Vec<Arc>)| arcs.into_iter().map(move |arc| (j, arc));
-        Self { corners: corners.flat_map(of_tool).collect() }
+        let corners = |(j, tool): (usize, &Tool)| tool.profile.corners().map(|arc| (j, arc)).collect::<Vec<_>>();
+        let corners = model.tools.iter().enumerate().flat_map(corners);
+        Self { corners: corners.filter(|(_, arc)| t > limit * (arc.radius + 0.5 * t)).collect() }
     }
 
     /// Bending flags of the elements for a step from `state`.
@@ -52,10 +51,9 @@ impl Selection {
         let ring = RING * model.blank.thickness;
         let mut bends = slack(model, state, rule);
         let (mut from, mut back) = (f64::INFINITY, f64::INFINITY);
+        let length = |e: usize| state.along(e).x.hypot(state.along(e).y);
         for e in 0..last {
             let f = last - 1 - e;
-            let length =
-                |e: usize| (state.nodes[e + 1][0] - state.nodes[e][0]).hypot(state.nodes[e + 1][1] - state.nodes[e][1]);
             from = if curved[e] { 0.0 } else { from };
             back = if curved[f + 1] { 0.0 } else { back };
             bends[e] |= from < ring;
@@ -94,9 +92,7 @@ fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
 
 /// Curvature of the meridian at a node \[1/mm\]; mirrored at the axis, flat beyond a held edge, zero at a free one.
 fn curvature(model: &Model, state: &State, i: usize) -> f64 {
-    let nodes = &state.nodes;
-    let along = |a: usize| Point::new(nodes[a + 1][0] - nodes[a][0], nodes[a + 1][1] - nodes[a][1]);
-    let last = nodes.len() - 1;
+    let (along, last) = (|e: usize| state.along(e), state.thickness.len());
     let (a, b) = match i {
         0 => (Point::new(along(0).x, -along(0).y), along(0)),
         i if i < last => (along(i - 1), along(i)),
@@ -120,18 +116,10 @@ mod tests {
         bare(Geometry::PlaneStrain, Theory::Selective, 100.0, T, 100)
     }
 
-    /// Flat and in tension.
-    fn tight(model: &Model) -> State {
-        let mut state = State::flat(model, mesh::nodes(model));
-        for point in state.points.iter_mut() {
-            point.stress = [200.0, 100.0, 0.0];
-        }
-        state
-    }
-
-    /// Flat up to 40 mm, then ten elements on a radius, then straight on.
-    fn bent(model: &Model, radius: f64) -> State {
-        let mut state = tight(model);
+    /// In tension, flat up to 40 mm, then ten elements on a radius, then straight on.
+    fn bent(radius: f64) -> State {
+        let mut state = State::flat(&strip(), mesh::nodes(&strip()));
+        state.points.iter_mut().for_each(|point| point.stress = [200.0, 100.0, 0.0]);
         for i in 41..=100 {
             let angle = (i as f64 - 40.5).clamp(0.0, 10.0) / radius;
             let [r, z, _] = state.nodes[i - 1];
@@ -146,45 +134,38 @@ mod tests {
     }
 
     /// Trust: nodes 41 to 49 are curved; the ring of eight thicknesses, 8.4 mm, reaches nine elements from them on either side.
+    /// Elements that bend go on bending below the limit.
     #[test]
     fn elements_bend_around_a_radius_and_nowhere_else() {
-        let model = strip();
-        assert_eq!(bending(&model, &bent(&model, T / 0.06)), (32..58).collect::<Vec<_>>());
-        assert!(bending(&model, &bent(&model, T / 0.04)).is_empty());
-        // What bends goes on bending below the limit.
-        for (ratio, elements) in [(0.04, 32..58), (0.03, 0..0)] {
-            let mut state = bent(&model, T / ratio);
-            state.bends[20..90].fill(true);
-            assert_eq!(bending(&model, &state), elements.collect::<Vec<_>>());
+        for (ratio, bent_before, elements) in
+            [(0.06, 0..0, 32..58), (0.04, 0..0, 0..0), (0.04, 20..90, 32..58), (0.03, 20..90, 0..0)]
+        {
+            let mut state = bent(T / ratio);
+            state.bends[bent_before].fill(true);
+            assert_eq!(bending(&strip(), &state), elements.collect::<Vec<_>>());
         }
     }
 
     /// Trust: 20 % of the largest flow stress, 173 to 200 MPa, is 35 to 40 MPa: that is what a membrane needs.
     #[test]
     fn an_element_without_tension_bends() {
-        let model = strip();
-        assert_eq!(bending(&model, &State::flat(&model, mesh::nodes(&model))).len(), 100);
-        let mut state = tight(&model);
+        assert_eq!(bending(&strip(), &State::flat(&strip(), mesh::nodes(&strip()))).len(), 100);
+        let mut state = bent(f64::INFINITY);
         for (e, tension) in [(70, 33.0), (71, 45.0), (72, -200.0)] {
-            for point in state.points.row_mut(e) {
-                point.stress[0] = tension;
-            }
+            state.points.row_mut(e).iter_mut().for_each(|point| point.stress[0] = tension);
         }
-        assert_eq!(bending(&model, &state), [70, 72]);
+        assert_eq!(bending(&strip(), &state), [70, 72]);
     }
 
     /// A clamped sheet bends at its edge, a free one does not: the last element stands up by 0.1 over 1 mm.
     #[test]
     fn a_clamped_edge_bends_the_sheet() {
-        let mut model = strip();
-        let mut state = tight(&model);
-        for node in &mut state.nodes {
-            node[1] = 0.1 * (100.0 - node[0]);
-        }
+        let (mut model, mut state) = (strip(), bent(f64::INFINITY));
+        state.nodes.iter_mut().for_each(|node| node[1] = 0.1 * (100.0 - node[0]));
         state.nodes[0][1] = state.nodes[1][1];
-        let at_edge = |model: &Model| bending(model, &state).contains(&99);
-        assert!(!at_edge(&model));
-        model.blank.edge = Edge::Clamped;
-        assert!(at_edge(&model));
+        for (edge, bends) in [(Edge::Free, false), (Edge::Clamped, true)] {
+            model.blank.edge = edge;
+            assert_eq!(bending(&model, &state).contains(&99), bends);
+        }
     }
 }

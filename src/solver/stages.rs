@@ -9,7 +9,7 @@ use crate::model::{Model, Role, Tool, mesh};
 use crate::numerics::Grid;
 use crate::numerics::bisect;
 use crate::solver::solution::{StageSolution, Stop, Trimmed};
-use crate::solver::state::{State, waiting, waiting_displacement};
+use crate::solver::state::{MaterialPoint, State, waiting, waiting_displacement};
 
 const LEAST_ELEMENTS: usize = 2;
 
@@ -98,8 +98,8 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.ironed = vec![0.0; state.thickness.len()];
     if begin.anneal {
         for point in state.points.iter_mut() {
-            (point.strain, point.stress, point.carried) = (0.0, Default::default(), Default::default());
-            point.back = Default::default();
+            *point =
+                MaterialPoint { strain: 0.0, stress: [0.0; 3], carried: [0.0; 3], back: Default::default(), ..*point };
         }
     }
     let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));
@@ -126,29 +126,24 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
 
 /// Removes the elements from the edge inward whose middle lies beyond a distance from the axis.
 fn trim(state: &mut State, radius: f64) {
-    let middle = |w: &[crate::element::Node]| 0.5 * (w[0][0] + w[1][0]);
-    let inside = state.nodes.windows(2).rposition(|w| middle(w) <= radius).map_or(0, |e| e + 1);
-    let (elements, nodes) = (inside.max(LEAST_ELEMENTS), state.nodes.len());
-    if elements + 1 >= nodes {
-        return;
-    }
-    for per_node in [&mut state.nodes, &mut state.velocity, &mut state.end_velocity] {
-        per_node.truncate(elements + 1);
-    }
+    let inside = state.nodes.windows(2).rposition(|w| 0.5 * (w[0][0] + w[1][0]) <= radius).map_or(0, |e| e + 1);
+    let elements = inside.max(LEAST_ELEMENTS).min(state.thickness.len());
+    [&mut state.nodes, &mut state.velocity, &mut state.end_velocity]
+        .into_iter()
+        .for_each(|per_node| per_node.truncate(elements + 1));
     state.s0.truncate(elements + 1);
-    for per_element in
-        [&mut state.thickness, &mut state.volume, &mut state.dilation, &mut state.dilation_rate, &mut state.temperature]
-    {
-        per_element.truncate(elements);
-    }
-    state.membrane.truncate(elements);
-    state.bends.truncate(elements);
-    state.steady.truncate(elements);
-    state.temperature_rates.truncate(elements);
+    let State { thickness, volume, dilation, dilation_rate, temperature, .. } = state;
+    [thickness, volume, dilation, dilation_rate, temperature]
+        .into_iter()
+        .for_each(|per_element| per_element.truncate(elements));
+    [&mut state.bends, &mut state.steady].into_iter().for_each(|per_element| per_element.truncate(elements));
+    [&mut state.membrane, &mut state.temperature_rates]
+        .into_iter()
+        .for_each(|per_element| per_element.truncate(elements));
     state.points.truncate_rows(elements);
-    for per_pair in [&mut state.pressure, &mut state.shift] {
-        per_pair.truncate_columns(STATIONS * elements);
-    }
+    [&mut state.pressure, &mut state.shift]
+        .into_iter()
+        .for_each(|per_pair| per_pair.truncate_columns(STATIONS * elements));
 }
 
 /// Axial displacement at which tool `j` waits just off the formed sheet \[mm\].

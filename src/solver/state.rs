@@ -147,6 +147,22 @@ impl State {
         Point::new(self.nodes[i][0] - self.tools[j].x, self.nodes[i][1] - self.tools[j].y)
     }
 
+    /// Gap between node `i` and tool `j` \[mm\].
+    pub fn gap(&self, model: &Model, j: usize, i: usize) -> f64 {
+        model.tools[j].profile.closest(self.in_frame_of(j, i)).distance - 0.5 * self.thickness_at(i)
+    }
+
+    /// Element `e` from its first node to its second \[mm\].
+    pub fn along(&self, e: usize) -> Point {
+        let [a, b] = [self.nodes[e], self.nodes[e + 1]];
+        Point::new(b[0] - a[0], b[1] - a[1])
+    }
+
+    /// Initial distance of the middle of element `e` from the axis \[mm\].
+    pub fn middle(&self, e: usize) -> f64 {
+        0.5 * (self.s0[e] + self.s0[e + 1])
+    }
+
     /// Number of points at which the sheet may touch a tool.
     pub fn contact_points(&self) -> usize {
         STATIONS * self.thickness.len()
@@ -167,7 +183,7 @@ impl State {
     pub fn largest_porosity(&self, rule: &[ThicknessPoint]) -> (f64, f64) {
         let means = self.points.rows().enumerate().map(|(e, points)| {
             let mean: f64 = points.iter().zip(rule).map(|(p, at)| at.weight * p.porosity).sum();
-            (mean, 0.5 * (self.s0[e] + self.s0[e + 1]))
+            (mean, self.middle(e))
         });
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
     }
@@ -190,7 +206,7 @@ impl State {
         if model.forming_limit.is_none() {
             return Paths::default();
         }
-        let mut paths = Paths::starting(self.s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect());
+        let mut paths = Paths::starting((0..self.thickness.len()).map(|e| self.middle(e)).collect());
         paths.push(self.instant());
         paths
     }

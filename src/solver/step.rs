@@ -66,13 +66,14 @@ impl<'a> Step<'a> {
         let references: Vec<Reference> = references(model, state, &bends).collect();
         let neighbourhood = NonlocalAverage::new(model, state);
         let section = neighbourhood.section_thickness(&state.thickness);
-        let (mut volume, growth) = match &model.material.gtn {
-            Some(_) => foreseen_volume(state, dt),
-            None => (state.volume.clone(), vec![1.0; state.volume.len()]),
+        // Voids grow on at their last rate.
+        let voids = |exponent: f64| if model.material.gtn.is_some() { exponent.exp() } else { 1.0 };
+        let growth: Vec<f64> = state.dilation_rate.iter().map(|rate| voids(rate * dt)).collect();
+        let volume = |e: usize| {
+            let foreseen = state.volume[e] * voids(state.dilation[e] + state.dilation_rate[e] * dt);
+            foreseen * (section[e] / state.thickness[e])
         };
-        for (volume, (section, thickness)) in volume.iter_mut().zip(section.iter().zip(&state.thickness)) {
-            *volume *= section / thickness;
-        }
+        let volume = (0..growth.len()).map(volume).collect();
         let around = surroundings(context, state, process_time, &neighbourhood);
         let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
         let speed_ratio =
@@ -137,16 +138,6 @@ impl<'a> Step<'a> {
 /// Regularisation speed v₀ of friction \[mm/s\]: a share of the process speed, which is at least one thickness per run.
 fn slip_speed(model: &Model) -> f64 {
     model.settings.slip_speed * model.speed.max(model.blank.thickness / model.duration)
-}
-
-/// Extrapolated volume of each element after `dt` \[s\] \[mm³, or mm² in plane strain\], and its growth \[–\].
-fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
-    let elements = state.volume.iter().zip(state.dilation.iter().zip(&state.dilation_rate));
-    let volumes = elements.map(|(volume, (dilation, rate))| {
-        let growth = rate * dt;
-        (volume * (dilation + growth).exp(), growth.exp())
-    });
-    volumes.unzip()
 }
 
 /// Flow around each thickness point: nonlocal mean of the last rates of the points at the same depth.
@@ -245,12 +236,11 @@ fn faces(references: &[Reference], state: &State) -> Vec<[f64; 2]> {
 
 /// Shear yield stress σ_y/√3 at the mean strain of each element \[MPa\].
 fn shear_yield(context: &RunContext, state: &State) -> Vec<f64> {
-    let elements = state.points.rows().zip(&state.temperature);
-    let shear_yield = elements.map(|(points, temperature)| {
+    let of_element = |(points, temperature): (&[MaterialPoint], &f64)| {
         let strain: f64 = points.iter().zip(&context.rule).map(|(p, at)| at.weight * p.strain).sum();
         context.model.material.yield_stress(strain, *temperature) / 3f64.sqrt()
-    });
-    shear_yield.collect()
+    };
+    state.points.rows().zip(&state.temperature).map(of_element).collect()
 }
 
 /// Elastoplastic law of a step of `duration` \[s\].

@@ -4,8 +4,7 @@ use super::converged::Converged;
 use super::evaluation::Evaluation;
 use super::restraints::Seal;
 use crate::element::surface::STATIONS;
-use crate::geometry::Point;
-use crate::model::{Edge, Model, Role};
+use crate::model::{Edge, Role};
 use crate::solver::solution::{Energy, StepRecord};
 use crate::solver::state::State;
 
@@ -19,13 +18,14 @@ pub(super) fn record(
 ) -> StepRecord {
     let Converged { step, trial, evaluation, outcome, .. } = converged;
     let model = step.model;
-    let tool = |role: Role| model.tools.iter().position(|tool| tool.role == role);
-    let force_of = |role: Role| tool(role).map_or(0.0, |j| evaluation.tool_force[j].y);
+    let force_of = |role: Role| model.tool_index(role).map_or(0.0, |j| evaluation.tool_force[j].y);
     let thickness = &next.thickness;
     let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
     let n = evaluation.nodes.len();
+    let gap = |role: Role, node: usize| model.tool_index(role).map_or(f64::INFINITY, |j| next.gap(model, j, node));
+    let gaps = |node: usize| Role::ALL.map(|role| gap(role, node));
     StepRecord {
         step: step.number,
         time: step.end(),
@@ -35,21 +35,27 @@ pub(super) fn record(
         edge_force: if model.blank.edge == Edge::Free { 0.0 } else { evaluation.edge_reaction.x },
         draw_in: model.blank.length - evaluation.nodes[n - 1][0],
         thinnest: thickness[thinnest],
-        thinnest_s0: 0.5 * (step.state.s0[thinnest] + step.state.s0[thinnest + 1]),
+        thinnest_s0: next.middle(thinnest),
         pole_height: evaluation.nodes[0][1],
         pressure: gas.sum(),
         held_rate: model.rate_control().map_or(0.0, |control| control.target * evaluation.held_rate.norm),
         on_cap: evaluation.held_rate.on_cap,
         contact_share: contact_share(converged),
-        edge_gap: gaps(next, model, n - 1),
-        middle_gap: gaps(next, model, 0),
-        die_slope: tool(Role::Die)
-            .map_or(0.0, |j| slope(model.tools[j].profile.closest(next.in_frame_of(j, n - 1)).normal)),
-        holder_move: tool(Role::Holder).filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
+        edge_gap: gaps(n - 1),
+        middle_gap: gaps(0),
+        die_slope: model.tool_index(Role::Die).map_or(0.0, |j| {
+            // By the normal towards the sheet: −z on a flat die.
+            let normal = model.tools[j].profile.closest(next.in_frame_of(j, n - 1)).normal;
+            normal.x.abs().atan2(-normal.y)
+        }),
+        holder_move: model
+            .tool_index(Role::Holder)
+            .filter(|_| model.release.is_none())
+            .map_or(0.0, |j| trial.tools[j].y),
         block_force: evaluation.block_force,
         penetration: evaluation.penetration(),
         strain_increment: converged.strain_increment(),
-        sharpest_bend: sharpest_bend(evaluation),
+        sharpest_bend: sharpest_bend(evaluation, next),
         bending: step.bends.iter().filter(|bends| **bends).count(),
         iterations: outcome.iterations,
         rejected,
@@ -76,8 +82,7 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
             sticking += usize::from(active && now.slip.abs() < step.slip_scale);
             if tool.role == Role::Holder {
                 held += now.normal;
-                let e = i / STATIONS;
-                on_rim += if 0.5 * (step.state.s0[e] + step.state.s0[e + 1]) >= rim { now.normal } else { 0.0 };
+                on_rim += if step.state.middle(i / STATIONS) >= rim { now.normal } else { 0.0 };
             }
         }
     }
@@ -88,21 +93,6 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
         contact_changes,
         ..StepRecord::default()
     }
-}
-
-/// Gaps between a node and each of [`Role::ALL`] \[mm\].
-fn gaps(state: &State, model: &Model, node: usize) -> [f64; 3] {
-    Role::ALL.map(|role| {
-        let tool = model.tools.iter().position(|tool| tool.role == role);
-        tool.map_or(f64::INFINITY, |j| {
-            model.tools[j].profile.closest(state.in_frame_of(j, node)).distance - 0.5 * state.thickness_at(node)
-        })
-    })
-}
-
-/// Slope of a die's face by its normal towards the sheet \[rad\]: −z on a flat die.
-fn slope(normal: Point) -> f64 {
-    normal.x.abs().atan2(-normal.y)
 }
 
 /// Share of the current area inside the seal that lies on the punch or the die \[–\].
@@ -140,13 +130,12 @@ fn negative_share([a, b]: [f64; 2]) -> f64 {
 }
 
 /// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].
-fn sharpest_bend(evaluation: &Evaluation) -> f64 {
-    let bends = evaluation.nodes.windows(3).zip(&evaluation.thickness).map(|(w, thickness)| {
-        let along = |i: usize| Point::new(w[i + 1][0] - w[i][0], w[i + 1][1] - w[i][1]);
-        let (a, b) = (along(0), along(1));
+fn sharpest_bend(evaluation: &Evaluation, next: &State) -> f64 {
+    let bends = (0..next.thickness.len() - 1).map(|e| {
+        let (a, b) = (next.along(e), next.along(e + 1));
         let (la, lb) = (a.norm(), b.norm());
         let sine = (a.perp(&b) / (la * lb)).clamp(-1.0, 1.0);
-        sine.abs().asin() / (0.5 * (la + lb)) * thickness
+        sine.abs().asin() / (0.5 * (la + lb)) * evaluation.thickness[e]
     });
     bends.fold(0.0, f64::max)
 }

@@ -31,8 +31,7 @@ struct Throat {
     end: f64,
 }
 
-/// Rule that ends a run, in the order of precedence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 enum Rule {
     ToolsClosed,
     DrawnThrough,
@@ -41,18 +40,6 @@ enum Rule {
     LoadDrop,
     Localised,
     HolderClosed,
-}
-
-impl Rule {
-    const ALL: [Rule; 7] = [
-        Rule::ToolsClosed,
-        Rule::DrawnThrough,
-        Rule::Coalesced,
-        Rule::ContactShare,
-        Rule::LoadDrop,
-        Rule::Localised,
-        Rule::HolderClosed,
-    ];
 }
 
 /// State of all rules after a step; a step that is not accepted leaves no trace.
@@ -73,8 +60,7 @@ impl Termination {
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
         let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
-        let die = model.tools.iter().position(|tool| tool.role == Role::Die);
-        let throat = die.map(|die| {
+        let throat = model.tool_index(Role::Die).map(|die| {
             let profile = &model.tools[die].profile;
             let (points, radius) = (profile.polyline(0.01), profile.least_r());
             let lowest =
@@ -104,37 +90,37 @@ impl Termination {
             let neck = neck(model, state, Some(before));
             now.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
             now.neck = Some(neck);
-            now.excess =
-                Rule::ALL.map(|rule| now.excess_of(rule, model, state, record)).into_iter().fold(-1.0, f64::max);
+            now.excess = now.excesses(model, state, record).into_iter().map(|(_, excess)| excess).fold(-1.0, f64::max);
         }
         now
     }
 
-    /// Excess of the state over a rule \[–\]; NaN where the rule does not apply.
-    fn excess_of(&self, rule: Rule, model: &Model, state: &State, record: &StepRecord) -> f64 {
+    /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.
+    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(Rule, f64); 7] {
         let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
-        match rule {
-            Rule::ToolsClosed => beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))),
-            Rule::DrawnThrough => self.throat.as_ref().map_or(f64::NAN, |throat| {
-                let [r, z, _] = state.nodes[state.nodes.len() - 1];
-                let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
-                if model.stop.drawn_through {
-                    (height - throat.end) / model.blank.thickness - THROUGH
-                } else {
-                    within.min(height - throat.face) / model.blank.thickness
-                }
-            }),
-            Rule::Coalesced => beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())),
-            Rule::ContactShare => beyond(record.contact_share, model.stop.contact_share),
-            Rule::LoadDrop => {
-                beyond(1.0 - record.punch_force / self.peak, model.stop.load_drop.filter(|_| self.peak > 0.0))
+        let through = self.throat.as_ref().map_or(f64::NAN, |throat| {
+            let [r, z, _] = state.nodes[state.nodes.len() - 1];
+            let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
+            if model.stop.drawn_through {
+                (height - throat.end) / model.blank.thickness - THROUGH
+            } else {
+                within.min(height - throat.face) / model.blank.thickness
             }
-            Rule::HolderClosed => beyond(record.holder_force, model.stop.holder_force),
-            Rule::Localised => self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
-                let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
-                (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
-            }),
-        }
+        });
+        let localised = self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
+            let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
+            (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
+        });
+        let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
+        [
+            (Rule::ToolsClosed, beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12)))),
+            (Rule::DrawnThrough, through),
+            (Rule::Coalesced, beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture()))),
+            (Rule::ContactShare, beyond(record.contact_share, model.stop.contact_share)),
+            (Rule::LoadDrop, beyond(1.0 - record.punch_force / self.peak, drop)),
+            (Rule::Localised, localised),
+            (Rule::HolderClosed, beyond(record.holder_force, model.stop.holder_force)),
+        ]
     }
 
     /// Reason why the run ends with `state`; `None` if it goes on.
@@ -143,7 +129,7 @@ impl Termination {
             return None;
         }
         let (travel, time) = (state.travel, state.time);
-        let rule = Rule::ALL.into_iter().find(|rule| self.excess_of(*rule, model, state, record) >= 0.0)?;
+        let (rule, _) = self.excesses(model, state, record).into_iter().find(|(_, excess)| *excess >= 0.0)?;
         Some(match rule {
             Rule::ToolsClosed => {
                 let (travel, at) = self.closed?;
@@ -173,10 +159,7 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
 /// Location and cause of a neck in words.
 fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
-    let closest = model.tools.iter().enumerate().map(|(j, tool)| {
-        let distance = tool.profile.closest(state.in_frame_of(j, i)).distance - 0.5 * state.thickness_at(i);
-        (tool.role, distance)
-    });
+    let closest = (0..model.tools.len()).map(|j| (model.tools[j].role, state.gap(model, j, i)));
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
         _ => "where no tool supports it".into(),
@@ -191,8 +174,7 @@ fn why(model: &Model, state: &State, neck: &Neck) -> String {
 
 /// Travel at which punch and die come within [`CLOSED`] thicknesses of each other, and their closest place.
 fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
-    let index = |role: Role| model.tools.iter().position(|tool| tool.role == role);
-    let (i, j) = (index(Role::Punch)?, index(Role::Die)?);
+    let (i, j) = (model.tool_index(Role::Punch)?, model.tool_index(Role::Die)?);
     let (punch, die) = (&model.tools[i], &model.tools[j]);
     // Without the waiting gap.
     let moved = |k: usize, travel: f64| {

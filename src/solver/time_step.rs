@@ -1,15 +1,7 @@
 //! Time step control.
 //!
-//! | known of the last step | effect |
-//! |---|---|
-//! | iterations | few: the next may grow; many: it shrinks |
-//! | contact changes | no growth while many points come into contact or leave it |
-//! | strain increment | the next step aims at the limit; one beyond twice the limit is repeated |
-//! | gaps and closing speeds | no step carries a free point deep into a tool |
-//! | frames, closing of the tools, changes of speed | steps land on them |
-//! | overstepping the end of the run | repeated up to the expected end |
-//!
-//! Lengths of steps are measured in process time ([`Model::process_time`]).
+//! The iterations, contact changes, strain increment and closing gaps of a step decide the length of the next, in process time
+//! ([`Model::process_time`]). Steps land on frames, the closing of the tools and changes of speed.
 
 use super::converged::Converged;
 use super::corrector::patience;
@@ -131,11 +123,11 @@ impl<'a> StepControl<'a> {
 fn approach(before: &Evaluation, converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let mut soonest = f64::INFINITY;
-    for (j, _) in step.context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+    for (j, _) in step.context.acting_tools() {
         let pairs = before.contacts.row(j).iter().zip(evaluation.contacts.row(j)).enumerate();
         for (i, (before, now)) in pairs.filter(|(_, (_, now))| now.normal == 0.0) {
             let closing = (before.gap - now.gap) / step.dt;
-            let thickness = evaluation.thickness_at(i);
+            let thickness = evaluation.thickness[i / STATIONS];
             let room = now.gap + TOO_FAR * thickness;
             soonest = if closing > 0.0 { soonest.min(room / closing) } else { soonest };
         }

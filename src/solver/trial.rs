@@ -109,10 +109,8 @@ impl Trial {
             };
             self.tools[j] = state.tools[j] + moved;
         }
-        for (e, points) in state.points.rows().enumerate() {
-            for (k, point) in points.iter().enumerate() {
-                self.iterates[(e, k)] = Iterate::start(point.carried);
-            }
+        for (iterate, point) in self.iterates.iter_mut().zip(state.points.iter()) {
+            *iterate = Iterate::start(point.carried);
         }
         self.average(step);
     }

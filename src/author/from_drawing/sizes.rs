@@ -154,9 +154,8 @@ fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> P
         Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
     };
     let punch = placed(punch, true, -0.5 * thickness);
-    let has_room = |travel: &f64| {
-        die.is_none_or(|die| gap(&punch, &placed(die, false, 0.5 * thickness), *travel).distance >= thickness)
-    };
+    let has_room =
+        |travel: &f64| die.is_none_or(|die| gap(&punch, &placed(die, false, 0.5 * thickness), *travel).0 >= thickness);
     let digits = |mm: f64| down(mm).max(rounded(mm.min(0.1)));
     let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(has_room);
     placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")

@@ -3,7 +3,8 @@
 use super::motion::travel_key;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
-use crate::model::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
+use crate::geometry::Point;
+use crate::model::tool_sizes::{extent, gap, room, shoulder_end, throat, widens};
 use crate::model::{Edge, Geometry, Model, Role, Tool};
 use crate::units::rounded;
 
@@ -75,7 +76,7 @@ fn clearance(
     let t = rounded(model.blank.thickness);
     let least = LEAST_CLEARANCE * t;
     if widens(punch, model.travel) {
-        let Gap { distance, at } = gap(punch, die, model.travel);
+        let (distance, at) = gap(punch, die, model.travel);
         let what = format!(
             "the sheet does not fit between punch and die at the travel of {} mm: they are {distance:.3} mm apart at {} for \
              a thickness of {t} mm",
@@ -100,8 +101,8 @@ fn clearance(
 /// Checks that tools do not collide, where they start and at the full travel.
 pub(super) fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
     let allowed = -OVERLAP * model.blank.thickness;
-    let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.distance < allowed);
-    let by = |Gap { distance, at }: Gap| {
+    let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.0 < allowed);
+    let by = |(distance, at): (f64, Point)| {
         format!("by {:.3} mm at {} (z = 0 is the flat sheet's middle)", -distance, place_of(at))
     };
     for (a, b) in [(Role::Punch, Role::Holder), (Role::Punch, Role::Die), (Role::Holder, Role::Die)] {

@@ -53,12 +53,8 @@ pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
     ValueAndSlope { value: slip * inverse, slope: inverse * inverse * inverse * (scale * scale) }
 }
 
-/// Friction law.
 trait FrictionLaw: Law {
-    /// Friction stress and its derivatives.
     fn at(&self, sliding: &Sliding) -> FrictionStress;
-
-    /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
     fn largest_coefficient(&self) -> f64;
 }
 
@@ -96,41 +92,32 @@ mod tests {
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
-    fn sliding() -> impl Strategy<Value = Sliding> {
-        (1e-3..500.0, -0.3..0.3, 1e-4..1e-2, 1e-3..1.0, 20.0..400.0).prop_map(
-            |(pressure, slip, scale, duration, shear_yield)| Sliding { pressure, slip, scale, duration, shear_yield },
-        )
-    }
-
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Trust: central differences; h = 1e-5 of the smallest length in the law, truncation near 1e-9 of the entry.
+        /// Trust: central differences; h = 1e-5 of the smallest length in the law, truncation near 1e-9 of the entry. Friction
+        /// takes power, is odd in the slip and stays below the law's largest coefficient.
         #[test]
-        fn derivatives_agree_with_differences(at in sliding()) {
+        fn friction_opposes_sliding_and_its_derivatives_agree_with_differences(
+            (pressure, slip, scale) in (1e-3..500.0, -0.3..0.3, 1e-4..1e-2),
+            (duration, shear_yield) in (1e-3..1.0, 20.0..400.0),
+        ) {
+            let at = Sliding { pressure, slip, scale, duration, shear_yield };
             for (name, law) in Friction::examples() {
                 let drag = law.at(&at);
-                let h = 1e-5 * at.scale;
-                let by = |slip: f64| law.at(&Sliding { slip, ..at }).value;
-                let difference = (by(at.slip + h) - by(at.slip - h)) / (2.0 * h);
-                let size = drag.value.abs() / at.scale;
-                prop_assert!((difference - drag.by_slip).abs() < 1e-6 * size, "{name} by slip");
-                let h = 1e-5 * at.pressure;
-                let by = |pressure: f64| law.at(&Sliding { pressure, ..at }).value;
-                let difference = (by(at.pressure + h) - by(at.pressure - h)) / (2.0 * h);
-                prop_assert!((difference - drag.by_pressure).abs() < 1e-6 * drag.value.abs() / at.pressure, "{name} by pressure");
-            }
-        }
-
-        /// Friction takes power, is odd in the slip and stays below the law's largest coefficient.
-        #[test]
-        fn friction_opposes_sliding(at in sliding()) {
-            for (name, law) in Friction::examples() {
-                let stress = law.at(&at).value;
-                prop_assert!(stress * at.slip >= 0.0, "{name}");
-                prop_assert_eq!(law.at(&Sliding { slip: -at.slip, ..at }).value, -stress);
-                let viscous = if let Friction::Stribeck(s) = law { s.viscous * at.slip.abs() / at.duration } else { 0.0 };
-                prop_assert!(stress.abs() <= (law.largest_coefficient() + viscous) * at.pressure * (1.0 + 1e-12), "{name}");
+                let difference = |value: &dyn Fn(f64) -> Sliding, x: f64, h: f64| {
+                    (law.at(&value(x + h)).value - law.at(&value(x - h)).value) / (2.0 * h)
+                };
+                let by_slip = difference(&|slip| Sliding { slip, ..at }, slip, 1e-5 * scale);
+                prop_assert!((by_slip - drag.by_slip).abs() < 1e-6 * drag.value.abs() / scale, "{name} by slip");
+                let by_pressure = difference(&|pressure| Sliding { pressure, ..at }, pressure, 1e-5 * pressure);
+                let error = (by_pressure - drag.by_pressure).abs();
+                prop_assert!(error < 1e-6 * drag.value.abs() / pressure, "{name} by pressure");
+                prop_assert!(drag.value * slip >= 0.0, "{name}");
+                prop_assert_eq!(law.at(&Sliding { slip: -slip, ..at }).value, -drag.value);
+                let viscous = if let Friction::Stribeck(s) = law { s.viscous * slip.abs() / duration } else { 0.0 };
+                let most = (law.largest_coefficient() + viscous) * pressure;
+                prop_assert!(drag.value.abs() <= most * (1.0 + 1e-12), "{name}");
             }
         }
     }
@@ -138,22 +125,18 @@ mod tests {
     /// Trust: the published forms themselves, where the regularisation is full (slip ≫ s₀: φ = 1 to 5e-9).
     #[test]
     fn sliding_values_are_the_published_ones() {
-        let at = |pressure: f64, speed: f64| Sliding {
-            pressure,
-            slip: speed,
-            scale: 1e-4 * speed,
-            duration: 1.0,
-            shear_yield: 150.0,
-        };
         let laws: std::collections::HashMap<_, _> = Friction::examples().into_iter().collect();
-        assert_relative_eq!(laws["coulomb"].at(&at(20.0, 1.0)).value, 2.4, max_relative = 1e-8);
-        // Below 1 % of the reference pressure the coefficient levels off; at 4 times it that is felt by 1e-6.
-        let power = 0.12 * (40.0_f64 / 10.0).powf(-0.15) * 40.0;
-        assert_relative_eq!(laws["pressure_dependent"].at(&at(40.0, 1.0)).value, power, max_relative = 1e-6);
-        let stribeck = (0.05 + 0.1 * (-0.25_f64).exp() + 0.002) * 20.0;
-        assert_relative_eq!(laws["stribeck"].at(&at(20.0, 1.0)).value, stribeck, max_relative = 1e-8);
-        // Far above and far below the transition: the limit m k, and Coulomb.
-        assert_relative_eq!(laws["tresca"].at(&at(2000.0, 1.0)).value, 30.0, max_relative = 1e-8);
-        assert_relative_eq!(laws["tresca"].at(&at(1e-3, 1.0)).value, Tresca::BOUND * 1e-3, max_relative = 1e-8);
+        for (law, pressure, stress, accuracy) in [
+            ("coulomb", 20.0, 2.4, 1e-8),
+            // Below 1 % of the reference pressure the coefficient levels off; at 4 times it that counts 1e-6.
+            ("pressure_dependent", 40.0, 0.12 * 4.0_f64.powf(-0.15) * 40.0, 1e-6),
+            ("stribeck", 20.0, (0.05 + 0.1 * (-0.25_f64).exp() + 0.002) * 20.0, 1e-8),
+            // Far above and far below the transition: the limit m k, and Coulomb.
+            ("tresca", 2000.0, 30.0, 1e-8),
+            ("tresca", 1e-3, Tresca::BOUND * 1e-3, 1e-8),
+        ] {
+            let at = Sliding { pressure, slip: 1.0, scale: 1e-4, duration: 1.0, shear_yield: 150.0 };
+            assert_relative_eq!(laws[law].at(&at).value, stress, max_relative = accuracy);
+        }
     }
 }

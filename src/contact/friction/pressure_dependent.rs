@@ -1,8 +1,4 @@
-//! Coulomb's friction with a coefficient that falls as the pressure rises: lubricated sheet, whose pockets of lubricant
-//! carry more as they are pressed.
-//!
-//! τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1). Below a hundredth of p₀ the coefficient levels off, so that it stays finite
-//! where the pressure sets in: p is replaced there by √(p² + (0.01 p₀)²).
+//! Friction of lubricated sheet, τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1); p in μ is √(p² + (0.01 p₀)²), so that μ is finite.
 
 use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;

@@ -1,7 +1,4 @@
-//! Friction limited by the sheet's shear strength.
-//!
-//! τ = m k tanh(μ p/(m k)) φ(s): Coulomb's law under light pressure, never more than the share m of the sheet's shear yield
-//! stress k = σ_y/√3, which is that of the start of the step.
+//! Friction limited by the sheet's shear strength: τ = m k tanh(μ p/(m k)) φ(s), k = σ_y/√3 at the start of the step.
 
 use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;

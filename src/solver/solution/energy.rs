@@ -75,17 +75,18 @@ pub struct Heat {
 }
 
 impl Heat {
+    fn combined(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        let Self { plastic, tools, stored } = self;
+        Self { plastic: of(plastic, other.plastic), tools: of(tools, other.tools), stored: of(stored, other.stored) }
+    }
+
     /// Multiplies every entry.
     pub fn scaled(self, factor: f64) -> Self {
-        Self { plastic: factor * self.plastic, tools: factor * self.tools, stored: factor * self.stored }
+        self.combined(self, |heat, _| factor * heat)
     }
 
     /// The sum, entry by entry.
     pub fn plus(self, other: Self) -> Self {
-        Self {
-            plastic: self.plastic + other.plastic,
-            tools: self.tools + other.tools,
-            stored: self.stored + other.stored,
-        }
+        self.combined(other, |a, b| a + b)
     }
 }

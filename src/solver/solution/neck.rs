@@ -35,11 +35,10 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     // What two tools take off a wall is no neck.
     let strains = thickness.iter().zip(&state.ironed).map(|(thickness, ironed)| (thickness / t0).ln() + ironed);
     let strains: Vec<f64> = strains.collect();
-    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: strains[e].exp(), stands_out: false, took_over: false };
+    let mut neck = Neck { s0: state.middle(e), share: strains[e].exp(), stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }
@@ -55,7 +54,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     });
     let (mut sum, mut rates, mut count) = (0.0, 0.0, 0.0);
     for other in 0..n {
-        let away = (middle(other) - neck.s0).abs();
+        let away = (state.middle(other) - neck.s0).abs();
         // On a coarse mesh the next but one stands for the surroundings.
         let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
         if near {

@@ -6,7 +6,6 @@
 //! neighbourhood. Longer elements stand for themselves.
 
 use super::State;
-use crate::geometry::Point;
 use crate::model::Model;
 
 /// Length of a neighbourhood along the meridian over the initial thickness \[–\]. From 1 to 2 the thinnest place of deep cups is
@@ -37,7 +36,7 @@ struct Place {
 impl NonlocalAverage {
     /// Windows of the elements of `state`.
     pub fn new(model: &Model, state: &State) -> Self {
-        let lengths = state.nodes.windows(2).map(|w| Point::new(w[1][0] - w[0][0], w[1][1] - w[0][1]).norm());
+        let lengths = (0..state.thickness.len()).map(|e| state.along(e).norm());
         Self::over(lengths, 0.5 * NEIGHBOURHOOD * model.blank.thickness)
     }
 
@@ -94,12 +93,11 @@ impl NonlocalAverage {
 
 /// Running sums, beginning with 0.
 fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut sum = 0.0;
-    let sums = values.map(|value| {
-        sum += value;
-        sum
-    });
-    std::iter::once(0.0).chain(sums).collect()
+    let mut sums = vec![0.0];
+    for value in values {
+        sums.push(sums[sums.len() - 1] + value);
+    }
+    sums
 }
 
 #[cfg(test)]

@@ -1,14 +1,7 @@
 //! Contact of the sheet with its tools.
 //!
-//! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face:
-//!
-//! ```text
-//! g = d(x(ξ)) − t/2,   t = t₀ exp(−Δε_s − Δε_θ)
-//! δW = F·δx(ξ) + Q δt,   Q = −N/2,   δt = −t (δε_s + δε_θ)
-//! ```
-//!
-//! Q acts as a force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2. Without friction
-//! F and Q are the gradient of one potential, and the matrix is symmetric.
+//! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face. Q acts as a
+//! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactLaw, ContactPoint};
@@ -158,7 +151,7 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
 
 /// Measures the gaps that the iterations did not need, for the length of the next step and the contact share.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
-    for (j, tool) in step.context.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+    for (j, tool) in step.context.acting_tools() {
         let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.contact_positions);
         for ((contact, memory), place) in pairs.filter(|((contact, _), _)| contact.gap.is_infinite()) {
             let position = place.position - trial.tools[j];

@@ -20,7 +20,7 @@ use crate::solver::trial::Trial;
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let (context, model) = (step.context, step.model);
     let closing = bead::closing_force(step);
-    let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+    let die = model.tool_index(Role::Die);
     let die = die.map_or(0.0, |j| trial.tools[j].y - waiting_displacement(model, &model.tools[j]));
     let times = model.extent().times();
     let block_area = model.geometry.area(model.blank.length);

@@ -1,16 +1,4 @@
 //! One step of a run repeated from the same state with any of the corrector's matrices, iteration by iteration.
-//!
-//! ```
-//! use stampflow::solver::trace::{TraceRequest, trace};
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let case = stampflow::Case::load("cases/quickstart.toml")?;
-//! let request = TraceRequest { step: 20, ..TraceRequest::default() };
-//! let traced = trace(&case.stages, &request, &mut ())?;
-//! let history = &traced.histories[0]; // with the case's own matrix
-//! assert!(history.end.is_some() && history.last_pass().last().expect("at least the predictor").residual_norm < 0.01);
-//! # Ok(())
-//! # }
-//! ```
 
 mod rate;
 
