@@ -13,107 +13,62 @@
 
 use super::converged::Converged;
 use crate::element::surface::STATIONS;
-use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
+use crate::model::Geometry;
 use crate::solver::solution::Heat;
 use crate::solver::state::State;
 use std::f64::consts::TAU;
 
-/// Tridiagonal system of the elements' temperatures.
-pub(super) struct HeatSolver<'a> {
-    flow: &'a HeatFlow,
-    geometry: Geometry,
-    tools: Vec<(usize, ToolHeat)>,
-    diagonal: Vec<f64>,
-    /// Coupling to the next element.
-    off: Vec<f64>,
-    rhs: Vec<f64>,
-    /// Δt Σ h A \[mJ/K\] and Δt Σ h A T_tool \[mJ\] of every element.
-    exchange: Vec<[f64; 2]>,
-}
-
-impl<'a> HeatSolver<'a> {
-    /// Creates the solver; `None` at constant temperature.
-    pub fn new(model: &'a Model, state: &State) -> Option<Self> {
-        let flow = model.heat.as_ref()?.flow.as_ref()?;
-        let tools = flow.tools.iter().filter_map(|tool| Some((model.tool_index(tool.role)?, *tool))).collect();
-        let n = state.thickness.len();
-        Some(Self {
-            flow,
-            geometry: model.geometry,
-            tools,
-            diagonal: vec![0.0; n],
-            off: vec![0.0; n],
-            rhs: vec![0.0; n],
-            exchange: vec![[0.0; 2]; n],
-        })
-    }
-
-    /// Advances the temperatures of `state`; `plastic` is the plastic work of each element.
-    pub fn advance(&mut self, converged: &Converged, plastic: &[f64], state: &mut State) -> Heat {
-        let n = plastic.len();
-        let dt = converged.step.dt;
-        self.meet_tools(converged);
-        for e in 0..n {
-            let stored = self.flow.capacity * state.volume[e];
-            let [by_tools, heat] = self.exchange[e];
-            self.diagonal[e] = stored + by_tools;
-            self.rhs[e] = stored * state.temperature[e] + self.flow.plastic_share * plastic[e] + heat;
-            self.off[e] = 0.0;
-        }
-        if self.flow.conductivity > 0.0 {
-            for e in 1..n {
-                let [before, after] = [state.along(e - 1), state.along(e)];
-                let distance = 0.5 * (before.x.hypot(before.y) + after.x.hypot(after.y));
-                let width = if self.geometry == Geometry::Axisymmetric { TAU * state.nodes[e][0] } else { 1.0 };
-                let conducted = dt * self.flow.conductivity * width * state.thickness_at(e) / distance;
-                self.off[e - 1] = -conducted;
-                self.diagonal[e - 1] += conducted;
-                self.diagonal[e] += conducted;
-            }
-        }
-        let capacity = self.flow.capacity;
-        let content = |state: &State| -> f64 {
-            state.volume.iter().zip(&state.temperature).map(|(volume, t)| capacity * volume * t).sum()
-        };
-        let before = content(state);
-        self.solve(&mut state.temperature);
-        let steps = state.temperature.iter().zip(&converged.step.state.temperature);
-        for (rates, (now, then)) in state.temperature_rates.iter_mut().zip(steps) {
-            *rates = [(now - then) / dt, rates[0]];
-        }
-        let after = content(state);
-        let tools = self.exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
-        Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
-    }
-
-    fn meet_tools(&mut self, converged: &Converged) {
-        let Converged { step, evaluation, .. } = converged;
-        let n = self.exchange.len();
-        self.exchange.fill([0.0; 2]);
-        for &(j, tool) in &self.tools {
-            for e in 0..n {
-                for point in STATIONS * e..STATIONS * (e + 1) {
-                    if evaluation.contacts[(j, point)].lies_on(&step.context.penalty) {
-                        let exchanged = step.dt * tool.transfer * step.areas[point];
-                        self.exchange[e][0] += exchanged;
-                        self.exchange[e][1] += exchanged * tool.temperature;
-                    }
-                }
+/// Advances the temperatures of `state` by the plastic work of each element; `None` at constant temperature.
+pub(super) fn advance(converged: &Converged, plastic: &[f64], state: &mut State) -> Option<Heat> {
+    let Converged { step, evaluation, .. } = converged;
+    let (model, n, dt) = (step.model, plastic.len(), step.dt);
+    let flow = model.heat.as_ref()?.flow.as_ref()?;
+    // Δt Σ h A [mJ/K] and Δt Σ h A T_tool [mJ] of every element.
+    let mut exchange = vec![[0.0; 2]; n];
+    for (j, tool) in flow.tools.iter().filter_map(|tool| Some((model.tool_index(tool.role)?, tool))) {
+        for (i, contact) in evaluation.contacts.row(j).iter().enumerate() {
+            if contact.lies_on(&step.context.penalty) {
+                let exchanged = dt * tool.transfer * step.areas[i];
+                exchange[i / STATIONS][0] += exchanged;
+                exchange[i / STATIONS][1] += exchanged * tool.temperature;
             }
         }
     }
-
-    /// Elimination without pivoting: the matrix is symmetric and diagonally dominant.
-    fn solve(&mut self, temperature: &mut [f64]) {
-        let n = temperature.len();
-        for e in 1..n {
-            let factor = self.off[e - 1] / self.diagonal[e - 1];
-            self.diagonal[e] -= factor * self.off[e - 1];
-            self.rhs[e] -= factor * self.rhs[e - 1];
-        }
-        for e in (0..n).rev() {
-            let next = if e + 1 < n { self.off[e] * temperature[e + 1] } else { 0.0 };
-            temperature[e] = (self.rhs[e] - next) / self.diagonal[e];
-        }
+    // Tridiagonal and symmetric; `off` couples an element with the next.
+    let (mut diagonal, mut off, mut rhs) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+    for (e, [by_tools, heat]) in exchange.iter().enumerate() {
+        let stored = flow.capacity * state.volume[e];
+        diagonal[e] = stored + by_tools;
+        rhs[e] = stored * state.temperature[e] + flow.plastic_share * plastic[e] + heat;
     }
+    for e in (1..n).filter(|_| flow.conductivity > 0.0) {
+        let [before, after] = [state.along(e - 1), state.along(e)];
+        let distance = 0.5 * (before.x.hypot(before.y) + after.x.hypot(after.y));
+        let width = if model.geometry == Geometry::Axisymmetric { TAU * state.nodes[e][0] } else { 1.0 };
+        let conducted = dt * flow.conductivity * width * state.thickness_at(e) / distance;
+        off[e - 1] = -conducted;
+        diagonal[e - 1] += conducted;
+        diagonal[e] += conducted;
+    }
+    let content = |state: &State| -> f64 {
+        state.volume.iter().zip(&state.temperature).map(|(volume, t)| flow.capacity * volume * t).sum()
+    };
+    let before = content(state);
+    // Elimination without pivoting: the matrix is diagonally dominant.
+    for e in 1..n {
+        let factor = off[e - 1] / diagonal[e - 1];
+        diagonal[e] -= factor * off[e - 1];
+        rhs[e] -= factor * rhs[e - 1];
+    }
+    for e in (0..n).rev() {
+        let next = if e + 1 < n { off[e] * state.temperature[e + 1] } else { 0.0 };
+        state.temperature[e] = (rhs[e] - next) / diagonal[e];
+    }
+    let steps = state.temperature.iter().zip(&step.state.temperature);
+    for (rates, (now, then)) in state.temperature_rates.iter_mut().zip(steps) {
+        *rates = [(now - then) / dt, rates[0]];
+    }
+    let tools = exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
+    let plastic = flow.plastic_share * plastic.iter().sum::<f64>();
+    Some(Heat { plastic, tools, stored: content(state) - before })
 }

@@ -39,7 +39,6 @@ use crate::solver::state::State;
 use budget::Budget;
 use converged::Converged;
 use evaluation::Evaluation;
-use heat::HeatSolver;
 use no_equilibrium::{creeping, no_equilibrium};
 use run_context::RunContext;
 use std::mem::swap;
@@ -59,7 +58,6 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut context = RunContext::new(model, &state);
     let mut trial = Trial::new(&context, &state);
     let (mut evaluation, mut before) = (Evaluation::new(&context, &state), Evaluation::new(&context, &state));
-    let mut heat = HeatSolver::new(model, &state);
     let mut termination = Termination::new(model, &state);
     let mut control = StepControl::new(model, termination.closes_at(model));
     let mut run = StageSolution {
@@ -109,7 +107,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             rejected += 1;
             continue;
         }
-        let (mut next, record) = advance(&before, &converged, heat.as_mut(), rejected, &last);
+        let (mut next, record) = advance(&before, &converged, rejected, &last);
         let seen = termination.after(model, &state, &next, &record);
         if control.oversteps(&step, seen.excess) {
             run.effort.overstepped += 1;
@@ -152,13 +150,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
 }
 
 /// State after a converged step, with porosity and temperatures, and its record.
-fn advance(
-    before: &Evaluation,
-    converged: &Converged,
-    heat: Option<&mut HeatSolver>,
-    rejected: usize,
-    last: &StepRecord,
-) -> (State, StepRecord) {
+fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &StepRecord) -> (State, StepRecord) {
     let (work, plastic) = energy_balance::work(before, converged);
     let mut next = converged.advanced();
     let mut record = step_record::record(converged, before, &next, work, rejected);
@@ -166,9 +158,7 @@ fn advance(
     if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.context.rule);
     }
-    if let Some(heat) = heat {
-        record.heat = heat.advance(converged, &plastic, &mut next);
-    }
+    record.heat = heat::advance(converged, &plastic, &mut next).unwrap_or_default();
     let mut record = record.scaled(converged.step.model.extent().times());
     record.work = last.work.plus(record.work);
     record.heat = last.heat.plus(record.heat);

@@ -48,8 +48,8 @@ impl Start {
     fn softening(self) -> &'static [f64] {
         match self {
             Start::Predictor | Start::Secant => &[],
-            Start::Softened => &SOFTENING[..1],
-            Start::SoftenedInSteps => &SOFTENING,
+            Start::Softened => &[30.0],
+            Start::SoftenedInSteps => &[30.0, 10.0, 3.0],
         }
     }
 
@@ -62,8 +62,6 @@ impl Start {
     }
 }
 
-/// Factors on the cut-off of softened starts, the first for a single one.
-const SOFTENING: [f64; 3] = [30.0, 10.0, 3.0];
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
 const MOST_ROUNDS: usize = 40;

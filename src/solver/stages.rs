@@ -155,9 +155,9 @@ fn met(model: &Model, state: &State, j: usize) -> f64 {
     let points = tool.profile.polyline(model.blank.thickness);
     let tip = points.iter().map(|p| towards * p.y).fold(f64::NEG_INFINITY, f64::max) * towards;
     let t = model.blank.thickness;
-    let (near, far) = if towards > 0.0 { (low, high) } else { (high, low) };
+    let near = if towards > 0.0 { low } else { high };
     let from = near - towards * 2.0 * t - tip;
-    let most = (far - near).abs() + 4.0 * t;
+    let most = high - low + 4.0 * t;
     let touches = |way: f64| {
         let moved = from + towards * way;
         (0..state.nodes.len()).any(|i| {

@@ -1,12 +1,14 @@
 //! Gas pressure on the faces of the sheet, given over time or controlled by a strain rate.
 
+use crate::element::Vector6;
+use crate::element::kinematics::Matrix6;
 use crate::geometry::Point;
 use crate::material::flow::{Metric, YieldCondition};
 use crate::model::{Geometry, Pressure};
 use crate::solver::evaluation::{Evaluation, HeldRate};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// Adds the gas pressure on the current sheet; returns the largest force on a node.
@@ -41,31 +43,25 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
         }
         Geometry::PlaneStrain => ([0.5; 2], [[0.0; 2]; 2]),
     };
-    let system = &mut out.system;
+    let (mut forces, mut matrix) = (Vector6::zeros(), Matrix6::zeros());
     for i in 0..2 {
         let force = m * (pressure * share[i]);
+        out.gas_force[e + i] += force;
+        forces.fixed_rows_mut::<2>(3 * i).copy_from(&force);
         if let Some(column) = column {
             let by_pressure = m * (side * share[i]);
-            system.columns[e + i][column] -= Vector3::new(by_pressure.x, by_pressure.y, 0.0);
+            out.system.columns[e + i][column] -= Vector3::new(by_pressure.x, by_pressure.y, 0.0);
         }
-        out.gas_force[e + i] += force;
-        let rhs = &mut system.rhs[e + i];
-        rhs.x += force.x;
-        rhs.y += force.y;
         for j in 0..2 {
             // ∂m/∂x of node j: first node (0, 1; −1, 0), second its negative.
             let turn = pressure * if j == 0 { share[i] } else { -share[i] };
-            let mut block = Matrix3::zeros();
-            block[(0, 0)] = pressure * m.x * by_r[i][j];
-            block[(1, 0)] = pressure * m.y * by_r[i][j] - turn;
-            block[(0, 1)] = turn;
-            match (i, j) {
-                (0, 0) | (1, 1) => system.diagonal[e + i] -= block,
-                (0, 1) => system.upper[e] -= block,
-                _ => system.lower[e + 1] -= block,
-            }
+            matrix[(3 * i, 3 * j)] = -(pressure * m.x * by_r[i][j]);
+            matrix[(3 * i + 1, 3 * j)] = -(pressure * m.y * by_r[i][j] - turn);
+            matrix[(3 * i, 3 * j + 1)] = -turn;
         }
     }
+    out.system.add_forces(e, &forces);
+    out.system.add_element(e, &matrix);
 }
 
 /// Adds the equations of controlled pressures, max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0 (semi-smooth), with the regularised Δε̄ of
