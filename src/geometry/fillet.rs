@@ -76,21 +76,3 @@ pub(super) fn parallel_arc(before: &Piece, after: &Piece, side: f64) -> Option<A
     let (from, to) = (before.closest_point(center) - center, after.closest_point(center) - center);
     Some(Arc::new(center, side.abs(), from.y.atan2(from.x), turn(from, to)))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: a line at the height h under a circle of radius R: the fillet's centre is s above the line and R + s
-    /// from the centre of the circle.
-    #[test]
-    fn a_line_runs_into_an_arc() {
-        let arc = Piece::arc(Point::new(0.0, 0.0), 20.0, -0.3, 1.2);
-        let start = arc.first();
-        let line = Piece::line(start + Point::new(50.0, 0.0), start);
-        let fillet = tangent_arc(&line, &arc, 3.0).unwrap();
-        let off = [fillet.center.y - start.y - 3.0, fillet.center.norm() - 23.0];
-        assert!(off.iter().all(|off| off.abs() < 1e-9) && fillet.sweep < 0.0);
-        assert!(tangent_arc(&line, &arc, 100.0).is_none(), "the line is too short");
-    }
-}

@@ -47,10 +47,7 @@ pub enum Face {
 impl Face {
     /// Direction of pressure: +1 along the punch travel, −1 against it.
     pub fn sign(self) -> f64 {
-        match self {
-            Face::Lower => 1.0,
-            Face::Upper => -1.0,
-        }
+        if self == Face::Lower { 1.0 } else { -1.0 }
     }
 }
 

@@ -7,8 +7,6 @@
 
 /// Velocity norm below which an increment is mostly round-off \[–\].
 const ROUND_OFF: f64 = 1e-13;
-/// Order above which convergence counts as faster than linear \[–\]: that of linear ones is found within 0.1 of 1.
-const FASTER: f64 = 1.2;
 /// Plausible orders \[–\]: beyond them contact or flow changed between two iterations.
 const POSSIBLE: std::ops::RangeInclusive<f64> = 0.8..=2.5;
 /// Largest relative difference of two successive orders in the asymptotic range \[–\].
@@ -36,11 +34,6 @@ impl ConvergenceRate {
         };
         Some(Self { order: before.is_some_and(agrees).then_some(last.0), left: last.1 })
     }
-
-    /// Whether the order is clearly above 1.
-    pub fn is_faster_than_linear(self) -> bool {
-        self.order.is_some_and(|order| order > FASTER)
-    }
 }
 
 /// Order of three falling increments, and the last over the one before.
@@ -59,11 +52,10 @@ mod tests {
     #[test]
     fn the_order_of_a_sequence_is_found() {
         let rate = |increments: &[f64]| ConvergenceRate::new(&increments.iter().copied().map(Some).collect::<Vec<_>>());
-        let quadratic = rate(&[0.5, 0.25, 0.0625, 0.003_906_25]).expect("a rate");
-        assert!((quadratic.order.expect("an order") - 2.0).abs() < 1e-9 && quadratic.is_faster_than_linear());
-        let linear = rate(&[1.0, 0.9, 0.81, 0.729]).expect("a rate");
-        assert!((linear.order.expect("an order") - 1.0).abs() < 1e-9 && !linear.is_faster_than_linear());
-        assert!((linear.left - 0.9).abs() < 1e-9);
+        let [quadratic, linear] =
+            [[0.5, 0.25, 0.0625, 0.003_906_25], [1.0, 0.9, 0.81, 0.729]].map(|e| rate(&e).expect("a rate"));
+        assert!((quadratic.order.expect("an order") - 2.0).abs() < 1e-9);
+        assert!((linear.order.expect("an order") - 1.0).abs() < 1e-9 && (linear.left - 0.9).abs() < 1e-9);
         assert_eq!(rate(&[1e-4, 1e-9, 1e-15]), None);
         assert_eq!(ConvergenceRate::new(&[Some(1.0), None, Some(0.1), Some(0.01)]), None);
         let changes = rate(&[1.09e-3, 2.07e-4, 9.38e-5, 5.87e-5, 3.77e-5, 2.05e-6]).expect("a rate");
