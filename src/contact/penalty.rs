@@ -23,13 +23,10 @@ pub struct ValueAndSlope {
 impl Penalty {
     /// Shift of the law in δ: −ln(p/(k δ)) at touch.
     const TOUCH: f64 = 3.0;
-
     /// Gap in δ beyond which the pressure, below k δ exp(−30), is zero.
     const REACH: f64 = 30.0 - Self::TOUCH;
-
     /// Gap in δ at which tools wait before the first step, with p = k δ/150.
     pub const WAITING: f64 = 5.0 - Self::TOUCH;
-
     /// Gap in δ up to which a sheet, as pressed by gas, lies on a tool, with p = k δ/22 000.
     const LYING: f64 = 10.0 - Self::TOUCH;
 

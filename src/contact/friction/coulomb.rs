@@ -1,6 +1,6 @@
 //! Coulomb's friction: the stress is a fixed share of the pressure.
 
-use super::{FrictionLaw, FrictionStress, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding};
 use crate::material::law::prelude::*;
 
 /// τ = μ p φ(s). A case writes it as a plain number, μ.
@@ -29,9 +29,7 @@ impl Law for Coulomb {
 impl FrictionLaw for Coulomb {
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
-        let phi = direction(at.slip, at.scale);
-        let full = self.coefficient * at.pressure;
-        FrictionStress { value: full * phi.value, by_pressure: self.coefficient * phi.value, by_slip: full * phi.slope }
+        FrictionStress::regularised(self.coefficient * at.pressure, self.coefficient, at)
     }
 
     fn largest_coefficient(&self) -> f64 {

@@ -45,6 +45,14 @@ pub struct FrictionStress {
     pub by_slip: f64,
 }
 
+impl FrictionStress {
+    /// Stress `full` φ(s), whose derivative by the pressure is `by_pressure` φ(s).
+    fn regularised(full: f64, by_pressure: f64, at: &Sliding) -> Self {
+        let phi = direction(at.slip, at.scale);
+        Self { value: full * phi.value, by_pressure: by_pressure * phi.value, by_slip: full * phi.slope }
+    }
+}
+
 /// φ(s) = s/√(s² + s₀²) and its derivative \[1/mm\].
 #[inline(always)]
 pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {

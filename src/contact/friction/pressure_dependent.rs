@@ -1,6 +1,6 @@
 //! Friction of lubricated sheet, τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1); p in μ is √(p² + (0.01 p₀)²), so that μ is finite.
 
-use super::{FrictionLaw, FrictionStress, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding};
 use crate::material::law::prelude::*;
 
 /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
@@ -42,16 +42,11 @@ impl Law for PressureDependent {
 impl FrictionLaw for PressureDependent {
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
-        let phi = direction(at.slip, at.scale);
         let q = at.pressure / self.reference;
         let square = q * q + Self::LIGHT * Self::LIGHT;
         let mu = self.coefficient * square.powf(0.5 * (self.exponent - 1.0));
         let by_pressure = mu * (1.0 + (self.exponent - 1.0) * q * q / square);
-        FrictionStress {
-            value: mu * at.pressure * phi.value,
-            by_pressure: by_pressure * phi.value,
-            by_slip: mu * at.pressure * phi.slope,
-        }
+        FrictionStress::regularised(mu * at.pressure, by_pressure, at)
     }
 
     fn largest_coefficient(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! Friction limited by the sheet's shear strength: τ = m k tanh(μ p/(m k)) φ(s), k = σ_y/√3 at the start of the step.
 
-use super::{FrictionLaw, FrictionStress, Sliding, direction};
+use super::{FrictionLaw, FrictionStress, Sliding};
 use crate::material::law::prelude::*;
 
 /// Friction stress of at most a share of the sheet's shear yield stress k.
@@ -15,18 +15,18 @@ pub struct Tresca {
     #[schemars(example = 0.2)]
     pub factor: f64,
     /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
-    #[serde(default = "bound", with = "As::<Fraction>")]
+    #[serde(default = "Tresca::bound", with = "As::<Fraction>")]
     #[schemars(example = 0.1)]
     pub coefficient: f64,
-}
-
-fn bound() -> f64 {
-    Tresca::BOUND
 }
 
 impl Tresca {
     /// 1/√3: the coefficient at which the friction stress reaches k when the pressure reaches σ_y.
     pub const BOUND: f64 = 0.577_350_269_189_625_8;
+
+    fn bound() -> f64 {
+        Self::BOUND
+    }
 }
 
 impl Law for Tresca {
@@ -42,17 +42,12 @@ impl Law for Tresca {
 impl FrictionLaw for Tresca {
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
-        let phi = direction(at.slip, at.scale);
         let limit = self.factor * at.shear_yield;
         if limit <= 0.0 {
             return FrictionStress::default();
         }
         let share = (self.coefficient * at.pressure / limit).tanh();
-        FrictionStress {
-            value: limit * share * phi.value,
-            by_pressure: self.coefficient * (1.0 - share * share) * phi.value,
-            by_slip: limit * share * phi.slope,
-        }
+        FrictionStress::regularised(limit * share, self.coefficient * (1.0 - share * share), at)
     }
 
     fn largest_coefficient(&self) -> f64 {
