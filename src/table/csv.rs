@@ -1,5 +1,4 @@
-//! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers; also columns
-//! that a program holds, under the same names and checks.
+//! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers.
 
 use super::{Unit, UnitError};
 use csv::StringRecord;
