@@ -11,7 +11,7 @@ use super::screen::{Cell, print, print_json, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess;
 use stampflow::case::Case;
-use stampflow::results::verification::{BEGINNING, FILE, csv};
+use stampflow::results::error_bars::{BEGINNING, RUNS, runs_csv};
 use stampflow::results::write;
 use stampflow::units::Amount;
 use stampflow::verification::{Number, Origin};
@@ -78,8 +78,8 @@ pub fn verify(args: &Args) -> anyhow::Result<Code> {
 /// Verifies a case, writes its file, and prints it or returns its JSON.
 fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Value)> {
     let path = match &args.out {
-        Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(FILE)),
-        dir => dir.as_ref().map(|dir| dir.join(FILE)),
+        Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(RUNS)),
+        dir => dir.as_ref().map(|dir| dir.join(RUNS)),
     };
     if let Some(path) = &path {
         place::file(path, &case.inputs, "--out")?;
@@ -91,7 +91,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
     let verification = stampflow::verification::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
-        write(path, &csv(&verification))?;
+        write(path, &runs_csv(&verification))?;
     }
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let moved = verification.moved(&findings);

@@ -2,7 +2,7 @@
 
 pub mod comparison;
 pub(crate) mod csv;
-mod error_bars;
+pub mod error_bars;
 mod file;
 mod folder;
 pub mod forming_limit;
@@ -16,7 +16,6 @@ pub mod springback;
 mod stages;
 pub mod summary;
 pub mod trace;
-pub mod verification;
 pub mod vtk;
 mod write;
 
