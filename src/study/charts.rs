@@ -47,12 +47,12 @@ pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
 }
 
 /// One chart of some panels, each label once in its legend.
-fn chart(name: &str, mut panels: Vec<Panel>) -> Charts {
+fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
     let mut labels = BTreeSet::new();
     for series in panels.iter_mut().flat_map(|panel| &mut panel.series) {
         series.label = series.label.take().filter(|label| labels.insert(label.clone()));
     }
-    if panels.is_empty() { Vec::new() } else { vec![(name.to_owned(), Chart::new("", panels, Vec::new()))] }
+    if panels.is_empty() { Vec::new() } else { vec![(name.to_owned(), Chart::new(title, panels, Vec::new()))] }
 }
 
 pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
@@ -63,7 +63,8 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
         [x, y, z] => (0..sweep.axes[z].count()).map(|i| window(sweep, runs, [x, y], Some((z, i)))).collect(),
         _ => Vec::new(),
     };
-    chart("sweep", panels)
+    let labels: Vec<String> = wide.iter().map(|i| sweep.axes[*i].drawn().label).collect();
+    chart("sweep", &format!("Sweep: {}", labels.join(" × ")), panels)
 }
 
 fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
@@ -220,7 +221,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
         let scale = Scale::Window { height: 34.0 * all.len() as f64 + 12.0, x: (low - room, high + room), y: up };
         Some(Panel::new(named(runs, place), Axis::of_names("", names), scale).with(series).annotated(labels))
     };
-    chart("sweep", deciding(runs, 4).into_iter().filter_map(panel).collect())
+    chart("sweep", "Changes by one key at a time", deciding(runs, 4).into_iter().filter_map(panel).collect())
 }
 
 fn bar(x: (f64, f64), y: (f64, f64), fill: (u8, u8, u8), edge: (u8, u8, u8)) -> Series {
@@ -249,7 +250,7 @@ pub(super) fn search(
         });
         trend(runs, place, x, &positions, limit, (None, 260.0)).with(result)
     };
-    chart("search", limits.into_iter().map(panel).collect())
+    chart("search", &format!("Search: {}", variable.label()), limits.into_iter().map(panel).collect())
 }
 
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
@@ -274,7 +275,7 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
         let lines = limits.map(|limit| Series::silent(vec![(limit, 0.0), (limit, top)], DASHED));
         Some(Panel::fit(named(runs, place), Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
     };
-    chart("scatter", deciding(runs, 4).into_iter().filter_map(panel).collect())
+    chart("scatter", "Scatter of the results", deciding(runs, 4).into_iter().filter_map(panel).collect())
 }
 
 fn named(runs: &RunTable, place: usize) -> Axis {

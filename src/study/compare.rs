@@ -6,11 +6,11 @@ use crate::assess::{self, Light};
 use crate::case::comparison::ComparedQuantity;
 use crate::case::{Case, Solution};
 use crate::model::Geometry;
-use crate::plot::chart::{Chart, Panel, Scale, Series, Style};
+use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::color;
+use crate::plot::sections;
 use crate::results::comparison::Computed;
-use crate::table::Axis;
-use crate::units::{Amount, Digits, Unit};
+use crate::units::{Amount, Digits};
 use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 
 /// A case to compare.
@@ -209,7 +209,11 @@ impl SideBySide {
             ("compare_sections", "the sections at the end", self.sections()),
         ];
         let charts = all.into_iter().filter_map(|(name, about, panel)| Some((name, about, panel?)));
-        charts.map(|(name, about, panel)| (name, about, Chart::new("", vec![panel], Vec::new()))).collect()
+        charts
+            .map(|(name, about, panel)| {
+                (name, about, Chart::new(format!("Compared: {about}"), vec![panel], Vec::new()))
+            })
+            .collect()
     }
 
     fn curve(&self, quantity: ComparedQuantity, curve: fn(&Outcome) -> &[(f64, f64)]) -> Option<Panel> {
@@ -232,11 +236,12 @@ impl SideBySide {
             let frame = member.solution.stages.last().and_then(|stage| stage.frames.last());
             frame.map_or_else(Vec::new, |frame| frame.nodes.iter().map(|node| (node.r, node.z)).collect())
         });
-        let [x, y]: [fn(&(f64, f64)) -> f64; 2] = [|p| p.0, |p| p.1];
-        let range = |part| crate::plot::chart::bounds(series.iter().flat_map(|series| &series.points).map(part));
-        let scale = Scale::Section { x: range(x), y: range(y) };
-        let panel = Panel::new(Axis::named("r", Unit::Mm), Axis::named("z", Unit::Mm), scale);
-        (!series.is_empty()).then(|| panel.with(series))
+        // The tools are those of the first run.
+        let stage = self.members.first()?.solution.stages.last()?;
+        let (model, frame) = (&stage.model, stage.frames.last()?);
+        let window = sections::window(frame.nodes.iter(), model.blank.thickness);
+        let tools = sections::tools(model, Some(frame), window[0].1);
+        Some(sections::panel(model.geometry, window).with(tools).with(series))
     }
 
     fn series(&self, points: impl Fn(&Member) -> Vec<(f64, f64)>) -> Vec<Series> {

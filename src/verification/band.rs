@@ -6,6 +6,9 @@ use crate::numerics::interpolated;
 /// Reach of an error to either side, over the length of the curve \[–\]: curves that cross agree by chance.
 const REACH: f64 = 0.04;
 
+/// A direction of refinement with the curves of its runs, coarse to fine.
+pub(super) type Refined<'a> = (Direction, Vec<&'a [(f64, f64)]>);
+
 /// Error band around a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
@@ -21,7 +24,7 @@ impl Band {
     /// Band around a curve from the curves of finer runs, as far as they come.
     pub(super) fn around(
         curve: &[(f64, f64)],
-        directions: &[(Direction, Vec<&[(f64, f64)]>)],
+        directions: &[Refined<'_>],
         estimate: impl Fn(Direction, &[f64]) -> Estimate,
     ) -> Option<Self> {
         let half = |&(x, value): &(f64, f64)| {

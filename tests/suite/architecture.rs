@@ -35,7 +35,7 @@ const CRATES: &[(&str, &str)] = &[
     ("cli", "comfy_table indicatif signal_hook textwrap"),
     ("cli main", "anyhow clap"),
     ("cli results study verification", "rayon"),
-    ("plot", "ab_glyph fontdb gif plotters plotters_backend png resvg tiny_skia usvg"),
+    ("plot", "ab_glyph fontdb gif plotters png resvg tiny_skia usvg"),
     ("report", "maud"),
     ("results", "rustix"),
     ("results study table", "csv"),

@@ -94,7 +94,11 @@ impl LawFits {
         };
         let above = panel("True stress", 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
         let below = [zero, Series::silent(misses, Style::Dots { color: BLACK })];
-        Chart::new("", vec![above, panel("Law less point", 210.0, 1.0).with(below)], Vec::new())
+        Chart::new(
+            format!("{} fitted", best.kind.label()),
+            vec![above, panel("Law less point", 210.0, 1.0).with(below)],
+            Vec::new(),
+        )
     }
 }
 
