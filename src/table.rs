@@ -1,19 +1,12 @@
-//! Named columns of numbers with units: what every file, plot and comparison reads.
-//!
-//! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
-//! of an axis cannot disagree.
+//! Named columns of numbers with units: headers of files and labels of axes come from the same [`Column`].
 
 mod csv;
-mod field;
-pub mod fields;
-mod spacing;
+pub(crate) mod fields;
 
-use crate::units::DisplayUnit;
 pub use crate::units::{Unit, UnitError};
 pub use csv::{Csv, CsvError, Record};
-pub use field::{Field, worded};
-use serde::Serialize;
-pub use spacing::Spacing;
+
+use crate::model::{Extent, Geometry};
 
 /// One N·mm, the solver's unit of work \[J\].
 pub const JOULES: f64 = 1e-3;
@@ -31,29 +24,6 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// Columns of equal length.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Table {
-    /// From left to right.
-    pub columns: Vec<Column>,
-}
-
-/// Axis of a plot.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Axis {
-    /// Name of the quantity.
-    pub label: String,
-    /// Symbol of the unit: `mm`, or `–` for plain numbers.
-    pub unit: String,
-    /// Names of categories at 0, 1, 2, …; empty for numbers.
-    pub names: Vec<String>,
-    /// Linear or logarithmic; along a logarithmic axis points are given by their logarithms.
-    pub spacing: Spacing,
-    /// Unit of the values until they are converted for display.
-    #[serde(skip)]
-    solver_unit: Option<Unit>,
-}
-
 impl Column {
     /// A column of values in `unit`.
     pub fn new(key: &'static str, label: &'static str, unit: Unit, values: Vec<f64>) -> Self {
@@ -64,57 +34,13 @@ impl Column {
     pub fn header(&self) -> String {
         self.unit.keyed(self.key)
     }
-
-    /// Label and unit: `Punch force [N]`.
-    pub fn axis(&self) -> Axis {
-        Axis::named(self.label, self.unit)
-    }
 }
 
-impl Axis {
-    /// Axis of numbers in a unit.
-    pub fn named(label: impl Into<String>, unit: Unit) -> Self {
-        let (label, names, spacing) = (label.into(), Vec::new(), Spacing::Even);
-        Self { label, unit: unit.symbol().to_owned(), names, spacing, solver_unit: Some(unit) }
-    }
-
-    /// Axis of categories: the first stands at 0, the next at 1.
-    pub fn of_names(label: impl Into<String>, names: Vec<String>) -> Self {
-        Self { names, ..Self::named(label, Unit::None) }
-    }
-
-    /// Same axis, linear or logarithmic.
-    pub fn spaced(self, spacing: Spacing) -> Self {
-        Self { spacing, ..self }
-    }
-
-    /// Common axis of several columns: the word that their labels end with, or all labels.
-    ///
-    /// # Panics
-    /// If the columns differ in unit.
-    pub fn shared(columns: &[&Column]) -> Self {
-        let unit = columns.first().map_or(Unit::None, |c| c.unit);
-        assert!(columns.iter().all(|c| c.unit == unit), "columns of different units on one axis");
-        let word = |c: &&Column| c.label.rsplit(' ').next();
-        let is_common = columns.len() > 1 && columns.iter().all(|c| word(c) == word(&columns[0]));
-        let label = match columns.first().and_then(word).filter(|_| is_common) {
-            Some(word) => capitalised(word),
-            None => columns.iter().map(|c| c.label).collect::<Vec<_>>().join(", "),
-        };
-        Self::named(label, unit)
-    }
-
-    /// Axis in the display unit of values up to `largest`, and the conversion to it; `None` if it was converted before.
-    pub fn displayed(self, largest: f64) -> (Self, Option<DisplayUnit>) {
-        let Some(to) = self.solver_unit.map(|unit| unit.display(largest)) else { return (self, None) };
-        let unit = if to.symbol.is_empty() { self.unit } else { to.symbol.to_owned() };
-        (Self { unit, solver_unit: None, ..self }, Some(to))
-    }
-
-    /// Label with its unit: `Punch force [N]`.
-    pub fn text(&self) -> String {
-        if self.names.is_empty() { format!("{} [{}]", self.label, self.unit) } else { self.label.clone() }
-    }
+/// Columns of equal length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// From left to right.
+    pub columns: Vec<Column>,
 }
 
 impl Table {
@@ -145,7 +71,60 @@ impl Table {
     }
 }
 
-pub(crate) fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+/// Field of a record `R`, such as a step or an element at an instant: name, unit and number of a column.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<R> {
+    /// Name in file headers and JSON, without the unit.
+    pub key: &'static str,
+    /// Names on axes in an axisymmetric and in a plane-strain section.
+    labels: [&'static str; 2],
+    /// Unit; newtons and joules stand for force and work in the units of an [`Extent`].
+    unit: Unit,
+    /// Number of a record, in the unit.
+    pub value: fn(&R) -> f64,
+}
+
+impl<R> Field<R> {
+    /// Field with one label; a force is in newtons, work in joules (see [`JOULES`]), both of any [`Extent`].
+    pub const fn new(key: &'static str, label: &'static str, unit: Unit, value: fn(&R) -> f64) -> Self {
+        Self { key, labels: [label; 2], unit, value }
+    }
+
+    /// Field with labels of an axisymmetric and of a plane-strain section.
+    pub const fn worded(key: &'static str, labels: [&'static str; 2], unit: Unit, value: fn(&R) -> f64) -> Self {
+        Self { key, labels, unit, value }
+    }
+
+    /// Name on axes and in legends.
+    pub fn label(&self, extent: Extent) -> &'static str {
+        worded(extent.geometry(), self.labels[0], self.labels[1])
+    }
+
+    /// Column of records.
+    pub fn column<'a>(&self, extent: Extent, records: impl IntoIterator<Item = &'a R>) -> Column
+    where
+        R: 'a,
+    {
+        self.filled(extent, records.into_iter().map(self.value).collect())
+    }
+
+    /// Column with values of another origin.
+    pub fn filled(&self, extent: Extent, values: Vec<f64>) -> Column {
+        let unit = match self.unit {
+            Unit::N => extent.force_unit(),
+            Unit::Joule => extent.energy_unit(),
+            unit => unit,
+        };
+        Column::new(self.key, self.label(extent), unit, values)
+    }
+
+    /// Points of a curve: `y` over this quantity.
+    pub fn against(&self, y: &Self, records: &[R]) -> Vec<(f64, f64)> {
+        records.iter().map(|record| ((self.value)(record), (y.value)(record))).collect()
+    }
+}
+
+/// Word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
+pub fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static str) -> &'static str {
+    if geometry == Geometry::Axisymmetric { axisymmetric } else { plane_strain }
 }

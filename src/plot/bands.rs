@@ -4,8 +4,9 @@ use super::StageView;
 use super::chart::{Annotation, AnnotationKind, Panel, Series, Style, bounds};
 use super::palette::GREY;
 use crate::measure::{Stretch, along, bands};
+use crate::plot::Axis;
+use crate::table::Unit;
 use crate::table::fields::element::THICKNESS;
-use crate::table::{Axis, Unit};
 
 /// Width of the panel in a narrow column \[px\]: names that are apart there are apart in a wide one.
 const NARROW: f64 = 430.0;

@@ -1,7 +1,7 @@
 //! Chart values: panels of series with labelled axes, a title and notes, free of any drawing library.
 
 use super::palette::pale;
-use crate::table::Axis;
+use crate::plot::Axis;
 use serde::Serialize;
 
 /// Picture: panels below each other, one legend above them, notes below.

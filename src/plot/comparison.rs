@@ -2,7 +2,8 @@
 
 use super::chart::{Panel, Series, Style, bounds};
 use super::palette::{BLACK, GREY, color};
-use crate::table::{Axis, Unit};
+use crate::plot::Axis;
+use crate::table::Unit;
 
 const TOLERANCE: Style = Style::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] };
 /// Tints of the reference's colour for its band, and for the band widened by its measurement error.

@@ -1,7 +1,7 @@
 //! Conversion of charts to the units of [`DisplaySettings`](crate::units::DisplaySettings).
 
 use super::chart::{AnnotationKind, Chart, Panel, Scale, bounds};
-use crate::table::Axis;
+use crate::plot::Axis;
 use crate::units::DisplayUnit;
 
 impl Chart {

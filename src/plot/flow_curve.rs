@@ -4,7 +4,8 @@ use super::chart::{Chart, Panel, Series, Style};
 use super::forming_diagram::strain_axes;
 use crate::forming_limit::Curve;
 use crate::material::Material;
-use crate::table::{Axis, Unit};
+use crate::plot::Axis;
+use crate::table::Unit;
 
 /// Largest strain of a law without a range of validity \[–\].
 const LARGEST: f64 = 0.8;

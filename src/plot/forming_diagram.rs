@@ -7,8 +7,9 @@ use super::{Captions, StageView};
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
 use crate::model::Geometry;
+use crate::plot::Axis;
+use crate::table::Unit;
 use crate::table::fields::element::S0;
-use crate::table::{Axis, Unit};
 use crate::units::{Amount, Digits};
 
 /// Points of a drawn path, and number of paths beside that of the least margin.

@@ -1,8 +1,8 @@
 //! Forces over the punch travel, or the gas pressure over the height of the dome.
 
-use super::StageView;
 use super::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
 use super::palette::{BLACK, color};
+use super::{Axis, StageView};
 use crate::measure;
 use crate::solver::solution::StepRecord;
 use crate::table::Field;
@@ -51,16 +51,18 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
 pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
-    let (over, fields) = if view.model().travel == 0.0 {
-        (POLE_HEIGHT, vec![PRESSURE])
+    let (over, y, fields) = if view.model().travel == 0.0 {
+        (POLE_HEIGHT, PRESSURE.axis(extent), vec![PRESSURE])
     } else {
         let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
         let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
-        (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect())
+        let fields: Vec<_> = std::iter::once(PUNCH_FORCE).chain(others).collect();
+        let y = if fields.len() > 1 { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
+        (TRAVEL, y, fields)
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
         Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
     };
-    let panel = Panel::fit(over.axis(extent), Field::shared_axis(&fields, extent), height, 0.0);
+    let panel = Panel::fit(over.axis(extent), y, height, 0.0);
     Some(panel.with(fields.iter().enumerate().map(curve)))
 }

@@ -1,6 +1,7 @@
 //! Pictures: chart values, and their rendering as SVG, PNG and GIF.
 
 pub mod animation;
+pub(crate) mod axis;
 mod bands;
 pub mod chart;
 pub mod comparison;
@@ -26,6 +27,7 @@ pub(crate) mod profiles;
 mod svg;
 pub(crate) mod thinning;
 
+pub use axis::{Axis, Spacing};
 pub use chart::Chart;
 pub use dimensions::{Dimension, Mark, dimensioned};
 pub use frame_recorder::{Extra, FrameRecorder};

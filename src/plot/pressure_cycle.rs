@@ -3,8 +3,9 @@
 use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
 use super::palette::{BLACK, GREY, color};
+use crate::plot::Axis;
 use crate::solver::solution::StepRecord;
-use crate::table::{Axis, Field, Unit};
+use crate::table::{Field, Unit};
 
 /// Least length of a cycle that is drawn in minutes \[s\].
 const LONG: f64 = 600.0;

@@ -3,11 +3,12 @@
 use super::chart::{Chart, Panel, Series, Style};
 use super::palette::color;
 use super::{StageView, bands};
+use crate::plot::axis::{Axis, capitalised};
 use crate::solver::solution::ElementRecord;
 use crate::table::fields::element::{
     POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
 };
-use crate::table::{Field, capitalised};
+use crate::table::{Field, Unit};
 
 /// Least span of the axis of a thickness over the initial one \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
 const LEAST: f64 = 0.02;
@@ -69,7 +70,7 @@ pub(crate) fn strains(view: &StageView) -> Option<Chart> {
             }
         })
     });
-    let panel = Panel::fit(S0.axis(extent), Field::shared_axis(&STRAINS, extent), HEIGHT, LEAST_STRAIN).with(curves);
+    let panel = Panel::fit(S0.axis(extent), Axis::named("Strain", Unit::None), HEIGHT, LEAST_STRAIN).with(curves);
     let subject = format!("strains, {} {}", view.progress(), view.progress_at(last));
     let note = "Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned();
     Some(view.chart(&subject, vec![panel], [Some(note), view.frames_note()].into_iter().flatten()))

@@ -3,9 +3,10 @@
 use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
 use crate::measure::{Place, places};
+use crate::plot::Axis;
 use crate::solver::solution::{ElementRecord, Frame, PointRecord};
+use crate::table::Unit;
 use crate::table::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
-use crate::table::{Axis, Unit};
 use crate::units::Amount;
 
 /// Least span of a stress axis \[MPa\].

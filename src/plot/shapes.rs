@@ -6,8 +6,8 @@ use super::palette::color;
 use super::sections::{flat, panel, tools, window};
 use super::stage_view::spread;
 use super::thinning::{Thinning, exaggeration, thickness_note};
+use crate::plot::axis::capitalised;
 use crate::solver::solution::Frame;
-use crate::table::capitalised;
 use crate::units::Amount;
 
 const STATES: usize = 6;

@@ -3,8 +3,9 @@
 use super::chart::{Color, Panel, Scale, Series, Style, bounds};
 use super::palette::{BLACK, viridis};
 use super::sections::{mirrored, sheet, whole_sheet};
+use crate::plot::Axis;
 use crate::solver::solution::Frame;
-use crate::table::{Axis, Unit};
+use crate::table::Unit;
 use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.

@@ -5,9 +5,9 @@ use super::page::{figure, word};
 use super::results::{PART, plot};
 use crate::assess::{Finding, Light, judgements, tears_at};
 use crate::plot::Chart;
+use crate::plot::axis::capitalised;
 use crate::plot::chart::Scale;
 use crate::solver::solution::StepRecord;
-use crate::table::capitalised;
 use maud::{Markup, html};
 
 /// Most issues that leave room for the pictures.

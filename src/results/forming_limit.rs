@@ -3,9 +3,16 @@
 use super::StageView;
 use crate::forming_limit::Curve;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL};
-use crate::table::fields::path::{major, minor};
 use crate::table::fields::step::TRAVEL;
 use crate::table::{Column, Table, Unit};
+
+fn minor(values: Vec<f64>) -> Column {
+    Column::new("strain_minor", "Minor true strain, mid-surface", Unit::None, values)
+}
+
+fn major(values: Vec<f64>) -> Column {
+    Column::new("strain_major", "Major true strain, mid-surface", Unit::None, values)
+}
 
 /// The points of a curve.
 pub fn curve(curve: &Curve) -> Table {

@@ -1,11 +1,12 @@
 //! Table of every accepted step.
 
 use super::StageView;
+use crate::model::Geometry;
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::fields::step::{
-    self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
+    DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
 };
-use crate::table::{Field, JOULES, Table, Unit};
+use crate::table::{Column, Field, JOULES, Table, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 
 /// Columns before and behind the diameter at the edge.
@@ -68,7 +69,7 @@ const HEAT: [Field<StepRecord>; 5] = [
 pub fn table(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
     let column = |field: &Field<StepRecord>| field.column(extent, &stage.steps);
-    let edge = step::edge_diameter(model.geometry, model.blank.length, &stage.steps);
+    let edge = edge_diameter(model.geometry, model.blank.length, &stage.steps);
     let mut columns: Vec<_> = BEFORE.iter().map(column).chain([edge]).chain(BEHIND.iter().map(column)).collect();
     if model.material.gtn.is_some() {
         columns.extend(VOIDS.iter().map(column));
@@ -81,4 +82,11 @@ pub fn table(stage: &StageSolution) -> Table {
 
 pub(super) fn of(view: &StageView) -> Option<Table> {
     Some(table(view.stage))
+}
+
+/// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
+pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
+    let label = worded(geometry, "Diameter at the edge", "Width between the edges");
+    let values = steps.iter().map(|s| 2.0 * (length - s.draw_in)).collect();
+    Column::new("edge_diameter", label, Unit::Mm, values)
 }

@@ -4,7 +4,7 @@
 //! trials. A trial that failed is neither positive nor negative.
 
 use super::variable::SearchRange;
-use crate::table::Spacing;
+use crate::plot::Spacing;
 use crate::units::significant;
 
 /// End of the range, or which of several crossings.

@@ -4,7 +4,7 @@ use super::sweep::Axis as SweepAxis;
 use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::table::{Axis, Spacing};
+use crate::plot::{Axis, Spacing};
 use crate::units::{Sense, Unit};
 use crate::verification::Origin;
 use contour::ContourBuilder;

@@ -5,8 +5,9 @@ use crate::case::Case;
 use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
 use crate::case::files::{self, Disk, Files};
 use crate::model::Model;
+use crate::plot::Axis;
 use crate::results::comparison::{CompareError, Computed, Point};
-use crate::table::{Axis, Csv, CsvError, Record};
+use crate::table::{Csv, CsvError, Record};
 use std::path::{Path, PathBuf};
 
 /// A measured curve.

@@ -7,7 +7,7 @@ use super::{
     Variable, fail,
 };
 use crate::assess::Light;
-use crate::table;
+use crate::plot;
 use crate::units::joined;
 use std::path::Path;
 
@@ -65,11 +65,11 @@ impl Axis {
     }
 
     /// Axis of a picture.
-    pub fn drawn(&self) -> table::Axis {
+    pub fn drawn(&self) -> plot::Axis {
         let label = self.variables[0].label();
         match self.names() {
-            [] => table::Axis::named(label, self.variables[0].axis_unit().0),
-            names => table::Axis::of_names(label, names.to_vec()),
+            [] => plot::Axis::named(label, self.variables[0].axis_unit().0),
+            names => plot::Axis::of_names(label, names.to_vec()),
         }
     }
 

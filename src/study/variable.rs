@@ -10,7 +10,7 @@
 //! ```
 
 use super::{StudyError, fail};
-use crate::table::Spacing;
+use crate::plot::Spacing;
 use crate::units::{Unit, parse, significant};
 
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;
@@ -90,7 +90,12 @@ impl Variable {
             return Err(wrong("does not hold its start"));
         }
         check_unit(key, &unit)?;
-        let range = SearchRange { ends: [low, high], count, spacing: Spacing::of(is_log), start };
+        let range = SearchRange {
+            ends: [low, high],
+            count,
+            spacing: if is_log { Spacing::Logarithmic } else { Spacing::Even },
+            start,
+        };
         Ok(Self { range: Some(range), ..Self::new(key, unit) })
     }
 

@@ -58,19 +58,14 @@ impl Csv {
         }
         let mut reader = csv::ReaderBuilder::new();
         reader.comment(Some(b'#')).trim(csv::Trim::All).flexible(true).has_headers(false);
-        let mut rows = Vec::new();
-        for fields in reader.from_reader(text.as_bytes()).into_records() {
-            let fields = match fields {
-                Ok(fields) => fields,
-                Err(error) => {
-                    let line = error.position().map_or(1, |p| p.line() as usize);
-                    return refused(line, format!("this is not CSV: {error}"), example);
-                }
-            };
-            rows.push(Record { line: line_of(&fields, text), fields });
-            if rows.len() > MOST + 1 {
-                return refused(rows[MOST + 1].line, format!("there are more than {MOST} rows"), "thin them out");
-            }
+        let records = reader.from_reader(text.as_bytes()).into_records().take(MOST + 2);
+        let rows = records.map(|fields| fields.map(|fields| Record { line: line_of(&fields, text), fields }));
+        let mut rows = rows.collect::<Result<Vec<_>, _>>().or_else(|error| {
+            let line = error.position().map_or(1, |position| position.line() as usize);
+            refused(line, format!("this is not CSV: {error}"), example)
+        })?;
+        if let Some(row) = rows.get(MOST + 1) {
+            return refused(row.line, format!("there are more than {MOST} rows"), "thin them out");
         }
         if rows.is_empty() {
             return refused(1, format!("{name} is empty"), example);
@@ -132,12 +127,11 @@ impl Record {
         if self.fields.iter().all(is_number) {
             return refused(self.line, "the first line must name the columns, found numbers", example);
         }
-        let separators = [';', '\t'];
-        let parts = |row: &Self| row.fields.iter().flat_map(|f| f.split(separators)).map(str::to_owned).collect();
-        let (names, below): (Vec<String>, Vec<String>) = (parts(self), first.map_or(Vec::new(), parts));
-        let is_name = |text: &String| text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
-        let has_unit = names.iter().any(|name| Unit::of_header(name.trim()).is_ok());
-        if !names.iter().all(is_name) || !has_unit && !below.iter().any(|field| is_number(field)) {
+        let cells = |row: &Self| row.fields.iter().collect::<Vec<_>>().join(";").replace('\t', ";");
+        let (names, below) = (cells(self), first.map_or(String::new(), cells));
+        let is_name = |text: &str| text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
+        let has_unit = names.split(';').any(|name| Unit::of_header(name.trim()).is_ok());
+        if !names.split(';').all(is_name) || !has_unit && !below.split(';').any(is_number) {
             // Of a file that is something else a message shows one word only.
             let text: String = self.fields.iter().collect();
             let word: String = text.chars().take_while(|c| c.is_alphanumeric()).take(LONGEST / 2).collect();
@@ -145,12 +139,13 @@ impl Record {
                 format!("{name} is no table of numbers: its first line names no columns, it begins with \"{word}\"");
             return refused(None, what, example);
         }
-        if let Some(separator) = self.fields.iter().flat_map(str::chars).find(|c| separators.contains(c)) {
-            let separator = if separator == ';' { "semicolons" } else { "tabs" };
-            let help = format!("separate columns by commas and write decimals with a point; {example}");
-            return refused(self.line, format!("the columns are separated by {separator}"), &help);
-        }
-        Ok(())
+        let separated = |c: char| self.fields.iter().any(|field| field.contains(c));
+        let Some((_, separator)) = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(|(c, _)| separated(*c))
+        else {
+            return Ok(());
+        };
+        let help = format!("separate columns by commas and write decimals with a point; {example}");
+        refused(self.line, format!("the columns are separated by {separator}"), &help)
     }
 }
 

@@ -4,8 +4,9 @@ use crate::case::comparison::ComparedQuantity as Q;
 use crate::forming_limit::Paths;
 use crate::measure::RingTest;
 use crate::model::{Extent, Model};
+use crate::results::load_travel::edge_diameter;
 use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
-use crate::table::fields::{element, path, step};
+use crate::table::fields::{element, step};
 use crate::table::{Column, Field, Unit};
 
 /// Computed values of a stage for comparison.
@@ -58,7 +59,7 @@ impl<'a> Computed<'a> {
             Q::StrainPath => self.path(),
             Q::DrawInAtTravel | Q::DrawIn => over_travel(step(step::DRAW_IN)),
             Q::Thinnest => over_travel(step(step::THINNEST)),
-            Q::EdgeDiameter => over_travel(step::edge_diameter(self.extent.geometry(), self.length, self.steps)),
+            Q::EdgeDiameter => over_travel(edge_diameter(self.extent.geometry(), self.length, self.steps)),
             Q::RingOpening => {
                 let places = self.ring.map_or(&[][..], |test| &test.places);
                 let (from, openings) = places.iter().copied().unzip();
@@ -74,7 +75,7 @@ impl<'a> Computed<'a> {
         let thinnest = (0..self.elements.len()).min_by(thinner);
         let path = thinnest.zip(self.paths).map_or_else(Vec::new, |(element, paths)| paths.of(element));
         let (minor, major) = path.into_iter().map(|[minor, major]| (minor, major)).unzip();
-        let short = |label, column: Column| Column { label, ..column };
-        (short("Major true strain", path::major(major)), short("Minor true strain", path::minor(minor)))
+        let strain = |key, label, values| Column::new(key, label, Unit::None, values);
+        (strain("strain_major", "Major true strain", major), strain("strain_minor", "Minor true strain", minor))
     }
 }

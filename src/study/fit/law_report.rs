@@ -3,10 +3,10 @@
 use super::estimate::table;
 use super::flow_curve::FlowCurve;
 use super::law_fit::LawFits;
+use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color};
 use crate::study::{Cell, ReportTable, StudyReport};
-use crate::table::Axis;
 use crate::units::{Amount, Digits, Unit, trimmed};
 
 const POINTS: usize = 160;
