@@ -5,7 +5,7 @@ use super::{Hosford, Root};
 /// Step over its distances to 0 and to 1 after which x is right to round-off \[–\]: Halley's method is of third order.
 const LAST: f64 = 1e-6;
 /// Width of a bracket that is round-off \[–\].
-const ROUND_OFF: f64 = 1e-16;
+const ROUND_OFF: f64 = 2e-16;
 /// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
 const SAME: f64 = 1e-7;
 /// Most iterations of the inner root: halving alone needs fifty.
@@ -36,9 +36,9 @@ impl Hosford {
                 low = x
             }
             let next = x - at.step;
-            let inside = next >= low && next <= high;
-            x = if inside { next } else { 0.5 * (low + high) };
-            if inside && at.step.abs() <= LAST * (x * (1.0 - x)).abs() || high - low <= ROUND_OFF {
+            let settled = at.step.abs() <= ROUND_OFF.max(LAST * (x * (1.0 - x)).abs());
+            x = if settled || next >= low && next <= high { next } else { 0.5 * (low + high) };
+            if settled || high - low <= ROUND_OFF {
                 break;
             }
             at = self.halley(beta, weight, x);
@@ -56,7 +56,7 @@ impl Hosford {
         Root { ratio: x, rate, inverse_square }
     }
 
-    /// A step of Halley's method; no number at the ends.
+    /// A step of Halley's method; Newton's at the ends.
     #[inline]
     fn halley(&self, beta: f64, weight: f64, x: f64) -> Halley {
         let (y, more) = (1.0 - x, self.exponent() - 2.0);
@@ -67,7 +67,8 @@ impl Hosford {
         let both = own + between;
         let space = x * y * both;
         let newton = value / ((1.0 + more) * both);
-        let step = newton * space / (space - 0.5 * more * newton * (y * own - x * between));
+        let bend = 0.5 * more * newton * (y * own - x * between);
+        let step = if space == 0.0 { newton } else { newton * space / (space - bend) };
         Halley { value, between: across, step }
     }
 
