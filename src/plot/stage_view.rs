@@ -216,7 +216,7 @@ impl<'a> StageView<'a> {
         match self.model() {
             model if model.travel > 0.0 => ("punch travel", Unit::Mm, |_, frame| frame.travel),
             model if model.release.is_some() => {
-                ("released share of the tools' forces", Unit::Percent, |model, f| 100.0 * f.time / model.duration)
+                ("tools released", Unit::Percent, |model, f| 100.0 * f.time / model.duration)
             }
             model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),
             _ => ("dome height", Unit::Mm, |_, frame| frame.nodes.first().map_or(0.0, |pole| pole.z.abs())),

@@ -78,7 +78,7 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
     let dir = folder(CUP);
     let stuck = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002", "-q"];
     let with = |args: &[&'static str]| [args, &stuck].concat();
-    let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 52mm -o torn.toml";
+    let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 29mm -o torn.toml";
     check_calls(
         dir.path(),
         &[

@@ -92,7 +92,7 @@ fn drawings_give_the_profiles_that_were_drawn() {
         ("ezdxf_both_halves.dxf", header.clone(), &halves.0, &halves.1, Some(&closed)),
         ("ezdxf_r12_mirrored.dxf", mm, &bulges.0, &bulges.1, None),
         ("ezdxf_untidy.dxf", axis(200.0), &bulges.0, &bulges.1, None),
-        ("ezdxf_operations.dxf", header.clone(), &operation.0, &operation.1, None),
+        ("ezdxf_operations.dxf", header.clone(), &operation.0, &operation.1, Some(&holder(47.5, 0.0, -40.0))),
         ("tarikjabiri_bulges.dxf", header.clone(), &bulges.0, &bulges.1, None),
         ("makerjs_inches_both_halves.dxf", header.clone(), &inches.0, &inches.1, None),
         ("dxfwriter_polylines_punch_below.dxf", header.clone(), &bulges.0, &bulges.1, Some(&below)),

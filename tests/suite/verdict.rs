@@ -75,7 +75,7 @@ fn overrides_have_their_lights_and_failure_modes() {
         // Only the key for it says where a number comes from, and another number is not the source's.
         (&["notes=[\"friction measured on a strip\"]"], "friction", Light::Amber, None),
         (&["friction.source=Woo (1968)"], "friction", Light::Green, None),
-        (&["friction.source=Woo (1968)", "tools.die.friction=0.5"], "friction", Light::Amber, None),
+        (&["friction.source=Woo (1968)", "tools.die.friction=0.5"], "friction", Light::Amber, Some(FailureMode::Tears)),
         (&["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"], "clearance", Light::Amber, None),
         (
             &["tools.punch.flat.nose=1.5 mm", "tools.punch.travel=3 mm"],
