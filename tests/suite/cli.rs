@@ -78,7 +78,9 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
     let dir = folder(CUP);
     let stuck = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002", "-q"];
     let with = |args: &[&'static str]| [args, &stuck].concat();
-    let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 29mm -o torn.toml";
+    let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 52mm -o torn.toml";
+    // Between the forming limit and the neck that ends the run.
+    let before = "tools.punch.travel=29mm";
     check_calls(
         dir.path(),
         &[
@@ -86,9 +88,9 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
             (&with(&["check", "cases/cup.toml", "--run"]), 3, ""),
             (&with(&["verify", "cases/cup.toml", "--out", "bars"]), 3, ""),
             (&torn.split(' ').collect::<Vec<_>>(), 0, ""),
-            (&["run", "torn.toml", "-q"], 0, ""),
-            (&["run", "torn.toml", "-q", "--strict", "--output", "strict"], 4, ""),
-            (&["check", "torn.toml", "--run", "-q", "--strict"], 4, ""),
+            (&["run", "torn.toml", "-q", "--set", before], 0, ""),
+            (&["run", "torn.toml", "-q", "--set", before, "--strict", "--out", "strict"], 4, ""),
+            (&["check", "torn.toml", "--run", "-q", "--set", before, "--strict"], 4, ""),
         ],
     );
     assert_eq!(read_json(dir.path().join("out/cup/summary.json"))["complete"], false);

@@ -35,7 +35,14 @@ fn a_difference_is_beyond_the_error_bars_or_within_them() {
         charts.iter().map(|chart| chart.0).collect::<Vec<_>>(),
         ["compare_load", "compare_thickness", "compare_sections"]
     );
-    assert!(charts.iter().all(|(_, _, chart)| chart.panels[0].series.iter().filter(|series| series.label.is_some()).count() == 3));
+    assert!(
+        charts.iter().all(|(_, _, chart)| chart.panels[0]
+            .series
+            .iter()
+            .filter(|series| series.label.is_some())
+            .count()
+            == 3)
+    );
 }
 
 /// Trust: a run's own tables laid over it are what it computed, but for the digits that a table has.

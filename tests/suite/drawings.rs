@@ -96,8 +96,8 @@ fn drawings_give_the_profiles_that_were_drawn() {
         ("tarikjabiri_bulges.dxf", header.clone(), &bulges.0, &bulges.1, None),
         ("makerjs_inches_both_halves.dxf", header.clone(), &inches.0, &inches.1, None),
         ("dxfwriter_polylines_punch_below.dxf", header.clone(), &bulges.0, &bulges.1, Some(&below)),
-        ("faulty/off_the_axis.dxf", axis(100.0), &quickstart.0, &quickstart.1, None),
-        ("faulty/off_the_axis_with_a_centre_line.dxf", axis(-100.0), &quickstart.0, &quickstart.1, None),
+        ("faulty/off_the_axis.dxf", axis(100.0), &quickstart.0, &quickstart.1, Some(&quickstart.2)),
+        ("faulty/off_the_axis_with_a_centre_line.dxf", axis(-100.0), &quickstart.0, &quickstart.1, Some(&quickstart.2)),
     ] {
         let found = sections(drawing, &options);
         assert_is(&found, Role::Punch, punch, drawing);
