@@ -14,7 +14,8 @@ mod random_die;
 
 use coverage::{Checked, case_of, check};
 use rayon::prelude::*;
-use stampflow::verification::{Direction, Verification};
+use stampflow::results::error_bars::ErrorBars;
+use stampflow::study::verify::Direction;
 use std::time::Instant;
 
 fn main() {
@@ -40,11 +41,11 @@ fn argument(name: &str, default: u64) -> u64 {
 
 /// Every number with its levels, for a look at them.
 fn print_raw(checked: &Checked, seed: u64) {
-    let base = &checked.full.outcomes[0];
+    let base = &checked.outcomes[0];
     for number in &base.numbers {
-        let all = checked.full.outcomes.iter().chain(&checked.quick.outcomes[1..]).chain(&checked.finest).skip(1);
+        let all = checked.outcomes.iter().chain(&checked.finest).skip(1);
         let runs = all.map(|run| {
-            let direction = run.direction.map_or("", Direction::key);
+            let direction = run.direction.map_or_else(String::new, Direction::key);
             let value = run.value(number).map_or_else(|| "none".to_owned(), |v| format!("{v:.10e}"));
             let alike = if run.end.is_like(&base.end) { "" } else { "!" };
             format!("{direction}:{}:{alike}{value}", run.times)
@@ -112,7 +113,7 @@ struct Tally {
 
 impl Tally {
     fn of(checked: &[Checked]) -> Self {
-        let rows = |of: fn(&Checked) -> &Verification| {
+        let rows = |of: fn(&Checked) -> &ErrorBars| {
             let mut rows: Vec<Row> = Vec::new();
             for (number, truth) in checked.iter().flat_map(|one| one.with_truth(of(one))) {
                 let label = number.quantity.label;

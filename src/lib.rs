@@ -15,7 +15,7 @@
 //!    │ solver::trace              one step again, iteration by iteration, with any of the matrices
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, and why it ended
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
-//!    │ verification               an error bar for every number, from runs that are refined
+//!    │ study::verify              an error bar for every number, from runs that are refined
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Solution::write            every table, plot and comparison of results::OUTPUTS
 //! ```
@@ -86,8 +86,6 @@ pub mod solver;
 pub mod study;
 pub mod table;
 pub mod units;
-#[cfg(feature = "app")]
-pub mod verification;
 
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};

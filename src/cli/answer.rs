@@ -3,16 +3,16 @@
 use super::screen::{Cell, ScreenText, highlighted, table, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
+use stampflow::results::error_bars::ErrorBars;
 use stampflow::units::joined;
-use stampflow::verification::Verification;
 
-/// Answer on a case, with the error bars of a verification.
-pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> ScreenText {
+/// Answer on a case, with its error bars.
+pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) -> ScreenText {
     let list = |lines: Vec<String>| wrapped(&lines.iter().map(|line| format!("- {line}\n")).collect::<String>());
     let numbers = answer.numbers.iter();
     let numbers = numbers.map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()].map(Cell::from));
     let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
-    let bars = verification.map_or_else(Vec::new, Verification::sentences);
+    let bars = bars.map_or_else(Vec::new, ErrorBars::sentences);
     let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
     let gap = if warnings.is_empty() { "" } else { "\n" };
     let text = sentence(&case.name, answer, "") + list(size_doubts(case)) + "\n".into() + judged(findings);

@@ -61,7 +61,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
     let verification = verification.as_ref();
-    let (answer, findings) = stampflow::verification::answered(&solution, verification);
+    let (answer, findings) = stampflow::results::error_bars::answered(&solution, verification);
     let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;

@@ -7,9 +7,9 @@ use super::{interrupt, job, json, place};
 use stampflow::case::comparison::KINDS;
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
+use stampflow::study::Watch;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::{BaseCase, MeasuredCurve, ReportTable, parallel_map};
-use stampflow::verification::Watch;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,9 @@
 
 use serde_json::{Map, Value, json};
 use stampflow::results::comparison::Comparison;
+use stampflow::results::error_bars::Number;
+use stampflow::study::verify::Verification;
 use stampflow::units::{ErrorBar, rounded};
-use stampflow::verification::{Number, Verification};
 
 /// A comparison with all its numbers; what was not reached is null.
 pub fn comparison(case: &str, comparison: &Comparison) -> Value {
@@ -38,8 +39,8 @@ pub fn verification(verification: &Verification) -> Value {
         })
     });
     json!({
-        "numbers": verification.numbers.iter().map(number).collect::<Vec<_>>(),
-        "told": verification.notes,
+        "numbers": verification.bars.numbers.iter().map(number).collect::<Vec<_>>(),
+        "told": verification.bars.notes,
         "runs": runs.collect::<Vec<_>>(),
     })
 }
@@ -48,11 +49,11 @@ fn number(number: &Number) -> Value {
     let quantity = &number.quantity;
     let parts = number.contributions.iter().map(|part| {
         json!({
-            "direction": part.direction.key(),
+            "direction": part.direction.replace([' ', '-'], "_"),
             "share": rounded(part.share),
-            "error": rounded(part.estimate.error),
-            "order": part.estimate.order.map(rounded),
-            "extrapolated": part.estimate.extrapolated,
+            "error": rounded(part.error),
+            "order": part.order.map(rounded),
+            "extrapolated": part.extrapolated,
         })
     });
     json!({

@@ -5,8 +5,9 @@ use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command};
 use stampflow::case::{self, Solution, library};
 use stampflow::plot::{Captions, Format, Pictures};
+use stampflow::results::error_bars;
+use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
-use stampflow::verification::{Verification, quick, verify};
 use std::ffi::OsStr;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -62,11 +63,11 @@ pub struct ErrorBars {
 
 impl ErrorBars {
     /// Error bars from finer runs with `--error-bars`, else from one coarser run if that is the verb's `default`.
-    pub fn of(&self, solution: &Solution, progress: &Progress, default: bool) -> Option<Verification> {
+    pub fn of(&self, solution: &Solution, progress: &Progress, default: bool) -> Option<error_bars::ErrorBars> {
         if self.error_bars {
-            return Some(verify(solution, &progress.count(format!("{}, finer", solution.case.name))));
+            return Some(verify(solution, &progress.count(format!("{}, finer", solution.case.name))).bars);
         }
-        (default && !self.no_error_bars).then(|| quick(solution, &Progress::new(true).count(String::new())))
+        (default && !self.no_error_bars).then(|| quick(solution, &Progress::new(true).count(String::new())).bars)
     }
 }
 

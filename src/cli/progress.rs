@@ -9,7 +9,7 @@ use stampflow::model::Model;
 use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
-use stampflow::verification;
+use stampflow::study;
 use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::sync::Mutex;
@@ -108,7 +108,7 @@ impl Meter {
     }
 }
 
-impl verification::Watch for Count {
+impl study::Watch for Count {
     fn wants_to_stop(&self) -> bool {
         interrupt::is_wanted()
     }

@@ -13,7 +13,7 @@ use stampflow::case::Case;
 use stampflow::report::Report;
 use stampflow::results::{is_report, write};
 use stampflow::study::compare::SideBySide;
-use stampflow::verification::quick;
+use stampflow::study::verify::quick;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -68,7 +68,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
     let versus = compared.map(|(candidates, curves)| {
-        let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()));
+        let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()).bars);
         let threads = available_parallelism().map_or(1, usize::from);
         let count = progress.count(format!("{}, compared", solution.case.name));
         SideBySide::solve(&candidates, curves, Some((solution.clone(), bars)), threads, &count)

@@ -12,10 +12,10 @@ use serde_json::{Value, json};
 use stampflow::case::Case;
 use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
+use stampflow::results::error_bars::answered;
 use stampflow::results::{
     OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict, write,
 };
-use stampflow::verification::answered;
 use std::ops::Add;
 use std::path::{Path, PathBuf};
 

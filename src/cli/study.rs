@@ -8,10 +8,10 @@ use super::screen::{ScreenText, print, print_json, table, warn, wrapped};
 use anyhow::Context;
 use serde::Serialize;
 use stampflow::results::ResultFolder;
+use stampflow::study::Watch;
 use stampflow::study::{
     Evaluated, Evaluation, ReportTable, Shard, Study, StudyError, StudyReport, TableFile, begin, evaluate,
 };
-use stampflow::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};

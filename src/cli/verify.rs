@@ -11,10 +11,10 @@ use super::screen::{Cell, print, print_json, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess;
 use stampflow::case::Case;
-use stampflow::results::error_bars::{BEGINNING, RUNS, runs_csv};
+use stampflow::results::error_bars::{Number, Origin};
 use stampflow::results::write;
+use stampflow::study::verify::{self, BEGINNING, FILE};
 use stampflow::units::Amount;
-use stampflow::verification::{Number, Origin};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -78,8 +78,8 @@ pub fn verify(args: &Args) -> anyhow::Result<Code> {
 /// Verifies a case, writes its file, and prints it or returns its JSON.
 fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Value)> {
     let path = match &args.out {
-        Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(RUNS)),
-        dir => dir.as_ref().map(|dir| dir.join(RUNS)),
+        Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(FILE)),
+        dir => dir.as_ref().map(|dir| dir.join(FILE)),
     };
     if let Some(path) = &path {
         place::file(path, &case.inputs, "--out")?;
@@ -88,13 +88,13 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
     let start = Instant::now();
     let count = progress.count(format!("{}, finer", case.name));
     let (solution, _) = progress.watch(&case, Records::default()).solve(case);
-    let verification = stampflow::verification::verify(&solution, &count);
+    let verification = verify::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
-        write(path, &runs_csv(&verification))?;
+        write(path, &verification.csv())?;
     }
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let moved = verification.moved(&findings);
+    let moved = verification.bars.moved(&findings);
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.json.json {
         let mut value = json::verification(&verification);
@@ -107,9 +107,9 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Va
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
     let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()].map(Cell::from);
-    let rows = verification.numbers.iter().filter(is_printed).map(row);
+    let rows = verification.bars.numbers.iter().filter(is_printed).map(row);
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
-    let notes: String = verification.notes.iter().chain(&moved).map(|note| format!("- {note}\n")).collect();
+    let notes: String = verification.bars.notes.iter().chain(&moved).map(|note| format!("- {note}\n")).collect();
     print(
         wrapped(&format!("{title}{}\n\n", Amount::time(seconds)))
             + table(&["Quantity", "Value", "Made of (observed order)"], rows)

@@ -195,10 +195,10 @@ impl Panel {
         self
     }
 
-    /// Adds the area between two curves over the same places, behind all else and last in the legend.
-    pub fn with_band(mut self, label: impl Into<String>, x: &[f64], [low, high]: [&[f64]; 2], color: Color) -> Self {
-        let side = |side: &[f64]| x.iter().copied().zip(side.iter().copied()).collect::<Vec<_>>();
-        let outline = side(low).into_iter().chain(side(high).into_iter().rev()).collect();
+    /// Adds the area between two curves, given by abscissa, lower and upper side, behind all else and last in the legend.
+    pub fn with_band(mut self, label: impl Into<String>, band: &[[f64; 3]], color: Color) -> Self {
+        let low = band.iter().map(|[x, low, _]| (*x, *low));
+        let outline = low.chain(band.iter().rev().map(|[x, _, high]| (*x, *high))).collect();
         let style = Style::Area { fill: pale(color), edge: None };
         self.series.insert(0, Series::silent(outline, style));
         self.series.push(Series::new(label, Vec::new(), style));

@@ -15,8 +15,8 @@ const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
-    if let Some(band) = view.load_band {
-        panel = panel.with_band("Error band", &band.x, [&band.low, &band.high], color(0));
+    if !view.load_band.is_empty() {
+        panel = panel.with_band("Error band", &view.load_band, color(0));
     }
     let mut notes = Vec::new();
     if view.model().travel > 0.0 {

@@ -25,10 +25,10 @@ pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
         return None;
     }
     let mut chart = over_blank(view, "thickness", &THICKNESS, LEAST * initial)?;
-    if let Some(band) = view.thickness_band {
+    if !view.thickness_band.is_empty() {
         let panel = chart.panels.remove(0);
         let last = color(panel.series.len().saturating_sub(1));
-        chart.panels.push(panel.with_band("Error band", &band.x, [&band.low, &band.high], last));
+        chart.panels.push(panel.with_band("Error band", &view.thickness_band, last));
     }
     chart.panels.extend(bands::panel(view, LEAST * initial));
     Some(chart)

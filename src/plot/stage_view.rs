@@ -4,7 +4,7 @@ use super::chart::{Chart, Panel};
 use super::palette::COLORS;
 use super::svg::text;
 use super::{Captions, Pictures};
-use crate::assess::{self, Finding, Kind, largest_force, sentences};
+use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
@@ -13,12 +13,14 @@ use crate::plot::axis::capitalised;
 use crate::solver::solution::{Frame, StageSolution, Stop};
 use crate::table::Unit;
 use crate::units::{Amount, Digits};
-use crate::verification::{Band, Verification};
 use std::sync::OnceLock;
 use std::time::Duration;
 
 /// Share of an axis of the least span below which a curve looks level \[–\].
 const LEVEL: f64 = 0.1;
+
+/// Relative difference below which two numbers are one: round-off of a change to percent and back \[–\].
+const SAME: f64 = 1e-12;
 
 /// Solved stage, borrowed, with what its pictures and tables need of its case.
 #[derive(Clone, Debug)]
@@ -41,14 +43,14 @@ pub struct StageView<'a> {
     pub wall: Option<Duration>,
     /// Picture settings.
     pub pictures: Pictures,
-    /// Error bars, if the case was verified.
-    pub verification: Option<&'a Verification>,
+    /// Numbers of the case with their error bars, if it was verified.
+    pub bars: Vec<Amount>,
     /// Verdict on the whole case as JSON, if it was judged.
     pub verdict: Option<serde_json::Value>,
-    /// Error band of the punch force over the travel, of the stage with the largest force.
-    pub(crate) load_band: Option<&'a Band>,
-    /// Error band of the final thickness over the blank, of the last stage.
-    pub(crate) thickness_band: Option<&'a Band>,
+    /// Error band of the punch force, of the stage with the largest: travel, lower and upper side.
+    pub(crate) load_band: Vec<[f64; 3]>,
+    /// Error band of the final thickness, of the last stage: initial distance from the axis, lower and upper side.
+    pub(crate) thickness_band: Vec<[f64; 3]>,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -101,10 +103,10 @@ impl<'a> StageView<'a> {
             stage,
             wall: None,
             pictures: Pictures::default(),
-            verification: None,
+            bars: Vec::new(),
             verdict: None,
-            load_band: None,
-            thickness_band: None,
+            load_band: Vec::new(),
+            thickness_band: Vec::new(),
             assessment: OnceLock::new(),
         }
     }
@@ -114,14 +116,13 @@ impl<'a> StageView<'a> {
         self.ring?.opening(std::slice::from_ref(self.stage))
     }
 
-    /// Gives the views of all stages their error bars and bands.
-    pub(crate) fn verify(views: &mut [Self], stages: &[StageSolution], verification: Option<&'a Verification>) {
-        let (peak, last) = (largest_force(stages).map(|(i, _)| i), views.len().wrapping_sub(1));
-        for (i, view) in views.iter_mut().enumerate() {
-            view.verification = verification;
-            view.load_band = verification.filter(|_| Some(i) == peak).and_then(|bars| bars.load.as_ref());
-            view.thickness_band = verification.filter(|_| i == last).and_then(|bars| bars.thickness.as_ref());
-        }
+    /// Half the error bar of the computed number that an amount is, in its unit.
+    pub fn half(&self, amount: Amount) -> Option<f64> {
+        let is_computed = matches!(amount.digits, Digits::Decimals(_) | Digits::Significant(_));
+        let is_same = |own: &&Amount| {
+            own.unit == amount.unit && (own.value - amount.value).abs() <= SAME * own.value.abs() && own.bar().is_some()
+        };
+        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar()
     }
 
     /// Same view for a page that has all captions above its pictures.

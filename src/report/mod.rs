@@ -16,9 +16,9 @@ use crate::assess::{self, Answer, Finding, Kind, judgements};
 use crate::case::{Solution, TitleBlock};
 use crate::plot::{Dimension, StageView};
 use crate::results::Summary;
+use crate::results::error_bars::{ErrorBars, answered};
 use crate::study::compare::SideBySide;
 use crate::units::rounded;
-use crate::verification::{self, Verification};
 use serde_json::{Map, Value, json};
 
 /// Program and version.
@@ -35,7 +35,7 @@ pub struct Report<'a> {
     findings: Vec<Finding>,
     answer: Answer,
     title_block: TitleBlock,
-    verification: Option<&'a Verification>,
+    bars: Option<&'a ErrorBars>,
     versus: Option<&'a SideBySide>,
 }
 
@@ -46,20 +46,20 @@ impl<'a> Report<'a> {
     }
 
     /// Prepares a report with the error bars of a verified case.
-    pub fn verified(solution: &'a Solution, verification: Option<&'a Verification>) -> Self {
-        Self::answered(solution, verification, verification::answered(solution, verification))
+    pub fn verified(solution: &'a Solution, bars: Option<&'a ErrorBars>) -> Self {
+        Self::answered(solution, bars, answered(solution, bars))
     }
 
-    /// Prepares a report on a verdict from [`answered`](verification::answered), which may have taken a second solution.
+    /// Prepares a report on a verdict from [`answered`], which may have taken a second solution.
     pub fn answered(
         solution: &'a Solution,
-        verification: Option<&'a Verification>,
+        bars: Option<&'a ErrorBars>,
         (answer, after): (Answer, Vec<Finding>),
     ) -> Self {
         let before = assess::before(&solution.case);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let mut views = solution.views_with(&assumed);
-        StageView::verify(&mut views, &solution.stages, verification);
+        bars.into_iter().for_each(|bars| bars.draw(&mut views, &solution.stages));
         let views = views.into_iter().map(StageView::without_captions);
         Self {
             solution,
@@ -69,7 +69,7 @@ impl<'a> Report<'a> {
             findings: before.into_iter().chain(after).collect(),
             answer,
             title_block: solution.case.title_block.clone(),
-            verification,
+            bars,
             versus: None,
         }
     }
@@ -98,7 +98,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
             "answer": answer,
-            "error_bars": self.verification,
+            "error_bars": self.bars,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": judgements(&self.findings).collect::<Vec<_>>(),

@@ -50,7 +50,7 @@ fn changes(view: &StageView) -> Option<Markup> {
     let rows = springback::changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
-        let bar = change.after.and_then(|after| view.verification?.half(amount(after)));
+        let bar = change.after.and_then(|after| view.half(amount(after)));
         let text = |value: Option<f64>, shows_bar: bool| match (value.map(amount), bar) {
             (None, _) => "none".to_owned(),
             (Some(amount), Some(bar)) if shows_bar => amount.with_bar(bar).parts().0,

@@ -7,10 +7,10 @@ use crate::assess::check::Line;
 use crate::assess::{Kind, Light, judgements};
 use crate::case::files::sha256;
 use crate::plot::Chart;
+use crate::results::error_bars::{Number, Origin};
 use crate::results::summary::{Group, section_of};
 use crate::study::Cell;
 use crate::study::compare::SideBySide;
-use crate::verification::{Number, Origin};
 use maud::html;
 
 const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
@@ -33,8 +33,8 @@ pub(super) fn verdict(report: &Report) -> Section {
 
 /// Numbers with error bars; their parts are not known from one coarser run alone.
 pub(super) fn error_bars(report: &Report) -> Option<Section> {
-    let verification = report.verification?;
-    let numbers: Vec<&Number> = verification.numbers.iter().filter(|own| own.origin != Origin::Verdict).collect();
+    let bars = report.bars?;
+    let numbers: Vec<&Number> = bars.numbers.iter().filter(|own| own.origin != Origin::Verdict).collect();
     let row = |own: &Number| {
         let (value, unit) = own.quantity.amount.parts();
         [own.quantity.label.to_owned(), value, unit.to_owned(), own.made_of()]
@@ -42,7 +42,7 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
     let head = ["Quantity", "Value", "Unit", "Made of (observed order)"];
     let has_parts = numbers.iter().any(|own| own.contributions.len() > 1);
     let content = html! {
-        (list(&verification.sentences(), ""))
+        (list(&bars.sentences(), ""))
         @if has_parts || numbers.iter().any(|own| own.half().is_some()) {
             (table(&head[..if has_parts { 4 } else { 3 }], numbers.into_iter().map(row)))
         }

@@ -1,63 +1,303 @@
-//! Error bars of a verified case: of every number and curve, and of every run.
+//! Error bars of a verified case: on its numbers and curves, on the lights of its verdict, and as a table.
 
 use super::csv::{number, records};
 use super::{Files, Results};
+use crate::assess::{self, Answer, Finding, Kind, Light, largest_force};
+use crate::case::Solution;
+use crate::plot::StageView;
 use crate::table::Unit;
-use crate::verification::{Band, Number, Outcome, Verification};
+use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
+use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
 
-/// Name of the file with every number and curve.
+/// Name of the table of all numbers and curves.
 pub(super) const FILE: &str = "error_bars.csv";
-
-/// Name of the file with the numbers of every run.
-pub const RUNS: &str = "verification.csv";
-
-/// First columns of [`RUNS`], by which it is recognised.
-pub const BEGINNING: &str = "told_by,quantity,unit,value,error_bar";
 
 const HEADERS: [&str; 7] = ["told_by", "quantity", "unit", "at_mm", "value", "error_bar", "made_of"];
 
-/// Origin, key and unit of a number.
-fn name(own: &Number) -> [String; 3] {
-    [own.origin.key(), own.quantity.key, own.quantity.amount.unit.spelled()].map(str::to_owned)
+/// Row of the verdict on the end of the run.
+const RUN: &str = "stop";
+
+/// Contributions in text: the largest, each at least this share of the bar \[–\].
+const MOST: usize = 3;
+const SHARE: f64 = 0.05;
+
+/// List that a number stands in; keys are unique there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Numbers of the [`Answer`].
+    Answer,
+    /// Numbers of the part and the press.
+    Part,
+    /// Rows of the verdict.
+    Verdict,
 }
 
-fn cell(value: Option<f64>) -> String {
-    value.map_or_else(String::new, number)
+/// Number of a solution, of all its stages together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// List that it stands in.
+    pub origin: Origin,
+    /// Value with its error bar.
+    pub quantity: Quantity,
+    /// Length of the element or step that a place or a travel is read off by, in the number's unit; 0 of others.
+    pub resolution: f64,
+    /// Place to look other runs' values up at, as initial distance from the axis \[mm\]: the worst place jumps.
+    pub s0: Option<f64>,
+    /// Contributions to the error bar, the largest first.
+    pub contributions: Vec<Contribution>,
+}
+
+/// Contribution of one direction of refinement to an error bar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// Refined direction: `contact stiffness`.
+    pub direction: &'static str,
+    /// Estimated upper bound of the discretisation error, in the number's unit.
+    pub error: f64,
+    /// Observed order of convergence, if the differences keep their sign \[–\].
+    pub order: Option<f64>,
+    /// True if it was extrapolated with that order, false if it is from the spread.
+    pub extrapolated: bool,
+    /// Share of the whole bar \[–\].
+    pub share: f64,
+}
+
+/// Discretisation errors of a solution.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ErrorBars {
+    /// Every number with its error bar.
+    pub numbers: Vec<Number>,
+    /// Sentences on whatever is no small error.
+    pub notes: Vec<String>,
+    /// Band of the punch force of the stage with the largest: travel \[mm\], lower and upper side \[N, or N/mm\].
+    pub load: Vec<[f64; 3]>,
+    /// Band of the part's thickness: initial distance from the axis, lower and upper side \[mm\].
+    pub thickness: Vec<[f64; 3]>,
+    /// Number of refined runs.
+    pub runs: usize,
+    /// True if they are one coarser run.
+    pub is_quick: bool,
+    /// Refinement of a run that came to another end for a reason of the part's: `4 times the elements`.
+    pub finer_that_differs: Option<String>,
+    /// Reason of the run's end.
+    pub why: String,
+}
+
+impl Number {
+    /// Number without an error bar.
+    pub fn new(origin: Origin, quantity: Quantity) -> Self {
+        Self { origin, quantity, resolution: 0.0, s0: None, contributions: Vec::new() }
+    }
+
+    /// True of the same number of another run.
+    pub fn is(&self, other: &Self) -> bool {
+        (self.origin, self.quantity.key) == (other.origin, other.quantity.key)
+    }
+
+    /// Half its error bar, in its unit; 0 if no refinement moves it.
+    pub fn half(&self) -> Option<f64> {
+        if let ErrorBar::Half(half) = self.quantity.error { Some(half) } else { None }
+    }
+
+    /// Number that has no error bar for a reason.
+    pub(crate) fn without_bar(&self, why: &str) -> Self {
+        let quantity = self.quantity.clone().with_error(ErrorBar::Missing(why.to_owned()));
+        Self { quantity, ..self.clone() }
+    }
+
+    /// Origin, key and unit in files.
+    pub(crate) fn name(&self) -> [&'static str; 3] {
+        let origin = match self.origin {
+            Origin::Answer => "answer",
+            Origin::Part => "part",
+            Origin::Verdict => "verdict",
+        };
+        [origin, self.quantity.key, self.quantity.amount.unit.spelled()]
+    }
+
+    /// Contributions, such as `elements 62 % (2.1), steps 30 %` with an observed order if extrapolated; or why there is no bar.
+    pub fn made_of(&self) -> String {
+        match &self.quantity.error {
+            ErrorBar::Missing(why) => return format!("no bar: {why}"),
+            ErrorBar::Half(half) if *half > 0.0 => {}
+            _ => return ErrorBar::UNMOVED.to_owned(),
+        }
+        let parts = self.contributions.iter().filter(|part| part.share >= SHARE).take(MOST).map(|part| {
+            let order = part.order.filter(|_| part.extrapolated).map(|order| format!(" ({})", Amount::norm(order)));
+            format!("{} {}{}", part.direction, Amount::share(part.share), order.unwrap_or_default())
+        });
+        joined(parts, ", ")
+    }
+}
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Quantity { key, amount, error, .. } = &self.quantity;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("key", key)?;
+        map.serialize_entry("value", &rounded(amount.value))?;
+        error.write(&mut map)?;
+        map.serialize_entry("unit", amount.unit.spelled())?;
+        map.serialize_entry("told", &amount.to_string())?;
+        map.serialize_entry("made_of", &self.made_of())?;
+        map.end()
+    }
+}
+
+/// Answer to a solved case with its findings; with error bars if it was verified.
+pub fn answered(solution: &Solution, bars: Option<&ErrorBars>) -> (Answer, Vec<Finding>) {
+    let Solution { case, stages, .. } = solution;
+    let findings = assess::after(case, stages);
+    let Some(bars) = bars else { return (Answer::of(case, stages, &findings), findings) };
+    let findings = bars.weigh(findings);
+    let mut answer = Answer::of(case, stages, &findings);
+    for number in &mut answer.numbers {
+        *number = number.clone().with_error(bars.error(Origin::Answer, number.key, "given, not computed"));
+    }
+    (answer, findings)
+}
+
+impl ErrorBars {
+    /// Number by its origin and key.
+    pub fn number(&self, origin: Origin, key: &str) -> Option<&Number> {
+        self.numbers.iter().find(|number| number.origin == origin && number.quantity.key == key)
+    }
+
+    /// Error bar of a number, or the reason why a number that is not listed has none.
+    fn error(&self, origin: Origin, key: &str, why_none: &str) -> ErrorBar {
+        let known = self.number(origin, key).map(|number| number.quantity.error.clone());
+        known.unwrap_or_else(|| ErrorBar::Missing(why_none.to_owned()))
+    }
+
+    /// Findings with their bars: a light is green only if the whole bar is.
+    pub fn weigh(&self, mut findings: Vec<Finding>) -> Vec<Finding> {
+        for finding in &mut findings {
+            let clause = self.clause(finding);
+            let error = self.error(Origin::Verdict, finding.key, "not estimated: it judges the solution, not the part");
+            finding.quantity = finding.quantity.take().map(|number| number.with_error(error));
+            if let Some(clause) = clause {
+                finding.text = format!("{clause}: {}", finding.text);
+                if finding.light < Light::Amber {
+                    let refine = "take the worse end as the true one, or refine until all runs end alike";
+                    let margin = "more margin, or a smaller error bar: `stampflow verify` says what it is made of";
+                    finding.advice = if finding.key == RUN { refine } else { margin }.to_owned();
+                }
+                finding.light = finding.light.max(Light::Amber);
+            }
+        }
+        findings
+    }
+
+    /// Sentences on lights that a bar moves.
+    pub fn moved(&self, findings: &[Finding]) -> Vec<String> {
+        let moved = findings.iter().filter_map(|finding| {
+            let clause = self.clause(finding)?;
+            let bar = self.number(Origin::Verdict, finding.key).and_then(Number::half);
+            let number =
+                finding.quantity.as_ref().zip(bar).map(|(number, bar)| number.amount.with_bar(bar).to_string());
+            Some(format!("{}: {}, {clause}", finding.label, number.unwrap_or_else(|| finding.found())))
+        });
+        moved.collect()
+    }
+
+    /// Clause on a row of the verdict whose bar reaches a worse light.
+    fn clause(&self, finding: &Finding) -> Option<String> {
+        if finding.kind != Kind::Judgement || finding.light == Light::Grey {
+            return None;
+        }
+        if finding.key == RUN {
+            let finer = self.finer_that_differs.as_ref().filter(|_| finding.light == Light::Green)?;
+            return Some(format!("with {finer} it ends otherwise"));
+        }
+        let bar = self.number(Origin::Verdict, finding.key)?.half()?;
+        let amount = finding.quantity.as_ref()?.amount;
+        let Limits { sense, amber, red } = finding.limits()?;
+        let is_beyond = |limit: &f64| match sense {
+            Sense::AtMost => amount.value + bar > *limit,
+            Sense::AtLeast => amount.value - bar < *limit,
+        };
+        let (light, at, limit) = match (red.filter(is_beyond), amber.filter(is_beyond)) {
+            (Some(red), _) => (Light::Red, "red at", red),
+            (None, amber) => (Light::Amber, "the limit of", amber?),
+        };
+        let limit = amount.of(limit).to(Digits::Given(3));
+        (light > finding.light).then(|| format!("with its error bar it reaches {at} {limit}"))
+    }
+
+    /// Origin of the bars in a few words.
+    pub fn method(&self) -> String {
+        match self.runs {
+            0 => "no error bars".into(),
+            _ if self.is_quick => "error bars estimated from one coarser run".into(),
+            runs => format!("error bars from {runs} finer runs"),
+        }
+    }
+
+    /// Sentences below the answer's numbers: origin of the bars, numbers without one and why, and all notes.
+    pub fn sentences(&self) -> Vec<String> {
+        let mut without: Vec<(&str, Vec<String>)> = Vec::new();
+        let mut has_bars = false;
+        for number in self.numbers.iter().filter(|number| number.origin == Origin::Answer) {
+            let ErrorBar::Missing(why) = &number.quantity.error else {
+                has_bars = true;
+                continue;
+            };
+            let label = number.quantity.label.to_owned();
+            match without.iter_mut().find(|(known, _)| known == why) {
+                Some((_, labels)) => labels.push(label),
+                None => without.push((why, vec![label])),
+            }
+        }
+        if !has_bars && without.len() <= 1 {
+            // A run without a step has no numbers either.
+            let why = without.first().map_or(self.why.as_str(), |(why, _)| why);
+            let notes = self.notes.iter().filter(|note| note.as_str() != why).cloned();
+            return [format!("no error bars: {why}")].into_iter().chain(notes).collect();
+        }
+        let what = "what mesh, steps and contact leave open; laws and friction are no part of them";
+        let without = without.into_iter().map(|(why, labels)| format!("{}: no error bar, {why}", joined(labels, ", ")));
+        [format!("{}: {what}", self.method())].into_iter().chain(without).chain(self.notes.iter().cloned()).collect()
+    }
+
+    /// Gives the views of all stages their error bars and bands.
+    pub(crate) fn draw(&self, views: &mut [StageView], stages: &[crate::StageSolution]) {
+        let (peak, last) = (largest_force(stages).map(|(i, _)| i), views.len().wrapping_sub(1));
+        for (i, view) in views.iter_mut().enumerate() {
+            view.bars = self.numbers.iter().map(|number| number.quantity.amount).collect();
+            view.load_band = if Some(i) == peak { self.load.clone() } else { Vec::new() };
+            view.thickness_band = if i == last { self.thickness.clone() } else { Vec::new() };
+        }
+    }
+}
+
+/// JSON of the bars: method, number of further runs, sentences, and the numbers of the part and the press.
+impl Serialize for ErrorBars {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let numbers: Vec<_> = self.numbers.iter().filter(|number| number.origin != Origin::Verdict).collect();
+        let mut value = serializer.serialize_struct("ErrorBars", 4)?;
+        value.serialize_field("method", &self.method())?;
+        value.serialize_field("runs", &self.runs)?;
+        value.serialize_field("told", &self.sentences())?;
+        value.serialize_field("numbers", &numbers)?;
+        value.end()
+    }
 }
 
 /// One row per number and per point of a curve in the solver's units; the reason if there is no bar.
 pub(super) fn files(results: &Results) -> Files {
-    let Some(verification) = results.verification else { return Vec::new() };
-    let force = results.solution.case.model().extent().force_unit();
+    let Some(bars) = results.bars else { return Vec::new() };
     let mut rows = vec![HEADERS.map(str::to_owned)];
-    rows.extend(verification.numbers.iter().map(|own| {
-        let [origin, key, unit] = name(own);
-        [origin, key, unit, String::new(), number(own.quantity.value()), cell(own.half()), own.made_of()]
+    rows.extend(bars.numbers.iter().map(|own| {
+        let [origin, key, unit] = own.name().map(str::to_owned);
+        let half = own.half().map_or_else(String::new, number);
+        [origin, key, unit, String::new(), number(own.quantity.value()), half, own.made_of()]
     }));
-    let curves = [("punch_force", force, &verification.load), ("thickness", Unit::Mm, &verification.thickness)];
-    for (key, unit, band) in curves {
-        rows.extend(band.iter().flat_map(points).map(|point| {
-            let [at, value, half] = point.map(number);
+    let force = results.solution.case.model().extent().force_unit();
+    for (key, unit, band) in [("punch_force", force, &bars.load), ("thickness", Unit::Mm, &bars.thickness)] {
+        rows.extend(band.iter().map(|[x, low, high]| {
+            let [at, value, half] = [*x, 0.5 * (low + high), 0.5 * (high - low)].map(number);
             ["curve".to_owned(), key.to_owned(), unit.spelled().to_owned(), at, value, half, String::new()]
         }));
     }
     vec![(FILE.to_owned(), records(rows))]
-}
-
-/// Place, value and half the width of a band.
-fn points(band: &Band) -> impl Iterator<Item = [f64; 3]> {
-    let sides = band.low.iter().zip(&band.high);
-    band.x.iter().zip(sides).map(|(x, (low, high))| [*x, 0.5 * (low + high), 0.5 * (high - low)])
-}
-
-/// Content of [`RUNS`]: a row per number with its error bar, and a column for every finer run.
-pub fn runs_csv(verification: &Verification) -> Vec<u8> {
-    let runs: Vec<&Outcome> = verification.outcomes.iter().filter(|run| run.direction.is_some()).collect();
-    let names = runs.iter().map(|run| format!("{}_{}", run.direction.map_or("", |d| d.key()), run.times));
-    let header = BEGINNING.split(',').map(str::to_owned).chain(names).collect();
-    let rows = verification.numbers.iter().map(|own| {
-        let values = [Some(own.quantity.value()), own.half()].into_iter().chain(runs.iter().map(|run| run.value(own)));
-        name(own).into_iter().chain(values.map(cell)).collect::<Vec<_>>()
-    });
-    records(std::iter::once(header).chain(rows))
 }

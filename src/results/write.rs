@@ -1,9 +1,9 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
+use super::error_bars::answered;
 use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, WriteError, comparison, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
-use crate::verification::answered;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

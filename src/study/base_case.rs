@@ -1,9 +1,9 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
 use super::StudyError;
+use super::Watch;
 use crate::case::files::{self, CSV, Disk, Files, sha256};
 use crate::case::{self, Case, CaseError, Solution};
-use crate::verification::Watch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 

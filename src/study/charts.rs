@@ -5,8 +5,8 @@ use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::plot::{Axis, Spacing};
+use crate::results::error_bars::Origin;
 use crate::units::{Sense, Unit};
-use crate::verification::Origin;
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
@@ -117,15 +117,13 @@ fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
         let own = own.map(|own| Series::silent(vec![own], Style::Circles { color: BLACK }));
         let bar = |(x, run): &(f64, &Run)| {
             let half = run.errors.get(place).copied().filter(|half| half.is_finite());
-            run.response(place).map(|y| half.map(|half| (*x, y - half, y + half)))
+            run.response(place).map(|y| half.map(|half| [*x, y - half, y + half]))
         };
-        let band: Option<Vec<(f64, f64, f64)>> = positions.iter().filter_map(bar).collect();
+        let band: Option<Vec<[f64; 3]>> = positions.iter().filter_map(bar).collect();
         let band = band.filter(|band| band.len() > 1).unwrap_or_default();
-        let column = |part: fn(&(f64, f64, f64)) -> f64| band.iter().map(part).collect::<Vec<f64>>();
-        let sides = [column(|b| b.1), column(|b| b.2)];
         match panel.with(own) {
             panel if band.is_empty() => panel,
-            panel => panel.with_band("Error band", &column(|b| b.0), [&sides[0], &sides[1]], color(2)),
+            panel => panel.with_band("Error band", &band, color(2)),
         }
     };
     deciding(runs, PANELS).into_iter().enumerate().map(panel).collect()

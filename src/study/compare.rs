@@ -1,6 +1,7 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
 use super::run::Silent;
+use super::verify::{Outcome, Watch, quick};
 use super::{BaseCase, Cell, MeasuredCurve, ReportTable, StudyError, StudyReport, fail, parallel_map};
 use crate::assess::{self, Light};
 use crate::case::comparison::ComparedQuantity;
@@ -10,8 +11,8 @@ use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::color;
 use crate::plot::sections;
 use crate::results::comparison::Computed;
+use crate::results::error_bars::{ErrorBars, Number, Origin, answered};
 use crate::units::{Amount, Digits};
-use crate::verification::{Number, Origin, Outcome, Verification, Watch, answered, quick};
 
 /// A case to compare.
 #[derive(Clone, Debug)]
@@ -31,7 +32,8 @@ pub struct Member {
     name: String,
     /// The solved case.
     pub solution: Solution,
-    verification: Verification,
+    bars: ErrorBars,
+    outcome: Outcome,
     /// Worst light of its verdict, with the labels of its rows.
     light: Cell,
 }
@@ -104,17 +106,17 @@ impl SideBySide {
     pub fn solve(
         candidates: &[Candidate],
         curves: Vec<MeasuredCurve>,
-        known: Option<(Solution, Verification)>,
+        known: Option<(Solution, ErrorBars)>,
         threads: usize,
         watch: &dyn Watch,
     ) -> Result<Self, StudyError> {
         check(candidates, &curves)?;
         let jobs = &candidates[usize::from(known.is_some())..];
-        let mut solved: Vec<(Solution, Verification)> = known.into_iter().collect();
+        let mut solved: Vec<(Solution, ErrorBars)> = known.into_iter().collect();
         let one = |candidate: &Candidate| {
             let solution = BaseCase::solve(candidate.case.clone(), watch)?;
-            let verification = quick(&solution, &Silent(watch));
-            Ok((solution, verification))
+            let bars = quick(&solution, &Silent(watch)).bars;
+            Ok((solution, bars))
         };
         let ended: Result<(), String> = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
             solved.push(result?);
@@ -158,7 +160,7 @@ impl SideBySide {
             add("Verdict", member, member.light.clone(), "".into(), "");
         }
         for member in &self.members {
-            add("End", member, member.outcome().end.why.to_string().into(), "".into(), "");
+            add("End", member, member.outcome.end.why.to_string().into(), "".into(), "");
         }
         for number in self.numbers() {
             let first = self.members.first().and_then(|member| member.number(number));
@@ -192,7 +194,7 @@ impl SideBySide {
     /// Numbers of all runs, but those that only the verdict has.
     fn numbers(&self) -> Vec<&Number> {
         let mut numbers: Vec<&Number> = Vec::new();
-        for number in self.members.iter().flat_map(|member| &member.outcome().numbers) {
+        for number in self.members.iter().flat_map(|member| &member.outcome.numbers) {
             if number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number)) {
                 numbers.push(number);
             }
@@ -217,7 +219,7 @@ impl SideBySide {
     }
 
     fn curve(&self, quantity: ComparedQuantity, curve: fn(&Outcome) -> &[(f64, f64)]) -> Option<Panel> {
-        let mut series = self.series(|member| curve(member.outcome()).to_vec());
+        let mut series = self.series(|member| curve(&member.outcome).to_vec());
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
         let (x, y) = Computed::nothing(model).columns(quantity);
         for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
@@ -252,14 +254,15 @@ impl SideBySide {
 }
 
 impl Member {
-    fn new(i: usize, candidate: &Candidate, (solution, verification): (Solution, Verification)) -> Self {
-        let (_, findings) = answered(&solution, Some(&verification));
+    fn new(i: usize, candidate: &Candidate, (solution, bars): (Solution, ErrorBars)) -> Self {
+        let (_, findings) = answered(&solution, Some(&bars));
         let light = assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey);
         let rows = assess::judgements(&findings).filter(|row| row.light == light && light >= Light::Amber);
         let light = Cell::Light(light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
         let letter = (b'A'..=b'Z').nth(i).map(|letter| char::from(letter).to_string());
         let mark = letter.unwrap_or_else(|| (i + 1).to_string());
-        Self { mark, name: candidate.name(), solution, verification, light }
+        let outcome = Outcome::of(&solution, None);
+        Self { mark, name: candidate.name(), solution, bars, outcome, light }
     }
 
     /// Mark and name: `B: friction=0.12`.
@@ -267,12 +270,8 @@ impl Member {
         format!("{}: {}", self.mark, self.name)
     }
 
-    fn outcome(&self) -> &Outcome {
-        &self.verification.outcomes[0]
-    }
-
     fn number(&self, number: &Number) -> Option<Amount> {
-        self.verification.numbers.iter().find(|own| own.is(number)).map(|own| own.quantity.amount)
+        self.bars.numbers.iter().find(|own| own.is(number)).map(|own| own.quantity.amount)
     }
 
     /// Root mean square of computed less measured, the number of points that the run has, and of all points.

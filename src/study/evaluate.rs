@@ -1,8 +1,8 @@
 //! The engine: evaluates the designs that a study asks for, on all cores, until it asks for no more.
 
+use super::Watch;
 use super::run::{evaluate_design, evaluated, responses};
 use super::{BaseCase, Design, Evaluated, Run, RunTable, Shard, StudyError, StudyReport, parallel_map, short_hash};
-use crate::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 

@@ -9,6 +9,7 @@
 //! Shard         a share of a study that runs by itself; merge joins the tables
 //! StudyReport   headline, notes, tables, charts
 //! Sweep LimitSearch Scatter        the kinds of study
+//! verify        error bars of all numbers, from finer runs
 //! fit           hardening laws and keys of a case from measurements
 //! compare       several runs and measured curves side by side
 //! ```
@@ -39,6 +40,7 @@ mod sweep;
 mod table_file;
 mod uncertain_variable;
 mod variable;
+pub mod verify;
 
 pub use crate::assess::FailureMode;
 pub use base_case::BaseCase;
@@ -61,3 +63,4 @@ use study_file::StudyFile;
 pub use sweep::{Sensitivity, Sweep};
 pub use table_file::TableFile;
 use variable::Variable;
+pub use verify::Watch;

@@ -1,6 +1,6 @@
 //! Jobs on several threads, with their results in order.
 
-use crate::verification::Watch;
+use super::Watch;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;

@@ -1,10 +1,11 @@
 //! One evaluation: a design and the responses of its run.
 
+use super::verify::{Outcome, Watch, quick};
 use super::{BaseCase, FailureMode, variable};
 use crate::assess::{self, Light};
 use crate::case::Solution;
+use crate::results::error_bars::{Number, Origin};
 use crate::units::rounded;
-use crate::verification::{Number, Origin, Outcome, Watch, quick};
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,8 +138,8 @@ pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number],
         *value = own.map_or(f64::NAN, |number| rounded(number.quantity.value()));
     }
     if !run.errors.is_empty() {
-        let verification = quick(solution, &Silent(watch));
-        let half = |r: &Number| verification.number(r.origin, r.quantity.key)?.half();
+        let bars = quick(solution, &Silent(watch)).bars;
+        let half = |r: &Number| bars.number(r.origin, r.quantity.key)?.half();
         run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
     }
     let rows = |light: Light| {

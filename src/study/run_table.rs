@@ -7,8 +7,8 @@
 use super::run::column;
 use super::{FailureMode, Plan, Run, StudyError, fail};
 use crate::assess::Light;
+use crate::results::error_bars::Number;
 use crate::units::did_you_mean;
-use crate::verification::Number;
 use std::collections::BTreeMap;
 
 pub(super) const BEGINNING: &str = "study,designs,index,";

@@ -5,8 +5,8 @@ use super::condition::Comparison;
 use super::search::Aim;
 use super::{Bracket, Cell, Condition, LimitSearch, ReportTable, Run, RunTable, Side};
 use crate::assess::estimate;
+use crate::results::error_bars::Origin;
 use crate::units::significant;
-use crate::verification::Origin;
 
 /// A target that is missed by less is met, over its size \[–\].
 const MISSED: f64 = 0.005;

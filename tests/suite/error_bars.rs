@@ -5,7 +5,9 @@ use crate::common::shipped::shipped_case;
 use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
-use stampflow::verification::{Origin, Verification, Watch, answered, quick, verify};
+use stampflow::results::error_bars::{ErrorBars, Origin, answered};
+use stampflow::study::Watch;
+use stampflow::study::verify::{quick, verify};
 use std::fs;
 use std::path::Path;
 
@@ -13,14 +15,14 @@ use std::path::Path;
 #[test]
 fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     let plain = shipped_case("quickstart", &[]).solve(&mut ());
-    let force = |solution: &Solution, found: Option<&Verification>| {
+    let force = |solution: &Solution, found: Option<&ErrorBars>| {
         let (answer, findings) = answered(solution, found);
         (answer, findings.into_iter().find(|finding| finding.key == "press_force").expect("a row"))
     };
     let needed = force(&plain, None).1.value().expect("a force");
     let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
     let near = rated(0.799);
-    let found = quick(&near, &());
+    let found = quick(&near, &()).bars;
     assert_eq!(force(&near, None).1.light, Light::Green);
     let (answer, row) = force(&near, Some(&found));
     assert_eq!(row.light, Light::Amber, "{row:?}");
@@ -28,7 +30,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     assert!(row.found().contains('±') && !row.advice.is_empty(), "{row:?}");
     assert!(answer.sentence.to_string().contains("Press force"), "{answer:?}");
     let far = rated(0.7);
-    assert_eq!(force(&far, Some(&quick(&far, &()))).1.light, Light::Green);
+    assert_eq!(force(&far, Some(&quick(&far, &()).bars)).1.light, Light::Green);
 }
 
 /// Trust: the worst place of this cup is another in the coarser run, which uses half as much again of its limit there. A few
@@ -39,7 +41,7 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let text = stampflow::author::templates::find("cup").and_then(|cup| cup.fill(&given)).expect("a cup");
     let solution = stampflow::case::parse(&text, "cup.toml", &[]).expect("valid").solve(&mut ());
     let row = |findings: &[Finding]| findings.iter().find(|row| row.key == "forming_limit").expect("a row").clone();
-    let found = quick(&solution, &());
+    let found = quick(&solution, &()).bars;
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
     let tears = |answer: &Answer| answer.sentence.split(';').next().map(str::to_owned);
     assert_eq!(tears(&plain.0), tears(&barred));
@@ -59,8 +61,8 @@ impl Watch for Ended {
 #[test]
 fn what_is_interrupted_has_no_bars_and_says_so() {
     let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
-    for found in [quick(&solution, &Ended), verify(&solution, &Ended)] {
-        assert!(found.numbers.iter().all(|number| number.half().is_none()) && found.load.is_none());
+    for found in [quick(&solution, &Ended), verify(&solution, &Ended)].map(|found| found.bars) {
+        assert!(found.numbers.iter().all(|number| number.half().is_none()) && found.load.is_empty());
         let told: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
         assert_eq!(told, ["no error bars: interrupted by the user"]);
         let (answer, _) = answered(&solution, Some(&found));

@@ -5,11 +5,11 @@ use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
 use stampflow::numerics::least_squares::Ended;
 use stampflow::study::BaseCase;
+use stampflow::study::Watch;
 use stampflow::study::fit::{
     CaseFit, CaseFitRequest, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case, fit_laws,
     material_text,
 };
-use stampflow::verification::Watch;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,11 +2,11 @@
 
 use crate::common::cli::{CUP, folder, stampflow, text};
 use serde_json::Value;
+use stampflow::study::Watch;
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluated, Evaluation, FailureMode, RunTable, Shard, Study, StudyError, Sweep, begin,
     evaluate,
 };
-use stampflow::verification::Watch;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;

@@ -4,12 +4,12 @@ use crate::common::cli::{stampflow, text};
 use crate::common::coverage::{Checked, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
-use stampflow::verification::{Number, Origin, Verification};
+use stampflow::results::error_bars::{ErrorBars, Number, Origin};
 use std::fs;
 use std::path::Path;
 
-fn half(verification: &Verification, origin: Origin, key: &str) -> f64 {
-    verification.number(origin, key).and_then(Number::half).unwrap_or_else(|| panic!("{key} has a bar"))
+fn half(bars: &ErrorBars, origin: Origin, key: &str) -> f64 {
+    bars.number(origin, key).and_then(Number::half).unwrap_or_else(|| panic!("{key} has a bar"))
 }
 
 /// Trust: the truth is what each direction comes to that is refined eight times. Sharp is a bar that a press shop would
@@ -34,7 +34,7 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
 #[test]
 fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     let checked: Vec<_> = (60_000..60_006).map(|seed| check(case_of(random_die(seed).model))).collect();
-    let both: [fn(&Checked) -> &Verification; 2] = [|one| &one.full, |one| &one.quick];
+    let both: [fn(&Checked) -> &ErrorBars; 2] = [|one| &one.full, |one| &one.quick];
     for of in both {
         let numbers = checked.iter().flat_map(|one| one.with_truth(of(one)));
         let is_inside =

@@ -1,7 +1,7 @@
 //! Work on a thread of its own, without the interpreter's lock; the calling thread handles Ctrl-C and progress.
 
 use pyo3::prelude::*;
-use stampflow::verification::Watch;
+use stampflow::study::Watch;
 use stampflow::{Model, Observer, State};
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -9,10 +9,11 @@ use serde::Serialize;
 use stampflow::Table;
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
+use stampflow::results::error_bars::{ErrorBars, answered};
 use stampflow::results::{self, Make, OUTPUTS, Output, Results, profile};
 use stampflow::solver::solution::NodeRecord;
+use stampflow::study::verify;
 use stampflow::table::{Column as NamedColumn, Unit};
-use stampflow::verification::{self, Verification};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -20,7 +21,7 @@ use std::sync::{Arc, OnceLock};
 #[pyclass(frozen, module = "stampflow._native")]
 pub struct Solution {
     solution: Arc<stampflow::Solution>,
-    verification: Option<Verification>,
+    bars: Option<ErrorBars>,
     verdict: OnceLock<(Answer, Vec<Finding>)>,
 }
 
@@ -137,12 +138,12 @@ impl Solution {
 
     /// Adds error bars, from one coarser run or from finer ones; returns also the exception that cut it short.
     fn verify(&self, py: Python<'_>, quick: bool, progress: Progress) -> (Self, Option<PyErr>) {
-        let (verification, raised) = interruptible(py, progress, |line| match quick {
-            true => verification::quick(&self.solution, line),
-            false => verification::verify(&self.solution, line),
+        let (verified, raised) = interruptible(py, progress, |line| match quick {
+            true => verify::quick(&self.solution, line),
+            false => verify::verify(&self.solution, line),
         });
         let solution = Arc::clone(&self.solution);
-        (Self { solution, verification: Some(verification), verdict: OnceLock::new() }, raised)
+        (Self { solution, bars: Some(verified.bars), verdict: OnceLock::new() }, raised)
     }
 
     /// Writes every table and plot into a folder, as `run --out` does; returns the files.
@@ -153,7 +154,7 @@ impl Solution {
 
     /// Writes the HTML report.
     fn report(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let html = py.detach(|| Report::verified(&self.solution, self.verification.as_ref()).html());
+        let html = py.detach(|| Report::verified(&self.solution, self.bars.as_ref()).html());
         results::write(&path, html.as_bytes()).map_err(|error| error::output(&error))
     }
 }
@@ -161,16 +162,16 @@ impl Solution {
 impl Solution {
     /// A solution without error bars.
     pub fn new(solution: stampflow::Solution) -> Self {
-        Self { solution: Arc::new(solution), verification: None, verdict: OnceLock::new() }
+        Self { solution: Arc::new(solution), bars: None, verdict: OnceLock::new() }
     }
 
     fn judged(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
-        py.detach(|| self.verdict.get_or_init(|| verification::answered(&self.solution, self.verification.as_ref())))
+        py.detach(|| self.verdict.get_or_init(|| answered(&self.solution, self.bars.as_ref())))
     }
 
     fn results(&self, py: Python<'_>) -> PyResult<Results<'_>> {
         let results = py.detach(|| Results::of(&self.solution)).map_err(|error| error::reference(py, &error))?;
-        Ok(results.verified(self.verification.as_ref()))
+        Ok(results.verified(self.bars.as_ref()))
     }
 }
 

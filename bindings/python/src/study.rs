@@ -7,13 +7,13 @@ use super::table::{Picture, json, picture};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Deserialize;
+use stampflow::study::Watch;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 use stampflow::study::fit::{CaseFitRequest, RateKind, Reduction, Tests, fit_case, fit_laws};
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, RunTable, Scatter, SearchRequest, Shard, Side,
     Study, StudyError, StudyReport, Sweep, begin, evaluate,
 };
-use stampflow::verification::Watch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;

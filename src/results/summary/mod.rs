@@ -134,7 +134,7 @@ impl Summary {
         summary.list("notes", "Declared assumptions", view.model().notes.clone());
         for line in &mut summary.lines {
             if let Value::Number(amount) = &mut line.value {
-                let bar = view.verification.and_then(|verification| verification.half(*amount));
+                let bar = view.half(*amount);
                 *amount = bar.map_or(*amount, |bar| amount.with_bar(bar));
             }
         }

@@ -5,10 +5,10 @@ use crate::numerics::least_squares::{Ended, Limits, Parameter, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
 use crate::results::comparison::{Computed, Point};
+use crate::study::Watch;
 use crate::study::variable::{repeated, written};
 use crate::study::{BaseCase, MeasuredCurve, StudyError, StudyFile, StudyReport, Variable, fail, parallel_map};
 use crate::units::significant;
-use crate::verification::Watch;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 

@@ -4,15 +4,18 @@ use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
-use stampflow::verification::{Direction, Number, Origin, Outcome, Verification, quick, verify};
+use stampflow::results::error_bars::{ErrorBars, Number, Origin};
+use stampflow::study::verify::{Direction, Outcome, quick, verify};
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;
 
 /// A die with its bars and its truth.
 pub struct Checked {
-    pub full: Verification,
-    pub quick: Verification,
+    pub full: ErrorBars,
+    pub quick: ErrorBars,
+    /// The run as it is, and all finer ones and the coarser one.
+    pub outcomes: Vec<Outcome>,
     /// What is eight times finer, a run for each direction.
     pub finest: Vec<Outcome>,
 }
@@ -34,14 +37,16 @@ pub fn check(case: Case) -> Checked {
         Some(Outcome::of(&case.solve(&mut ()), Some((*direction, TRUTH))))
     });
     let finest = finest.collect();
-    Checked { full: verify(&solution, &()), quick: quick(&solution, &()), finest }
+    let (full, quick) = (verify(&solution, &()), quick(&solution, &()));
+    let outcomes = [full.outcomes, quick.outcomes[1..].to_vec()].concat();
+    Checked { full: full.bars, quick: quick.bars, outcomes, finest }
 }
 
 impl Checked {
     /// The run as it is, and the deviations of all finer runs from it summed; `None` where one ended otherwise.
     pub fn truth(&self, number: &Number) -> Option<f64> {
         let own = number.quantity.value();
-        let base = &self.full.outcomes[0];
+        let base = &self.outcomes[0];
         let deviations = self.finest.iter().map(|run| {
             let value = run.value(number).filter(|_| run.end.is_like(&base.end));
             value.map(|value| value - own)
@@ -50,7 +55,7 @@ impl Checked {
     }
 
     /// Numbers of a verification that are shown and have a truth, with it.
-    pub fn with_truth<'a>(&'a self, of: &'a Verification) -> impl Iterator<Item = (&'a Number, f64)> {
+    pub fn with_truth<'a>(&'a self, of: &'a ErrorBars) -> impl Iterator<Item = (&'a Number, f64)> {
         let shown = |number: &&Number| number.origin != Origin::Verdict || number.quantity.key == "forming_limit";
         of.numbers.iter().filter(shown).filter_map(|number| Some((number, self.truth(number)?)))
     }

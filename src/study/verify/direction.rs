@@ -33,62 +33,44 @@ impl Direction {
     pub const ALL: [Self; 7] =
         [Self::Elements, Self::Points, Self::Steps, Self::Stiffness, Self::Smoothing, Self::Slip, Self::CutOff];
 
-    /// Name in files and JSON.
-    pub fn key(self) -> &'static str {
+    /// Name in tables, a refinement in words with its factor as `{}`, and the formal order of convergence \[–\]. Points may or
+    /// may not meet the reversal of stress, so they have none.
+    fn row(self) -> (&'static str, &'static str, Option<f64>) {
         match self {
-            Self::Stiffness => "contact_stiffness",
-            Self::Smoothing => "contact_smoothing",
-            Self::Slip => "slip_speed",
-            Self::CutOff => "cut_off",
-            Self::Together => "together",
-            plain => plain.label(),
+            Self::Elements => ("elements", "{} times the elements", Some(2.0)),
+            Self::Points => ("points", "{} times the points through the thickness", None),
+            Self::Steps => ("steps", "steps of 1/{} of the length", Some(1.0)),
+            Self::Stiffness => ("contact stiffness", "{} times the contact stiffness", Some(1.0)),
+            Self::Smoothing => ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
+            Self::Slip => ("slip speed", "1/{} of the slip speed", Some(1.0)),
+            Self::CutOff => ("cut-off", "1/{} of the cut-off strain", Some(1.0)),
+            Self::Together => ("all together", "everything {} times as fine", None),
         }
+    }
+
+    /// Name in files and JSON.
+    pub fn key(self) -> String {
+        self.label().replace([' ', '-'], "_")
     }
 
     /// Name in tables.
     pub fn label(self) -> &'static str {
-        match self {
-            Self::Elements => "elements",
-            Self::Points => "points",
-            Self::Steps => "steps",
-            Self::Stiffness => "contact stiffness",
-            Self::Smoothing => "contact smoothing",
-            Self::Slip => "slip speed",
-            Self::CutOff => "cut-off",
-            Self::Together => "all together",
-        }
+        self.row().0
     }
 
     /// Refinement in words: `4 times the elements`.
     pub fn text(self, times: f64) -> String {
-        let n = Amount::number(times);
-        match self {
-            Self::Points => format!("{n} times the points through the thickness"),
-            Self::Steps => format!("steps of 1/{n} of the length"),
-            Self::CutOff => format!("1/{n} of the cut-off strain"),
-            Self::Together => format!("everything {n} times as fine"),
-            Self::Elements | Self::Stiffness => format!("{n} times the {}", self.label()),
-            Self::Smoothing | Self::Slip => format!("1/{n} of the {}", self.label()),
-        }
+        self.row().1.replace("{}", &Amount::number(times).to_string())
     }
 
-    /// Formal order of convergence \[–\]; `None` for points through the thickness, which may or may not meet the reversal of
-    /// stress.
+    /// Formal order of convergence \[–\], if it has one.
     pub fn order(self) -> Option<f64> {
-        match self {
-            Self::Elements => Some(2.0),
-            Self::Points | Self::Together => None,
-            Self::Steps | Self::Stiffness | Self::Smoothing | Self::Slip | Self::CutOff => Some(1.0),
-        }
+        self.row().2
     }
 
-    /// Cost of a refined run over that of the run as it is \[–\].
-    pub fn cost(self, times: f64) -> f64 {
-        match self {
-            Self::Elements | Self::Points | Self::Steps => times,
-            Self::Together => times.powi(3),
-            _ => 1.0,
-        }
+    /// Cost of a run that is refined on its own over that of the run as it is \[–\].
+    pub(super) fn cost(self, times: f64) -> f64 {
+        if matches!(self, Self::Elements | Self::Points | Self::Steps) { times } else { 1.0 }
     }
 
     /// Stages refined by a factor, coarser below 1; `None` if there is nothing to refine.
@@ -107,14 +89,15 @@ impl Direction {
     fn refine(self, model: &mut Model, times: f64) {
         let Model { blank, settings, .. } = model;
         let contact = !model.tools.is_empty();
+        let scaled = |count: usize, least: usize| ((count as f64 * times).round() as usize).max(least.min(count));
         match self {
             Self::Elements => {
                 if blank.grading == Grading::Radii {
                     blank.grading = Grading::Divided { of: blank.elements };
                 }
-                blank.elements = scaled(blank.elements, times, LEAST_ELEMENTS);
+                blank.elements = scaled(blank.elements, LEAST_ELEMENTS);
             }
-            Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers, times, LEAST_POINTS),
+            Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers, LEAST_POINTS),
             Self::Steps => {
                 settings.max_step = (settings.max_step / times).min(1.0);
                 settings.first_step = (settings.first_step / times).min(settings.max_step);
@@ -127,8 +110,4 @@ impl Direction {
             _ => {}
         }
     }
-}
-
-fn scaled(count: usize, times: f64, least: usize) -> usize {
-    ((count as f64 * times).round() as usize).max(least.min(count))
 }

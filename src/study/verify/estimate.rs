@@ -1,0 +1,131 @@
+//! Discretisation error of a number, and of a curve, from its values on other levels of refinement.
+
+use super::{Direction, Outcome};
+use crate::numerics::interpolated;
+use crate::results::error_bars::{Contribution, Number};
+use crate::units::{ErrorBar, Unit};
+
+/// Factors of safety on an extrapolated error, and on the spread of values that follow no order \[–\].
+const EXTRAPOLATED: f64 = 1.25;
+const SPREAD: f64 = 3.0;
+
+/// Error over the difference to the coarser run \[–\]: 1 by the first order; what is coarser in all directions has errors that
+/// cancel by chance, and of 60 random dies 19 numbers in 20 keep within five times.
+const COARSER: f64 = 5.0;
+
+/// Least bars from a coarser run, likewise measured: of the number \[–\], of one in percent \[%\], and of a place in elements
+/// or steps.
+const LEAST: f64 = 3e-3;
+const LEAST_PERCENT: f64 = 1.5;
+const LEAST_PLACE: f64 = 3.0;
+
+/// Accepted factor between observed and formal order \[–\].
+const BELIEVED: f64 = 2.0;
+
+/// Least error over the number, in tolerances to which every step was solved \[–\].
+const SOLVED: f64 = 10.0;
+
+/// A number jumps if the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this
+/// share of it; a place, if it moves by so many elements or steps.
+const OUT_OF_LINE: f64 = 4.0;
+const MUCH: f64 = 0.05;
+const FAR: f64 = 4.0;
+
+/// Reach of an error to either side, over the length of the curve \[–\]: curves that cross agree by chance.
+const REACH: f64 = 0.04;
+
+/// Directions of refinement, each with its runs from coarse to fine.
+pub(super) type Refined<'a> = [(Direction, Vec<&'a Outcome>)];
+
+/// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation if three levels show an order
+/// near the formal one, else by their spread.
+pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
+    let order = match levels {
+        [coarse, fine, finest, ..] => Some((coarse - fine) / (fine - finest)),
+        _ => None,
+    };
+    let order = order.filter(|quotient| quotient.is_finite() && *quotient > 0.0).map(f64::log2);
+    let is_near = |p: &f64| direction.order().is_some_and(|q| (q / BELIEVED..=q * BELIEVED).contains(p));
+    let believed = order.filter(is_near);
+    let spread =
+        levels.iter().copied().fold(f64::NEG_INFINITY, f64::max) - levels.iter().copied().fold(f64::INFINITY, f64::min);
+    let error = match believed {
+        Some(p) => EXTRAPOLATED * (levels[0] - levels[1]).abs() / (1.0 - 0.5_f64.powf(p)),
+        None if direction == Direction::Together => COARSER * spread,
+        None => SPREAD * spread,
+    };
+    Contribution { direction: direction.label(), error, order, extrapolated: believed.is_some(), share: 0.0 }
+}
+
+/// Number with its error bar from all refined runs, solved to a tolerance.
+pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) -> Number {
+    let value = number.quantity.value();
+    let mut contributions = Vec::new();
+    for (direction, runs) in directions {
+        let Some(finer) = runs.iter().map(|run| run.value(number)).collect::<Option<Vec<f64>>>() else {
+            return number.without_bar(&format!("not found in every run ({})", direction.label()));
+        };
+        let levels = [vec![value], finer].concat();
+        if let Some(i) = jump(number, &levels) {
+            let [from, to] = [levels[i - 1], levels[i]].map(|level| number.quantity.amount.of(level));
+            return number
+                .without_bar(&format!("jumps from {from} to {to} with {}", direction.text(runs[i - 1].times)));
+        }
+        contributions.push(estimate(*direction, &levels));
+    }
+    let all: f64 = contributions.iter().map(|part| part.error).sum();
+    if all > 0.0 {
+        contributions.iter_mut().for_each(|part| part.share = part.error / all);
+    }
+    contributions.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let is_coarser = directions.iter().any(|(direction, _)| *direction == Direction::Together);
+    let measured = match number.quantity.amount.unit {
+        _ if !is_coarser => number.resolution,
+        _ if number.resolution > 0.0 => LEAST_PLACE * number.resolution,
+        Unit::Percent => LEAST_PERCENT,
+        _ => LEAST * value.abs(),
+    };
+    let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(measured) } else { 0.0 };
+    let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
+    Number { quantity, contributions, ..number.clone() }
+}
+
+/// Finer of the two levels between which a number jumps.
+fn jump(number: &Number, levels: &[f64]) -> Option<usize> {
+    let step = |i: usize| (levels[i] - levels[i - 1]).abs();
+    if number.resolution > 0.0 {
+        return (1..levels.len()).find(|&i| step(i) > FAR * number.resolution);
+    }
+    (2..levels.len()).find(|&i| step(i) > OUT_OF_LINE * step(i - 1) && step(i) > MUCH * levels[0].abs())
+}
+
+/// Error band around a curve: abscissa, lower and upper side. The errors of finer curves count as far as they come.
+pub(super) fn band(own: &Outcome, directions: &Refined, curve: fn(&Outcome) -> &[(f64, f64)]) -> Vec<[f64; 3]> {
+    if directions.is_empty() {
+        return Vec::new();
+    }
+    let half = |&(x, value): &(f64, f64)| {
+        let errors = directions.iter().map(|(direction, runs)| {
+            let finer = runs.iter().filter_map(|run| value_at(curve(run), x));
+            estimate(*direction, &std::iter::once(value).chain(finer).collect::<Vec<_>>()).error
+        });
+        errors.sum::<f64>()
+    };
+    let x: Vec<f64> = curve(own).iter().map(|point| point.0).collect();
+    let half = envelope(&x, &curve(own).iter().map(half).collect::<Vec<_>>());
+    curve(own).iter().zip(half).map(|((x, value), half)| [*x, value - half, value + half]).collect()
+}
+
+/// Largest error within reach of each place, smoothed over the same reach: nowhere below the error itself.
+pub(super) fn envelope(x: &[f64], half: &[f64]) -> Vec<f64> {
+    let reach = REACH * (x.last().unwrap_or(&0.0) - x.first().unwrap_or(&0.0));
+    let near = |at: &f64| x.partition_point(|x| *x < at - reach)..x.partition_point(|x| *x <= at + reach);
+    let largest: Vec<f64> = x.iter().map(|at| half[near(at)].iter().copied().fold(0.0, f64::max)).collect();
+    x.iter().map(|at| largest[near(at)].iter().sum::<f64>() / near(at).len() as f64).collect()
+}
+
+/// Value of a curve, held for one interval beyond its end.
+fn value_at(curve: &[(f64, f64)], x: f64) -> Option<f64> {
+    let [.., before, last] = curve else { return None };
+    (x <= last.0 + (last.0 - before.0)).then(|| interpolated(curve, x))
+}
