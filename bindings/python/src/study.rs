@@ -20,7 +20,9 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 
 /// Report as JSON, header and rows of the run table, and pictures by name.
-type Results = (String, (Vec<String>, Vec<Vec<String>>), BTreeMap<String, Picture>);
+type Columns = (Vec<String>, Vec<Vec<String>>);
+type Pictures = BTreeMap<String, Picture>;
+type Results = (String, Columns, Pictures);
 
 /// Request of any kind of study.
 #[derive(Deserialize)]
@@ -54,7 +56,7 @@ pub fn study(
     case: PyRef<'_, Case>,
     request: &str,
     progress: Progress,
-) -> PyResult<(String, (Vec<String>, Vec<Vec<String>>), BTreeMap<String, Picture>, Option<PyErr>)> {
+) -> PyResult<(String, Columns, Pictures, Option<PyErr>)> {
     let request: Request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let base = case.base().map_err(|error| error::study(py, &error))?;
     let (result, mut raised) = interruptible(py, progress, |line| run(kind, base, request, line));
