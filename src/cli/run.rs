@@ -14,7 +14,7 @@ use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
 use stampflow::results::error_bars::answered;
 use stampflow::results::{
-    OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder, trace, verdict, write,
+    OUTPUTS, ResultFolder, Results, WriteError, is_report, result_folder, tables, verdict, write,
 };
 use std::ops::Add;
 use std::path::{Path, PathBuf};
@@ -149,7 +149,7 @@ impl Args {
         let dir = self.folder(case)?;
         if let Some(path) = &self.trace {
             place::outside(path, &dir, "--trace")?;
-            place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
+            place::replaced(path, &tables::iterations(&[]), "--trace")?;
             place::file(path, &case.inputs, "--trace")?;
         }
         let page = dir.join(PAGE);
@@ -176,7 +176,7 @@ impl Args {
         // Each is tried whatever became of the other.
         let written = results.write(&records.recorder, self.report.then(|| (PAGE, page())), folder);
         let traced = match (&self.trace, &records.trace) {
-            (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
+            (Some(path), Some(iterations)) => write(path, &tables::iterations(iterations)),
             _ => Ok(()),
         };
         let (case, files) = (&solution.case, written.as_deref());

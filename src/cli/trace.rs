@@ -7,7 +7,7 @@ use super::screen::{Cell, ScreenText, print, table, wrapped};
 use super::{job, place};
 use stampflow::case::Case;
 use stampflow::model::Iteration;
-use stampflow::results::trace::{key, step_csv};
+use stampflow::results::tables::{matrix_key, step_iterations};
 use stampflow::results::write;
 use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace as trace_step};
@@ -65,7 +65,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 pub fn trace(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     if let Some(path) = &args.out {
-        place::replaced(path, &step_csv(&[]), "--out")?;
+        place::replaced(path, &step_iterations(&[]), "--out")?;
         place::file(path, &case.inputs, "--out")?;
     }
     let request = TraceRequest {
@@ -81,7 +81,7 @@ pub fn trace(args: &Args) -> anyhow::Result<Code> {
         Err(error) => return Err(BadRequest(error.to_string()).into()),
     };
     if let Some(path) = &args.out {
-        write(path, &step_csv(&trace.histories))?;
+        write(path, &step_iterations(&trace.histories))?;
     }
     print(screen(&case, &trace))
 }
@@ -114,7 +114,7 @@ fn screen(case: &Case, trace: &Trace) -> ScreenText {
 fn iterations(history: &IterationHistory) -> ScreenText {
     let pass = history.last_pass();
     let start = pass.first().map_or("", |row| row.start.key());
-    let head = format!("\n{} matrix, start: {start}\n\n", key(history.matrix));
+    let head = format!("\n{} matrix, start: {start}\n\n", matrix_key(history.matrix));
     let headers = ["iteration", "velocity", "taken", "residual", "largest at", "cut off", "contact", "sticking"];
     let mut rows: Vec<[Cell; 8]> = pass.iter().map(|row| cells(row).map(Cell::from)).collect();
     if rows.len() > SHOWN[0] + SHOWN[1] {

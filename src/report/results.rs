@@ -5,7 +5,7 @@ use super::{Report, front};
 use crate::assess::tears_at;
 use crate::plot::{Chart, StageView};
 use crate::results::summary::Group;
-use crate::results::{OUTPUTS, Summary, springback};
+use crate::results::{OUTPUTS, Summary, tables};
 use crate::table::Unit;
 use crate::units::Amount;
 use maud::{Markup, html};
@@ -20,7 +20,7 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
     let section = |(i, (view, summary)): (usize, &(StageView, Summary))| {
         let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !on_front.contains(&(i, *file)));
         let content = html! {
-            (figures(summary, |group| matches!(group, Group::End | Group::Part)))
+            (figures(summary, Group::Part))
             @if let Some(changes) = changes(view) { (changes) }
             @for (chart, caption) in files.filter_map(|file| plot(view, file)) { (figure(&chart, caption)) }
         };
@@ -29,13 +29,13 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
     report.stages.iter().enumerate().map(section).collect()
 }
 
-/// Table of the summary's lines of some groups.
-pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Markup {
+/// Table of the summary's lines of a group.
+pub(super) fn figures(summary: &Summary, group: Group) -> Markup {
     let row = |[label, value, unit]: [String; 3]| Row {
         belongs: label.starts_with(' '),
         ..Row::from([label.trim_start().to_owned(), value, unit])
     };
-    table(&["Quantity", "Value", "Unit"], summary.figures(is_wanted).map(row))
+    table(&["Quantity", "Value", "Unit"], summary.figures(group).map(row))
 }
 
 /// Plot of a stage by its file, with its caption.
@@ -47,7 +47,7 @@ pub(super) fn plot(view: &StageView, file: &str) -> Option<(Chart, &'static str)
 
 /// Measures before and after the release of the tools; the error bar is that of the released part.
 fn changes(view: &StageView) -> Option<Markup> {
-    let rows = springback::changes(view.stage)?.into_iter().map(|change| {
+    let rows = tables::springback_changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
         let bar = change.after.and_then(|after| view.half(amount(after)));

@@ -81,7 +81,7 @@ pub(super) fn solver(report: &Report) -> Section {
     let content = html! {
         @for (i, (_, summary)) in report.stages.iter().enumerate() {
             @if let Some(name) = report.stage(i).strip_suffix(": ") { p { "Stage " (name) } }
-            (figures(summary, |group| group == Group::Solution))
+            (figures(summary, Group::Solution))
         }
     };
     Section::new("Solver", content)

@@ -1,20 +1,16 @@
-//! Computed tables beside the references of a case: curves point by point, and bands.
+//! Computed curves beside the references of a case: points of a curve, and bands that values without places span.
 
-mod band;
-mod chart;
 mod computed;
-mod curve;
+mod output;
 
-pub use band::Band;
-use band::interval_text;
-pub(super) use chart::{PREFIX, files, is_comparison};
 pub use computed::Computed;
-pub use curve::{Point, Points};
+pub(super) use output::{PREFIX, files, is_comparison};
 
-use crate::case::comparison::{Against, Source, Spec};
+use crate::case::comparison::{Against, BandSpec, ComparedQuantity as Q, CurveSpec, Spec};
 use crate::case::{Case, Solution};
-use crate::table::{Column, Csv, Table, Unit};
-use crate::units::{Amount, Digits, rounded};
+use crate::numerics::interpolated;
+use crate::table::{Column, Csv, Record, Unit};
+use crate::units::four_digits;
 use std::path::Path;
 
 /// Reference below which no relative difference is taken \[mm, N, N/mm\]: nobody measures so finely.
@@ -44,9 +40,33 @@ pub enum Compared {
     /// The reference file is missing.
     NoData,
     /// Points of a curve.
-    Points(Points),
+    Points(Vec<Point>),
     /// Band.
     Band(Band),
+}
+
+/// Reference value and its computed counterpart, in solver units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Abscissa.
+    pub x: f64,
+    /// Ordinate of the reference.
+    pub reference: f64,
+    /// Computed ordinate; `None` if the run did not reach it.
+    pub computed: Option<f64>,
+    /// True inside the range that is judged; the others are only drawn.
+    pub judged: bool,
+}
+
+/// Measured and computed intervals from the least to the largest value, in solver units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    /// Interval of the reference's values.
+    pub measured: [f64; 2],
+    /// Interval with the errors of measurement, in which computed values must lie.
+    pub accepted: [f64; 2],
+    /// Interval of the computed values; `None` without a whole run.
+    pub computed: Option<[f64; 2]>,
 }
 
 /// Outcome of a comparison.
@@ -94,19 +114,33 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
     let (x, y) = computed.columns(spec.against.quantity());
     let path = spec.reference.as_path();
-    let (compared, is_inside) = match (&spec.data, &spec.against) {
-        (None, _) if !spec.optional => return Err(CompareError(format!("{} is not there", path.display()))),
-        (None, _) => (Compared::NoData, None),
-        (Some(data), Against::Curve(against)) => {
-            let points = Points::compared(against, (path, &data.csv), [&x, &y])?;
-            let is_inside = points.is_inside(against, computed.complete);
+    let Some(data) = &spec.data else {
+        let missing = CompareError(format!("{} is not there", path.display()));
+        return if spec.optional { Ok(of(spec, Compared::NoData, None, x, y)) } else { Err(missing) };
+    };
+    let reference = Reference { path, csv: &data.csv };
+    let (compared, is_inside) = match &spec.against {
+        Against::Curve(against) => {
+            let points = reference.points(against, [&x, &y])?;
+            if let Some((zero, line)) = points.iter().find(|(p, _)| p.reference.abs() < NOTHING && p.judged) {
+                let value = four_digits(zero.reference);
+                let (place, remedy) = (zero.x, "which no relative difference can be taken from; narrow `range`");
+                return reference.refuse(format!(", line {line}: the reference value is {value} at {place}, {remedy}"));
+            }
+            let points: Vec<Point> = points.into_iter().map(|(point, _)| point).collect();
+            let needs_all = matches!(against.quantity, Q::ThicknessAtS0 | Q::ThicknessAtRadius);
+            let is_inside = if needs_all && !computed.complete { None } else { is_inside(&points, against.tolerance) };
             (Compared::Points(points), is_inside)
         }
-        (Some(data), Against::Band(against)) => {
-            let band = Band::compared(against, (path, &data.csv), [&x, &y], computed)?;
+        Against::Band(against) => {
+            let band = reference.band(against, [&x, &y], computed)?;
             (Compared::Band(band), band.outside().map(|outside| outside == 0.0))
         }
     };
+    Ok(of(spec, compared, is_inside, x, y))
+}
+
+fn of(spec: &Spec, compared: Compared, is_inside: Option<bool>, x: Column, y: Column) -> Comparison {
     let verdict = match (&compared, is_inside) {
         (Compared::NoData, _) => Verdict::NoData,
         (_, Some(true)) => Verdict::In,
@@ -115,153 +149,166 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
     };
     let curve = x.values.iter().copied().zip(y.values.iter().copied()).collect();
     let [x, y] = [x, y].map(|column| Column { values: Vec::new(), ..column });
-    Ok(Comparison { spec: spec.clone(), compared, curve, verdict, x, y })
+    Comparison { spec: spec.clone(), compared, curve, verdict, x, y }
 }
 
-/// Values of a reference's column in the unit of the computed one, `None` where empty, and the factor to that unit.
-fn read_column(
-    path: &Path,
-    csv: &Csv,
-    header: &str,
-    computed: &Column,
-) -> Result<(Vec<Option<f64>>, f64), CompareError> {
-    let refused = |what: String| CompareError(format!("{}{what}", path.display()));
-    let at = csv.column(header).ok_or_else(|| refused(format!(" has no column `{header}`; it has {}", csv.names())))?;
-    let (unit, factor) = match csv.unit(at) {
-        // The name of a plain number ends in no unit.
-        Err(_) if computed.unit == Unit::None => (Unit::None, 1.0),
-        unit => unit.map_err(|error| refused(format!(": {error}")))?,
-    };
-    if unit != computed.unit {
-        let with = computed.axis();
-        let with = with.text();
-        return Err(refused(format!(": column `{header}` cannot be compared with the computed {with}")));
+/// True if all judged points lie within the tolerance; `None` if the run did not reach all of them.
+fn is_inside(points: &[Point], tolerance: f64) -> Option<bool> {
+    let mut judged = points.iter().filter(|point| point.judged);
+    if judged.clone().any(|point| point.difference().is_some_and(|d| d.abs() > tolerance || d.is_nan())) {
+        return Some(false);
     }
-    let largest = unit.largest();
-    let values = csv.rows.iter().map(|row| {
-        let place = format!(", line {}, column `{header}`", row.line);
-        let value = row.number(at).map_err(|error| refused(format!("{place}: {error}")))?.map(|value| value * factor);
-        if value.is_none_or(|value| value.abs() <= largest) {
-            return Ok(value);
-        }
-        Err(refused(format!(
-            "{place}: {} is out of range, its magnitude must be at most {largest:e} {}: check the number and the unit at the \
-             end of the header",
-            row.quoted(at),
-            unit.symbol()
-        )))
-    });
-    Ok((values.collect::<Result<_, _>>()?, factor))
+    judged.all(|point| point.computed.is_some()).then_some(true)
 }
 
-/// Computed minus reference, over the reference \[%\].
-fn difference(values: Vec<f64>) -> Column {
-    Column::new("difference", "Difference", Unit::Percent, values)
+/// File of a reference.
+struct Reference<'a> {
+    path: &'a Path,
+    csv: &'a Csv,
 }
 
-impl Comparison {
-    /// Source of the reference, if its folder names one.
-    pub fn source(&self) -> Option<&Source> {
-        self.spec.data.as_ref()?.source.as_ref()
+impl Reference<'_> {
+    fn refuse<T>(&self, what: String) -> Result<T, CompareError> {
+        Err(CompareError(format!("{}{what}", self.path.display())))
     }
 
-    /// True if a validation must fail; a demonstration is never a failure.
-    pub fn is_failure(&self) -> bool {
-        matches!(self.verdict, Verdict::Out | Verdict::NotReached) && !self.spec.demonstration
-    }
-
-    /// Verdict in words: `in`, `OUT`, `OUT, demonstration`.
-    pub fn outcome(&self) -> String {
-        let word = match self.verdict {
-            Verdict::In => "in",
-            Verdict::Out => "OUT",
-            Verdict::NotReached => "not reached",
-            Verdict::NoData => "no data",
+    /// Values of a column in the unit of the computed one, `None` where empty, and the factor to that unit.
+    fn column(&self, header: &str, computed: &Column) -> Result<(Vec<Option<f64>>, f64), CompareError> {
+        let Some(at) = self.csv.column(header) else {
+            return self.refuse(format!(" has no column `{header}`; it has {}", self.csv.names()));
         };
-        if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
-    }
-
-    /// Place of a point in words: `punch travel = 12.5 mm`.
-    fn place(&self, point: &Point) -> String {
-        let x = (1e3 * point.x).round() / 1e3;
-        let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
-        format!("{} = {x} {unit}", self.x.label.to_lowercase()).trim_end().to_owned()
-    }
-
-    /// Largest difference, in short: `+2.1 %`, `3.4 mm above (+0.7 %)`.
-    pub fn worst(&self) -> Option<String> {
-        match &self.compared {
-            Compared::NoData => None,
-            Compared::Points(points) => points.worst()?.difference().map(|d| format!("{:+.1} %", 100.0 * d)),
-            Compared::Band(band) => band.text(self.y.unit),
-        }
-    }
-
-    /// Accepted range: `5 %` of a curve, `467.3 to 468.5 mm`.
-    pub fn accepted(&self) -> String {
-        match (&self.spec.against, &self.compared) {
-            (Against::Curve(curve), _) => format!("{} %", rounded(100.0 * curve.tolerance)),
-            (_, Compared::Band(band)) => interval_text(band.accepted, self.y.unit),
-            _ => "–".to_owned(),
-        }
-    }
-
-    /// Outcome in a sentence: `punch_force against osu.csv: in, worst +2.1 % at punch travel = 20 mm (tolerance 5 %)`.
-    pub fn sentence(&self) -> String {
-        let file = self.spec.reference.file_name().unwrap_or_default().to_string_lossy();
-        let worst = match (&self.compared, self.worst()) {
-            (Compared::Points(points), Some(worst)) => {
-                let place = points.worst().map_or(String::new(), |point| self.place(point));
-                format!(", worst {worst} at {place} (tolerance {})", self.accepted())
-            }
-            (Compared::Band(Band { computed: Some(computed), .. }), Some(worst)) => {
-                format!(", {}, {worst} of {}", interval_text(*computed, self.y.unit), self.accepted())
-            }
-            _ => String::new(),
+        let (unit, factor) = match self.csv.unit(at) {
+            // The name of a plain number ends in no unit.
+            Err(_) if computed.unit == Unit::None => (Unit::None, 1.0),
+            Err(error) => return self.refuse(format!(": {error}")),
+            Ok(unit) => unit,
         };
-        format!("{} against {file}: {}{worst}", self.spec.against.quantity().name(), self.outcome())
-    }
-
-    /// Computed value with the largest difference.
-    pub fn farthest(&self) -> Option<Amount> {
-        let value = match &self.compared {
-            Compared::NoData => None,
-            Compared::Points(points) => points.worst()?.computed,
-            Compared::Band(band) => band.farthest(),
-        };
-        value.map(|value| self.amount(value))
-    }
-
-    /// Target of that value: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
-    pub fn target(&self) -> Option<String> {
-        match (&self.spec.against, &self.compared) {
-            (Against::Curve(curve), Compared::Points(points)) => points
-                .worst()
-                .map(|point| format!("{} ± {}", self.amount(point.reference), Amount::given_share(curve.tolerance))),
-            (_, Compared::Band(band)) => {
-                let [low, high] = band.accepted.map(|end| self.amount(end));
-                let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
-                Some(match (number == other, unit == of_high) {
-                    (true, true) => high.to_string(),
-                    (_, true) => format!("{number}–{high}"),
-                    _ => format!("{low}–{high}"),
-                })
+        if unit != computed.unit {
+            let with = computed.axis();
+            let with = with.text();
+            return self.refuse(format!(": column `{header}` cannot be compared with the computed {with}"));
+        }
+        let value = |row: &Record| {
+            let place = format!(", line {}, column `{header}`", row.line);
+            let value = match row.number(at) {
+                Err(error) => return self.refuse(format!("{place}: {error}")),
+                Ok(value) => value.map(|value| value * factor),
+            };
+            if value.is_none_or(|value| value.abs() <= unit.largest()) {
+                return Ok(value);
             }
-            _ => None,
-        }
+            self.refuse(format!(
+                "{place}: {} is out of range, its magnitude must be at most {:e} {}: check the number and the unit at the end \
+                 of the header",
+                row.quoted(at),
+                unit.largest(),
+                unit.symbol()
+            ))
+        };
+        Ok((self.csv.rows.iter().map(value).collect::<Result<_, _>>()?, factor))
     }
 
-    /// Value of the compared quantity, to three digits.
-    fn amount(&self, value: f64) -> Amount {
-        Amount::new(value, self.y.unit, Digits::Significant(3))
+    /// Points of a curve with their lines.
+    fn points(&self, spec: &CurveSpec, [x, y]: [&Column; 2]) -> Result<Vec<(Point, usize)>, CompareError> {
+        let ((xs, of_x), (ys, _)) = (self.column(&spec.x, x)?, self.column(&spec.y, y)?);
+        let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let range = low * of_x..=high * of_x;
+        let mut rising: Vec<(f64, f64)> = Vec::with_capacity(x.values.len());
+        for point in x.values.iter().copied().zip(y.values.iter().copied()) {
+            if rising.last().is_none_or(|last| point.0 > last.0) {
+                rising.push(point);
+            }
+        }
+        let pairs = xs.into_iter().zip(ys).zip(&self.csv.rows);
+        let known = pairs.filter_map(|((x, y), row)| Some((x?, y?, row.line)));
+        let point = |(x, reference, line)| {
+            (Point { x, reference, computed: held_at_ends(&rising, x), judged: range.contains(&x) }, line)
+        };
+        let points: Vec<(Point, usize)> = known.map(point).collect();
+        if points.iter().any(|(point, _)| point.judged) {
+            return Ok(points);
+        }
+        self.refuse(format!(" has no rows in columns `{}` and `{}` within the range asked for", spec.x, spec.y))
     }
 
-    /// Result as a table; no columns without data.
-    pub fn table(&self) -> Table {
-        match &self.compared {
-            Compared::NoData => Table::new(vec![]),
-            Compared::Points(points) => points.table(&self.x, &self.y),
-            Compared::Band(band) => band.table(&self.y),
+    /// Band of measured and computed values; an unfinished run has no value at the end.
+    fn band(&self, spec: &BandSpec, [x, y]: [&Column; 2], computed: &Computed) -> Result<Band, CompareError> {
+        let errors = match &spec.error {
+            Some(header) => self.column(header, y)?.0,
+            None => Vec::new(),
+        };
+        if let Some(row) = errors.iter().position(|error| error.is_some_and(|error| error < 0.0)) {
+            let (line, column) = (self.csv.rows[row].line, spec.error.as_deref().unwrap_or_default());
+            return self.refuse(format!(", line {line}: the error of measurement in column `{column}` is negative"));
         }
+        let mut values = Vec::new();
+        for header in &spec.columns {
+            let column = self.column(header, y)?.0.into_iter().enumerate();
+            let error = |row: usize| errors.get(row).copied().flatten().unwrap_or(0.0);
+            values.extend(column.filter_map(|(row, value)| Some((value?, error(row)))));
+        }
+        let measured = interval(values.iter().map(|v| v.0));
+        let accepted = interval(values.iter().flat_map(|(value, error)| [value - error, value + error]));
+        let Some((measured, accepted)) = measured.zip(accepted) else {
+            let columns = spec.columns.join(", ");
+            return self.refuse(format!(" has no values in {columns}, which the band should span"));
+        };
+        let all = || y.values.iter().copied();
+        let compared = match spec.quantity {
+            Q::Thickness => interval(all()),
+            Q::PeakForce => interval(all().reduce(f64::max)),
+            Q::PeakTravel => interval(peak(&x.values).map(|at| y.values[at])),
+            Q::RingOpening => interval(computed.ring.map(|test| test.opening)),
+            _ => interval(all().next_back()),
+        };
+        // A run may end at its peak.
+        let is_known = computed.complete || spec.quantity == Q::PeakTravel;
+        Ok(Band { measured, accepted, computed: compared.filter(|_| is_known) })
+    }
+}
+
+/// Value between points, held for one interval beyond either end; `None` farther out.
+fn held_at_ends(rising: &[(f64, f64)], x: f64) -> Option<f64> {
+    let ([first, second, ..], [.., before, last]) = (rising, rising) else { return None };
+    let is_near = first.0 - x <= second.0 - first.0 && x - last.0 <= last.0 - before.0;
+    is_near.then(|| interpolated(rising, x))
+}
+
+/// Least and largest of some values; `None` without values.
+fn interval(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    values.into_iter().map(|v| [v, v]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// Index of the largest value; `None` if it is the last, which may rise further.
+fn peak(values: &[f64]) -> Option<usize> {
+    let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b]))?;
+    (at + 1 < values.len()).then_some(at)
+}
+
+impl Point {
+    /// Computed minus reference, over the reference \[–\]; `None` if not reached or the reference is 0.
+    pub fn difference(&self) -> Option<f64> {
+        let computed = self.computed.filter(|_| self.reference.abs() >= NOTHING);
+        computed.map(|computed| (computed - self.reference) / self.reference.abs())
+    }
+}
+
+impl Band {
+    /// Excess of the computed values: above the accepted band positive, below it negative, the larger of both; 0 inside.
+    pub fn outside(&self) -> Option<f64> {
+        let ([low, high], [least, most]) = (self.computed?, self.accepted);
+        let (below, above) = ((least - low).max(0.0), (high - most).max(0.0));
+        Some(if above >= below { above } else { -below })
+    }
+
+    /// [`Self::outside`] over the end of the band that is left \[–\]; `None` if that end is 0.
+    pub fn difference(&self) -> Option<f64> {
+        let outside = self.outside()?;
+        let end = self.end_left(outside).abs();
+        if outside == 0.0 { Some(0.0) } else { (end >= NOTHING).then(|| outside / end) }
+    }
+
+    fn end_left(&self, outside: f64) -> f64 {
+        self.accepted[usize::from(outside >= 0.0)]
     }
 }

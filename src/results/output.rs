@@ -82,6 +82,6 @@ pub(super) const fn table(file: &'static str, about: &'static str, make: fn(&Sta
     output(file, about, Make::Table(make))
 }
 
-pub(super) const fn plot(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Chart>) -> Output {
+pub(super) const fn picture(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Chart>) -> Output {
     output(file, about, Make::Plot(make))
 }

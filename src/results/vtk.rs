@@ -11,7 +11,7 @@
 //! # References
 //! VTK XML file formats: Kitware, VTK File Formats (<https://docs.vtk.org>).
 
-use super::{Files, StageView, profile};
+use super::{Files, StageView, tables};
 use crate::model::Model;
 use crate::plot::thinning::percent;
 use crate::plot::{animation, sections};
@@ -66,7 +66,7 @@ fn collection(stem: &str, model: &Model, frames: &[&Frame], grid: fn(&Model, &Fr
 
 fn section(model: &Model, frame: &Frame) -> Grid {
     let thinning = frame.elements.iter().map(|element| percent(model.blank.thickness, element.thickness)).collect();
-    let others = std::iter::once(S0).chain(profile::fields(model));
+    let others = std::iter::once(S0).chain(tables::element_fields(model));
     let fields = std::iter::once(Column::new("thinning", "Thinning", Unit::Percent, thinning))
         .chain(others.map(|field| field.column(model.extent(), &frame.elements)));
     Grid {

@@ -3,7 +3,7 @@
 use stampflow::case::comparison::{Against, BandSpec, ComparedQuantity, CurveSpec, Data, Source, Spec};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::Extent;
-use stampflow::results::comparison::{CompareError, Compared, Comparison, Computed, Points, Verdict, compare};
+use stampflow::results::comparison::{CompareError, Compared, Comparison, Computed, Verdict, compare};
 use stampflow::solver::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
 
@@ -48,11 +48,6 @@ fn curve(x: &str, y: &str, quantity: ComparedQuantity) -> CurveSpec {
     CurveSpec { quantity, x: x.to_owned(), y: y.to_owned(), range: None, tolerance: 0.05 }
 }
 
-fn points(comparison: &Comparison) -> &Points {
-    let Compared::Points(points) = &comparison.compared else { panic!("{:?}", comparison.compared) };
-    points
-}
-
 fn compared(csv: &str, against: Against, complete: bool) -> Result<Comparison, CompareError> {
     against_drawn(&spec(Some(csv), against), complete)
 }
@@ -65,10 +60,10 @@ fn along(csv: &str, spec: CurveSpec, complete: bool) -> Result<Comparison, Compa
 fn forces_at_equal_travel_are_interpolated_and_converted() {
     let csv = "# comment\ntravel_mm, punch_force_kN\n1.5, 3\n4, 8.16\n# between\n12,16\n";
     let c = along(csv, curve("travel_mm", "punch_force_kN", ComparedQuantity::PunchForce), true).unwrap();
-    let values: Vec<_> = points(&c).0.iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
+    let values: Vec<_> = c.points().iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
     assert_eq!(values, [(1.5, 3000.0, 3000.0), (4.0, 8160.0, 8000.0), (12.0, 16000.0, 16000.0)]);
     assert_eq!(c.verdict, Verdict::In);
-    let worst = points(&c).worst().unwrap();
+    let worst = c.worst_point().unwrap();
     assert_eq!(worst.x, 4.0);
     assert!((worst.difference().unwrap() + 160.0 / 8160.0).abs() < 1e-12);
     assert_eq!(c.sentence(), "punch_force against curve.csv: in, worst -2.0 % at punch travel = 4 mm (tolerance 5 %)");
@@ -83,10 +78,10 @@ fn travel_at_equal_force_is_taken_on_the_rise_to_the_peak() {
     let csv = "punch_force_N,other,travel_paper_cm\n5000,x,0.25\n19000,,0.95\n30000,,1.6\n";
     let of = || curve("punch_force_N", "travel_paper_cm", ComparedQuantity::Travel);
     let c = along(csv, of(), true).unwrap();
-    assert_eq!(points(&c).0.iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
+    assert_eq!(c.points().iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
     assert_eq!(c.verdict, Verdict::NotReached);
     let c = along(csv, CurveSpec { range: Some((0.0, 20_000.0)), ..of() }, true).unwrap();
-    assert_eq!((points(&c).0.len(), points(&c).judged().count(), c.verdict), (3, 2, Verdict::In));
+    assert_eq!((c.points().len(), c.points().iter().filter(|p| p.judged).count(), c.verdict), (3, 2, Verdict::In));
 }
 
 #[test]
@@ -98,7 +93,7 @@ fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
     let of = curve("r_mm", "thickness_mm", ComparedQuantity::ThicknessAtRadius);
     let c = along("r_mm,thickness_mm\n9,1.2\n", of, true).unwrap();
     assert_eq!(c.verdict, Verdict::Out);
-    assert!((points(&c).0[0].computed.unwrap() - 1.1).abs() < 1e-12);
+    assert!((c.points()[0].computed.unwrap() - 1.1).abs() < 1e-12);
 }
 
 fn band(quantity: ComparedQuantity, columns: &[&str]) -> Against {
@@ -186,7 +181,7 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
         ring: None,
     };
     let c = compare(&spec, &computed).unwrap();
-    let values: Vec<_> = points(&c).0.iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();
+    let values: Vec<_> = c.points().iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();
     assert_eq!((values, c.verdict), (vec![Some(0.1), Some(0.175), Some(0.2)], Verdict::In));
     let told = "strain_path against curve.csv: in, worst +2.9 % at major true strain = 0.35 (tolerance 5 %)";
     assert_eq!(c.sentence(), told);

@@ -10,7 +10,7 @@ use stampflow::model::{Bead, Role};
 use stampflow::plot::chart::Style;
 use stampflow::plot::{StageView, dimensioned, svg};
 use stampflow::report::{Report, dimensions};
-use stampflow::results::{Make, OUTPUTS, Summary, load_travel, profile};
+use stampflow::results::{Make, OUTPUTS, Summary, tables};
 use stampflow::table::Table;
 use std::fs;
 use std::path::PathBuf;
@@ -62,11 +62,11 @@ fn tables_begin_with_their_columns_and_hold_the_records() {
         ("strip_draw", "travel_mm,punch_force_N_per_mm,holder_force_N_per_mm,edge_force_N_per_mm"),
     ] {
         let run = shipped::solve(&shipped::shipped(case, &[]));
-        let table = load_travel::table(&run);
+        let table = tables::load_travel(&run);
         assert!(headers(&table).starts_with(begins), "{}", headers(&table));
         assert_eq!(table.rows(), run.steps.len());
         assert_eq!(table.column("punch_force").values[41], run.steps[41].punch_force);
-        let table = profile::table(&run.model, &run.frames);
+        let table = tables::profile(&run.model, &run.frames);
         assert!(headers(&table).starts_with(
             "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
              stress_meridional_MPa,stress_hoop_MPa"
@@ -75,7 +75,7 @@ fn tables_begin_with_their_columns_and_hold_the_records() {
         assert_eq!(table.rows(), run.frames.len() * n);
         assert_eq!(table.column("travel").values[n + 3], run.frames[1].travel);
         assert_eq!(table.column("thickness").values[n + 3], element.thickness);
-        assert_eq!(profile::table(&run.model, &[]).rows(), 0);
+        assert_eq!(tables::profile(&run.model, &[]).rows(), 0);
     }
 }
 

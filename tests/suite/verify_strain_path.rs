@@ -2,7 +2,6 @@
 
 use crate::common::page::agreement;
 use crate::common::shipped::shipped_case;
-use stampflow::results::comparison::Compared;
 
 /// Hosford's condition as a case has it.
 const FCC: &str = "{ hosford = { crystal = \"fcc\" } }";
@@ -32,8 +31,7 @@ fn the_miss_of_the_strain_path_at_every_friction_is_as_the_book_has_it() {
         let case = shipped_case("surfalex_full_circle", &given.each_ref().map(String::as_str));
         let solution = case.solve(&mut ());
         let comparison = solution.comparisons().expect("a reference").remove(0);
-        let Compared::Points(points) = &comparison.compared else { panic!("{:?}", comparison.compared) };
-        let at = |major: f64| points.0.iter().find(|p| (p.x - major).abs() < 1e-9).expect("a point");
+        let at = |major: f64| comparison.points().iter().find(|p| (p.x - major).abs() < 1e-9).expect("a point");
         let found = [0.1, 0.16, 0.2].map(|major| at(major).computed.unwrap_or(f64::NAN));
         if found.iter().zip(recorded).any(|(found, recorded)| (found - recorded).abs() > 0.002 || found.is_nan()) {
             moved.push(format!(

@@ -10,7 +10,7 @@ use stampflow::Table;
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
 use stampflow::results::error_bars::{ErrorBars, answered};
-use stampflow::results::{self, Make, OUTPUTS, Output, Results, profile};
+use stampflow::results::{self, Make, OUTPUTS, Output, Results, tables};
 use stampflow::solver::solution::NodeRecord;
 use stampflow::study::verify;
 use stampflow::table::{Column as NamedColumn, Unit};
@@ -74,7 +74,7 @@ impl Solution {
         let none = || PyIndexError::new_err("no such frame");
         let solved = self.solution.stages.get(stage).ok_or_else(none)?;
         let kept = solved.frames.get(frame..=frame).ok_or_else(none)?;
-        let mut elements = profile::table(&solved.model, kept);
+        let mut elements = tables::profile(&solved.model, kept);
         elements.columns.remove(0);
         let column = |key, label, unit, value: fn(&NodeRecord) -> f64| {
             NamedColumn::new(key, label, unit, kept[0].nodes.iter().map(value).collect())

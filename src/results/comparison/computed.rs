@@ -1,13 +1,15 @@
 //! Computed values of a stage for comparison.
 
-use crate::case::comparison::ComparedQuantity as Q;
+use super::{CompareError, Point, Reference};
+use crate::case::comparison::{ComparedQuantity as Q, CurveSpec};
 use crate::forming_limit::Paths;
 use crate::measure::RingTest;
 use crate::model::{Extent, Model};
-use crate::results::load_travel::edge_diameter;
+use crate::results::tables::edge_diameter;
 use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::{element, step};
-use crate::table::{Column, Field, Unit};
+use crate::table::{Column, Csv, Field, Unit};
+use std::path::Path;
 
 /// Computed values of a stage for comparison.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +46,16 @@ impl<'a> Computed<'a> {
     pub fn nothing(model: &Model) -> Self {
         let (extent, length) = (model.extent(), model.blank.length);
         Self { extent, length, steps: &[], elements: &[], paths: None, complete: true, ring: None }
+    }
+
+    /// Judged points of a reference curve with the computed values; a reference may be 0.
+    ///
+    /// # Errors
+    /// If the reference does not fit the quantity.
+    pub fn points(&self, spec: &CurveSpec, path: &Path, csv: &Csv) -> Result<Vec<Point>, CompareError> {
+        let (x, y) = self.columns(spec.quantity);
+        let points = Reference { path, csv }.points(spec, [&x, &y])?;
+        Ok(points.into_iter().map(|(point, _)| point).filter(|point| point.judged).collect())
     }
 
     /// Abscissa and ordinate of a quantity; what a band is compared with is in the ordinate.

@@ -1,35 +1,29 @@
 //! Summary of a stage: one list of lines, printed as text and written as JSON.
 
 mod case;
-mod part;
-mod solver;
-mod text;
+mod lines;
 
 pub use case::CaseSummary;
 
 use super::StageView;
-use crate::assess::{Kind, sentences};
-use crate::case::files::sha256;
-use crate::measure::{events, moment_error};
-use crate::model::{Extent, Geometry, Mode};
-use crate::plot::stop_text as ended;
-use crate::solver::solution::{StageSolution, StepRecord, Stop};
-use crate::units::{Amount, joined};
+use crate::measure::{Change, Event};
+use crate::model::{Extent, Geometry};
+use crate::table::Unit;
+use crate::units::{Amount, joined, rounded};
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use serde_json::{Value as Json, json};
+use std::fmt;
 
 /// Subject of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// The case that was solved.
+    /// The case that was solved, and warnings.
     Case,
-    /// The end of the stage.
-    End,
-    /// The part, and the load that formed it.
+    /// The part, the load that formed it, and the end of the stage.
     Part,
     /// The numerical solution.
     Solution,
-    /// Warnings.
-    Warnings,
 }
 
 #[derive(Clone, Debug)]
@@ -44,162 +38,142 @@ struct Line {
 #[derive(Clone, Debug)]
 enum Value {
     Number(Amount),
-    Count(usize),
-    Flag(bool),
-    Text(String),
-    List(Vec<String>),
+    /// Count, flag or text.
+    Plain(Json),
     /// Rows with labels, and their JSON.
-    Rows(Vec<[String; 2]>, serde_json::Value),
+    Rows(Vec<[String; 2]>, Json),
 }
 
 /// Lines in the order of printing; displays as aligned text, serialises with units in the keys.
 #[derive(Clone, Debug)]
-pub struct Summary {
-    lines: Vec<Line>,
-    /// Group of the lines to come.
-    group: Group,
-}
+pub struct Summary(Vec<Line>);
 
 impl Summary {
     /// Sums up a stage.
     pub fn of(view: &StageView) -> Self {
-        let (model, run) = (view.model(), view.stage);
-        let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
-        let largest = |value| largest(run, value);
+        Self(lines::lines(view))
+    }
 
-        let mut summary = Self { lines: Vec::new(), group: Group::Case };
-        summary.text("case", "Case", view.name.clone());
-        summary.text("title", "Title", view.model().title.clone());
-        summary.text("section", "Section", section_of(model.extent()));
-        summary.group = Group::Part;
-        summary.text("hardening", "Hardening", model.material.describe());
-        summary.group = Group::End;
-        let is_full = run.stop == Stop::FullTravel;
-        let ended = if is_full { format!("{} reached", ended(run)) } else { run.stop.to_string() };
-        summary.text("stop", "Ended", ended);
-        summary.group = Group::Part;
-        summary.push("complete", "", Value::Flag(run.stop.is_complete()));
-        summary.load(model, run, &last);
-        summary.push("events", "Events", Value::events(&events(run), model.extent().force_unit()));
-        summary.part(model, run, &last);
-        if let Some(opening) = view.ring_opening() {
-            summary.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
+    /// Label, value and unit of the lines of a group that have one value.
+    pub fn figures(&self, group: Group) -> impl Iterator<Item = [String; 3]> {
+        self.printed().filter(move |line| line.group == group).filter_map(|Line { label, value, .. }| {
+            let (value, unit) = match value {
+                Value::Number(amount) => amount.parts(),
+                value => (value.text()?, ""),
+            };
+            Some([label.clone(), value, unit.to_owned()])
+        })
+    }
+
+    /// Labels and values of all printed lines; the entries of a list stand below each other.
+    pub fn rows(&self) -> impl Iterator<Item = [String; 2]> {
+        self.printed().flat_map(|Line { label, value, .. }| match value {
+            Value::Rows(rows, _) => {
+                let mut rows = rows.clone();
+                rows.iter_mut().take(1).for_each(|[first, _]| first.insert_str(0, label));
+                rows
+            }
+            value => vec![[label.clone(), value.text().unwrap_or_default()]],
+        })
+    }
+
+    fn printed(&self) -> impl Iterator<Item = &Line> {
+        self.0.iter().filter(|line| !line.label.is_empty())
+    }
+
+    /// Text of `summary.json`, with the verdict on the whole case if it was judged.
+    pub(super) fn json(view: &StageView) -> Option<String> {
+        #[derive(Serialize)]
+        struct Written<'a> {
+            #[serde(flatten)]
+            summary: Summary,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            verdict: Option<&'a Json>,
         }
-        if let Some(assessment) = view.forming_limit() {
-            summary.forming_limit(model, assessment);
+        let written = Written { summary: Self::of(view), verdict: view.verdict.as_ref() };
+        serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
+    }
+}
+
+impl Value {
+    /// Value of a line that is no list.
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Number(amount) => Some(amount.to_string()),
+            Self::Plain(Json::Bool(flag)) => Some(if *flag { "yes" } else { "no" }.to_owned()),
+            Self::Plain(Json::String(text)) => Some(text.clone()),
+            Self::Plain(count) => Some(count.to_string()),
+            Self::Rows(..) => None,
         }
-        if run.paths.stride() > 1 {
-            let kept = format!("kept of every {n}th step and of the last", n = run.paths.stride());
-            summary.text("strain_paths", "Strain paths", kept);
-        }
-        summary.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
-        summary.balance(model, run, &last);
-        let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
-        if let Some(error) = bent.and_then(moment_error) {
-            summary.group = Group::Solution;
-            let label = "Bending moment missed by the layers, estimated";
-            summary.number("moment_error", label, Amount::share(error.share));
-        }
-        summary.group = Group::Part;
-        summary.condition(model, run, &last);
-        summary.group = Group::Solution;
-        let deepest = Amount::share(largest(|s| s.penetration));
-        summary.number("penetration", "Tools in the sheet, of its thickness", deepest);
-        summary.group = Group::Part;
-        let ironing = largest(|s| s.ironing);
-        if ironing > 0.0 {
-            let unit = model.extent().force_unit();
-            let force = |value| Amount::force(largest(value), unit);
-            summary.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
-            summary.number("ironing_force", "Largest ironing force of the die", force(|s| s.ironing_force));
-            summary.number("ironing_friction", "Largest friction in it", force(|s| s.ironing_friction));
-            let pressure = Amount::stress(largest(|s| s.ironing_pressure));
-            summary.number("ironing_pressure", "Largest ironing pressure", pressure);
-        }
-        summary.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(bend_radius(run)));
-        summary.holder(model, run);
-        summary.group = Group::Solution;
-        summary.solver(model, run, &last);
-        if let Some(wall) = view.wall {
-            summary.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
-        }
-        summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")).to_owned());
-        summary.text("case_sha256", "", sha256([view.case_text]));
-        summary.group = Group::Case;
-        summary.list("overrides", "Set on the command line", view.overrides.to_vec());
-        summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
-        summary.group = Group::Warnings;
-        summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
-        summary.group = Group::Case;
-        summary.list("notes", "Declared assumptions", view.model().notes.clone());
-        for line in &mut summary.lines {
-            if let Value::Number(amount) = &mut line.value {
-                let bar = view.half(*amount);
-                *amount = bar.map_or(*amount, |bar| amount.with_bar(bar));
+    }
+
+    fn list(entries: Vec<String>) -> Self {
+        Self::Rows(entries.iter().map(|entry| [String::new(), format!("- {entry}")]).collect(), entries.into())
+    }
+
+    /// `44.1 mm, 48.3 kN: rim meets the die`; the time in place of travel and force where a gas works.
+    fn events(events: &[Event], force: Unit) -> Self {
+        let row = |event: &Event| {
+            let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
+            let at =
+                if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
+            [String::new(), format!("{at}: {}", event.kind.label())]
+        };
+        let entry = |event: &Event| {
+            json!({
+                "key": event.kind.key(),
+                "what": event.kind.label(),
+                Unit::Mm.keyed("travel"): rounded(event.travel),
+                Unit::Second.keyed("time"): rounded(event.time),
+                force.keyed("punch_force"): rounded(event.force),
+            })
+        };
+        Self::Rows(events.iter().map(row).collect(), events.iter().map(entry).collect())
+    }
+
+    /// `Wall to the punch direction  0.3° → 8.2° (+7.9°)`
+    fn changes(changes: &[Change]) -> Self {
+        let row = |change: &Change| {
+            let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed_text(by)));
+            [format!("  {}", change.quantity.label), format!("{change}{by}")]
+        };
+        let entry = |change: &Change| {
+            json!({
+                "key": change.quantity.key,
+                "unit": change.quantity.unit.spelled(),
+                "before": change.before.map(rounded),
+                "after": change.after.map(rounded),
+                "change": change.change().map(rounded),
+            })
+        };
+        let head = [String::new(), "before → after (change)".to_owned()];
+        Self::Rows(std::iter::once(head).chain(changes.iter().map(row)).collect(), changes.iter().map(entry).collect())
+    }
+}
+
+impl Serialize for Summary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for Line { key, value, .. } in &self.0 {
+            match value {
+                Value::Number(amount) => {
+                    map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?;
+                    if let Some(bar) = amount.bar() {
+                        map.serialize_entry(&amount.unit.keyed(&format!("{key}_error_bar")), &rounded(bar))?;
+                    }
+                }
+                Value::Plain(json) | Value::Rows(_, json) => map.serialize_entry(key, json)?,
             }
         }
-        summary
-    }
-
-    fn push(&mut self, key: &'static str, label: &str, value: Value) {
-        self.lines.push(Line { group: self.group, key, label: label.to_owned(), value });
-    }
-
-    fn number(&mut self, key: &'static str, label: &str, value: Amount) {
-        self.push(key, label, Value::Number(value));
-    }
-
-    fn count(&mut self, key: &'static str, label: &str, value: usize) {
-        self.push(key, label, Value::Count(value));
-    }
-
-    fn text(&mut self, key: &'static str, label: &str, value: impl Into<String>) {
-        self.push(key, label, Value::Text(value.into()));
-    }
-
-    fn list(&mut self, key: &'static str, label: &str, values: Vec<String>) {
-        self.push(key, label, Value::List(values));
+        map.end()
     }
 }
 
-/// Record of a stage without a step: the sheet at its start, or the blank.
-fn as_begun(run: &StageSolution) -> StepRecord {
-    let blank = &run.model.blank;
-    let (elements, nodes) =
-        run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements[..], &start.nodes[..]));
-    let thinnest = elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness));
-    StepRecord {
-        thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
-        thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
-        draw_in: nodes.last().map_or(0.0, |node| blank.length - node.r),
-        pole_height: nodes.first().map_or(0.0, |node| node.z),
-        ..StepRecord::default()
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.rows().map(|[label, _]| label.chars().count()).max().unwrap_or(0);
+        self.rows().try_for_each(|[label, value]| writeln!(f, "{label:<width$}  {value}"))
     }
-}
-
-/// Largest value over the steps, or 0.
-fn largest(run: &StageSolution, value: fn(&StepRecord) -> f64) -> f64 {
-    run.steps.iter().map(value).fold(0.0, f64::max)
-}
-
-/// Smallest bending radius of the run over the thickness \[–\]; 0 when the sheet stayed flat.
-fn bend_radius(run: &StageSolution) -> f64 {
-    let sharpest = largest(run, |s| s.sharpest_bend);
-    if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
-}
-
-/// Text of `summary.json`.
-pub(super) fn json(view: &StageView) -> Option<String> {
-    #[derive(Serialize)]
-    struct Written<'a> {
-        #[serde(flatten)]
-        summary: Summary,
-        /// Verdict on the whole case.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        verdict: Option<&'a serde_json::Value>,
-    }
-    let written = Written { summary: Summary::of(view), verdict: view.verdict.as_ref() };
-    serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
 }
 
 /// Geometry, and the extent that forces refer to.

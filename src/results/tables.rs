@@ -1,0 +1,275 @@
+//! Tables of steps, frames, thickness points, strain paths and iterations.
+
+use super::csv::{csv_with_texts, number, records};
+use super::{StageView, csv};
+use crate::forming_limit::Curve;
+use crate::measure::{self, Change, Shape};
+use crate::model::{Geometry, Iteration, Model, PressureCap};
+use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
+use crate::plot::residual_stress::{PLACE, places_with_layers, released};
+use crate::solver::solution::{ElementRecord, Frame, IterationRecord, PointRecord, StageSolution, StepRecord};
+use crate::solver::trace::IterationHistory;
+use crate::table::fields::element::{
+    BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
+    STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,
+};
+use crate::table::fields::step::{
+    DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
+};
+use crate::table::{Column, Field, JOULES, Table, Unit, worded};
+use crate::units::ZERO_CELSIUS;
+
+/// Columns of a step before and behind the diameter at the edge, and those of a sheet with voids and with a temperature.
+const BEFORE: [Field<StepRecord>; 7] = [
+    TRAVEL,
+    PUNCH_FORCE,
+    HOLDER_FORCE,
+    EDGE_FORCE,
+    DRAW_IN,
+    THINNEST,
+    Field::worded(
+        "thinnest_s0",
+        [
+            "Initial distance of the thinnest place from the axis",
+            "Initial distance of the thinnest place from the symmetry plane",
+        ],
+        Unit::Mm,
+        |s| s.thinnest_s0,
+    ),
+];
+const BEHIND: [Field<StepRecord>; 25] = [
+    Field::new("work_external", "External work", Unit::Joule, |s| JOULES * s.work.external),
+    Field::new("work_plastic", "Plastic work", Unit::Joule, |s| JOULES * s.work.plastic),
+    Field::new("work_friction", "Friction work", Unit::Joule, |s| JOULES * s.work.friction),
+    Field::new("work_contact", "Contact work", Unit::Joule, |s| JOULES * s.work.contact),
+    Field::new("work_cutoff", "Work in cut-off points", Unit::Joule, |s| JOULES * s.work.cutoff),
+    POLE_HEIGHT,
+    PRESSURE,
+    Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
+    Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
+    Field::new("ironing", "Reduction by ironing over thickness", Unit::None, |s| s.ironing),
+    Field::new("ironing_force", "Ironing force of the die", Unit::N, |s| s.ironing_force),
+    Field::new("ironing_friction", "Friction in the ironing force", Unit::N, |s| s.ironing_friction),
+    Field::new("ironing_pressure", "Largest ironing pressure", Unit::MPa, |s| s.ironing_pressure),
+    Field::new("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
+    Field::new("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
+    Field::new("flips", "Contacts that came or went", Unit::None, |s| s.contact_changes as f64),
+    Field::new("sharpest_bend", "Thickness over the smallest bending radius", Unit::None, |s| s.sharpest_bend),
+    Field::new("strain_increment", "Largest strain of the step", Unit::None, |s| s.strain_increment),
+    Field::new("contact_share", "Contact share: the sheet on punch and die", Unit::None, |s| s.contact_share),
+    Field::new("step", "Step", Unit::None, |s| s.step as f64),
+    TIME,
+    Field::new("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
+    Field::new("rejected", "Rejected tries", Unit::None, |s| s.rejected as f64),
+    Field::new("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
+    Field::new("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
+];
+const VOIDS: [Field<StepRecord>; 1] = [Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity)];
+const HEAT: [Field<StepRecord>; 5] = [
+    Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
+    Field::new("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS),
+    Field::new("heat_plastic", "Heat from plastic work", Unit::Joule, |s| JOULES * s.heat.plastic),
+    Field::new("heat_tools", "Heat from the tools", Unit::Joule, |s| JOULES * s.heat.tools),
+    Field::new("heat_stored", "Heat stored in the sheet", Unit::Joule, |s| JOULES * s.heat.stored),
+];
+const TIME: Field<StepRecord> = Field::new("time", "Time", Unit::Second, |s| s.time);
+
+/// Columns of a superplastic forming cycle.
+const CYCLE: [Field<StepRecord>; 7] = [
+    TIME,
+    GAS_PRESSURE,
+    STRAIN_RATE,
+    HEIGHT,
+    THINNEST,
+    CONTACT_SHARE,
+    Field::new("cap", "Cap in force: 0 none, 1 largest pressure, 2 its fastest rise", Unit::None, |s| match s.on_cap {
+        None => 0.0,
+        Some(PressureCap::Largest) => 1.0,
+        Some(PressureCap::Rise) => 2.0,
+    }),
+];
+
+type IterationColumn = (&'static str, &'static str, Unit, fn(&IterationRecord) -> f64);
+const ITERATION: [IterationColumn; 11] = [
+    ("step", "Step", Unit::None, |i| i.step as f64),
+    ("travel", "Punch travel", Unit::Mm, |i| i.travel),
+    ("iteration", "Iteration", Unit::None, |i| i.iteration as f64),
+    ("velocity_norm", "Relative velocity increment", Unit::None, |i| i.velocity_norm),
+    ("residual_norm", "Relative residual", Unit::None, |i| i.residual_norm),
+    ("cut", "Share of the increment taken", Unit::None, |i| i.share),
+    ("active_contacts", "Active contacts", Unit::None, |i| i.active_contacts as f64),
+    ("worst_r", "Radius of the largest residual", Unit::Mm, |i| i.worst_r),
+    ("cut_off_elements", "Elements in cut-off", Unit::None, |i| i.cut_off as f64),
+    ("contacts", "Points in contact", Unit::None, |i| i.touching as f64),
+    ("sticking", "Points that stick", Unit::None, |i| i.sticking as f64),
+];
+
+/// Forces, draw-in, energy and effort: one row per accepted step.
+pub fn load_travel(stage: &StageSolution) -> Table {
+    let (model, extent) = (&stage.model, stage.model.extent());
+    let column = |field: &Field<StepRecord>| field.column(extent, &stage.steps);
+    let edge = edge_diameter(model.geometry, model.blank.length, &stage.steps);
+    let voids = model.material.gtn.iter().flat_map(|_| &VOIDS);
+    let heat = model.heat.iter().flat_map(|_| &HEAT);
+    let behind = BEHIND.iter().chain(voids).chain(heat).map(column);
+    Table::new(BEFORE.iter().map(column).chain([edge]).chain(behind).collect())
+}
+
+/// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
+pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
+    let label = worded(geometry, "Diameter at the edge", "Width between the edges");
+    let values = steps.iter().map(|s| 2.0 * (length - s.draw_in)).collect();
+    Column::new("edge_diameter", label, Unit::Mm, values)
+}
+
+/// Gas pressure that holds a strain rate: one row per accepted step.
+pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
+    view.stage.steps.first().and(view.model().rate_control())?;
+    Some(Table::new(CYCLE.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
+}
+
+/// Time on a cap of the pressure \[s\].
+pub(super) fn time_on_a_cap(stage: &StageSolution) -> f64 {
+    let before = std::iter::once(0.0).chain(stage.steps.iter().map(|s| s.time));
+    stage.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
+}
+
+/// Fields of an element apart from its place; porosity and temperature if the model has them.
+pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
+    let strains = [THICKNESS, STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS, STRAIN_EQUIVALENT];
+    let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, BENDING];
+    let porosity = model.material.gtn.map(|_| POROSITY);
+    let temperature = model.heat.as_ref().map(|_| TEMPERATURE);
+    strains.into_iter().chain(others).chain(porosity).chain(temperature).collect()
+}
+
+/// Shape, thickness, strains and stresses: one row per frame and element, from the axis outward.
+pub fn profile(model: &Model, frames: &[Frame]) -> Table {
+    let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
+    let column =
+        |field: Field<ElementRecord>| field.column(model.extent(), frames.iter().flat_map(|frame| &frame.elements));
+    let columns = [S0, R, Z].into_iter().chain(element_fields(model)).map(column);
+    Table::new(std::iter::once(TRAVEL.filled(model.extent(), travel)).chain(columns).collect())
+}
+
+/// Stress after release: one row per element and layer, from the axis outward and from the die's face to the punch's.
+pub(super) fn residual_stress(view: &StageView) -> Option<Table> {
+    let (frame, elements) = released(view)?;
+    places_with_layers(frame, elements).first()?;
+    let (extent, layers) = (view.extent(), &frame.through.layers);
+    let points = &frame.through.points[..elements.len() * layers.len()];
+    let of_elements = |field: Field<ElementRecord>| {
+        let each = elements.iter().flat_map(|e| std::iter::repeat_n((field.value)(e), layers.len()));
+        field.filled(extent, each.collect())
+    };
+    let of_points = |field: Field<ElementRecord>, value: fn(&PointRecord) -> f64| {
+        field.filled(extent, points.iter().map(value).collect())
+    };
+    let place = elements.iter().flat_map(|_| layers.iter().map(|layer| 0.5 * layer.xi));
+    let zeta = elements.iter().flat_map(|e| layers.iter().map(|layer| 0.5 * layer.xi * e.thickness));
+    Some(Table::new(vec![
+        of_elements(S0),
+        of_elements(R),
+        of_elements(Z),
+        Column::new("place", PLACE, Unit::None, place.collect()),
+        Column::new("zeta", "ζ, from the mid-surface towards the punch", Unit::Mm, zeta.collect()),
+        of_points(STRESS_MERIDIONAL, |p| p.stress_meridional),
+        of_points(STRESS_HOOP, |p| p.stress_hoop),
+        of_points(STRAIN_EQUIVALENT, |p| p.strain_equivalent),
+    ]))
+}
+
+/// Changes of a stage that takes its tools away.
+pub fn springback_changes(stage: &StageSolution) -> Option<Vec<Change>> {
+    let [before, after] = stage.released()?;
+    Some(measure::changes(&Shape::of(before), &Shape::of(after)))
+}
+
+/// Spring-back: one row per quantity; the opening of a slit ring \[mm\] stands after the release.
+pub(super) fn springback(view: &StageView) -> Option<String> {
+    let cells = |key: &str, unit: Unit, values: [Option<f64>; 3]| {
+        let [before, after, change] = values.map(|value| value.map_or_else(String::new, number));
+        [key.to_owned(), unit.spelled().to_owned(), before, after, change]
+    };
+    let mut rows = vec![["quantity", "unit", "before", "after", "change"].map(str::to_owned)];
+    let changes = springback_changes(view.stage)?;
+    rows.extend(changes.iter().map(|c| cells(c.quantity.key, c.quantity.unit, [c.before, c.after, c.change()])));
+    rows.extend(view.ring_opening().map(|opening| cells("ring_opening", Unit::Mm, [None, Some(opening), None])));
+    String::from_utf8(records(rows)).ok()
+}
+
+/// Columns of a strain path's place.
+const STRAINS: [(&str, &str); 2] =
+    [("strain_minor", "Minor true strain, mid-surface"), ("strain_major", "Major true strain, mid-surface")];
+
+/// Points of a forming limit curve.
+pub(super) fn forming_limit(curve: &Curve) -> Table {
+    let column = |i: usize| curve.points().iter().map(|point| point[i]).collect();
+    Table::new([0, 1].map(|i| Column::new(STRAINS[i].0, STRAINS[i].1, Unit::None, column(i))).into())
+}
+
+/// Strains and distance to the limit: one row per element and accepted step; the crookedness is that of the whole path.
+pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
+    let (assessment, curve) = (view.forming_limit()?, view.model().forming_limit.as_ref()?);
+    let (paths, extent) = (&view.stage.paths, view.extent());
+    let columns = [
+        S0.filled(extent, Vec::new()),
+        Column::new("time", "Time", Unit::Second, Vec::new()),
+        TRAVEL.filled(extent, Vec::new()),
+        Column::new(STRAINS[0].0, STRAINS[0].1, Unit::None, Vec::new()),
+        Column::new(STRAINS[1].0, STRAINS[1].1, Unit::None, Vec::new()),
+        STRAIN_MERIDIONAL.filled(extent, Vec::new()),
+        STRAIN_HOOP.filled(extent, Vec::new()),
+        Column::new("limit_major", "Major strain of the limit", Unit::None, Vec::new()),
+        Column::new("margin", "Margin in major strain", Unit::None, Vec::new()),
+        Column::new(
+            "crookedness",
+            "Distance of the path from a straight line, over its length",
+            Unit::None,
+            Vec::new(),
+        ),
+    ];
+    let mut table = Table::new(columns.into());
+    for (e, judged) in assessment.elements.iter().enumerate() {
+        for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {
+            let [meridional, hoop] = instant.strains[e];
+            let limit = if curve.knows(minor) { curve.major_at(minor) } else { f64::NAN };
+            let strains = [minor, major, meridional, hoop, limit, limit - major];
+            let row = [judged.s0, instant.time, instant.travel].into_iter().chain(strains).chain([judged.crookedness]);
+            table.columns.iter_mut().zip(row).for_each(|(column, value)| column.values.push(value));
+        }
+    }
+    Some(table)
+}
+
+/// Name of a matrix in case files and tables.
+pub fn matrix_key(matrix: Iteration) -> &'static str {
+    match matrix {
+        Iteration::PrimalDual => "primal_dual",
+        Iteration::Newton => "newton",
+        Iteration::Secant => "secant",
+    }
+}
+
+fn iteration_table(iterations: &[IterationRecord]) -> Table {
+    let columns = ITERATION
+        .map(|(key, label, unit, value)| Column::new(key, label, unit, iterations.iter().map(value).collect()));
+    Table::new(columns.into())
+}
+
+/// Iterations of the corrector, of rejected steps too, as CSV.
+pub fn iterations(iterations: &[IterationRecord]) -> Vec<u8> {
+    csv(&iteration_table(iterations))
+}
+
+/// Iterations of one step with several matrices as CSV, with the method, the start and the matrix of each row.
+pub fn step_iterations(histories: &[IterationHistory]) -> Vec<u8> {
+    let rows = || histories.iter().flat_map(|history| history.rows.iter().map(move |row| (history.matrix, row)));
+    let all: Vec<IterationRecord> = rows().map(|(_, row)| *row).collect();
+    let texts = [
+        ("method", rows().map(|(method, _)| matrix_key(method).to_owned()).collect()),
+        ("start", rows().map(|(_, row)| row.start.key().to_owned()).collect()),
+        ("matrix", rows().map(|(_, row)| matrix_key(row.matrix).to_owned()).collect()),
+    ];
+    csv_with_texts(&iteration_table(&all), &texts)
+}
