@@ -1,6 +1,6 @@
 //! Comma-separated text of tables.
 
-use crate::table::Table;
+use crate::table::{Column, Table};
 use crate::units::rounded;
 
 /// Writes a header row (`punch_force_N`) and one row per value with nine significant digits; empty cells are not finite.
@@ -10,20 +10,12 @@ pub fn csv(table: &Table) -> Vec<u8> {
 
 /// Writes a table with columns of text, each a header and its entries, after the first column of numbers.
 pub(super) fn csv_with_texts(table: &Table, texts: &[(&str, Vec<String>)]) -> Vec<u8> {
-    let first = usize::from(!texts.is_empty());
-    let row = |mut cells: Vec<String>, words: Vec<String>| {
-        cells.splice(first..first, words);
-        cells
-    };
-    let header = row(
-        table.columns.iter().map(|column| column.header()).collect(),
-        texts.iter().map(|(header, _)| (*header).to_owned()).collect(),
-    );
-    let rows = (0..table.rows()).map(|i| {
-        let numbers = table.columns.iter().map(|column| number(column.values[i])).collect();
-        row(numbers, texts.iter().map(|(_, entries)| entries[i].clone()).collect())
-    });
-    records(std::iter::once(header).chain(rows))
+    let cells = |c: &Column| std::iter::once(c.header()).chain(c.values.iter().map(|v| number(*v))).collect();
+    let mut columns: Vec<Vec<String>> = table.columns.iter().map(cells).collect();
+    let texts = texts.iter().map(|(header, entries)| [&[(*header).to_owned()], &entries[..]].concat());
+    let first = columns.len().min(1);
+    columns.splice(first..first, texts);
+    records((0..=table.rows()).map(|i| columns.iter().map(|column| &column[i]).collect::<Vec<_>>()))
 }
 
 /// Writes rows of cells.

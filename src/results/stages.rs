@@ -3,7 +3,7 @@
 use super::csv::csv_with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
-use crate::plot::stop_text as ended;
+use crate::plot::stop_text;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
@@ -23,60 +23,55 @@ pub(super) fn folders(list: &str) -> Vec<String> {
     list.lines().skip(1).filter_map(label).collect()
 }
 
-/// Names of all stages, and the solutions of those that were run.
-fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSolution>)> {
-    solution.case.stage_names().enumerate().map(|(i, name)| (name, solution.stages.get(i)))
+/// Names of all stages, and the solutions of those that were run; none of a case with one stage.
+fn lines(solution: &Solution) -> Vec<(&str, Option<&StageSolution>)> {
+    let names = solution.case.stage_names().enumerate();
+    let lines: Vec<_> = names.map(|(i, name)| (name, solution.stages.get(i))).collect();
+    if lines.len() > 1 { lines } else { Vec::new() }
 }
 
-/// State at the end of every stage; NaN for those that were not run.
-fn table(solution: &Solution) -> Table {
-    let extent = solution.case.model().extent();
+fn edge(stage: &StageSolution, last: &StepRecord) -> f64 {
+    stage.model.blank.length - last.draw_in
+}
+
+fn stop(stage: Option<&StageSolution>) -> &'static str {
+    stage.map_or("not run", stop_text)
+}
+
+/// Makes [`FILE`] of a case with several stages: the state at the end of each, empty for those that were not run.
+pub(super) fn files(results: &Results) -> Files {
+    let lines = lines(results.solution);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let extent = results.solution.case.model().extent();
     let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
         let of = |stage: &StageSolution| Some(value(stage, stage.steps.last()?));
-        lines(solution).map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+        lines.iter().map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
     };
     let field = |field: Field<StepRecord>| field.filled(extent, at_end(&|_, step| (field.value)(step)));
-    let edge = at_end(&|stage, step| stage.model.blank.length - step.draw_in);
-    Table::new(vec![
-        Column::new("stage", "Stage", Unit::None, (1..=lines(solution).count()).map(|i| i as f64).collect()),
+    let table = Table::new(vec![
+        Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
         Column::new("end_time", "Time at the end", Unit::Second, at_end(&|_, step| step.time)),
         Column::new("travel", "Travel", Unit::Mm, at_end(&|_, step| step.travel)),
         field(PUNCH_FORCE),
         field(HOLDER_FORCE),
         field(THINNEST),
-        Column::new("edge_r", "Distance of the edge from the axis", Unit::Mm, edge),
+        Column::new("edge_r", "Distance of the edge from the axis", Unit::Mm, at_end(&edge)),
         field(POLE_HEIGHT),
-    ])
-}
-
-fn stop(stage: Option<&StageSolution>) -> &'static str {
-    stage.map_or("not run", ended)
-}
-
-/// Makes [`FILE`] of a case with several stages.
-pub(super) fn files(results: &Results) -> Files {
-    let solution = results.solution;
-    if lines(solution).nth(1).is_none() {
-        return Vec::new();
-    }
-    let names = lines(solution).map(|(name, _)| name.to_owned()).collect();
-    let stops = lines(solution).map(|(_, stage)| stop(stage).to_owned()).collect();
-    vec![(FILE.to_owned(), csv_with_texts(&table(solution), &[("name", names), ("stop", stops)]))]
+    ]);
+    let (names, stops) = lines.iter().map(|(name, stage)| ((*name).to_owned(), stop(*stage).to_owned())).unzip();
+    vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
 }
 
 /// One printed line per stage; empty if there is one only.
 pub(super) fn printed(solution: &Solution) -> String {
-    if lines(solution).nth(1).is_none() {
-        return String::new();
-    }
-    let width = lines(solution).map(|(name, _)| name.len()).max().unwrap_or(0);
-    let each = lines(solution).enumerate().map(|(i, (name, stage))| {
-        let ended = match stage {
-            Some(stage) if stage.stop == Stop::FullTravel => format!("{} reached", ended(stage)),
-            stage => stop(stage).to_owned(),
-        };
+    let lines = lines(solution);
+    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let each = lines.into_iter().enumerate().map(|(i, (name, stage))| {
+        let reached = if stage.is_some_and(|stage| stage.stop == Stop::FullTravel) { " reached" } else { "" };
         let figures = stage.and_then(figures).unwrap_or_default();
-        format!("{:>2} {name:<width$}  {}", i + 1, joined([ended, figures], ": "))
+        format!("{:>2} {name:<width$}  {}", i + 1, joined([format!("{}{reached}", stop(stage)), figures], ": "))
     });
     each.collect::<Vec<_>>().join("\n")
 }
@@ -92,7 +87,7 @@ fn figures(stage: &StageSolution) -> Option<String> {
         Amount::force(last.punch_force, unit),
         Amount::force(last.holder_force, unit),
         Amount::thickness(last.thinnest),
-        Amount::place(stage.model.blank.length - last.draw_in),
+        Amount::place(edge(stage, last)),
         Amount::place(last.pole_height)
     ))
 }

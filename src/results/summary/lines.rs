@@ -1,10 +1,11 @@
 //! Lines of a summary: load, part, energies, condition, and the numerical solution.
 
+use super::method::{bent, corrector, mesh};
 use super::{Group, Line, Value, section_of};
 use crate::assess::{Kind, holder_lift, sentences};
 use crate::case::files::sha256;
 use crate::measure::{Shape, events, moment_error, part_height, thickest};
-use crate::model::{Grading, Iteration, Mode, Model, Norm, Role, Theory};
+use crate::model::{Mode, Model, Role, Theory};
 use crate::plot::{StageView, stop_text};
 use crate::results::tables;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
@@ -44,10 +45,14 @@ pub(super) fn lines(view: &StageView) -> Vec<Line> {
     lines.group = Group::Solution;
     lines.solution();
     lines.group = Group::Case;
-    lines.list("overrides", "Set on the command line", view.overrides.to_vec());
-    lines.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
-    lines.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
-    lines.list("notes", "Declared assumptions", model.notes.clone());
+    for (key, label, entries) in [
+        ("overrides", "Set on the command line", view.overrides.to_vec()),
+        ("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption)),
+        ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
+        ("notes", "Declared assumptions", model.notes.clone()),
+    ] {
+        lines.push(key, label, Value::list(entries));
+    }
     lines.lines
 }
 
@@ -64,10 +69,6 @@ impl Lines<'_> {
 
     fn plain(&mut self, key: &'static str, label: &str, value: impl Into<Json>) {
         self.push(key, label, Value::Plain(value.into()));
-    }
-
-    fn list(&mut self, key: &'static str, label: &str, entries: Vec<String>) {
-        self.push(key, label, Value::list(entries));
     }
 
     /// Largest value over the steps, or 0.
@@ -321,48 +322,4 @@ fn as_begun(run: &StageSolution) -> StepRecord {
 /// Part of a whole; 0 of nothing.
 fn share(part: f64, whole: f64) -> Amount {
     Amount::share(if whole == 0.0 { 0.0 } else { part / whole })
-}
-
-/// Share of the elements that bent, of all steps, and share of the thickness points that full bending would have evaluated in
-/// as many iterations \[–\].
-fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
-    let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);
-    let (mut bent, mut all, mut points, mut full) = (0.0, 0.0, 0.0, 0.0);
-    for step in &run.steps {
-        let bending = step.bending as f64;
-        // One more evaluation finds the step in equilibrium.
-        let evaluations = step.iterations as f64 + 1.0;
-        bent += bending;
-        all += elements;
-        points += evaluations * (bending * layers + elements - bending);
-        full += evaluations * elements * layers;
-    }
-    if all > 0.0 { (bent / all, points / full) } else { (0.0, 0.0) }
-}
-
-fn mesh(model: &Model) -> String {
-    let blank = &model.blank;
-    let theory = match blank.theory {
-        Theory::Membrane => "membrane".to_owned(),
-        Theory::Bending => format!("bending, {} layers", blank.layers),
-        Theory::Selective => {
-            format!("bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
-        }
-    };
-    let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
-    format!("{} elements, {theory}, {grading}", blank.elements)
-}
-
-fn corrector(model: &Model) -> String {
-    let matrix = match model.settings.iteration {
-        Iteration::PrimalDual => "primal-dual Newton",
-        Iteration::Newton => "Newton",
-        Iteration::Secant => "secant",
-    };
-    let norm = match model.settings.norm {
-        Norm::Velocity => "velocity",
-        Norm::Residual => "residual",
-        Norm::Both => "velocity and residual",
-    };
-    format!("{matrix} matrix, {norm} norm below {}", Amount::norm(model.settings.tolerance))
 }

@@ -2,6 +2,7 @@
 
 mod case;
 mod lines;
+mod method;
 
 pub use case::CaseSummary;
 

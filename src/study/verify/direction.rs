@@ -76,12 +76,8 @@ impl Direction {
     /// Stages refined by a factor, coarser below 1; `None` if there is nothing to refine.
     pub fn refined(self, stages: &[Stage], times: f64) -> Option<Vec<Stage>> {
         let mut refined = stages.to_vec();
-        for stage in &mut refined {
-            match self {
-                Self::Together => Self::ALL.iter().for_each(|each| each.refine(&mut stage.model, times)),
-                _ => self.refine(&mut stage.model, times),
-            }
-        }
+        let own = Self::ALL.into_iter().filter(|each| self == Self::Together || self == *each);
+        refined.iter_mut().for_each(|stage| own.clone().for_each(|each| each.refine(&mut stage.model, times)));
         let changed = refined.iter().zip(stages).any(|(refined, stage)| refined.model != stage.model);
         (changed && refined.iter().all(|stage| stage.model.check().is_ok())).then_some(refined)
     }

@@ -10,10 +10,8 @@
 //!   e = 3 (max f − min f)                else, and if a direction has no formal order
 //! ```
 //! The bar is the sum over all directions. Measured on 60 random dies, with the root of the sum of squares the truth lies
-//! outside in 4 % of the numbers, with the sum in 0.3 %. A bar is never less than the solver's tolerance leaves, nor, for a
-//! place or a travel, than the element or step that it is read off by. Runs that end otherwise, numbers that jump, and
-//! elements below what a shell resolves are listed, not averaged. `cargo bench --bench coverage` measures how often the truth
-//! lies inside.
+//! outside in 4 % of the numbers, with the sum in 0.3 % (`cargo bench --bench coverage`). A bar is never less than the
+//! solver's tolerance leaves, nor, for a place or a travel, than the element or step that it is read off by.
 //!
 //! # References
 //! P. J. Roache, J. Fluids Eng. 116 (1994) 405–413 (not read: the factor 1.25 and the term); ASME V&V 20 (2009) (not read);

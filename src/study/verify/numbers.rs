@@ -58,17 +58,6 @@ pub struct End {
 }
 
 impl End {
-    fn of(case: &Case, stages: &[StageSolution]) -> Self {
-        let last = stages.last().map_or(&Stop::FullTravel, |stage| &stage.stop);
-        Self {
-            stages: stages.len(),
-            kind: last.kind(),
-            why: last.to_string(),
-            complete: stages.len() == case.stages.len() && last.is_complete(),
-            lost: !last.is_complete() && !last.is_physical(),
-        }
-    }
-
     /// True if another run ended in the same stage for the same reason.
     pub fn is_like(&self, other: &Self) -> bool {
         (self.stages, self.kind) == (other.stages, other.kind)
@@ -86,14 +75,22 @@ impl Outcome {
         let Solution { case, stages, .. } = solution;
         let load =
             largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
-        let last = stages.last().and_then(|stage| stage.frames.last());
-        let elements = last.into_iter().flat_map(|frame| &frame.elements);
+        let stop = stages.last().map_or(&Stop::FullTravel, |stage| &stage.stop);
+        let end = End {
+            stages: stages.len(),
+            kind: stop.kind(),
+            why: stop.to_string(),
+            complete: stages.len() == case.stages.len() && stop.is_complete(),
+            lost: !stop.is_complete() && !stop.is_physical(),
+        };
+        let elements =
+            stages.last().and_then(|stage| stage.frames.last()).into_iter().flat_map(|frame| &frame.elements);
         let first = case.model();
         let shortest = mesh::nodes(first).windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
         Self {
             direction: refined.map(|(direction, _)| direction),
             times: refined.map_or(1.0, |(_, times)| times),
-            end: End::of(case, stages),
+            end,
             numbers: numbers(case, stages, findings),
             load: load.unwrap_or_default(),
             thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
