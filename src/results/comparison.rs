@@ -86,9 +86,6 @@ pub struct Comparison {
 
 impl Solution {
     /// Comparisons with the results of the first stage and with the ring of the last.
-    ///
-    /// # Errors
-    /// If a reference cannot be read or does not fit.
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
         let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
         let ring = self.case.springback.ring.and_then(|ring| ring.test(&self.stages));
@@ -97,9 +94,6 @@ impl Solution {
 }
 
 /// Comparisons of a case with computed results.
-///
-/// # Errors
-/// If a reference cannot be read or does not fit.
 pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, CompareError> {
     case.compare.iter().map(|spec| compare(spec, computed)).collect()
 }
@@ -108,9 +102,6 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 ///
 /// A computed curve is interpolated at the reference's abscissae, each where it is reached first, and held for one interval
 /// beyond either end. A band is that of all measured values, each with its error.
-///
-/// # Errors
-/// If the reference does not fit the quantity, or is missing and not optional.
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
     let (x, y) = computed.columns(spec.against.quantity());
     let path = spec.reference.as_path();

@@ -20,10 +20,8 @@ impl WriteError {
     }
 }
 
-/// Writes a file by renaming a complete neighbour `.name.part`; makes missing folders.
-///
-/// # Errors
-/// If a folder or the file cannot be written; an earlier file keeps its content.
+/// Writes a file by renaming a complete neighbour `.name.part`; makes missing folders. After a failure an earlier file keeps
+/// its content.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let replace = || {
         let part = hidden(path, "part")?;
@@ -37,9 +35,6 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 }
 
 /// Checks that [`write()`] could write a file; leaves nothing behind.
-///
-/// # Errors
-/// If the path is a folder, passes through a file, is not permitted, or has a name that is too long.
 pub fn can_write(path: &Path) -> Result<(), WriteError> {
     let probe = || {
         if path.is_dir() {

@@ -43,10 +43,7 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Locks a folder, which need not exist, and heals what a killed run left.
-    ///
-    /// # Errors
-    /// If it is no folder, cannot be written to, or another process writes there.
+    /// Locks a folder, which need not exist, and heals what a killed run left; fails if another process writes there.
     pub fn open(named: &Path, is_ours: IsOurs) -> Result<Self, WriteError> {
         let open = || {
             let named = if named.as_os_str().is_empty() { Path::new(".") } else { named };
@@ -72,10 +69,7 @@ impl ResultFolder {
         open().map_err(|source| WriteError::new(named, source))
     }
 
-    /// Writes a file of the new set by its path from the folder.
-    ///
-    /// # Errors
-    /// If it cannot be written; drop the folder then, and the earlier results stay.
+    /// Writes a file of the new set by its path from the folder; after a failure drop the folder, and the earlier results stay.
     pub fn write(&mut self, name: impl AsRef<Path>, bytes: &[u8]) -> Result<(), WriteError> {
         let (name, path) = (name.as_ref(), self.part.join(name.as_ref()));
         let written = fs::create_dir_all(folder_of(&path)).and_then(|()| fill(&File::create(&path)?, bytes));
@@ -84,10 +78,8 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Replaces the earlier set by what was written and returns the paths of its files.
-    ///
-    /// # Errors
-    /// If the new set cannot be put in place; the folder is then as it was, or the next [`open`](Self::open) completes it.
+    /// Replaces the earlier set by the new one and returns the paths of its files; after a failure the folder is as it was, or
+    /// the next [`open`](Self::open) completes it.
     pub fn commit(self) -> Result<Vec<PathBuf>, WriteError> {
         self.replace().map_err(|source| WriteError::new(&self.named, source))?;
         Ok(self.written.iter().map(|name| self.named.join(name)).collect())

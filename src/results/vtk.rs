@@ -23,6 +23,10 @@ use std::fmt::{Display, Write};
 /// Distance of the tools' chords from their arcs over the blank's length \[–\].
 const SAGITTA: f64 = 1e-4;
 
+/// Cell types in VTK.
+const LINE: u8 = 3;
+const QUADRILATERAL: u8 = 9;
+
 /// Step between the pictures of an animation that are written.
 const EVERY: usize = 2;
 
@@ -47,14 +51,14 @@ pub(super) fn is_of(collection: &str, name: &str) -> bool {
 }
 
 /// One file for every second frame, the first and the last, and the file that gives their times.
-fn collection(stem: &str, model: &Model, frames: &[&Frame], grid: fn(&Model, &Frame) -> Grid) -> Files {
+fn collection(stem: &str, model: &Model, frames: &[&Frame], grid: fn(&Model, &Frame) -> String) -> Files {
     let last = frames.len().saturating_sub(1);
     let (mut files, mut sets) = (Vec::new(), String::new());
     for (_, frame) in frames.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
         let name = format!("{stem}_{:04}.vtu", files.len() + 1);
         let time = if model.travel > 0.0 { frame.travel } else { frame.time };
         let _ = writeln!(sets, "    <DataSet timestep=\"{time}\" part=\"0\" file=\"{name}\"/>");
-        files.push((name, grid(model, frame).text().into_bytes()));
+        files.push((name, grid(model, frame).into_bytes()));
     }
     let text = format!(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n{sets}  </Collection>\n\
@@ -64,66 +68,54 @@ fn collection(stem: &str, model: &Model, frames: &[&Frame], grid: fn(&Model, &Fr
     files
 }
 
-fn section(model: &Model, frame: &Frame) -> Grid {
+fn section(model: &Model, frame: &Frame) -> String {
     let thinning = frame.elements.iter().map(|element| percent(model.blank.thickness, element.thickness)).collect();
     let others = std::iter::once(S0).chain(tables::element_fields(model));
-    let fields = std::iter::once(Column::new("thinning", "Thinning", Unit::Percent, thinning))
-        .chain(others.map(|field| field.column(model.extent(), &frame.elements)));
-    Grid {
-        points: (0..frame.nodes.len())
-            .flat_map(|i| [1.0, -1.0].map(|side| sections::surface(frame, i, side)))
-            .collect(),
-        cells: (0..frame.elements.len()).map(|e| vec![2 * e, 2 * e + 1, 2 * e + 3, 2 * e + 2]).collect(),
-        cell_type: 9,
-        fields: fields.collect(),
-    }
+    let others = others.map(|field| field.column(model.extent(), &frame.elements));
+    let fields = std::iter::once(Column::new("thinning", "Thinning", Unit::Percent, thinning)).chain(others);
+    let points = (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|side| sections::surface(frame, i, side)));
+    let cells: Vec<_> = (0..frame.elements.len()).map(|e| [2 * e, 2 * e + 1, 2 * e + 3, 2 * e + 2]).collect();
+    grid(&points.collect::<Vec<_>>(), &cells, QUADRILATERAL, &fields.collect::<Vec<_>>())
 }
 
 /// Every tool as pieces of a line: not all readers know lines of many points.
-fn tools(model: &Model, frame: &Frame) -> Grid {
+fn tools(model: &Model, frame: &Frame) -> String {
     let (mut points, mut cells, mut roles) = (Vec::new(), Vec::new(), Vec::new());
     for (i, tool) in model.tools.iter().enumerate() {
         let sagitta = SAGITTA * model.blank.length;
         let mut line = sections::outline(&tool.profile, sections::tool_displacement(frame, i), sagitta);
         line.dedup();
-        cells.extend((points.len() + 1..points.len() + line.len()).map(|n| vec![n - 1, n]));
+        cells.extend((points.len() + 1..points.len() + line.len()).map(|n| [n - 1, n]));
         points.extend(line);
         roles.resize(cells.len(), tool.role as usize as f64);
     }
-    let fields = vec![Column::new("role", "Punch 0, die 1, holder 2", Unit::None, roles)];
-    Grid { points, cells, cell_type: 3, fields }
+    grid(&points, &cells, LINE, &[Column::new("role", "Punch 0, die 1, holder 2", Unit::None, roles)])
 }
 
 /// Unstructured grid of cells of one type, with one entry of every field per cell.
-struct Grid {
-    points: Vec<(f64, f64)>,
-    cells: Vec<Vec<usize>>,
-    /// Number in VTK: line 3, quadrilateral 9.
+fn grid<const CORNERS: usize>(
+    points: &[(f64, f64)],
+    cells: &[[usize; CORNERS]],
     cell_type: u8,
-    fields: Vec<Column>,
-}
-
-impl Grid {
-    fn text(&self) -> String {
-        let (points, cells) = (self.points.len(), self.cells.len());
-        let corners = self.cells.first().map_or(0, Vec::len);
-        let mut text = format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n<UnstructuredGrid>\n\
-             <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<Points>\n"
-        );
-        let points = self.points.iter().map(|(x, y)| format!("{x} {y} 0"));
-        array(&mut text, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", points);
-        text.push_str("</Points>\n<Cells>\n");
-        array(&mut text, "type=\"Int64\" Name=\"connectivity\"", self.cells.iter().flatten());
-        array(&mut text, "type=\"Int64\" Name=\"offsets\"", (1..=cells).map(|i| i * corners));
-        array(&mut text, "type=\"UInt8\" Name=\"types\"", std::iter::repeat_n(self.cell_type, cells));
-        let shown = self.fields.first().map_or_else(String::new, name);
-        let _ = writeln!(text, "</Cells>\n<CellData Scalars=\"{shown}\">");
-        for field in &self.fields {
-            array(&mut text, &format!("type=\"Float64\" Name=\"{}\"", name(field)), &field.values);
-        }
-        text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
+    fields: &[Column],
+) -> String {
+    let mut text = format!(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n<UnstructuredGrid>\n\
+         <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+        points.len(),
+        cells.len()
+    );
+    let points = points.iter().map(|(x, y)| format!("{x} {y} 0"));
+    array(&mut text, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", points);
+    text.push_str("</Points>\n<Cells>\n");
+    array(&mut text, "type=\"Int64\" Name=\"connectivity\"", cells.as_flattened());
+    array(&mut text, "type=\"Int64\" Name=\"offsets\"", (1..=cells.len()).map(|i| i * CORNERS));
+    array(&mut text, "type=\"UInt8\" Name=\"types\"", std::iter::repeat_n(cell_type, cells.len()));
+    let _ = writeln!(text, "</Cells>\n<CellData Scalars=\"{}\">", fields.first().map_or_else(String::new, name));
+    for field in fields {
+        array(&mut text, &format!("type=\"Float64\" Name=\"{}\"", name(field)), &field.values);
     }
+    text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
 }
 
 /// `thickness [mm]`

@@ -6,7 +6,7 @@ use super::{FrameRecorder, Make, OUTPUTS, Pictures, ResultFolder, StageView, Wri
 use crate::assess::{Answer, Finding, judgements};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -51,10 +51,7 @@ fn belongs_to_run(folder: &Path, path: &Path) -> bool {
     }
 }
 
-/// Opens the folder for the results of a run.
-///
-/// # Errors
-/// If the folder cannot be opened, or holds a file with the name of a result that no run has written.
+/// Opens the folder for the results of a run; fails if it holds a file with the name of a result that no run has written.
 pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError> {
     let folder = ResultFolder::open(dir, belongs_to_run)?;
     let stages = (0..).map_while(|i| case.stage_label(i)).map(|label| dir.join(label));
@@ -63,9 +60,6 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 }
 
 /// Opens a folder for comparisons only, which may hold the results of a run.
-///
-/// # Errors
-/// If the folder cannot be opened.
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
     ResultFolder::open(dir, |_, path| path.to_str().is_some_and(comparison::is_comparison))
 }
@@ -109,10 +103,7 @@ pub struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    /// Prepares the outputs of a solution.
-    ///
-    /// # Errors
-    /// If a reference of the case cannot be read or does not fit.
+    /// Prepares the outputs of a solution; fails if a reference of the case cannot be read or does not fit.
     pub fn of(solution: &'a Solution) -> Result<Self, comparison::CompareError> {
         Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()?, bars: None })
     }
@@ -125,8 +116,8 @@ impl<'a> Results<'a> {
 
     /// Adds the verdict on the whole case to the summary of every stage.
     pub fn answered(mut self, answer: &Answer, findings: &[Finding]) -> Self {
-        let verdict = verdict(answer, findings, self.bars).ok();
-        self.views.iter_mut().for_each(|view| view.verdict.clone_from(&verdict));
+        let verdict = verdict(answer, findings, self.bars);
+        self.views.iter_mut().for_each(|view| view.verdict = Some(verdict.clone()));
         self
     }
 
@@ -138,24 +129,18 @@ impl<'a> Results<'a> {
 }
 
 /// Verdict as JSON: light, sentence, key numbers, findings, and the error bars' origin.
-///
-/// # Errors
-/// Never: all of it has a form in JSON.
-pub fn verdict(answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) -> serde_json::Result<Value> {
-    let mut value = serde_json::to_value(answer)?;
-    value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
+pub fn verdict(answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) -> Value {
+    let mut value = json!(answer);
+    value["findings"] = judgements(findings).map(|finding| json!(finding)).collect();
     if let Some(bars) = bars {
-        value["error_bars"] = serde_json::to_value(bars)?;
+        value["error_bars"] = json!(bars);
     }
-    Ok(value)
+    value
 }
 
 impl Solution {
     /// Writes every table and plot of [`OUTPUTS`] into `dir` in the place of earlier results; several stages have a folder
-    /// each. Returns the paths.
-    ///
-    /// # Errors
-    /// If a folder or file cannot be written (the earlier results stay), or a reference of the case cannot be read.
+    /// each. Returns the paths; after a failure the earlier results stay.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
         let (answer, findings) = answered(self, None);
         let folder = result_folder(&self.case, dir.as_ref())?;
@@ -165,9 +150,6 @@ impl Solution {
 
 impl Results<'_> {
     /// Writes every output, with those of the recorder and a report by its name, and commits the folder.
-    ///
-    /// # Errors
-    /// If a file cannot be written, or the folder not committed.
     pub fn write(
         &self,
         recorder: &FrameRecorder,
@@ -197,9 +179,6 @@ impl Results<'_> {
     }
 
     /// Writes comparisons only and commits the folder.
-    ///
-    /// # Errors
-    /// If a file cannot be written, or the folder not committed.
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
         comparison::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()

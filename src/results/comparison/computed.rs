@@ -49,9 +49,6 @@ impl<'a> Computed<'a> {
     }
 
     /// Judged points of a reference curve with the computed values; a reference may be 0.
-    ///
-    /// # Errors
-    /// If the reference does not fit the quantity.
     pub fn points(&self, spec: &CurveSpec, path: &Path, csv: &Csv) -> Result<Vec<Point>, CompareError> {
         let (x, y) = self.columns(spec.quantity);
         let points = Reference { path, csv }.points(spec, [&x, &y])?;
