@@ -63,11 +63,6 @@ impl Output {
         Some(make(view)?.displayed())
     }
 
-    /// Content of the first file of a stage.
-    pub fn bytes(&self, view: &StageView) -> Option<Vec<u8>> {
-        self.files(view).into_iter().next().map(|(_, bytes)| bytes)
-    }
-
     /// Name without the ending of a picture.
     pub fn stem(&self) -> &'static str {
         Format::stem(self.file).unwrap_or(self.file)

@@ -5,6 +5,7 @@ use crate::case::Solution;
 use crate::plot::StageView;
 use crate::results::{Results, stages};
 use serde::{Serialize, Serializer};
+use serde_json::json;
 use std::fmt;
 
 /// Summary of a case: displays as aligned text; serialises as its one stage, or with a list of them.
@@ -23,37 +24,33 @@ pub struct CaseSummary {
 impl Solution {
     /// Sums up every stage.
     pub fn summary(&self) -> CaseSummary {
-        summary(self, &self.views())
+        CaseSummary::of(self, &self.views())
     }
 }
 
 impl Results<'_> {
     /// Sums up every stage.
     pub fn summary(&self) -> CaseSummary {
-        summary(self.solution, &self.views)
+        CaseSummary::of(self.solution, &self.views)
     }
 }
 
-fn summary(solution: &Solution, views: &[StageView]) -> CaseSummary {
-    CaseSummary {
-        case: solution.case.name.clone(),
-        complete: solution.is_complete(),
-        stages: views.iter().map(Summary::of).collect(),
-        lines: stages::printed(solution),
+impl CaseSummary {
+    fn of(solution: &Solution, views: &[StageView]) -> Self {
+        Self {
+            case: solution.case.name.clone(),
+            complete: solution.is_complete(),
+            stages: views.iter().map(Summary::of).collect(),
+            lines: stages::printed(solution),
+        }
     }
 }
 
 impl Serialize for CaseSummary {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Staged<'a> {
-            case: &'a str,
-            complete: bool,
-            stages: &'a [Summary],
-        }
         match self.stages.as_slice() {
             [stage] if self.lines.is_empty() => stage.serialize(serializer),
-            stages => Staged { case: &self.case, complete: self.complete, stages }.serialize(serializer),
+            stages => json!({"case": self.case, "complete": self.complete, "stages": stages}).serialize(serializer),
         }
     }
 }
