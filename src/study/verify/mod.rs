@@ -123,7 +123,10 @@ impl Verification {
         let refined = jobs.iter().par_bridge().filter_map(one).collect();
         if watch.wants_to_stop() {
             let numbers = base.numbers.iter().map(|number| number.without_bar("interrupted by the user")).collect();
-            return Self { bars: ErrorBars { numbers, ..ErrorBars::default() }, outcomes: vec![base] };
+            return Self {
+                bars: ErrorBars { numbers, why: base.end.why.clone(), ..ErrorBars::default() },
+                outcomes: vec![base],
+            };
         }
         Self::from_runs(base, refined, case.stages.iter().map(|s| s.model.settings.tolerance).fold(0.0, f64::max))
     }
