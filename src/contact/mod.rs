@@ -12,9 +12,10 @@ pub mod friction;
 pub mod penalty;
 
 use crate::geometry::{Point, turned};
+use crate::numerics::ValueAndSlope;
 use friction::{Friction, Sliding};
 use nalgebra::{Matrix3, Vector3};
-use penalty::{Penalty, ValueAndSlope};
+use penalty::Penalty;
 
 /// Point of the mid-surface within reach of a tool.
 #[derive(Clone, Copy, Debug)]

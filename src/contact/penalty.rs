@@ -1,5 +1,7 @@
 //! Normal contact: a smoothed penalty.
 
+use crate::numerics::ValueAndSlope;
+
 /// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
 /// Smoothing halves the iterations of the bare ramp. The 3 puts the pressures of forming, k δ/20, at a gap of zero.
@@ -9,15 +11,6 @@ pub struct Penalty {
     pub stiffness: f64,
     /// δ \[mm\].
     pub smoothing: f64,
-}
-
-/// A value and its derivative.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ValueAndSlope {
-    /// f(x).
-    pub value: f64,
-    /// df/dx.
-    pub slope: f64,
 }
 
 impl Penalty {

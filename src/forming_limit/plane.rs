@@ -56,6 +56,6 @@ impl Plane {
     /// B. Baudelet, Plastic behaviour and stretchability of sheet metals, Int. J. Plasticity 5 (1989) 131–147 (all not
     /// read).
     pub fn overrates_biaxial(&self) -> bool {
-        matches!(self.0, YieldCriterion::Hill48(hill) if hill.ratio() < 1.0)
+        matches!(self.0, YieldCriterion::Hill48(hill) if hill.ratio < 1.0)
     }
 }

@@ -14,18 +14,16 @@
 use super::FlowStress;
 use crate::material::law::prelude::*;
 
-/// A back-stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BackStress {
-    /// C: its first slope over the plastic strain \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "2500 MPa")]
-    pub modulus: f64,
-    /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
-    #[serde(default, rename = "recall", with = "As::<NonNegative<Number>>")]
-    #[schemars(example = 30)]
-    pub dynamic_recovery: f64,
+parameters! {
+    /// A back-stress.
+    #[derive(Default)]
+    pub struct BackStress {
+        /// C: its first slope over the plastic strain \[MPa\].
+        pub modulus: Positive<Stress> = "2500 MPa",
+        /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
+        #[serde(rename = "recall")]
+        pub dynamic_recovery: NonNegative<Number> = 30; default 0.0,
+    }
 }
 
 impl BackStress {

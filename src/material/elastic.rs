@@ -14,7 +14,6 @@ pub struct Elastic {
 
 impl Elastic {
     /// D in the sum and the difference of the meridional and the hoop stress, and in the transverse shear \[MPa\].
-    #[inline]
     pub fn moduli(&self) -> Triple {
         let Self { young, poisson } = *self;
         [young / (1.0 - poisson), young / (1.0 + poisson), 0.5 * SHEAR_FACTOR * young / (1.0 + poisson)]

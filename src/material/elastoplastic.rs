@@ -89,7 +89,6 @@ pub struct Trial {
 
 impl Trial {
     /// Δp at another strain increment, extrapolated \[–\].
-    #[inline]
     fn guess(&self, e: Triple) -> f64 {
         let increment = self.increment + dot(self.slope, each(|j| e[j] - self.strain[j]));
         if increment > 0.0 { increment } else { self.increment }
@@ -106,7 +105,6 @@ fn each(entry: impl Fn(usize) -> f64) -> Triple {
     [entry(0), entry(1), entry(2)]
 }
 
-#[inline]
 fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -> (StressUpdate, Tangent) {
     let update = StressUpdate { stress, increment, yield_stress, ..StressUpdate::default() };
     (update, Tangent { own, ..Tangent::default() })
@@ -140,7 +138,6 @@ impl PointLaw for ElastoplasticLaw<'_> {
     type Iterate = Trial;
 
     /// Stress and tangent; with the dynamic recovery of back-stresses the tangent's symmetric part.
-    #[inline]
     fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple, _: [f64; 2]) -> (StressUpdate, Tangent) {
         let Operators { stiffness, compliance, .. } = self.operators;
         let elastic = times(stiffness, e);
@@ -183,23 +180,16 @@ impl ElastoplasticLaw<'_> {
     }
 
     /// Size of the yield surface after Δp, and its slope.
-    #[inline]
     fn radius(&self, hardening: &Hardening, point: &Carried, increment: f64) -> FlowStress {
-        let mut yielding = hardening.at_temperature(point.strain + increment, point.temperature);
-        if let Some(rate) = self.rate {
-            let factor = rate.at((increment / self.duration).max(SLOWEST));
-            yielding.slope *= factor.value;
-            if increment > SLOWEST * self.duration {
-                yielding.slope += yielding.stress * factor.slope / self.duration;
-            }
-            yielding.stress *= factor.value;
-        }
+        let yielding = hardening.at_temperature(point.strain + increment, point.temperature);
+        let rate = increment / self.duration;
+        let by_increment = if rate > SLOWEST { 1.0 / self.duration } else { 0.0 };
+        let yielding = yielding.at_rate(self.rate, rate.max(SLOWEST), by_increment);
         let softening = self.softening.map_or(1.0, |law| law.at(point.temperature));
         point.surroundings.held(yielding.times(softening * (1.0 + point.dilation)), increment)
     }
 
     /// Back-stresses after Δp.
-    #[inline]
     fn shifted(&self, increment: f64, tried: Triple, point: &Carried) -> Shifted {
         let mut shifted = Shifted { modulus: 0.0, modulus_slope: 0.0, eta: tried, recovered: [0.0; 3] };
         let volume = 1.0 + point.dilation;
@@ -219,7 +209,6 @@ impl ElastoplasticLaw<'_> {
     /// Δp from n·g = 1 by Newton's method on 1 − 1/√(n·g), which is all but straight, between bounds that close in.
     ///
     /// `None` if the point does not yield; `guess` is a Δp that may come close, or 0.
-    #[inline]
     fn return_mapping(&self, hardening: &Hardening, point: &Carried, tried: Triple, guess: f64) -> Option<Return> {
         let Operators { stiffness, compliance, quadratic, hosford } = &self.operators;
         let start = self.shifted(0.0, tried, point).eta;

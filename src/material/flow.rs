@@ -129,7 +129,6 @@ impl PointLaw for FlowLaw<'_> {
     type PointState = PointState;
     type Iterate = Iterate;
 
-    #[inline]
     fn respond(
         &self,
         point: &PointState,
@@ -224,13 +223,9 @@ impl Iterate {
         let (inverse, share) = (inverse_square.sqrt(), condition.strain_share());
         let hardening = (share * increment + equivalent) / steep;
         let FlowStress { stress, slope } = law.hardening.at_temperature(point.strain + hardening, point.temperature);
-        let mut yielding = FlowStress { stress, slope: slope / steep };
-        if let Some(rate) = law.rate {
-            let factor = rate.at(share / inverse / law.duration);
-            let by_increment = factor.slope * (increment * inverse) / law.duration;
-            yielding.slope = yielding.slope * factor.value + yielding.stress * by_increment;
-            yielding.stress *= factor.value;
-        }
+        let yielding = FlowStress { stress, slope: slope / steep };
+        let rate = share / inverse / law.duration;
+        let yielding = yielding.at_rate(law.rate, rate, increment * inverse / law.duration);
         let softening = law.softening.map_or(1.0, |softening| softening.at(point.temperature));
         let yielding = point.surroundings.held(yielding, share * increment).times(softening);
         let FlowStress { stress: yield_stress, slope } = yielding;
@@ -269,7 +264,6 @@ impl Iterate {
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.
-    #[inline]
     fn carried_to(&self, flow: Layer) -> Layer {
         let (g, w) = (self.metric.gradient, self.carried);
         let delta: Layer = std::array::from_fn(|i| flow[i] - self.flow[i]);

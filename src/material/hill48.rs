@@ -13,25 +13,25 @@
 use super::yield_condition::{
     Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot,
 };
-use crate::material::law::{LawError, require_or};
-use std::ops::RangeInclusive;
+use crate::material::law::{LawError, require_range};
 
 /// Normal anisotropy of sheet metals, with room \[–\].
-const RATIO: RangeInclusive<f64> = 0.1..=10.0;
+const RATIO: [f64; 2] = [0.1, 10.0];
 
-/// The shear's entry of P.
+/// Entries of A and P for the shear.
+pub(super) const SHEAR: f64 = SHEAR_FACTOR / 3.0;
 pub(super) const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
 
 /// The metric of the yield condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hill48 {
     /// r̄: width strain over thickness strain in tension \[–\].
-    r: f64,
-    q: f64,
-    /// Entries of A: diagonal, off it, shear.
+    pub(crate) ratio: f64,
+    /// q = r̄/(1 + r̄), off the diagonal of P \[–\].
+    pub(super) coupling: f64,
+    /// Entries of A in the plane: diagonal, off it.
     pub(super) direct: f64,
     pub(super) coupled: f64,
-    pub(super) shear: f64,
 }
 
 impl Default for Hill48 {
@@ -44,9 +44,9 @@ impl Default for Hill48 {
 impl Hill48 {
     /// For r̄ > 0.
     pub fn new(r: f64) -> Self {
-        let q = r / (1.0 + r);
+        let coupling = r / (1.0 + r);
         let direct = (1.0 + r) * (1.0 + r) / (1.0 + 2.0 * r);
-        Self { r, q, direct, coupled: q * direct, shear: SHEAR_FACTOR / 3.0 }
+        Self { ratio: r, coupling, direct, coupled: coupling * direct }
     }
 
     /// For r̄ of sheet metals, with room: 0.1 to 10.
@@ -54,54 +54,37 @@ impl Hill48 {
     /// # Errors
     /// When it lies beyond.
     pub fn checked(r: f64) -> Result<Self, LawError> {
-        require_or("", RATIO.contains(&r), "0.6 to 0.8 for aluminium, 1 to 2 for steel", || {
-            format!("`anisotropy` must lie between {} and {}, found {r}", RATIO.start(), RATIO.end())
-        })?;
-        Ok(Self::new(r))
-    }
-
-    /// r̄ \[–\].
-    pub fn ratio(&self) -> f64 {
-        self.r
-    }
-
-    /// q = r̄/(1 + r̄), off the diagonal of P \[–\].
-    #[inline]
-    pub fn coupling(&self) -> f64 {
-        self.q
+        require_range(["", "anisotropy"], r, RATIO, "0.6 to 0.8 for aluminium, 1 to 2 for steel").map(|()| Self::new(r))
     }
 
     /// A Δε.
     #[inline]
     pub fn apply(&self, e: Triple) -> Triple {
-        [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
+        [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], SHEAR * e[2]]
     }
 
     #[inline]
     fn matrix(&self) -> Symmetric {
-        [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear]
+        [self.direct, self.coupled, self.direct, 0.0, 0.0, SHEAR]
     }
 
     /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
-    #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
         self.square(s).sqrt()
     }
 
     #[inline]
     fn square(&self, s: Triple) -> f64 {
-        s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
+        s[0] * s[0] - 2.0 * self.coupling * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
     }
 }
 
 impl YieldCondition for Hill48 {
-    #[inline]
     fn metric(&self, e: Triple) -> Metric {
         let gradient = self.apply(e);
         Metric { gradient, matrix: self.matrix(), square: dot(e, gradient) }
     }
 
-    #[inline]
     fn layer(&self, e: Triple, k: [f64; 2], _: Option<Layer>) -> LayerMetric {
         let (a, [ks, kt, _]) = (self.apply(e), self.apply([k[0], k[1], 0.0]).map(|b| MEAN_SQUARE * b));
         LayerMetric {
@@ -112,7 +95,6 @@ impl YieldCondition for Hill48 {
         }
     }
 
-    #[inline]
     fn stress_square(&self, _: &LayerMetric, [s, t, ms, mt, shear]: Layer) -> f64 {
         self.square([s, t, shear]) + self.square([ms, mt, 0.0]) / MEAN_SQUARE
     }

@@ -28,23 +28,19 @@
 
 mod root;
 
-use super::hill48::{Hill48, SHEAR_INVERSE};
-use super::yield_condition::{Metric, SHEAR_FACTOR, Triple, YieldCondition};
-use crate::material::law::{LawError, require_or};
+use super::hill48::{Hill48, SHEAR, SHEAR_INVERSE};
+use super::yield_condition::{Metric, Triple, YieldCondition};
+use crate::material::law::{LawError, require_range};
 use crate::numerics::Power;
-use std::ops::RangeInclusive;
 
 /// Exponents: from Hill's to beyond that of fcc; sharper corners than these find no equilibrium in whole runs \[–\].
-const EXPONENT: RangeInclusive<f64> = 2.0..=10.0;
-
-/// The shear's entry of the second derivative.
-const SHEAR: f64 = SHEAR_FACTOR / 3.0;
+const EXPONENT: [f64; 2] = [2.0, 10.0];
 
 /// The yield condition of r̄ and a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hosford {
-    /// Hill's of the same r̄.
-    quadratic: Hill48,
+    /// Hill's condition of the same r̄.
+    pub(super) quadratic: Hill48,
     power: Power,
     /// σ_θ/σ_s where Δε_θ = 0 \[–\].
     plane_strain: f64,
@@ -77,25 +73,13 @@ impl Hosford {
     /// When one lies beyond.
     pub fn checked(r: f64, exponent: f64) -> Result<Self, LawError> {
         Hill48::checked(r)?;
-        require_or("exponent", EXPONENT.contains(&exponent), "6 for steel (bcc), 8 for aluminium (fcc)", || {
-            format!("`exponent` must lie between {} and {}, found {exponent}", EXPONENT.start(), EXPONENT.end())
-        })?;
+        require_range(["exponent"; 2], exponent, EXPONENT, "6 for steel (bcc), 8 for aluminium (fcc)")?;
         Ok(Self::new(r, exponent))
-    }
-
-    /// r̄ \[–\].
-    pub fn ratio(&self) -> f64 {
-        self.quadratic.ratio()
     }
 
     /// a \[–\].
     pub fn exponent(&self) -> f64 {
         self.power.exponent()
-    }
-
-    /// Hill's condition of the same r̄.
-    pub fn quadratic(&self) -> Hill48 {
-        self.quadratic
     }
 
     /// Equivalent stress σ̄ \[MPa\].
@@ -106,7 +90,6 @@ impl Hosford {
     }
 
     /// Metric of an increment; the matrix is the chord to the carried stress `w` where there is one.
-    #[inline]
     fn metric_by(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
         let (major, minor, swapped) = ordered(e);
         if major == 0.0 {
@@ -135,17 +118,15 @@ impl Hosford {
     }
 
     /// φ(1, x).
-    #[inline]
     fn size(&self, x: f64) -> f64 {
-        let (y, r) = (1.0 - x, self.ratio());
+        let (y, r) = (1.0 - x, self.quadratic.ratio);
         let sum = 1.0 + x * x * self.power.less_two(x.abs()) + r * y * y * self.power.less_two(y);
         self.power.root(sum / (1.0 + r))
     }
 
     /// Second derivative of ½φ² at the stress (1, x) and all along its ray: ss, sθ, θθ.
-    #[inline]
     pub(super) fn curvature(&self, x: f64) -> Triple {
-        let (y, r) = (1.0 - x, self.ratio());
+        let (y, r) = (1.0 - x, self.quadratic.ratio);
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         // (1 + r̄) φ^(a−1) ∂φ/∂σ, and its product with (1, x), which is (1 + r̄) φ^a
         let (along, across) = (1.0 + between * y, x * own - between * y);
@@ -162,20 +143,17 @@ impl Hosford {
 }
 
 /// The larger one of the first two entries, the smaller one, and whether they are swapped.
-#[inline]
 pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
     if v[1].abs() > v[0].abs() { (v[1], v[0], true) } else { (v[0], v[1], false) }
 }
 
 impl YieldCondition for Hosford {
-    #[inline]
     fn metric(&self, e: Triple) -> Metric {
         self.metric_by(e, None)
     }
 
     /// On a flat part of the curve the stress ratio follows the strain's like a seventh root, and Newton's method overshoots; the
     /// chord to the strain of the carried stress is right at both.
-    #[inline]
     fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
         self.metric_by(e, Some(w))
     }

@@ -60,7 +60,7 @@ impl Material {
         let criterion = self.yield_criterion;
         let criterion = if criterion == YieldCriterion::default() { String::new() } else { format!("; {criterion}") };
         let gtn = self.gtn.map_or(String::new(), |gtn| format!("; {gtn}"));
-        format!("{}{rate}{thermal}{criterion}{gtn}", self.hardening.describe())
+        format!("{}{rate}{thermal}{criterion}{gtn}", self.hardening)
     }
 
     /// An isotropic, rate-free sheet that does not feel its temperature.

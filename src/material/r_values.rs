@@ -1,26 +1,18 @@
 //! Width strain over thickness strain in tension, by direction in the sheet, and what follows of it for a drawn cup.
 
-use crate::units::{As, Number, Positive, rounded};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use crate::material::law::prelude::*;
 
-/// r at 0°, 45° and 90° to the rolling direction; r̄ = (r0 + 2 r45 + r90)/4.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Directions")]
-pub struct RValues {
-    /// Along the rolling direction.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(with = "Positive<Number>", example = 0.525)]
-    pub r0: f64,
-    /// At 45°.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(with = "Positive<Number>", example = 0.248)]
-    pub r45: f64,
-    /// Across the rolling direction.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(with = "Positive<Number>", example = 0.429)]
-    pub r90: f64,
+parameters! {
+    /// r at 0°, 45° and 90° to the rolling direction; r̄ = (r0 + 2 r45 + r90)/4.
+    #[schemars(rename = "Directions")]
+    pub struct RValues {
+        /// Along the rolling direction.
+        pub r0: Positive<Number> = 0.525,
+        /// At 45°.
+        pub r45: Positive<Number> = 0.248,
+        /// Across the rolling direction.
+        pub r90: Positive<Number> = 0.429,
+    }
 }
 
 impl RValues {
@@ -58,37 +50,22 @@ impl RValues {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::RValues;
-
-    const SHEET: RValues = RValues { r0: 0.525, r45: 0.248, r90: 0.429 };
-
-    /// Trust: by hand.
-    #[test]
-    fn mean_and_planar_anisotropy_are_their_formulas() {
-        assert_eq!((SHEET.mean(), SHEET.planar()), (0.3625, 0.229));
+/// Trust: the closed form of a flange drawn into a wall of radius a from a blank of radius b: a part at ρ becomes (ρ/a)^m long
+/// by its own, ∫ (ρ/a)^m dρ = a/(m + 1) [(b/a)^(m+1) − 1], here less that of m̄; 2000 parts, second order in their length.
+#[test]
+fn ears_of_a_flange_are_those_of_the_closed_form() {
+    let sheet = RValues { r0: 0.525, r45: 0.248, r90: 0.429 };
+    assert_eq!((sheet.mean(), sheet.planar()), (0.3625, 0.229));
+    let (a, b, count) = (30.0_f64, 55.0_f64, 2000);
+    let wall = |m: f64| a / (m + 1.0) * ((b / a).powf(m + 1.0) - 1.0);
+    let share = |r: f64| r / (1.0 + r);
+    let mean = share(sheet.mean());
+    let width = (b - a) / f64::from(count);
+    let places = (0..count).map(|i| a + width * (f64::from(i) + 0.5));
+    let ears = sheet.ears(places.map(|at| (width * (at / a).powf(mean), (a / at).ln())));
+    for (ear, r) in ears.into_iter().zip([sheet.r90, sheet.r45, sheet.r0]) {
+        assert!((ear - (wall(share(r)) - wall(mean))).abs() < 1e-5, "{ears:?}");
     }
-
-    /// Trust: the closed form of a flange drawn into a wall of radius a from a blank of radius b: a part at ρ becomes
-    /// (ρ/a)^m long by its own, ∫ (ρ/a)^m dρ = a/(m + 1) [(b/a)^(m+1) − 1], here less that of m̄; summed over 2000 parts,
-    /// second order in their length.
-    #[test]
-    fn ears_of_a_flange_are_those_of_the_closed_form() {
-        let (a, b, count) = (30.0_f64, 55.0_f64, 2000);
-        let wall = |m: f64| a / (m + 1.0) * ((b / a).powf(m + 1.0) - 1.0);
-        let share = |r: f64| r / (1.0 + r);
-        let mean = share(SHEET.mean());
-        let width = (b - a) / f64::from(count);
-        let parts = (0..count).map(|i| {
-            let at = a + width * (f64::from(i) + 0.5);
-            (width * (at / a).powf(mean), (a / at).ln())
-        });
-        let found = SHEET.ears(parts);
-        for (ear, r) in found.into_iter().zip([SHEET.r90, SHEET.r45, SHEET.r0]) {
-            assert!((ear - (wall(share(r)) - wall(mean))).abs() < 1e-5, "{found:?}");
-        }
-        assert!(found[1] < 0.0 && found[0] > 0.0, "Δr > 0: ears at 0° and 90°");
-        // What is stretched along the hoop is not compressed, and makes no ear.
-        assert_eq!(SHEET.ears([(10.0, 0.2)].into_iter()), [0.0; 3]);
-    }
+    // Metal that is stretched along the hoop makes no ear.
+    assert_eq!(sheet.ears([(10.0, 0.2)].into_iter()), [0.0; 3]);
 }

@@ -51,7 +51,6 @@ pub struct LayerMetric {
 
 impl LayerMetric {
     /// The matrix times another increment.
-    #[inline]
     pub fn product(&self, [s, t, ks, kt, g]: Layer) -> Layer {
         let ([ss, st, tt, sg, tg, gg], [xx, xy, yy]) = (self.own, self.coupling);
         [
@@ -70,14 +69,12 @@ pub trait YieldCondition {
     fn metric(&self, e: Triple) -> Metric;
 
     /// Metric of the strain increment `e`, with a matrix for an iteration that carries the stress `w`, of any size.
-    #[inline]
     fn metric_towards(&self, e: Triple, _w: [f64; 2]) -> Metric {
         self.metric(e)
     }
 
     /// Metric of a part from `e` − `k` to `e` + `k` by Gauss's two points, or by one without a spread; with the carried
     /// stress `w` as in [`Self::metric_towards`].
-    #[inline]
     fn layer(&self, e: Triple, k: [f64; 2], w: Option<Layer>) -> LayerMetric {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64, inverse: f64| {
@@ -101,7 +98,6 @@ pub trait YieldCondition {
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress, by the metric's matrix at Gauss's two points.
-    #[inline]
     fn stress_square(&self, metric: &LayerMetric, [s, t, ms, mt, shear]: Layer) -> f64 {
         let at = |root: f64| {
             let [ss, st, tt] = [0, 1, 2].map(|j| metric.own[j] + root * metric.coupling[j]);
@@ -113,13 +109,11 @@ pub trait YieldCondition {
     }
 
     /// Strain of the metal that bears the stress, per D: more than 1 with voids.
-    #[inline]
     fn strain_share(&self) -> f64 {
         1.0
     }
 
     /// Equivalent strain increment Δε̄ of the metal \[–\].
-    #[inline]
     fn equivalent_increment(&self, e: Triple) -> f64 {
         self.strain_share() * self.metric(e).square.sqrt()
     }
@@ -132,7 +126,6 @@ pub trait YieldCondition {
 }
 
 /// wᵀ A⁻¹ w of a positive definite A, by its factors L D Lᵀ.
-#[inline]
 fn inverse_square([ss, st, tt, sg, tg, gg]: Symmetric, w: Triple) -> f64 {
     let (l_ts, l_gs) = (st / ss, sg / ss);
     let d_t = tt - l_ts * st;
@@ -141,4 +134,18 @@ fn inverse_square([ss, st, tt, sg, tg, gg]: Symmetric, w: Triple) -> f64 {
     let y = w[1] - l_ts * w[0];
     let z = w[2] - l_gs * w[0] - l_gt * y;
     w[0] * w[0] / ss + y * y / d_t + z * z / d_g
+}
+
+/// Central differences ∂f_i/∂x_j with the step `h`.
+#[cfg(test)]
+pub(super) fn differences<const N: usize>(x: [f64; N], h: f64, f: impl Fn([f64; N]) -> [f64; N]) -> [[f64; N]; N] {
+    let shifted = |j: usize, h: f64| f(std::array::from_fn(|i| if i == j { x[i] + h } else { x[i] }));
+    let columns: [_; N] = std::array::from_fn(|j| (shifted(j, h), shifted(j, -h)));
+    std::array::from_fn(|i| columns.map(|(plus, minus)| (plus[i] - minus[i]) / (2.0 * h)))
+}
+
+/// Rows of a symmetric matrix.
+#[cfg(test)]
+pub(super) fn rows([ss, st, tt, sg, tg, gg]: Symmetric) -> [Triple; 3] {
+    [[ss, st, sg], [st, tt, tg], [sg, tg, gg]]
 }

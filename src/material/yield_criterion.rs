@@ -35,19 +35,18 @@ impl From<Hosford> for YieldCriterion {
 impl YieldCriterion {
     /// r̄ \[–\].
     pub fn ratio(&self) -> f64 {
-        self.quadratic().ratio()
+        self.quadratic().ratio
     }
 
     /// Hill's condition of the same r̄.
     pub fn quadratic(&self) -> Hill48 {
         match self {
             Self::Hill48(hill) => *hill,
-            Self::Hosford(hosford) => hosford.quadratic(),
+            Self::Hosford(hosford) => hosford.quadratic,
         }
     }
 
     /// Equivalent stress σ̄ \[MPa\].
-    #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
         match self {
             Self::Hill48(hill) => hill.equivalent_stress(s),
@@ -68,7 +67,6 @@ impl YieldCriterion {
 }
 
 impl YieldCondition for YieldCriterion {
-    #[inline]
     fn metric(&self, e: Triple) -> Metric {
         match self {
             Self::Hill48(hill) => hill.metric(e),

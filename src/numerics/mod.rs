@@ -13,3 +13,12 @@ pub use bisection::bisect;
 pub use grid::Grid;
 pub use piecewise_linear::{PiecewiseLinear, interpolated};
 pub use power::Power;
+
+/// Value of a function and its derivative.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ValueAndSlope {
+    /// f(x).
+    pub value: f64,
+    /// df/dx.
+    pub slope: f64,
+}

@@ -38,7 +38,7 @@ fn over_strain(material: &Material) -> Panel {
             .map(|strain| (strain, material.hardening.at(strain).stress))
             .collect()
     };
-    let law = material.hardening.describe();
+    let law = material.hardening.to_string();
     let mut series = vec![Series::new(law, curve(0.0, end), Style::curve(0))];
     if end < drawn {
         let beyond = curve(end, drawn);

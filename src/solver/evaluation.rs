@@ -2,7 +2,7 @@
 
 use super::run_context::{RunContext, references};
 use super::step::half_thickness_difference;
-use crate::contact::penalty::{Penalty, ValueAndSlope};
+use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::Vector6;
 use crate::element::kinematics::Reference;
@@ -11,6 +11,7 @@ use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, PressureCap};
 use crate::numerics::Grid;
+use crate::numerics::ValueAndSlope;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
 use nalgebra::{Matrix3, Vector3};

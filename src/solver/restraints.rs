@@ -1,10 +1,10 @@
 //! Positions of beads, pressed tools and seals on the sheet.
 
-use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::element::surface::stations;
 use crate::geometry::Point;
 use crate::model::{Bead, Model};
+use crate::numerics::ValueAndSlope;
 use crate::solver::state::State;
 use std::cmp::Ordering;
 

@@ -3,13 +3,13 @@
 use super::line_search::LineSearch;
 use super::run_context::RunContext;
 use super::step::Step;
-use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::geometry::{Nearest, Point};
 use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::{Iterate, Triple};
 use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
 use crate::numerics::Grid;
+use crate::numerics::ValueAndSlope;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
 

@@ -1,7 +1,7 @@
 //! Coulomb's friction: the stress is a fixed share of the pressure.
 
 use super::{FrictionLaw, FrictionStress, Sliding};
-use crate::material::law::prelude::*;
+use crate::material::law::Example;
 
 /// τ = μ p φ(s). A case writes it as a plain number, μ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,17 +16,17 @@ impl From<f64> for Coulomb {
     }
 }
 
-impl Law for Coulomb {
-    fn examples() -> Vec<Self> {
-        vec![Self { coefficient: 0.12 }]
-    }
-
-    fn formula(&self) -> String {
-        self.coefficient.to_string()
+impl Example for Coulomb {
+    fn example() -> Self {
+        Self { coefficient: 0.12 }
     }
 }
 
 impl FrictionLaw for Coulomb {
+    fn formula(&self) -> String {
+        self.coefficient.to_string()
+    }
+
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         FrictionStress::regularised(self.coefficient * at.pressure, self.coefficient, at)

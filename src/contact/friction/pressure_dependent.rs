@@ -3,25 +3,19 @@
 use super::{FrictionLaw, FrictionStress, Sliding};
 use crate::material::law::prelude::*;
 
-/// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
-///
-/// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
-/// Tribology International 103 (2016) 266–273 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PressureDependent {
-    /// At the reference pressure, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.12)]
-    pub coefficient: f64,
-    /// Reference pressure \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "5 MPa")]
-    pub reference: f64,
-    /// 0 to 1; 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.9)]
-    pub exponent: f64,
+parameters! {
+    /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
+    ///
+    /// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
+    /// Tribology International 103 (2016) 266–273 (not read).
+    pub struct PressureDependent {
+        /// At the reference pressure, 0 to 1.
+        pub coefficient: Fraction = 0.12,
+        /// Reference pressure \[MPa\].
+        pub reference: Positive<Stress> = "5 MPa",
+        /// 0 to 1; 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure.
+        pub exponent: Fraction = 0.9,
+    }
 }
 
 impl PressureDependent {
@@ -29,17 +23,11 @@ impl PressureDependent {
     pub const LIGHT: f64 = 0.01;
 }
 
-impl Law for PressureDependent {
-    fn examples() -> Vec<Self> {
-        vec![Self { coefficient: 0.12, reference: 10.0, exponent: 0.85 }]
-    }
-
+impl FrictionLaw for PressureDependent {
     fn formula(&self) -> String {
         format!("{} (p/{} MPa)^({} − 1)", self.coefficient, self.reference, self.exponent)
     }
-}
 
-impl FrictionLaw for PressureDependent {
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let q = at.pressure / self.reference;

@@ -4,29 +4,21 @@
 use super::{FrictionLaw, FrictionStress, Sliding, direction};
 use crate::material::law::prelude::*;
 
-/// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
-///
-/// Source: in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing);
-/// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Stribeck {
-    /// Coefficient of the slowest sliding, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.15)]
-    pub at_rest: f64,
-    /// Coefficient of fast sliding, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.05)]
-    pub sliding: f64,
-    /// Stribeck's speed \[mm/s\].
-    #[serde(with = "As::<Positive<Speed>>")]
-    #[schemars(example = "10 mm/s")]
-    pub speed: f64,
-    /// Rise of the coefficient with the speed, per mm/s; none when not given.
-    #[serde(default, with = "As::<NonNegative<Number>>")]
-    #[schemars(example = 0.0001)]
-    pub viscous: f64,
+parameters! {
+    /// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
+    ///
+    /// Source: in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing);
+    /// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
+    pub struct Stribeck {
+        /// Coefficient of the slowest sliding, 0 to 1.
+        pub at_rest: Fraction = 0.15,
+        /// Coefficient of fast sliding, 0 to 1.
+        pub sliding: Fraction = 0.05,
+        /// Stribeck's speed \[mm/s\].
+        pub speed: Positive<Speed> = "10 mm/s",
+        /// Rise of the coefficient with the speed, per mm/s; none when not given.
+        pub viscous: NonNegative<Number> = 0.0001; default 0.0,
+    }
 }
 
 impl Stribeck {
@@ -36,19 +28,13 @@ impl Stribeck {
     }
 }
 
-impl Law for Stribeck {
-    fn examples() -> Vec<Self> {
-        vec![Self { at_rest: 0.15, sliding: 0.05, speed: 2.0, viscous: 0.002 }]
-    }
-
+impl FrictionLaw for Stribeck {
     fn formula(&self) -> String {
         let Self { at_rest, sliding, speed, viscous } = self;
         let viscous = if *viscous == 0.0 { String::new() } else { format!(", + {viscous} s/mm times the speed") };
         format!("{at_rest} at rest, {sliding} sliding well beyond {speed} mm/s{viscous}")
     }
-}
 
-impl FrictionLaw for Stribeck {
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let phi = direction(at.slip, at.scale);

@@ -3,43 +3,29 @@
 use super::{FrictionLaw, FrictionStress, Sliding};
 use crate::material::law::prelude::*;
 
-/// Friction stress of at most a share of the sheet's shear yield stress k.
-///
-/// Source: the combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes
-/// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Tresca {
-    /// Share m of k, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.2)]
-    pub factor: f64,
-    /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
-    #[serde(default = "Tresca::bound", with = "As::<Fraction>")]
-    #[schemars(example = 0.1)]
-    pub coefficient: f64,
+parameters! {
+    /// Friction stress of at most a share of the sheet's shear yield stress k.
+    ///
+    /// Source: the combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes
+    /// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
+    pub struct Tresca {
+        /// Share m of k, 0 to 1.
+        pub factor: Fraction = 0.2,
+        /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
+        pub coefficient: Fraction = 0.1; default self::Tresca::BOUND,
+    }
 }
 
 impl Tresca {
     /// 1/√3: the coefficient at which the friction stress reaches k when the pressure reaches σ_y.
     pub const BOUND: f64 = 0.577_350_269_189_625_8;
-
-    fn bound() -> f64 {
-        Self::BOUND
-    }
-}
-
-impl Law for Tresca {
-    fn examples() -> Vec<Self> {
-        vec![Self { factor: 0.2, coefficient: Self::BOUND }]
-    }
-
-    fn formula(&self) -> String {
-        format!("{:.3} under light pressure, at most {} k", self.coefficient, self.factor)
-    }
 }
 
 impl FrictionLaw for Tresca {
+    fn formula(&self) -> String {
+        format!("{:.3} under light pressure, at most {} k", self.coefficient, self.factor)
+    }
+
     #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let limit = self.factor * at.shear_yield;

@@ -46,7 +46,7 @@ impl Operators {
             YieldCriterion::Hill48(_) => None,
             YieldCriterion::Hosford(hosford) => Some(hosford),
         };
-        let quadratic = [1.0, -criterion.quadratic().coupling(), 1.0, SHEAR_INVERSE];
+        let quadratic = [1.0, -criterion.quadratic().coupling, 1.0, SHEAR_INVERSE];
         Self { stiffness, compliance: inverse(stiffness), quadratic, hosford }
     }
 

@@ -21,19 +21,12 @@
 //! A. Needleman, Acta Metall. 32 (1984) 157–169; for the flow approach E. Oñate, C. Agelet de Saracibar, in: Modelling of
 //! Metal Forming Processes, Kluwer (1988). None of them could be read; the condition is in common use.
 
-use crate::material::Hill48;
+use crate::material::hill48::{Hill48, SHEAR};
 use crate::material::yield_condition::{Metric, Triple, YieldCondition, dot};
 
 /// Newton's method stops when m moves by less than this \[–\].
 const ROOT: f64 = 1e-14;
 const MOST_ROOTS: usize = 60;
-
-/// sinh and cosh by one exponential.
-#[inline]
-fn hyperbolic(x: f64) -> (f64, f64) {
-    let e = x.exp();
-    (0.5 * (e - 1.0 / e), 0.5 * (e + 1.0 / e))
-}
 
 /// The yield condition of one point.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +79,7 @@ impl GtnCondition {
         let mut m = along.abs() / whole.sqrt();
         let (mut x, mut y) = (0.0, 0.0);
         for _ in 0..MOST_ROOTS {
-            let (sinh, cosh) = hyperbolic(0.5 * q2 * m);
+            let (sinh, cosh) = ((0.5 * q2 * m).sinh(), (0.5 * q2 * m).cosh());
             x = m + c * q1f * q2 * sinh;
             y = self.top - 2.0 * q1f * cosh - m * m / (2.0 * c);
             let slope = -m2 * (q1f * q2 * sinh + m / c) - 2.0 * e2 * x * (1.0 + 0.5 * c * q1f * q2 * q2 * cosh);
@@ -99,7 +92,7 @@ impl GtnCondition {
         // From whichever equation is the better one.
         let kappa = if m2 > e2 { x / along.abs() } else { (y.max(0.0) / across).sqrt() };
         let m = m.copysign(along);
-        let growth = c * q1f * q2 * hyperbolic(0.5 * q2 * m).0;
+        let growth = c * q1f * q2 * (0.5 * q2 * m).sinh();
         Place { m, kappa, along, across, growth, dissipation: kappa * across + m * along / (2.0 * c) }
     }
 
@@ -123,7 +116,7 @@ impl YieldCondition for GtnCondition {
         let deviation = [a[0] - 0.5 * along, a[1] - 0.5 * along, a[2]]; // A_d Δε
         let s = [kappa * deviation[0] + 0.5 * m, kappa * deviation[1] + 0.5 * m, kappa * deviation[2]];
         // ∂²(½D²)/∂Δε², from the radius of curvature of Φ = 0 in the plane of the two parts.
-        let bend = 2.0 * self.q1f * self.q2 * self.q2 * c * c * hyperbolic(0.5 * self.q2 * m).1 + 4.0 * c;
+        let bend = 2.0 * self.q1f * self.q2 * self.q2 * c * c * (0.5 * self.q2 * m).cosh() + 4.0 * c;
         let radius = d * kappa / (2.0 * along * along + bend * across);
         let q = m / (2.0 * c);
         let plain = d * kappa;
@@ -138,7 +131,7 @@ impl YieldCondition for GtnCondition {
             plain * (base.direct - 0.5 * c) + on_deviation * y * y + 2.0 * mixed * y + on_sum,
             on_deviation * x * z + mixed * z,
             on_deviation * y * z + mixed * z,
-            plain * base.shear + on_deviation * z * z,
+            plain * SHEAR + on_deviation * z * z,
         ];
         Metric { gradient: s.map(|s| d * s), matrix, square: d * d }
     }

@@ -108,8 +108,8 @@ impl Gtn {
             q2: 1.0,
             q3: 2.25,
             initial: 0.01,
-            nucleation: Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: 0.1 }),
-            coalescence: Some(Coalescence { critical: 0.15, fracture: 0.25 }),
+            nucleation: Some(Nucleation::example()),
+            coalescence: Some(Coalescence::example()),
         }
     }
 
@@ -125,9 +125,7 @@ impl Gtn {
         let q3 = self.q3;
         let square = q1 * q1;
         for (key, value, least, most) in [("q1", q1, 0.5, 5.0), ("q2", q2, 0.1, 5.0), ("q3", q3, 0.1, 25.0)] {
-            require_or(key, (least..=most).contains(&value), "1.5, 1 and 2.25 are usual", || {
-                format!("`{key}` must lie between {least} and {most}, found {value}")
-            })?;
+            require_range([key; 2], value, [least, most], "1.5, 1 and 2.25 are usual")?;
         }
         require_or("q3", q3 <= square * (1.0 + 1e-9), "leave it out: it is q1² then", || {
             format!("`q3` must not exceed q1² = {square}, found {q3}")

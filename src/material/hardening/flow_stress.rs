@@ -1,6 +1,7 @@
-//! Interface of the hardening laws: the yield stress, its slope, and the range of both.
+//! Yield stress with its slope, and the formulas that several hardening laws share.
 
-use crate::material::law::{Law, LawError, require};
+use crate::material::Rate;
+use crate::material::law::{LawError, require};
 use crate::units::rounded;
 
 /// Yield stress and its slope at one strain.
@@ -14,32 +15,22 @@ pub struct FlowStress {
 
 impl FlowStress {
     /// `share` of the way to another flow stress.
-    #[inline]
     pub(super) fn towards(self, other: Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
         Self { stress: between(self.stress, other.stress), slope: between(self.slope, other.slope) }
     }
 
-    /// The same metal, `factor` times as strong.
-    #[inline]
+    /// Flow stress times the factor of a rate law; `by_increment` is the derivative of the rate by the strain increment \[1/s\].
+    pub(in crate::material) fn at_rate(self, law: Option<&Rate>, rate: f64, by_increment: f64) -> Self {
+        let Some(law) = law else { return self };
+        let factor = law.at(rate);
+        let slope = self.slope * factor.value + self.stress * (factor.slope * by_increment);
+        Self { stress: self.stress * factor.value, slope }
+    }
+
+    /// Flow stress of a metal `factor` times as strong.
     pub(in crate::material) fn times(self, factor: f64) -> Self {
         Self { stress: factor * self.stress, slope: factor * self.slope }
-    }
-}
-
-/// Interface of a hardening law.
-pub(super) trait HardeningLaw: Law {
-    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
-    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress;
-
-    /// Largest strain the law was given for, where it says so.
-    fn valid_up_to(&self) -> Option<f64> {
-        None
-    }
-
-    /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
-    fn temperatures(&self) -> Option<[f64; 2]> {
-        None
     }
 }
 
@@ -57,11 +48,23 @@ pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
     (chord * strain, chord)
 }
 
-/// Checks what saturating laws share: 0 < σ₀ ≤ σ_s \[MPa\], a rate ≥ 0 and an exponent above 0 and up to 1 \[–\].
-///
-/// # Errors
-/// When a parameter is out of range.
-pub(super) fn saturating([initial, saturation, rate, exponent]: [f64; 4]) -> Result<(), LawError> {
+/// σ = k (offset + ε)^n and its slope.
+#[inline]
+pub(super) fn offset_power(k: f64, offset: f64, n: f64, strain: f64) -> FlowStress {
+    let total = strain + offset;
+    let stress = k * total.powf(n);
+    FlowStress { stress, slope: stress * n / total }
+}
+
+/// σ = σ_s − (σ_s − σ₀) exp(−rate x) and its slope, where x is a power of the strain and x' its derivative.
+#[inline]
+pub(super) fn saturating(initial: f64, saturation: f64, rate: f64, (x, slope): (f64, f64)) -> FlowStress {
+    let rest = (saturation - initial) * (-rate * x).exp();
+    FlowStress { stress: saturation - rest, slope: rest * rate * slope }
+}
+
+/// Checks 0 < σ₀ ≤ σ_s \[MPa\], a rate ≥ 0 and an exponent above 0 and up to 1 \[–\] of a saturating law.
+pub(super) fn check_saturating([initial, saturation, rate, exponent]: [f64; 4]) -> Result<(), LawError> {
     require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
         format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
     })?;

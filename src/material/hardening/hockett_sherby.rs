@@ -1,4 +1,5 @@
-use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
+use super::flow_stress::{check_saturating, power, saturating};
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 parameters! {
@@ -21,26 +22,17 @@ parameters! {
 
 constructor!(HockettSherby { initial, saturation, rate, exponent });
 
-impl Law for HockettSherby {
-    fn examples() -> Vec<Self> {
-        vec![Self { initial: 130.0, saturation: 390.0, rate: 5.0, exponent: 0.75 }]
-    }
-
+impl HardeningLaw for HockettSherby {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
-        saturating([self.initial, self.saturation, self.rate, self.exponent])
+        check_saturating([self.initial, self.saturation, self.rate, self.exponent])
     }
 
     fn formula(&self) -> String {
         let [saturation, span, rate] = [self.saturation, self.saturation - self.initial, self.rate].map(rounded);
         format!("Hockett-Sherby, σ = {saturation} − {span} exp(−{rate} ε^{}) MPa", rounded(self.exponent))
     }
-}
 
-impl HardeningLaw for HockettSherby {
-    #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        let (value, slope) = power(strain, self.exponent);
-        let rest = (self.saturation - self.initial) * (-self.rate * value).exp();
-        FlowStress { stress: self.saturation - rest, slope: rest * self.rate * slope }
+        saturating(self.initial, self.saturation, self.rate, power(strain, self.exponent))
     }
 }

@@ -1,6 +1,7 @@
 //! σ_y = K (ε₀ + ε̄)^n with a declared offset ε₀, or that of the elastic line, K ε₀^n = E ε₀.
 
-use super::flow_stress::{FlowStress, HardeningLaw};
+use super::flow_stress::offset_power;
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
@@ -38,11 +39,13 @@ impl Hollomon {
     }
 }
 
-impl Law for Hollomon {
-    fn examples() -> Vec<Self> {
-        vec![Self::new(547.0, 0.18, None, Some(210_000.0)).expect("valid")]
+impl Example for Hollomon {
+    fn example() -> Self {
+        Self::new(547.0, 0.18, None, Some(210_000.0)).expect("valid")
     }
+}
 
+impl HardeningLaw for Hollomon {
     fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
         let Self { k, n, .. } = *self;
         self.start = match (self.offset, young) {
@@ -53,11 +56,8 @@ impl Law for Hollomon {
                 })?;
                 let start = (k / young).powf(1.0 / (1.0 - n));
                 require("k", start < 0.05, || {
-                    format!(
-                        "K = {} MPa meets the elastic line of E = {} MPa at a strain of {start:.3}; check their units",
-                        rounded(k),
-                        rounded(young)
-                    )
+                    let [k, young] = [k, young].map(rounded);
+                    format!("K = {k} MPa meets the elastic line of E = {young} MPa at a strain of {start:.3}")
                 })?;
                 start
             }
@@ -76,13 +76,8 @@ impl Law for Hollomon {
         let [k, start, n] = [self.k, self.start, self.n].map(rounded);
         format!("Hollomon, σ = {k} ({start} + ε)^{n} MPa ({origin})")
     }
-}
 
-impl HardeningLaw for Hollomon {
-    #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        let total = strain + self.start;
-        let stress = self.k * total.powf(self.n);
-        FlowStress { stress, slope: stress * self.n / total }
+        offset_power(self.k, self.start, self.n, strain)
     }
 }

@@ -1,6 +1,6 @@
-use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone};
 use super::table::{Points, curve};
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 /// Measured points at several temperatures, interpolated straight over the temperature.
@@ -44,12 +44,13 @@ impl Isotherms {
     }
 }
 
-impl Law for Isotherms {
-    fn examples() -> Vec<Self> {
-        let curves = [(293.15, 1.0), (503.15, 0.6)].map(|(t, factor)| (t, Monotone::example(factor)));
-        vec![Self::new(curves).expect("valid")]
+impl Example for Isotherms {
+    fn example() -> Self {
+        Self::new([(293.15, Monotone::example(1.0)), (503.15, Monotone::example(0.6))]).expect("valid")
     }
+}
 
+impl HardeningLaw for Isotherms {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         for (i, isotherm) in self.curves.iter_mut().enumerate() {
             if isotherm.curve != Monotone::default() {
@@ -79,10 +80,7 @@ impl Law for Isotherms {
         let (n, coldest) = (self.curves.len(), &self.curves[0].curve);
         format!("{n} hardening curves from {cold} to {hot} °C, the coldest a {coldest}")
     }
-}
 
-impl HardeningLaw for Isotherms {
-    #[inline(never)] // the other laws stay small where they are called
     fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
         let after = self.curves.partition_point(|isotherm| isotherm.temperature < temperature);
         if after == 0 || after == self.curves.len() {
@@ -102,23 +100,14 @@ impl HardeningLaw for Isotherms {
     }
 }
 
+/// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-
-    /// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
-    #[test]
-    fn isotherms_are_interpolated_and_held() {
-        let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07));
-        let law = |temperatures: [f64; 2]| {
-            Isotherms::new([(temperatures[0], Monotone::example(1.0)), (temperatures[1], Monotone::example(0.6))])
-        };
-        assert!(law([300.0, 300.0]).is_err());
-        let law = law([300.0, 400.0]).expect("valid");
-        let middle = law.at_temperature(0.07, 350.0);
-        assert_relative_eq!(middle.stress, 0.5 * (cold.stress + hot.stress), max_relative = 1e-14);
-        assert_relative_eq!(middle.slope, 0.5 * (cold.slope + hot.slope), max_relative = 1e-14);
-        assert_eq!([200.0, 500.0].map(|t| law.at_temperature(0.07, t)), [cold, hot]);
-    }
+#[test]
+fn isotherms_are_interpolated_and_held() {
+    let law = |hot: f64| Isotherms::new([(300.0, Monotone::example(1.0)), (hot, Monotone::example(0.6))]);
+    assert!(law(300.0).is_err());
+    let stress = |t: f64| law(400.0).expect("valid").at_temperature(0.07, t).stress;
+    let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07).stress);
+    approx::assert_relative_eq!(stress(350.0), 0.5 * (cold + hot), max_relative = 1e-14);
+    assert_eq!([stress(200.0), stress(500.0)], [cold, hot]);
 }

@@ -1,4 +1,5 @@
-use super::flow_stress::{FlowStress, HardeningLaw, power};
+use super::flow_stress::power;
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 parameters! {
@@ -18,27 +19,18 @@ parameters! {
 
 constructor!(Ludwik { initial, k, n });
 
-impl Law for Ludwik {
-    fn examples() -> Vec<Self> {
-        vec![Self { initial: 150.0, k: 400.0, n: 0.5 }]
-    }
-
+impl HardeningLaw for Ludwik {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         let Self { initial, k, n } = *self;
-        require("initial", initial > 0.0 && initial.is_finite(), || {
-            format!("the initial yield stress must be positive, found {initial} MPa")
-        })?;
-        require("k", k >= 0.0 && k.is_finite(), || format!("k must not be negative, found {k} MPa"))?;
+        require("initial", initial > 0.0, || format!("initial must be positive, found {initial} MPa"))?;
+        require("k", k >= 0.0, || format!("k must not be negative, found {k} MPa"))?;
         require("n", n > 0.0 && n <= 1.0, || format!("n must lie above 0 and up to 1, found {n}"))
     }
 
     fn formula(&self) -> String {
         format!("Ludwik, σ = {} + {} ε^{} MPa", rounded(self.initial), rounded(self.k), rounded(self.n))
     }
-}
 
-impl HardeningLaw for Ludwik {
-    #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         let (value, slope) = power(strain, self.n);
         FlowStress { stress: self.initial + self.k * value, slope: self.k * slope }

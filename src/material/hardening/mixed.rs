@@ -1,5 +1,4 @@
-use super::flow_stress::{FlowStress, HardeningLaw};
-use super::{Swift, Voce};
+use super::{FlowStress, HardeningLaw, Swift, Voce};
 use crate::material::law::prelude::*;
 
 /// σ = weight σ_swift + (1 − weight) σ_voce.
@@ -20,16 +19,14 @@ pub struct Mixed {
     voce: Voce,
 }
 
-impl Law for Mixed {
-    fn examples() -> Vec<Self> {
-        let laws = Swift::examples().into_iter().zip(Voce::examples());
-        laws.map(|(swift, voce)| Self { weight: 0.6, swift, voce }).collect()
+impl Example for Mixed {
+    fn example() -> Self {
+        Self { weight: 0.6, swift: Swift::example(), voce: Voce::example() }
     }
+}
 
+impl HardeningLaw for Mixed {
     fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
-        require("weight", (0.0..=1.0).contains(&self.weight), || {
-            format!("the weight must lie between 0 and 1, found {}", self.weight)
-        })?;
         let within =
             |law: &'static str| move |error: LawError| LawError { key: format!("{law}.{}", error.key), ..error };
         self.swift.prepare(young).map_err(within("swift"))?;
@@ -40,10 +37,7 @@ impl Law for Mixed {
         let [weight, rest] = [self.weight, 1.0 - self.weight].map(rounded);
         format!("{weight} of {}, {rest} of {}", self.swift.formula(), self.voce.formula())
     }
-}
 
-impl HardeningLaw for Mixed {
-    #[inline]
     fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
         let voce = self.voce.at_temperature(strain, temperature);
         voce.towards(self.swift.at_temperature(strain, temperature), self.weight)

@@ -20,13 +20,21 @@ pub use monotone::Extrapolation;
 pub use piecewise_power::Branch;
 
 use crate::material::law::family;
-use flow_stress::HardeningLaw;
 
 family! {
     /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
     pub enum Hardening: HardeningLaw, named in HardeningTable as "Hardening";
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
     fn at_temperature(strain: f64, temperature: f64) -> FlowStress;
+    {
+        fn valid_up_to(&self) -> Option<f64> {
+            None
+        }
+
+        fn temperatures(&self) -> Option<[f64; 2]> {
+            None
+        }
+    }
     swift: Swift,
     hollomon: Hollomon,
     ludwik: Ludwik,
@@ -40,14 +48,8 @@ family! {
 
 impl Hardening {
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\]; of the coldest curve where there are several.
-    #[inline]
     pub fn at(&self, strain: f64) -> FlowStress {
         self.at_temperature(strain, 0.0)
-    }
-
-    /// The formula with its numbers, in MPa, for summaries and plots.
-    pub fn describe(&self) -> String {
-        self.to_string()
     }
 
     /// Largest strain the law was given for, where it says so (tables) \[–\].

@@ -7,7 +7,7 @@
 //! F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
 //! slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
 
-use super::flow_stress::FlowStress;
+use super::FlowStress;
 use crate::material::law::prelude::*;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
@@ -160,48 +160,32 @@ impl fmt::Display for Monotone {
     }
 }
 
+/// Trust: the remainder of a parabola, see `NEAR`, and n points around each, which leave 2/√n of a scatter about its share.
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn swift(strain: f64) -> f64 {
-        520.0 * (5e-3 + strain).powf(0.22)
+#[test]
+fn a_short_table_goes_through_its_points_and_a_long_one_hardens_evenly_in_spite_of_scatter() {
+    let few = Monotone::example(1.0);
+    for (strain, stress) in few.strain.iter().zip(&few.stress) {
+        assert!((few.at(*strain).stress - stress).abs() < 1e-9);
     }
-
-    /// 300 points of Swift's law up to a strain of 0.6, each off by up to `scatter` of its stress, none below the one before.
-    fn record(scatter: f64) -> Monotone {
+    let swift = |strain: f64| 520.0 * (5e-3 + strain).powf(0.22);
+    // 300 points, each off by up to `scatter` of its stress, none below the one before.
+    let record = |scatter: f64| {
         let mut last: f64 = 0.0;
-        let points: Vec<(f64, f64)> = (0..300)
-            .map(|i| {
-                let strain = 0.6 * f64::from(i) / 299.0;
-                // Equally distributed in ±1, of no period: the fractional parts of multiples of the golden ratio.
-                let off = 2.0 * (f64::from(i) * 0.618_033_988_75).fract() - 1.0;
-                last = last.max(swift(strain) * (1.0 + scatter * off));
-                (strain, last)
-            })
-            .collect();
-        Monotone::new(&points, Extrapolation::Slope, |_, _| String::new()).expect("rising")
-    }
-
-    #[test]
-    fn a_table_of_a_few_points_goes_through_them() {
-        let table = Monotone::example(1.0);
-        for (strain, stress) in table.strain.iter().zip(&table.stress) {
-            assert!((table.at(*strain).stress - stress).abs() < 1e-9);
-        }
-    }
-
-    /// Trust: the remainder of a parabola, see `NEAR`, and n points around each, which leave 2/√n of a scatter about its share.
-    #[test]
-    fn a_long_table_keeps_its_law_and_hardens_evenly_in_spite_of_scatter() {
-        let (clean, table) = (record(0.0), record(5e-3));
-        for i in 500..2900 {
-            let e = 0.6 * f64::from(i) / 3000.0;
-            assert!((clean.at(e).stress / swift(e) - 1.0).abs() < 1e-4, "{e}");
-            let at = table.at(e);
-            assert!((at.stress / swift(e) - 1.0).abs() < 5e-3, "{} at {e}", at.stress);
-            let slope = 0.22 * swift(e) / (5e-3 + e);
-            assert!((0.5..1.6).contains(&(at.slope / slope)), "{} against {slope} at {e}", at.slope);
-        }
+        let points = (0..300).map(|i| {
+            let strain = 0.6 * f64::from(i) / 299.0;
+            // Equally distributed in ±1, of no period: the fractional parts of multiples of the golden ratio.
+            let off = 2.0 * (f64::from(i) * 0.618_033_988_75).fract() - 1.0;
+            last = last.max(swift(strain) * (1.0 + scatter * off));
+            (strain, last)
+        });
+        Monotone::new(&points.collect::<Vec<_>>(), Extrapolation::Slope, |_, _| String::new()).expect("rising")
+    };
+    let (clean, table) = (record(0.0), record(5e-3));
+    for e in (500..2900).map(|i| 0.6 * f64::from(i) / 3000.0) {
+        assert!((clean.at(e).stress / swift(e) - 1.0).abs() < 1e-4, "{e}");
+        let (at, slope) = (table.at(e), 0.22 * swift(e) / (5e-3 + e));
+        assert!((at.stress / swift(e) - 1.0).abs() < 5e-3, "{} at {e}", at.stress);
+        assert!((0.5..1.6).contains(&(at.slope / slope)), "{} against {slope} at {e}", at.slope);
     }
 }

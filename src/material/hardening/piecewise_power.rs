@@ -1,8 +1,9 @@
 //! Offset power law in branches, as Woo (1968) gives it: a gap that rounded constants leave is closed by shifting the later
 //! branch. Sosnowski (1994), equations 14 and 15, misprints the second exponent.
 
-use super::flow_stress::{FlowStress, HardeningLaw, power};
+use super::flow_stress::power;
 use super::table::few;
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 /// σ = initial + k ε^n with other constants on each range of strain.
@@ -16,31 +17,18 @@ pub struct PiecewisePower {
     branches: Vec<Branch>,
 }
 
-/// One branch; it must meet the next one.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Branch {
-    /// Strain where the branch ends; left out in the last one.
-    #[serde(default = "without_end", with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.36)]
-    pub up_to: f64,
-    /// Yield stress σ₀ of the branch at ε = 0 \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "5.4 tonf_uk/in^2")]
-    pub initial: f64,
-    /// K \[MPa\].
-    #[serde(with = "As::<NonNegative<Stress>>")]
-    #[schemars(example = "27.8 tonf_uk/in^2")]
-    pub k: f64,
-    /// Exponent, above 0 and up to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.504)]
-    pub n: f64,
-}
-
-/// The end of the last branch.
-fn without_end() -> f64 {
-    f64::INFINITY
+parameters! {
+    /// One branch; it must meet the next one.
+    pub struct Branch {
+        /// Strain where the branch ends; left out in the last one.
+        pub up_to: Positive<Number> = 0.36; default f64::INFINITY,
+        /// Yield stress σ₀ of the branch at ε = 0 \[MPa\].
+        pub initial: Positive<Stress> = "5.4 tonf_uk/in^2",
+        /// K \[MPa\].
+        pub k: NonNegative<Stress> = "27.8 tonf_uk/in^2",
+        /// Exponent, above 0 and up to 1.
+        pub n: Fraction = 0.504,
+    }
 }
 
 impl PiecewisePower {
@@ -57,15 +45,15 @@ impl PiecewisePower {
     }
 }
 
-impl Law for PiecewisePower {
+impl Example for PiecewisePower {
     /// Woo's law (1 ton/in² = 15.4443 MPa).
-    fn examples() -> Vec<Self> {
-        const TON: f64 = 15.444_256;
-        let branch = |up_to, k, n| Branch { up_to, initial: 5.4 * TON, k: k * TON, n };
-        let branches = vec![branch(0.36, 27.8, 0.504), branch(f64::INFINITY, 24.4, 0.375)];
-        vec![Self::new(branches).expect("Woo's branches meet")]
+    fn example() -> Self {
+        let branch = |up_to, k, n| Branch { up_to, initial: 5.4 * 15.444_256, k: k * 15.444_256, n };
+        Self::new(vec![branch(0.36, 27.8, 0.504), branch(f64::INFINITY, 24.4, 0.375)]).expect("Woo's branches meet")
     }
+}
 
+impl HardeningLaw for PiecewisePower {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         few("branches", self.branches.len(), 100)?;
         let branches = &mut self.branches;
@@ -75,13 +63,9 @@ impl Law for PiecewisePower {
         for (i, b) in branches.iter().enumerate() {
             let key = format!("branches.{i}");
             require(&key, b.initial > 0.0 && b.k >= 0.0 && b.n > 0.0 && b.n <= 1.0, || {
-                format!(
-                    "branch {}: needs initial > 0, k >= 0 and 0 < n <= 1, found {} MPa, {} MPa, {}",
-                    i + 1,
-                    rounded(b.initial),
-                    rounded(b.k),
-                    b.n
-                )
+                let [initial, k] = [b.initial, b.k].map(rounded);
+                let needs = "needs initial > 0, k >= 0 and 0 < n <= 1";
+                format!("branch {}: {needs}, found {initial} MPa, {k} MPa, {}", i + 1, b.n)
             })?;
             require(&format!("{key}.up_to"), b.up_to > start, || {
                 format!("branch {}: its end {} must lie above {start}", i + 1, b.up_to)
@@ -97,13 +81,12 @@ impl Law for PiecewisePower {
             let (before, after) = (stress(&branches[i]), stress(&branches[i + 1]));
             let jump = after / before - 1.0;
             require(&format!("branches.{}", i + 1), jump.abs() <= Self::LARGEST_JUMP, || {
+                let [jump, most] = [jump, Self::LARGEST_JUMP].map(|share| 100.0 * share);
                 format!(
-                    "branches {} and {} do not meet at a strain of {strain}: {before:.2} and {after:.2} MPa, a jump of {:+.1} %; \
-                     check the exponents (more than {:.1} % is not rounding)",
+                    "branches {} and {} do not meet at a strain of {strain}: {before:.2} and {after:.2} MPa, a jump of \
+                     {jump:+.1} %; check the exponents (more than {most:.1} % is not rounding)",
                     i + 1,
-                    i + 2,
-                    100.0 * jump,
-                    100.0 * Self::LARGEST_JUMP
+                    i + 2
                 )
             })?;
             branches[i + 1].initial -= after - before;
@@ -118,10 +101,7 @@ impl Law for PiecewisePower {
         });
         format!("power law in branches, σ = {} MPa", branches.collect::<Vec<_>>().join("; "))
     }
-}
 
-impl HardeningLaw for PiecewisePower {
-    #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         let last = self.branches.last().expect("checked where the law is made");
         let Branch { initial, k, n, .. } = *self.branches.iter().find(|branch| strain < branch.up_to).unwrap_or(last);

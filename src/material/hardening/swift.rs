@@ -1,4 +1,5 @@
-use super::flow_stress::{FlowStress, HardeningLaw};
+use super::flow_stress::offset_power;
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 parameters! {
@@ -18,30 +19,19 @@ parameters! {
 
 constructor!(Swift { k, n, offset });
 
-impl Law for Swift {
-    fn examples() -> Vec<Self> {
-        vec![Self { k: 589.0, n: 0.216, offset: 1e-4 }]
-    }
-
+impl HardeningLaw for Swift {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         let Self { k, n, offset } = *self;
         require("k", k > 0.0 && k.is_finite(), || format!("k must be positive, found {k} MPa"))?;
-        require("n", (0.0..=1.0).contains(&n), || format!("n must lie between 0 and 1, found {n}"))?;
-        require("offset", (1e-6..=1.0).contains(&offset), || {
-            format!("the offset strain must lie between 1e-6 and 1, found {offset:e}; 1e-4 to 1e-2 is usual")
-        })
+        require_range(["n"; 2], n, [0.0, 1.0], "0.1 to 0.3 is usual")?;
+        require_range(["offset"; 2], offset, [1e-6, 1.0], "1e-4 to 1e-2 is usual")
     }
 
     fn formula(&self) -> String {
         format!("Swift, σ = {} ({} + ε)^{} MPa", rounded(self.k), rounded(self.offset), rounded(self.n))
     }
-}
 
-impl HardeningLaw for Swift {
-    #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        let total = strain + self.offset;
-        let stress = self.k * total.powf(self.n);
-        FlowStress { stress, slope: stress * self.n / total }
+        offset_power(self.k, self.offset, self.n, strain)
     }
 }

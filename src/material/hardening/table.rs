@@ -1,5 +1,5 @@
-use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone, two_points};
+use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 
 /// Pairs of strain and stress, as a case has them.
@@ -51,11 +51,13 @@ impl From<Monotone> for Table {
     }
 }
 
-impl Law for Table {
-    fn examples() -> Vec<Self> {
-        vec![Monotone::example(1.0).into()]
+impl Example for Table {
+    fn example() -> Self {
+        Monotone::example(1.0).into()
     }
+}
 
+impl HardeningLaw for Table {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         if self.curve != Monotone::default() {
             return Ok(());
@@ -81,6 +83,14 @@ impl Law for Table {
     fn formula(&self) -> String {
         self.curve.to_string()
     }
+
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
+        self.curve.at(strain)
+    }
+
+    fn valid_up_to(&self) -> Option<f64> {
+        Some(self.curve.last_strain())
+    }
 }
 
 /// Curve through pairs of strain and stress.
@@ -95,14 +105,4 @@ pub(super) fn few(key: &str, length: usize, most: usize) -> Result<(), LawError>
     require_or(&format!("{key}.{most}"), length <= most, "leave out what is not needed", || {
         format!("`{key}` has {length} entries, more than {most}")
     })
-}
-
-impl HardeningLaw for Table {
-    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        self.curve.at(strain)
-    }
-
-    fn valid_up_to(&self) -> Option<f64> {
-        Some(self.curve.last_strain())
-    }
 }

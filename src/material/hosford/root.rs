@@ -22,9 +22,8 @@ struct Halley {
 
 impl Hosford {
     /// The ratio whose normal goes with 1 and β, from the carried ratio `w`; `sum` is 1 + β, without the round-off of β.
-    #[inline]
     pub(super) fn root(&self, beta: f64, sum: f64, w: Option<f64>) -> Root {
-        let weight = self.ratio() * sum;
+        let weight = self.quadratic.ratio * sum;
         let start = w.unwrap_or_else(|| self.guess(beta, sum));
         let first = self.halley(beta, weight, start);
         let (mut low, mut high) = (-1.0, 1.0);
@@ -43,7 +42,7 @@ impl Hosford {
             }
             at = self.halley(beta, weight, x);
         }
-        let (y, r) = (1.0 - x, self.ratio());
+        let (y, r) = (1.0 - x, self.quadratic.ratio);
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         let across = y * between;
         let inverse_square = self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight);
@@ -57,7 +56,6 @@ impl Hosford {
     }
 
     /// A step of Halley's method; Newton's at the ends.
-    #[inline]
     fn halley(&self, beta: f64, weight: f64, x: f64) -> Halley {
         let (y, more) = (1.0 - x, self.exponent() - 2.0);
         let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
@@ -73,9 +71,8 @@ impl Hosford {
     }
 
     /// Linear between the known ratios of pure shear, tension, plane strain and equi-biaxial stretching: exact for Hill's.
-    #[inline]
     fn guess(&self, beta: f64, sum: f64) -> f64 {
-        let (tension, plane) = (self.quadratic.coupling(), self.plane_strain);
+        let (tension, plane) = (self.quadratic.coupling, self.plane_strain);
         if beta >= 0.0 {
             plane + (1.0 - plane) * beta
         } else if beta >= -tension {

@@ -1,18 +1,35 @@
 //! Laws of one kind as one type.
 
-/// Makes a family of laws: an enum with a variant for each, which hands one method to the law without a virtual call and
-/// the others through `law`, and the table of a case that names one. A law in brackets is not named in that table.
+/// Makes a family of laws: the interface of a law, an enum with a variant for each, which hands one method to the law without
+/// a virtual call and the others through `law`, and the table of a case that names one. A law in brackets is not in that table.
 macro_rules! family {
     (
         $(#[$doc:meta])+
         pub enum $family:ident: $trait:ident, named in $table:ident as $title:tt;
         $(#[$method_doc:meta])*
-        fn $method:ident $arguments:tt -> $output:ty;
+        fn $method:ident($($argument:ident: $type:ty),*) -> $output:ty;
+        $({ $($more:tt)* })?
         $([$plain_name:ident: $plain:ident])?
         $($name:ident: $law:ident,)*
     ) => {
         $(pub use $plain_name::$plain;)?
         $(pub use $name::$law;)*
+
+        trait $trait {
+            /// Formula with its numbers, for summaries and plots.
+            fn formula(&self) -> String;
+
+            /// Checks parameters against each other and computes what follows from them, once after they were read;
+            /// `young` is Young's modulus of the sheet where it is known \[MPa\].
+            fn prepare(&mut self, _young: Option<f64>) -> Result<(), $crate::material::law::LawError> {
+                Ok(())
+            }
+
+            $(#[$method_doc])*
+            fn $method(&self, $($argument: $type),*) -> $output;
+
+            $($($more)*)?
+        }
 
         $(#[$doc])+
         #[derive(Clone, Debug, PartialEq)]
@@ -30,23 +47,23 @@ macro_rules! family {
         }
 
         impl $family {
-            $crate::material::law::family! {
-                @method $(#[$method_doc])* fn $method $arguments -> $output; $($plain)? $($law)*
+            $(#[$method_doc])*
+            #[inline]
+            pub fn $method(&self, $($argument: $type),*) -> $output {
+                $crate::material::law::family!(@each self; $($plain)? $($law)*; law => law.$method($($argument),*))
             }
 
             fn law(&self) -> &dyn $trait {
-                match self {
-                    $(Self::$plain(law) => law,)?
-                    $(Self::$law(law) => law,)*
-                }
+                $crate::material::law::family!(@each self; $($plain)? $($law)*; law => law)
             }
 
-            /// Examples of every law, named: for tests, lists and benchmarks that must hold for all of them.
+            /// Example of every law with its name: for tests, lists and benchmarks that must hold for all of them.
             pub fn examples() -> Vec<(&'static str, Self)> {
-                let mut all = Vec::new();
-                $(all.extend(<$plain as $crate::material::law::Law>::examples().into_iter().map(Self::$plain));)?
-                $(all.extend(<$law as $crate::material::law::Law>::examples().into_iter().map(Self::$law));)*
-                all.into_iter().map(|law: Self| ($crate::material::law::Family::name(&law), law)).collect()
+                use $crate::material::law::Example;
+                vec![
+                    $((stringify!($plain_name), Self::$plain($plain::example())),)?
+                    $((stringify!($name), Self::$law($law::example())),)*
+                ]
             }
         }
 
@@ -73,22 +90,12 @@ macro_rules! family {
             }
 
             fn prepared(mut self, young: Option<f64>) -> Result<Self, $crate::material::law::LawError> {
-                match &mut self {
-                    $(Self::$plain(law) => $crate::material::law::Law::prepare(law, young)?,)?
-                    $(Self::$law(law) => $crate::material::law::Law::prepare(law, young)?,)*
-                }
+                $crate::material::law::family!(@each &mut self; $($plain)? $($law)*; law => law.prepare(young)?);
                 Ok(self)
             }
         }
     };
-    (@method $(#[$doc:meta])* fn $method:ident($($argument:ident: $type:ty),*) -> $output:ty; $($law:ident)*) => {
-        $(#[$doc])*
-        #[inline]
-        pub fn $method(&self, $($argument: $type),*) -> $output {
-            $crate::material::law::family!(@each self; $($law)*; law => law.$method($($argument),*))
-        }
-    };
-    (@each $self:ident; $($variant:ident)*; $law:ident => $call:expr) => {
+    (@each $self:expr; $($variant:ident)*; $law:ident => $call:expr) => {
         match $self {
             $(Self::$variant($law) => $call,)*
         }

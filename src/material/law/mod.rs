@@ -7,6 +7,10 @@
 mod family;
 mod parameters;
 
+use crate::units::Dimensioned;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+
 pub(crate) use family::family;
 pub(crate) use parameters::parameters;
 
@@ -29,10 +33,20 @@ impl LawError {
     }
 }
 
+/// Law with numbers in common use, those of the schema's examples.
+pub(crate) trait Example {
+    fn example() -> Self;
+}
+
+/// Reads the example of a parameter.
+pub(crate) fn read<'a, Q: Dimensioned + Deserialize<'a>>(example: impl IntoDeserializer<'a>) -> f64 {
+    Q::deserialize(example.into_deserializer()).expect("examples are valid").value()
+}
+
 /// Imports of a law's file.
 pub(crate) mod prelude {
-    pub use super::{Law, LawError};
-    pub(crate) use super::{constructor, parameters, require, require_or};
+    pub use super::LawError;
+    pub(crate) use super::{Example, constructor, parameters, require, require_or, require_range};
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};
 
@@ -74,24 +88,16 @@ pub(crate) fn require_or(
     if ok { Ok(()) } else { Err(LawError { message: message(), key: key.to_owned(), help }) }
 }
 
-/// Interface of all laws.
-pub trait Law {
-    /// The law with numbers in common use: for tests and lists that must hold for all laws.
-    fn examples() -> Vec<Self>
-    where
-        Self: Sized;
-
-    /// The formula with its numbers, for summaries and plots.
-    fn formula(&self) -> String;
-
-    /// Checks the parameters against each other and computes what follows from them: once, after they were read.
-    /// `young` is Young's modulus of the sheet where it is known \[MPa\].
-    ///
-    /// # Errors
-    /// When the parameters do not go together; the range of each was checked when it was read.
-    fn prepare(&mut self, _young: Option<f64>) -> Result<(), LawError> {
-        Ok(())
-    }
+/// Checks that a parameter lies in a range; it is named by its key in the law's table and by its key in messages.
+pub(crate) fn require_range(
+    [key, name]: [&str; 2],
+    value: f64,
+    [least, most]: [f64; 2],
+    help: &'static str,
+) -> Result<(), LawError> {
+    require_or(key, (least..=most).contains(&value), help, || {
+        format!("`{name}` must lie between {least} and {most}, found {value}")
+    })
 }
 
 /// Laws of one kind, of which a case names one. Made by `family!`.
@@ -107,10 +113,10 @@ pub trait Family: Sized {
     /// The laws that a table names.
     fn named(table: Self::Table) -> Vec<Self>;
 
-    /// The law as it was read, made ready for use: see [`Law::prepare`].
+    /// Law made ready for use after it was read; `young` is Young's modulus of the sheet where it is known \[MPa\].
     ///
     /// # Errors
-    /// When its parameters do not go together.
+    /// When its parameters do not go together; the range of each was checked when it was read.
     fn prepared(self, young: Option<f64>) -> Result<Self, LawError>;
 }
 

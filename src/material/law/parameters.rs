@@ -1,15 +1,23 @@
 //! Parameters of a law with their quantities and examples.
 
 /// Makes a struct of numbers in the solver's units, read with their units: `k: Positive<Stress> = "520 MPa"`, where the text
-/// is the schema's example.
+/// is the schema's example; `exponent: Fraction = 0.9; default 1.0` may be left out. Attributes of serde and schemars hold
+/// for the text of the case.
 macro_rules! parameters {
     (
         $(#[doc $($doc:tt)*])+
+        $(#[schemars $($attribute:tt)*])?
+        $(#[derive $($derive:tt)*])?
         pub struct $law:ident {
-            $($(#[doc $($field_doc:tt)*])+ $visible:vis $field:ident: $quantity:ty = $example:expr,)+
+            $(
+                $(#[doc $($field_doc:tt)*])+
+                $(#[serde $($key:tt)*])?
+                $visible:vis $field:ident: $quantity:ty = $example:expr $(; default $default:expr)?,
+            )+
         }
     ) => {
         $(#[doc $($doc)*])+
+        $(#[derive $($derive)*])?
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $law {
             $($(#[doc $($field_doc)*])+ $visible $field: f64,)+
@@ -18,15 +26,28 @@ macro_rules! parameters {
         const _: () = {
             $(#[doc $($doc)*])+
             #[derive(serde::Deserialize, schemars::JsonSchema)]
+            $(#[schemars $($attribute)*])?
             #[serde(deny_unknown_fields)]
             struct $law {
-                $($(#[doc $($field_doc)*])+ #[schemars(example = $example)] $field: $quantity,)+
+                $(
+                    $(#[doc $($field_doc)*])+
+                    $(#[serde $($key)*])?
+                    $(#[schemars(extend("default" = $default))])?
+                    #[schemars(example = $example)]
+                    $field: $crate::material::law::parameters!(@type $quantity $(, $default)?),
+                )+
             }
 
             impl<'de> serde::Deserialize<'de> for self::$law {
                 fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                     let written = <$law as serde::Deserialize>::deserialize(from)?;
-                    Ok(Self { $($field: written.$field.value()),+ })
+                    Ok(Self { $($field: $crate::material::law::parameters!(@value written.$field $(, $default)?)),+ })
+                }
+            }
+
+            impl $crate::material::law::Example for self::$law {
+                fn example() -> Self {
+                    Self { $($field: $crate::material::law::read::<$quantity>($example)),+ }
                 }
             }
 
@@ -41,5 +62,9 @@ macro_rules! parameters {
             }
         };
     };
+    (@type $quantity:ty) => { $quantity };
+    (@type $quantity:ty, $default:expr) => { Option<$quantity> };
+    (@value $written:expr) => { $written.value() };
+    (@value $written:expr, $default:expr) => { $written.map_or($default, |written| written.value()) };
 }
 pub(crate) use parameters;

@@ -1,5 +1,6 @@
-use super::{Factor, RateLaw};
+use super::RateLaw;
 use crate::material::law::prelude::*;
+use crate::numerics::ValueAndSlope;
 
 parameters! {
     /// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
@@ -15,20 +16,13 @@ parameters! {
     }
 }
 
-impl Law for CowperSymonds {
-    fn examples() -> Vec<Self> {
-        vec![Self { rate: 40.0, exponent: 5.0 }]
-    }
-
+impl RateLaw for CowperSymonds {
     fn formula(&self) -> String {
         format!("[1 + (ε̄̇/{} 1/s)^(1/{})]", self.rate, self.exponent)
     }
-}
 
-impl RateLaw for CowperSymonds {
-    #[inline]
-    fn at(&self, rate: f64) -> Factor {
+    fn at(&self, rate: f64) -> ValueAndSlope {
         let over = (rate / self.rate).powf(1.0 / self.exponent);
-        Factor { value: 1.0 + over, slope: over / (self.exponent * rate) }
+        ValueAndSlope { value: 1.0 + over, slope: over / (self.exponent * rate) }
     }
 }

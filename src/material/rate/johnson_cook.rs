@@ -1,7 +1,8 @@
 //! g = 1 + C ln(ε̄̇/ε̇₀) above the reference rate, below it smoothly down to 1: g = 1 + ½ C ln(1 + (ε̄̇/ε̇₀)²).
 
-use super::{Factor, RateLaw};
+use super::RateLaw;
 use crate::material::law::prelude::*;
+use crate::numerics::ValueAndSlope;
 
 parameters! {
     /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
@@ -17,22 +18,15 @@ parameters! {
     }
 }
 
-impl Law for JohnsonCook {
-    fn examples() -> Vec<Self> {
-        vec![Self { coefficient: 0.015, reference: 1e-3 }]
-    }
-
+impl RateLaw for JohnsonCook {
     fn formula(&self) -> String {
         format!("[1 + {} ln(ε̄̇/{} 1/s)]", self.coefficient, self.reference)
     }
-}
 
-impl RateLaw for JohnsonCook {
-    #[inline]
-    fn at(&self, rate: f64) -> Factor {
+    fn at(&self, rate: f64) -> ValueAndSlope {
         let x = rate / self.reference;
         let square = x * x;
-        Factor {
+        ValueAndSlope {
             value: 1.0 + 0.5 * self.coefficient * square.ln_1p(),
             slope: self.coefficient * x / ((1.0 + square) * self.reference),
         }

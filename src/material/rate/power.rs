@@ -1,5 +1,6 @@
-use super::{Factor, RateLaw};
+use super::RateLaw;
 use crate::material::law::prelude::*;
+use crate::numerics::ValueAndSlope;
 
 parameters! {
     /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
@@ -15,21 +16,14 @@ parameters! {
     }
 }
 
-impl Law for PowerRate {
-    fn examples() -> Vec<Self> {
-        vec![Self { exponent: 0.02, reference: 1e-3 }, Self { exponent: 0.5, reference: 1.0 }]
-    }
-
+impl RateLaw for PowerRate {
     fn formula(&self) -> String {
         format!("(ε̄̇/{} 1/s)^{}", self.reference, self.exponent)
     }
-}
 
-impl RateLaw for PowerRate {
-    #[inline]
-    fn at(&self, rate: f64) -> Factor {
+    fn at(&self, rate: f64) -> ValueAndSlope {
         let value = (rate / self.reference).powf(self.exponent);
-        Factor { value, slope: self.exponent * value / rate }
+        ValueAndSlope { value, slope: self.exponent * value / rate }
     }
 
     fn is_superplastic(&self) -> bool {

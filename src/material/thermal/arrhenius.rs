@@ -27,19 +27,12 @@ impl Arrhenius {
     }
 }
 
-impl Law for Arrhenius {
-    fn examples() -> Vec<Self> {
-        vec![Self { activation: 18_000.0 * GAS_CONSTANT, exponent: 0.1, reference: 693.15 }]
-    }
-
+impl TemperatureLaw for Arrhenius {
     fn formula(&self) -> String {
         let Self { exponent, reference, .. } = self;
         format!("exp({exponent} × {:.0} K (1/T − 1/{reference} K))", self.over_gas_constant())
     }
-}
 
-impl TemperatureLaw for Arrhenius {
-    #[inline]
     fn at(&self, temperature: f64) -> f64 {
         (self.exponent * self.over_gas_constant() * (1.0 / temperature - 1.0 / self.reference)).exp()
     }

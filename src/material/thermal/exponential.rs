@@ -14,18 +14,11 @@ parameters! {
     }
 }
 
-impl Law for Exponential {
-    fn examples() -> Vec<Self> {
-        vec![Self { coefficient: 0.003, reference: 293.15 }]
-    }
-
+impl TemperatureLaw for Exponential {
     fn formula(&self) -> String {
         format!("exp(−{} /K (T − {} °C))", self.coefficient, celsius(self.reference))
     }
-}
 
-impl TemperatureLaw for Exponential {
-    #[inline]
     fn at(&self, temperature: f64) -> f64 {
         (-self.coefficient * (temperature - self.reference)).exp()
     }

@@ -16,15 +16,11 @@ parameters! {
         /// Melting point \[K\].
         pub melting: Positive<Temperature> = "600 °C",
         /// Thermal exponent.
-        pub exponent: Positive<Number> = 1.0,
+        pub exponent: Positive<Number> = 1.03,
     }
 }
 
-impl Law for Melting {
-    fn examples() -> Vec<Self> {
-        vec![Self { reference: 293.15, melting: 893.15, exponent: 1.03 }]
-    }
-
+impl TemperatureLaw for Melting {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         let Self { reference, melting, .. } = *self;
         require_or("melting", melting > reference, "600 °C or so for aluminium", || {
@@ -36,10 +32,7 @@ impl Law for Melting {
         let (from, span) = (celsius(self.reference), rounded(self.melting - self.reference));
         format!("[1 − ((T − {from} °C)/{span} K)^{}]", self.exponent)
     }
-}
 
-impl TemperatureLaw for Melting {
-    #[inline]
     fn at(&self, temperature: f64) -> f64 {
         let x = ((temperature - self.reference) / (self.melting - self.reference)).max(0.0);
         (1.0 - x.powf(self.exponent)).max(LEAST)

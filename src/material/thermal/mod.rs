@@ -5,17 +5,12 @@ mod arrhenius;
 mod exponential;
 mod johnson_cook;
 
-use crate::material::law::{Law, family};
+use crate::material::law::family;
 use crate::units::{ZERO_CELSIUS, rounded};
-
-/// Interface of a law of the temperature.
-trait TemperatureLaw: Law {
-    /// h at a temperature \[K\].
-    fn at(&self, temperature: f64) -> f64;
-}
 
 family! {
     /// A factor on the hardening law: exactly one. A table of curves by temperature is `[material.hardening.isotherms]`.
+    #[derive(Copy)]
     pub enum ThermalLaw: TemperatureLaw, named in ThermalTable as "ThermalLaw";
     /// h at a temperature \[K\].
     fn at(temperature: f64) -> f64;
@@ -23,9 +18,6 @@ family! {
     exponential: Exponential,
     arrhenius: Arrhenius,
 }
-
-impl Copy for ThermalLaw {}
-impl Copy for ThermalTable {}
 
 /// A temperature \[K\] in °C, for captions.
 fn celsius(kelvin: f64) -> f64 {

@@ -3,12 +3,12 @@
 //! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face. Q acts as a
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
-use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactLaw, ContactPoint};
 use crate::element::kinematics::Matrix6;
 use crate::element::surface::{STATIONS, thickness_second};
 use crate::geometry::Point;
 use crate::model::Iteration;
+use crate::numerics::ValueAndSlope;
 use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;

@@ -90,11 +90,7 @@ pub fn random_work(seed: u64, elastic: bool) -> RandomWork {
     };
     let mut text = format!(
         "{kind:?} of {process:?} t {t:.3} L {:.2} travel {:.2} mm, {} elements, {:?}, {}{detail}",
-        model.blank.length,
-        model.travel,
-        model.blank.elements,
-        model.settings.norm,
-        model.material.hardening.describe(),
+        model.blank.length, model.travel, model.blank.elements, model.settings.norm, model.material.hardening,
     );
     let second = match kind {
         Kind::Trimmed => Some(drawn_on(rng, &model)),
