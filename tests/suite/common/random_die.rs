@@ -58,7 +58,7 @@ fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
     if seed >= SECOND_SERIES {
         let mut laws = Hardening::examples();
         let (_, law) = laws.swap_remove(rng.usize(0..laws.len()));
-        let text = law.describe();
+        let text = law.to_string();
         return (law, text);
     }
     let law = match rng.usize(0..6) {
@@ -69,7 +69,7 @@ fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
         4 => Hardening::PiecewisePower(branches(rng, k, n)),
         _ => Hardening::Table(measured(rng, k, n)),
     };
-    let text = law.describe();
+    let text = law.to_string();
     (law, text)
 }
 
