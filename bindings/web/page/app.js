@@ -18,11 +18,7 @@ const WARMING = 6;
 let state = begun();
 let plan = { sliders: [], writes: [] };
 let templates = [];
-let engine;
-let view;
-let steps;
-let lessons;
-let resting;
+let engine, view, steps, lessons, resting;
 /** Questions so far: an answer to an older one is shown, and no more is made of it. */
 let asked = 0;
 let remembering;
