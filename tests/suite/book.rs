@@ -115,7 +115,7 @@ fn pages_show_what_the_program_prints_and_draws() {
     let update = std::env::var_os("UPDATE").is_some();
     let wrong = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
-        for path in pages() {
+        for path in pages().into_iter().chain([Path::new(ROOT).join("README.md")]) {
             let wrong = &wrong;
             scope.spawn(move || {
                 let page = fs::read_to_string(&path).expect("readable");
