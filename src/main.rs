@@ -1,15 +1,7 @@
-//! The command line: exit code and error chain, no more.
+//! The command line.
 
 mod cli;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    match cli::main() {
-        Ok(code) => code.into(),
-        Err(error) => {
-            cli::complain(&error);
-            cli::Code::of(&error).into()
-        }
-    }
+fn main() -> std::process::ExitCode {
+    cli::main()
 }

@@ -1,6 +1,5 @@
 //! Panics, which are mistakes of this program: named with what to send, and stopping nothing else.
 
-use std::any::Any;
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 
@@ -14,16 +13,8 @@ thread_local! {
 
 /// A caught panic.
 #[derive(Debug, thiserror::Error)]
-#[error(
-    "{job} met a mistake of this program, not of yours: \"{text}\" at {place}. Please report it with this message, the case \
-     file and the files that it names, and the version, stampflow {}",
-    env!("CARGO_PKG_VERSION")
-)]
-pub struct Bug {
-    job: String,
-    text: String,
-    place: String,
-}
+#[error("{0}")]
+pub struct Bug(String);
 
 /// Silences panics; [`caught`] reports them.
 pub fn listen() {
@@ -36,12 +27,13 @@ pub fn listen() {
 /// Runs a job, such as "case cup"; its panic becomes an error.
 pub fn caught<T>(job: &str, run: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
     panic::catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
-        let (job, text) = (job.to_owned(), message(panic.as_ref()).chars().take(LONGEST).collect());
-        Err(Bug { job, text, place: PLACE.with(RefCell::take) }.into())
+        let text = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+        let text: String = text.unwrap_or("no words").chars().take(LONGEST).collect();
+        let (place, version) = (PLACE.with(RefCell::take), env!("CARGO_PKG_VERSION"));
+        Err(Bug(format!(
+            "{job} met a mistake of this program, not of yours: \"{text}\" at {place}. Please report it with this message, \
+             the case file and the files that it names, and the version, stampflow {version}"
+        ))
+        .into())
     })
-}
-
-fn message(panic: &(dyn Any + Send)) -> &str {
-    let formatted = panic.downcast_ref::<String>().map(String::as_str);
-    formatted.or(panic.downcast_ref::<&str>().copied()).unwrap_or("no words")
 }

@@ -1,150 +1,101 @@
 //! `stampflow import`: from a drawing to a case file.
 
-use super::code::{BadPath, Code};
-use super::options::{Json, Suggested};
-use super::place;
-use super::screen::{print, print_json};
-use serde_json::{Value, json};
+use super::*;
 use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::plot::{Chart, SketchedTool, png, sketch};
-use stampflow::results::write;
 use stampflow::units::{Dimensioned, Length, Positive};
-use std::fmt::Write;
-use std::path::PathBuf;
 
-pub const HELP: &str = "\
-Layers whose names hold punch, die, holder or another word for one (binder, Stempel, Matrize, Niederhalter, poinçon,
-matrice, serre-flan) are those tools. A number as in OP20_PUNCH, OP30_PUNCH makes stages. In the drawing x is the distance
-from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order and in blocks too, make one line:
-the side of the tool that faces the sheet, or an outline round it. If both halves are drawn, the right one is used.
-
-You get the case file, in which placeholders (sheet, material, friction, travel) are marked, and a picture of what was
-read beside it (die.png for die.toml).
+options! {
+    /// Read the tools from a drawing (DXF) and write a case file with them
+    #[command(after_long_help = "\
+Layers whose names hold punch, die, holder or another word for one (binder, Stempel, Matrize, Niederhalter, poinçon, \
+matrice, serre-flan) are those tools; OP20_PUNCH, OP30_PUNCH make stages. In the drawing x is the distance from the axis \
+and y goes up. The case file has marked placeholders; a picture of what was read stands beside it.
 
 Examples:
-  stampflow import die.dxf
-  stampflow import die.dxf --layer Stempel=punch --layer 7=die --layer Hilfslinien=none --unit mm -o cases/die.toml
-  stampflow import die.dxf --thickness \"0.8 mm\" --blank-radius \"95 mm\" --travel \"30 mm\"
-
-Exit codes: 0 done, 2 bad input (nothing is written), 1 anything else";
-
-#[derive(Debug, clap::Args)]
-pub struct Args {
-    /// Drawing, DXF in text form
-    #[arg(value_name = "DRAWING.dxf")]
-    drawing: PathBuf,
-    /// Case file to write [default: beside the drawing]
-    #[arg(long, short, alias = "output", value_name = "CASE.toml")]
-    out: Option<PathBuf>,
-    /// Replace an existing case file and picture
-    #[arg(long)]
-    force: bool,
-    /// Tool of a layer: punch, die, holder or none; as often as needed
-    #[arg(long = "layer", value_name = "NAME=TOOL", value_parser = import::layer)]
-    layers: Vec<(String, Option<Role>)>,
-    /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing [default: 0]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    axis: Option<Length>,
-    /// Direction of the punch in the drawing: down or up [default: from the tools' walls]
-    #[arg(long, value_name = "DIRECTION")]
-    punch_moves: Option<Heading>,
-    /// Largest gap between ends that meet
-    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
-    join: Positive<Length>,
-    /// Largest distance of a spline from the arcs that replace it
-    #[arg(long, value_name = "LENGTH", default_value = "0.001 mm", allow_hyphen_values = true)]
-    tolerance: Positive<Length>,
-    /// axisymmetric or plane_strain
-    #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric")]
-    geometry: Geometry,
-    /// Sheet of the library or a grade such as DC04 [default: a placeholder]
-    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
-    material: Option<String>,
-    /// Thickness of the sheet [default: a placeholder]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    thickness: Option<Positive<Length>>,
-    /// Radius of the blank, in plane strain its half-length [default: a placeholder]
-    #[arg(long, visible_alias = "blank-half-length", value_name = "LENGTH", allow_hyphen_values = true)]
-    blank_radius: Option<Positive<Length>>,
-    /// Punch travel [default: a placeholder]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    travel: Option<Positive<Length>>,
-    #[command(flatten)]
-    json: Json,
+  stampflow import die.dxf --layer Stempel=punch --layer Hilfslinien=none --unit mm -o cases/die.toml
+  stampflow import die.dxf --thickness \"0.8 mm\" --blank-radius \"95 mm\" --travel \"30 mm\"")]
+    Args {
+        drawing: PathBuf = "DRAWING.dxf" [] "Drawing, DXF in text form",
+        out: Option<PathBuf> = "CASE.toml" [long, short, alias = "output"]
+            "Case file to write [default: beside the drawing]",
+        force: bool [long] "Replace an existing case file and picture",
+        layers: Vec<(String, Option<Role>)> = "NAME=TOOL" [long = "layer", value_parser = import::layer]
+            "Tool of a layer: punch, die, holder or none; as often as needed",
+        unit: Option<DrawingUnit> [long]
+            "Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]",
+        axis: Option<Length> = "LENGTH" [long, allow_hyphen_values = true]
+            "x of the axis or symmetry plane in the drawing [default: 0]",
+        punch_moves: Option<Heading> = "DIRECTION" [long]
+            "Direction of the punch in the drawing: down or up [default: from the tools' walls]",
+        join: f64 = "LENGTH" [long, default_value = "0.01 mm", allow_hyphen_values = true, value_parser = length]
+            "Largest gap between ends that meet",
+        tolerance: f64 = "LENGTH" [long, default_value = "0.001 mm", allow_hyphen_values = true, value_parser = length]
+            "Largest distance of a spline from the arcs that replace it",
+        geometry: Geometry [long, default_value = "axisymmetric"] "axisymmetric or plane_strain",
+        material: Option<String> = "NAME" [long, value_parser = Suggested::SHEETS, hide_possible_values = true]
+            "Sheet of the library or a grade such as DC04 [default: a placeholder]",
+        thickness: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
+            "Thickness of the sheet [default: a placeholder]",
+        blank: Option<f64> = "LENGTH" [long = "blank-radius", visible_alias = "blank-half-length", allow_hyphen_values = true, value_parser = length]
+            "Radius of the blank, in plane strain its half-length [default: a placeholder]",
+        travel: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
+            "Punch travel [default: a placeholder]",
+    } json: Json;
 }
 
-pub fn import(args: &Args) -> anyhow::Result<Code> {
-    let drawing = args.drawing.display();
-    let bytes = Disk.read(&args.drawing, import::LARGEST).map_err(|error| BadPath {
-        what: format!("{drawing} cannot be read: {error}"),
-        help: match error {
-            FileError::TooLarge { .. } => "save the tools' layers only".into(),
-            _ => "give the path of a DXF file".into(),
-        },
-        path: args.drawing.clone(),
+/// Reads a length \[mm\].
+fn length(text: &str) -> Result<f64, String> {
+    text.parse().map(Positive::<Length>::value).map_err(|error: stampflow::units::QuantityError| error.to_string())
+}
+
+pub fn import(args: Args) -> Result<Code> {
+    let Args { drawing, out, force, layers, unit, axis, punch_moves, join, tolerance, .. } = args;
+    let Args { geometry, material, thickness, blank, travel, json: Json { json }, .. } = args;
+    let path = drawing.display();
+    let bytes = Disk.read(&drawing, import::LARGEST).map_err(|error| {
+        let is_large = matches!(error, FileError::TooLarge { .. });
+        let help = if is_large { "save the tools' layers only" } else { "give the path of a DXF file" };
+        bad_path(&drawing, format!("cannot be read: {error}"), help)
     })?;
-    let out = args.out.clone().unwrap_or_else(|| args.drawing.with_extension("toml"));
+    let out = out.unwrap_or_else(|| drawing.with_extension("toml"));
     let picture = out.with_extension("png");
-    if out == picture {
-        let what = format!("{} would be both the case and its picture", out.display());
-        return Err(BadPath { what, help: "write -o NAME.toml".into(), path: out }.into());
-    }
+    ensure!(out != picture, bad_path(&out, "would be both the case and its picture", "write -o NAME.toml"));
     for path in [&out, &picture] {
-        if path.symlink_metadata().is_ok() && !args.force {
-            let what = format!("{} is there already", path.display());
-            let help = "choose another name with -o, or --force".into();
-            return Err(BadPath { what, help, path: path.clone() }.into());
-        }
-        place::file(path, std::slice::from_ref(&args.drawing), "-o")?;
+        let is_free = path.symlink_metadata().is_err() || force;
+        ensure!(is_free, bad_path(path, "is there already", "choose another name with -o, or --force"));
+        place::file(path, std::slice::from_ref(&drawing), "-o")?;
     }
-    let mm = |length: Option<Positive<Length>>| length.map(Dimensioned::value);
-    let import = Import {
-        options: Options {
-            layers: args.layers.clone(),
-            unit: args.unit,
-            axis: args.axis.map(Dimensioned::value),
-            join: args.join.value(),
-            tolerance: args.tolerance.value(),
-            punch_moves: args.punch_moves,
-        },
-        geometry: args.geometry,
-        material: args.material.clone(),
-        thickness: mm(args.thickness),
-        blank: mm(args.blank_radius),
-        travel: mm(args.travel),
-    };
-    let imported = import.read(&bytes, &args.drawing).map_err(|failure| match failure {
-        ImportFailure::Drawing(error) => anyhow::Error::new(error).context(drawing.to_string()),
+    let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
+    let import = Import { options, geometry, material, thickness, blank, travel };
+    let imported = import.read(&bytes, &drawing).map_err(|failure| match failure {
+        ImportFailure::Drawing(error) => anyhow::Error::new(error).context(path.to_string()),
         ImportFailure::Sheet(error) => error.into(),
-        ImportFailure::Case(error) => anyhow::Error::new(error).context(drawing.to_string()),
+        ImportFailure::Case(error) => anyhow::Error::new(error).context(path.to_string()),
     })?;
     let Imported { sections, text, size, notes, .. } = imported;
-    let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let name = drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     write(&out, text.as_bytes())?;
-    write(&picture, &png(&drawn(&name, args.geometry, &sections)))?;
-    if args.json.json {
+    write(&picture, &png(&drawn(&name, geometry, &sections)))?;
+    if json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Vec<Value>>();
         let later = sections.later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
         let (tools, later) = (tools(&sections.tools), later.collect::<Vec<_>>());
-        return print_json(
-            &json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes }),
-        );
+        let files =
+            json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes });
+        return print_json(&files);
     }
-    let mut text = String::new();
-    for tool in sections.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)) {
+    let tools = sections.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)).map(|tool| {
         let pieces = tool.profile.pieces().len();
         let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
-        let _ = writeln!(text, "{:<8}{pieces} {drawn} from {}", tool.role.name(), tool.made_of);
-    }
-    let _ = writeln!(text, "size    {size}");
-    notes.iter().for_each(|note| text += &format!("  - {note}\n"));
+        format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
+    });
+    let notes = notes.iter().map(|note| format!("  - {note}\n"));
+    let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
     let (out, picture) = (out.display(), picture.display());
     let next = match sections.tool(Role::Punch) {
         Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
@@ -153,6 +104,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     print(format!("{text}\n{out} and {picture} are written\n{next}"))
 }
 
+/// Picture of the tools as they are drawn.
 fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
     let tool = |tool: &Section| SketchedTool {
         label: format!("{}: {}", capitalised(tool.role.name()), tool.made_of),

@@ -1,25 +1,9 @@
 //! `stampflow materials`: the built-in library.
 
-use super::code::Code;
-use super::options::{Json, Suggested};
-use super::place;
-use super::screen::{Cell, ScreenText, print, print_json, table};
-use anyhow::Result;
-use serde_json::Value;
+use super::*;
 use stampflow::case::library::{self, Class, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::plot::{Chart, flow_curve, png};
-use stampflow::results::write;
-use std::path::PathBuf;
-
-pub const HELP: &str = "\
-In a case write [material] name = \"aa6016-t4\", or a grade such as DC04; you may replace any part of it. --material NAME takes
-another sheet for one check, run or report. Every number names its source; forming limits in the picture are computed
-from the law, not measured.
-
-Examples:
-  stampflow materials
-  stampflow materials aa6016-t4 --plot aa6016-t4.png";
 
 const NOTES: &str = "
 Computed from each law: Rp0.2 at a plastic strain of 0.2 %; Rm, Ag (uniform
@@ -30,31 +14,34 @@ stampflow materials NAME shows one: law, source, and a table to paste.
 /// First bytes of a PNG file, by which a picture may be replaced.
 const PNG: usize = 8;
 
-#[derive(Debug, clap::Args)]
-pub struct Args {
-    /// Material to show: its name, a grade that it stands for, or the beginning of one
-    #[arg(value_parser = Suggested::SHEETS, hide_possible_values = true)]
-    name: Option<String>,
-    /// Also draw its flow curve and forming limits
-    #[arg(long, value_name = "FILE.png", requires = "name")]
-    plot: Option<PathBuf>,
-    #[command(flatten)]
-    json: Json,
+options! {
+    /// List the built-in materials, or show one
+    #[command(after_long_help = "\
+In a case write [material] name = \"aa6016-t4\", or a grade such as DC04; you may replace any part of it.
+
+Examples:
+  stampflow materials
+  stampflow materials aa6016-t4 --plot aa6016-t4.png")]
+    Args {
+        name: Option<String> [value_parser = Suggested::SHEETS, hide_possible_values = true]
+            "Material to show: its name, a grade that it stands for, or the beginning of one",
+        plot: Option<PathBuf> = "FILE.png" [long, requires = "name"]
+            "Also draw its flow curve and forming limits, which are computed from the law",
+    } json: Json;
 }
 
 pub fn materials(args: &Args) -> Result<Code> {
     let Some(name) = &args.name else {
         return match args.json.json {
             true => print_json(&library::materials()?.iter().map(as_json).collect::<Vec<_>>()),
-            false => print(list(&library::materials()?)),
+            false => print(overview(&library::materials()?)),
         };
     };
     let entry = library::material(name)?;
     let mut more = String::new();
     if let Some(path) = &args.plot {
         let picture = png(&chart(&entry));
-        place::replaced(path, &picture[..PNG], "--plot")?;
-        place::file(path, &[], "--plot")?;
+        place::replaced(path, &picture[..PNG], &[], "--plot")?;
         write(path, &picture)?;
         more = format!("\n{} is written\n", path.display());
     }
@@ -62,9 +49,9 @@ pub fn materials(args: &Args) -> Result<Code> {
         return print_json(&as_json(&entry));
     }
     let Entry { name, title, text, .. } = &entry;
-    let rows = known(&entry).into_iter().map(|(label, value)| [format!("  {label}"), value].map(Cell::from));
+    let known = properties(&entry).into_iter().map(|(label, value)| [format!("  {label}"), value]);
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}{more}");
-    print(ScreenText::from(format!("{name}: {title}\n\n")) + table(&[], rows) + paste.into())
+    print(ScreenText::from(format!("{name}: {title}\n\n")) + rows(known) + paste)
 }
 
 fn or_unknown(value: Option<impl ToString>) -> String {
@@ -72,10 +59,10 @@ fn or_unknown(value: Option<impl ToString>) -> String {
 }
 
 /// A table of materials, within 80 columns.
-fn list(entries: &[Entry]) -> ScreenText {
+fn overview(entries: &[Entry]) -> ScreenText {
     let number = |value: Option<f64>, decimals: usize| or_unknown(value.map(|value| format!("{value:.decimals$}")));
     let row = |entry: &Entry| {
-        let cells = [
+        [
             entry.name.to_owned(),
             or_unknown(entry.stands_for.as_ref().and_then(|stands| stands.grades.first())),
             format!("{:.0}", entry.proof_stress()),
@@ -85,16 +72,15 @@ fn list(entries: &[Entry]) -> ScreenText {
             number(entry.n(), 3),
             number(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             or_unknown(entry.thickness.clone()).replace(" to ", "–"),
-        ];
-        cells.map(Cell::from)
+        ]
     };
     let headers = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
-    let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(Cell::from);
-    table(&headers, [units].into_iter().chain(entries.iter().map(row))) + ScreenText::from(NOTES)
+    let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(str::to_owned);
+    table(&headers, [units].into_iter().chain(entries.iter().map(row))) + NOTES
 }
 
 /// All properties of a material as labels and texts.
-fn known(entry: &Entry) -> Vec<(&'static str, String)> {
+fn properties(entry: &Entry) -> Vec<(&'static str, String)> {
     let material = &entry.material;
     let limit = |curve: Option<&Curve>, source: &str| {
         or_unknown(curve.map(|curve| format!("{:.4} in plane strain, true strain: {source}", curve.plane_strain())))
@@ -145,7 +131,7 @@ fn scatter(class: &Class) -> String {
 /// Name, title, the properties as they are printed, and the table to paste.
 fn as_json(entry: &Entry) -> Value {
     let texts = [("name", entry.name), ("title", &entry.title), ("case", entry.text)];
-    let texts = texts.map(|(key, value)| (key, value.to_owned())).into_iter().chain(known(entry));
+    let texts = texts.map(|(key, value)| (key, value.to_owned())).into_iter().chain(properties(entry));
     Value::Object(texts.map(|(key, value)| (key.to_owned(), value.into())).collect())
 }
 

@@ -1,15 +1,25 @@
 //! Command line: one file for each verb, and what they share.
 
-mod answer;
+/// Options of verbs as tables: field, type, name of the value, `#[arg]` settings, help; then shared options.
+macro_rules! options {
+    ($($(#[$meta:meta])* $name:ident {
+        $($field:ident: $type:ty $(= $value:literal)? [$($arg:tt)*] $help:literal,)*
+    } $($shared:ident: $options:ty),*;)+) => {$(
+        #[derive(Debug, clap::Args)]
+        $(#[$meta])*
+        pub struct $name {
+            $(#[arg($(value_name = $value,)? help = $help, $($arg)*)] pub $field: $type,)*
+            $(#[command(flatten)] pub $shared: $options,)*
+        }
+    )+};
+}
+
 mod bug;
 mod check;
-mod code;
 mod compare;
+mod error;
 mod fit;
 mod import;
-mod interrupt;
-mod job;
-mod json;
 mod materials;
 mod new;
 mod options;
@@ -17,25 +27,29 @@ mod place;
 mod progress;
 mod report;
 mod run;
-mod scatter;
 mod screen;
-mod search;
+mod solved;
 mod study;
-mod sweep;
 mod trace;
 mod verify;
 
-pub use code::{Code, complain};
-
-use clap::{CommandFactory, Parser, Subcommand};
+use anyhow::{Result, bail, ensure};
+use bug::caught;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use code::BadRequest;
-use options::Json;
-use screen::print;
+use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
+use options::{Common, ErrorBars, Json, Overrides, PictureOptions, Suggested, Threads};
+use progress::Progress;
+use screen::{Cell, ScreenText, list, print, print_json, rows, table, warn, wrapped};
+use serde_json::{Map, Value, json};
+use solved::{Output, Solved, finish};
 use stampflow::case::files::visible;
+use stampflow::case::{self, Case};
+use stampflow::results::write;
 use stampflow::units::DisplaySettings;
-use stampflow::{author, case};
 use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 const HELP: &str = "\
 Examples:
@@ -47,7 +61,7 @@ Examples:
 
 Exit codes:
   0    done
-  1    any other failure; compare: a comparison is out of its tolerance
+  1    any other failure; compare: a comparison is out of its tolerance; search: nothing found
   2    bad input, nothing was written
   3    a run stopped before its full travel, its results are kept
   4    with --strict: the verdict is red, the results are kept
@@ -67,116 +81,95 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 enum Verb {
     /// Write a case file from a few sizes
-    New(new::Args),
-    /// Read the tools from a drawing (DXF) and write a case file with them
-    #[command(after_long_help = import::HELP)]
+    New,
     Import(import::Args),
-    /// Explain a case; with --run solve it and give a verdict
-    #[command(after_long_help = check::HELP)]
     Check(check::Args),
-    /// Solve cases and write their tables and plots
-    #[command(after_long_help = run::help())]
     Run(run::Args),
-    /// Solve a case and write a report, one HTML page
-    #[command(after_long_help = report::HELP)]
     Report(report::Args),
-    /// Run a case with many settings: ranges and lists of any keys, one row a run
-    #[command(after_long_help = sweep::HELP)]
-    Sweep(sweep::Args),
-    /// Find the limit of a condition, or the value at which a quantity is as wanted
-    #[command(after_long_help = search::HELP)]
-    Search(search::Args),
-    /// Run a case with scattering inputs: how sure the verdict is, and what decides
-    #[command(after_long_help = scatter::HELP)]
-    Scatter(scatter::Args),
-    /// Fit a hardening law to tension tests, or keys of a case to measured curves
-    #[command(after_long_help = fit::HELP)]
+    Sweep(study::SweepArgs),
+    Search(study::SearchArgs),
+    Scatter(study::ScatterArgs),
     Fit(fit::Args),
-    /// Compare cases, variants and measured curves, or cases with their references
-    #[command(after_long_help = compare::HELP)]
     Compare(compare::Args),
-    /// Refine mesh, steps, points and contact for an error bar of every number
-    #[command(after_long_help = verify::HELP)]
     Verify(verify::Args),
-    /// Show one step of the solver, iteration by iteration
-    #[command(after_long_help = trace::HELP)]
     Trace(trace::Args),
-    /// List the built-in materials, or show one
-    #[command(after_long_help = materials::HELP)]
     Materials(materials::Args),
-    /// Put the tables of a study's shards together
-    #[command(hide = true, after_long_help = sweep::MERGE_HELP)]
-    Merge(sweep::MergeArgs),
+    #[command(hide = true)]
+    Merge(study::MergeArgs),
     /// Print the JSON schema of case files, for completion in editors
     #[command(hide = true, after_help = "Begin a case file with the line `#:schema ./case.schema.json`.")]
     Schema {
-        /// Print a reference for people instead, as Markdown
-        #[arg(long)]
+        #[arg(long, help = "Print a reference for people instead, as Markdown")]
         markdown: bool,
     },
-    /// Print the completions of a shell
-    #[command(hide = true)]
-    Completions { shell: Shell },
-    /// Print the manual page of the program or of a verb
-    #[command(hide = true)]
-    Man { verb: Option<String> },
+    #[command(about = "Print the completions of a shell", hide = true)]
+    Completions {
+        shell: Shell,
+    },
+    #[command(about = "Print the manual page of the program or of a verb", hide = true)]
+    Man {
+        verb: Option<String>,
+    },
 }
 
 /// Reads the command line and does what it asks for; a panic is an error.
-pub fn main() -> anyhow::Result<Code> {
+pub fn main() -> ExitCode {
     bug::listen();
-    bug::caught("the program", command)
+    let code = caught("the program", command).unwrap_or_else(|error| complained(&[error], Code::Done));
+    ExitCode::from(code as u8)
 }
 
-fn command() -> anyhow::Result<Code> {
+fn program() -> clap::Command {
+    Args::command().mut_subcommand("new", new::command)
+}
+
+fn command() -> Result<Code> {
     let has_control_characters =
         std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)));
-    let args = match Args::try_parse() {
+    let matches = match program().try_get_matches() {
         // The message quotes the command line, whose control characters are printed as codes.
         Err(error) if error.use_stderr() && (Json::is_requested() || has_control_characters) => {
-            return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
+            return Err(bad_request(error.to_string().trim_start_matches("error: ").trim_end()));
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
     };
-    interrupt::listen()?;
+    let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    error::listen()?;
     args.units.set();
     let code = match args.verb {
+        Verb::New => new::new(matches.subcommand_matches("new").expect("the verb")),
+        Verb::Import(args) => import::import(args),
+        Verb::Check(args) => check::check(&args),
         Verb::Run(args) => run::run(&args),
         Verb::Report(args) => report::report(&args),
-        Verb::Import(args) => import::import(&args),
-        Verb::Trace(args) => trace::trace(&args),
-        Verb::Verify(args) => verify::verify(&args),
-        Verb::Compare(args) => compare::compare(&args),
-        Verb::Sweep(args) => sweep::sweep(&args),
-        Verb::Search(args) => search::search(&args),
-        Verb::Scatter(args) => scatter::scatter(&args),
-        Verb::Merge(args) => sweep::merge(&args),
+        Verb::Sweep(args) => study::sweep(&args),
+        Verb::Search(args) => study::search(args),
+        Verb::Scatter(args) => study::scatter(&args),
         Verb::Fit(args) => fit::fit(&args),
-        Verb::Check(args) => check::check(&args),
-        Verb::New(args) => new::new(&args),
+        Verb::Compare(args) => compare::compare(&args),
+        Verb::Verify(args) => verify::verify(&args),
+        Verb::Trace(args) => trace::trace(args),
         Verb::Materials(args) => materials::materials(&args),
-        Verb::Schema { markdown: true } => print(author::case_reference()),
+        Verb::Merge(args) => study::merge(&args),
+        Verb::Schema { markdown: true } => print(stampflow::author::case_reference()),
         Verb::Schema { .. } => print(case::schema()),
         Verb::Completions { shell } => {
             let mut bytes = Vec::new();
-            clap_complete::generate(shell, &mut Args::command(), "stampflow", &mut bytes);
+            clap_complete::generate(shell, &mut program(), "stampflow", &mut bytes);
             print(String::from_utf8(bytes)?)
         }
         Verb::Man { verb } => man(verb.as_deref()),
     }?;
-    Ok(match code {
-        Code::Done | Code::StoppedEarly if interrupt::is_wanted() => Code::Interrupted,
-        code => code,
-    })
+    Ok(if matches!(code, Code::Done | Code::StoppedEarly) && is_interrupted() { Code::Interrupted } else { code })
 }
 
-fn man(verb: Option<&str>) -> anyhow::Result<Code> {
-    let mut command = Args::command();
+fn man(verb: Option<&str>) -> Result<Code> {
+    let mut command = program();
     // Gives the verbs their names and global options.
     command.build();
     if let Some(verb) = verb {
         let verbs: Vec<&str> = command.get_subcommands().map(|verb| verb.get_name()).collect();
-        let unknown = || BadRequest(format!("there is no verb `{verb}`; there are {}", verbs.join(", ")));
+        let unknown = || bad_request(format!("there is no verb `{verb}`; there are {}", verbs.join(", ")));
         command = command.find_subcommand(verb).cloned().ok_or_else(unknown)?;
     }
     let mut bytes = Vec::new();

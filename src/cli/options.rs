@@ -1,23 +1,23 @@
 //! Options that several verbs have.
 
-use super::progress::Progress;
+use super::*;
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command};
-use stampflow::case::{self, Solution, library};
+use stampflow::case::{Solution, library};
 use stampflow::plot::{Captions, Format, Pictures};
+use stampflow::results::comparison::{Computed, comparisons};
 use stampflow::results::error_bars;
 use stampflow::study::verify::{quick, verify};
-use stampflow::units::{Dimensioned, DisplaySettings, Length, Positive};
+use stampflow::units::{Dimensioned, Length, Positive};
 use std::ffi::OsStr;
-use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
-/// Widths of pictures on paper \[mm\].
-const WIDTHS: RangeInclusive<f64> = 50.0..=400.0;
-const FORMATS: [(&str, Format); 2] = [("svg", Format::Svg), ("png", Format::Png)];
-const CAPTIONS: [(&str, Captions); 3] =
-    [("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
-const SYSTEMS: [(&str, DisplaySettings); 2] = [("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
+/// Words of an option and their values.
+type Words<T> = &'static [(&'static str, T)];
+
+const FORMATS: Words<Format> = &[("svg", Format::Svg), ("png", Format::Png)];
+const CAPTIONS: Words<Captions> = &[("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
+const SYSTEMS: Words<DisplaySettings> = &[("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
 
 /// Parser of a text with words that a shell offers to complete; any other text is accepted too.
 #[derive(Clone)]
@@ -50,15 +50,41 @@ impl TypedValueParser for Suggested {
     }
 }
 
-/// Error bars of a run.
-#[derive(Debug, clap::Args)]
-pub struct ErrorBars {
-    /// Compute error bars from finer runs, as `stampflow verify`
-    #[arg(long)]
-    pub error_bars: bool,
-    /// Give no error bars: skip the coarser run for their estimate
-    #[arg(long, conflicts_with = "error_bars", hide_short_help = true)]
-    no_error_bars: bool,
+options! {
+    /// Error bars of a run.
+    ErrorBars {
+        error_bars: bool [long] "Compute error bars from finer runs, as `stampflow verify`",
+        no_error_bars: bool [long, conflicts_with = "error_bars", hide_short_help = true]
+            "Give no error bars: skip the coarser run for their estimate",
+    };
+    Json {
+        json: bool [long] "Print JSON, errors too; show no progress",
+    };
+    Overrides {
+        set: Vec<String> = "KEY=VALUE" [long = "set", value_parser = Suggested::KEYS, hide_possible_values = true]
+            "Replace a value of the case, as often as needed: tools.die.friction=0.1",
+        material: Option<String> = "NAME" [long, value_parser = Suggested::SHEETS, hide_possible_values = true]
+            "Take another sheet of the library, by name or grade, in place of the [material] table",
+    };
+    /// Options of verbs that solve.
+    Common {
+        quiet: bool [long, short] "Show no progress",
+    } overrides: Overrides, json: Json;
+    Threads {
+        threads: Option<u16> = "N" [long, value_parser = clap::value_parser!(u16).range(1..=256)]
+            "Threads for runs side by side [default: one per core]",
+    };
+    PictureOptions {
+        format: Vec<Format> = "FORMAT" [long, value_delimiter = ',', default_value = "png", value_parser = one_of(FORMATS)]
+            "Formats of pictures: svg, png",
+        width: Option<f64> = "LENGTH" [long, value_parser = width, allow_hyphen_values = true, hide_short_help = true]
+            "Width of pictures on paper, 50 to 400 mm [default: 170 mm]",
+        dpi: Option<u16> = "N" [long, value_parser = clap::value_parser!(u16).range(50..=1200), hide_short_help = true]
+            "Pixels per inch of png, 50 to 1200 [default: 300 with --width, else 1600 pixels across]",
+        captions: Captions = "HOW_MUCH" [long, default_value = "short", value_parser = one_of(CAPTIONS), hide_short_help = true]
+            "Text of pictures besides axes and legend: none, short (the title) or full (also settings and warnings)",
+        engineering_strain: bool [long, hide_short_help = true] "Draw the forming limit diagram in engineering strains",
+    };
 }
 
 impl ErrorBars {
@@ -71,33 +97,11 @@ impl ErrorBars {
     }
 }
 
-#[derive(Debug, clap::Args)]
-pub struct Json {
-    /// Print JSON, errors too; show no progress
-    #[arg(long)]
-    pub json: bool,
-}
-
 impl Json {
     /// Whether the command line has `--json`, even if the rest of it is wrong.
     pub fn is_requested() -> bool {
         std::env::args_os().any(|arg| arg == "--json")
     }
-}
-
-#[derive(Debug, clap::Args)]
-pub struct Overrides {
-    /// Replace a value of the case: tools.die.friction=0.1
-    ///
-    /// KEY is a dotted path; give the option as often as needed.
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = Suggested::KEYS, hide_possible_values = true)]
-    set: Vec<String>,
-    /// Take another sheet of the library
-    ///
-    /// A name, a grade such as DC04 or the beginning of a name, see `stampflow materials`. It replaces the whole [material]
-    /// table except what --set says.
-    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
-    material: Option<String>,
 }
 
 impl Overrides {
@@ -106,46 +110,43 @@ impl Overrides {
         let sheet = self.material.iter().map(|name| format!("material={name:?}"));
         sheet.chain(self.set.iter().cloned()).collect()
     }
+
+    pub fn load(&self, path: &Path) -> Result<Case> {
+        load(path, &self.all())
+    }
 }
 
-#[derive(Debug, clap::Args)]
-pub struct Threads {
-    /// Threads for runs side by side [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
-    threads: Option<u16>,
+/// Reads a case and the curves that it will be compared with: bad input is found before solving.
+pub fn load(path: &Path, overrides: &[String]) -> Result<Case> {
+    caught(&format!("reading {}", path.display()), || {
+        let case = case::load(path, overrides)?;
+        comparisons(&case, &Computed::nothing(case.model()))?;
+        Ok(case)
+    })
+}
+
+impl Common {
+    pub fn json(&self) -> bool {
+        self.json.json
+    }
+
+    pub fn progress(&self) -> Progress {
+        Progress::new(self.quiet || self.json())
+    }
+
+    /// Reads every case; the errors of the others come second.
+    pub fn load_all(&self, paths: &[PathBuf]) -> (Vec<Case>, Vec<anyhow::Error>) {
+        let mut failed = Vec::new();
+        (sound(paths.iter().map(|path| self.overrides.load(path)), &mut failed), failed)
+    }
 }
 
 impl Threads {
-    pub fn count(&self) -> Option<usize> {
-        self.threads.map(usize::from)
+    /// Sets the number of threads of the process, 0 for its default; once, before anything runs.
+    pub fn apply(&self) -> Result<()> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads.map_or(0, usize::from));
+        Ok(pool.build_global()?)
     }
-
-    /// Sets the number of threads of the process; once, before anything runs.
-    pub fn apply(&self) -> anyhow::Result<()> {
-        if let Some(threads) = self.threads {
-            rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
-        }
-        Ok(())
-    }
-}
-
-#[derive(Debug, clap::Args)]
-pub struct PictureOptions {
-    /// Formats of pictures: svg, png
-    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "png", value_parser = one_of(&FORMATS))]
-    format: Vec<Format>,
-    /// Width of pictures on paper, 50 to 400 mm [default: 170 mm]
-    #[arg(long, value_name = "LENGTH", value_parser = width, allow_hyphen_values = true, hide_short_help = true)]
-    width: Option<f64>,
-    /// Pixels per inch of png, 50 to 1200 [default: 300 with --width, else 1600 pixels across]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(50..=1200), hide_short_help = true)]
-    dpi: Option<u16>,
-    /// Text of pictures besides axes and legend: none, short (the title) or full (also settings and warnings)
-    #[arg(long, value_name = "HOW_MUCH", default_value = "short", value_parser = one_of(&CAPTIONS), hide_short_help = true)]
-    captions: Captions,
-    /// Draw the forming limit diagram in engineering strains
-    #[arg(long, hide_short_help = true)]
-    engineering_strain: bool,
 }
 
 impl PictureOptions {
@@ -158,23 +159,20 @@ impl PictureOptions {
 
 /// Reads the value of `--units`.
 pub fn units(name: &str) -> Result<DisplaySettings, String> {
-    one_of(&SYSTEMS)(&name.to_lowercase()).map_err(|_| "give si (mm, kN, MPa) or us (in, US tonf, ksi)".to_owned())
+    one_of(SYSTEMS)(&name.to_lowercase()).map_err(|_| "give si (mm, kN, MPa) or us (in, US tonf, ksi)".to_owned())
 }
 
 /// Parser of one word of a list.
-fn one_of<T: Copy + Send + Sync>(
-    all: &'static [(&str, T)],
-) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
+fn one_of<T: Copy + Send + Sync>(all: Words<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
     |text| {
         let known = || all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
         all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value).ok_or_else(|| format!("give {}", known()))
     }
 }
 
+/// Reads a width on paper \[mm\].
 fn width(text: &str) -> Result<f64, String> {
     let mm = text.parse::<Positive<Length>>().map_err(|error| error.to_string())?.value();
-    match WIDTHS.contains(&mm) {
-        true => Ok(mm),
-        false => Err(format!("give {} to {} mm: 85 mm is a column, 170 mm a page", WIDTHS.start(), WIDTHS.end())),
-    }
+    let is_paper = (50.0..=400.0).contains(&mm);
+    is_paper.then_some(mm).ok_or_else(|| "give 50 to 400 mm: 85 mm is a column, 170 mm a page".to_owned())
 }

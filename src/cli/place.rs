@@ -1,25 +1,23 @@
 //! Places that a verb may write to: never over what it reads.
 
-use super::code::{BadPath, BadRequest, unusable};
-use stampflow::case::Case;
+use super::*;
+use error::unusable;
 use stampflow::results::{ResultFolder, WriteError, can_write, is_result};
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::{Component, Path, PathBuf};
+use std::path::Component;
 
 /// Folder of a case among others.
-pub fn folder(others: &Path, case: &Case) -> Result<PathBuf, BadRequest> {
-    let mut parts = Path::new(&case.name).components();
-    if let (Some(Component::Normal(_)), None) = (parts.next(), parts.next()) {
-        return Ok(others.join(&case.name));
-    }
+pub fn folder(others: &Path, case: &Case) -> Result<PathBuf> {
     let (path, name) = (case.path.display(), &case.name);
-    Err(BadRequest(format!("the results of {path} would go to \"{name}\", which is no folder of their own: rename it")))
+    let is_folder = Path::new(name).components().map(|part| matches!(part, Component::Normal(_))).eq([true]);
+    let what = || format!("the results of {path} would go to \"{name}\", which is no folder of their own: rename it");
+    ensure!(is_folder, bad_request(what()));
+    Ok(others.join(name))
 }
 
-fn refused(path: &Path, what: &str, option: &str) -> BadPath {
-    let what = format!("{} {what}", path.display());
-    BadPath { what, help: format!("choose another place with {option}"), path: path.to_owned() }
+fn refused(path: &Path, what: &str, option: &str) -> anyhow::Error {
+    bad_path(path, what, format!("choose another place with {option}"))
 }
 
 /// Opens the folder for the results of a case, which may not hold a file that the case reads.
@@ -27,7 +25,7 @@ pub fn results(
     case: &Case,
     dir: &Path,
     open: impl Fn(&Path) -> Result<ResultFolder, WriteError>,
-) -> Result<ResultFolder, BadPath> {
+) -> Result<ResultFolder> {
     let folder = real(dir);
     let is_inside = |input: &&PathBuf| {
         let input = real(input);
@@ -40,35 +38,31 @@ pub fn results(
 }
 
 /// Refuses a file that is an input, or that cannot be written.
-pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<(), BadPath> {
+pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<()> {
     let place = real(path);
-    match inputs.iter().any(|input| real(input) == place) {
-        true => Err(refused(path, "is what is read", option)),
-        false => can_write(path).map_err(unusable(option)),
-    }
+    ensure!(inputs.iter().all(|input| real(input) != place), refused(path, "is what is read", option));
+    can_write(path).map_err(unusable(option))
 }
 
-/// Refuses an existing file that does not begin like the one to be written.
-pub fn replaced(path: &Path, beginning: &[u8], option: &str) -> Result<(), BadPath> {
+/// Refuses a file that is an input, cannot be written, or exists and does not begin like the one to be written.
+pub fn replaced(path: &Path, beginning: &[u8], inputs: &[PathBuf], option: &str) -> Result<()> {
     let begins = || {
         let mut bytes = Vec::new();
         let read = File::open(path).and_then(|file| file.take(beginning.len() as u64).read_to_end(&mut bytes));
         read.is_ok() && bytes == beginning
     };
     // Opening a pipe would wait for a writer.
-    if path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins() {
-        return Ok(());
-    }
-    Err(refused(path, "is there already, and it is not what may be replaced here", option))
+    let is_free = path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins();
+    ensure!(is_free, refused(path, "is there already, and it is not what may be replaced here", option));
+    file(path, inputs, option)
 }
 
 /// Refuses a file with the name of a result in the folder of results.
-pub fn outside(path: &Path, dir: &Path, option: &str) -> Result<(), BadPath> {
+pub fn outside(path: &Path, dir: &Path, option: &str) -> Result<()> {
     let file = real(path);
-    match is_named_as_result(&file) && file.parent() == Some(&real(dir)) {
-        true => Err(refused(path, "is the name of a result", option)),
-        false => Ok(()),
-    }
+    let is_result = is_named_as_result(&file) && file.parent() == Some(&real(dir));
+    ensure!(!is_result, refused(path, "is the name of a result", option));
+    Ok(())
 }
 
 fn is_named_as_result(path: &Path) -> bool {

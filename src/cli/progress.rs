@@ -1,15 +1,12 @@
 //! Progress of runs on the error stream: bars on a terminal, a line every few seconds elsewhere, or nothing.
 
-use super::interrupt;
-use super::screen::warn;
+use super::*;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
-use stampflow::case::files::visible;
-use stampflow::case::{Case, Solution};
+use stampflow::case::Solution;
 use stampflow::model::Model;
 use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
-use stampflow::study;
 use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::sync::Mutex;
@@ -20,23 +17,28 @@ const FULL: f64 = 1000.0;
 /// Time between two lines of progress.
 const INTERVAL: Duration = Duration::from_secs(3);
 
-/// Form of progress.
+/// Form of progress: bars are drawn on a terminal only.
 pub struct Progress {
-    /// Drawn on a terminal only.
     bars: MultiProgress,
     has_lines: bool,
 }
 
-/// Progress of one run or of one count of runs.
-struct Meter {
+/// Progress of one run, or of many.
+pub struct Meter {
     name: String,
     bar: ProgressBar,
     has_lines: bool,
+    begin: Instant,
     last_line: Instant,
 }
 
-/// Observer of one run: shows its progress and records what is asked for.
+/// Progress of many runs.
+pub struct Count(Mutex<Meter>);
+
+/// Observer of one run: shows its progress, keeps frames, and iterations if there is a list of them.
 pub struct Watch {
+    pub trace: Option<Vec<IterationRecord>>,
+    pub recorder: FrameRecorder,
     /// Names of the stages to come.
     to_come: std::vec::IntoIter<String>,
     duration: f64,
@@ -44,20 +46,6 @@ pub struct Watch {
     force_unit: &'static str,
     last: StepRecord,
     meter: Meter,
-    records: Records,
-}
-
-/// Progress of many runs.
-pub struct Count {
-    meter: Mutex<Meter>,
-    begin: Instant,
-}
-
-/// Records of a run, each where it is asked for.
-#[derive(Clone, Debug, Default)]
-pub struct Records {
-    pub trace: Option<Vec<IterationRecord>>,
-    pub recorder: FrameRecorder,
 }
 
 impl Progress {
@@ -68,30 +56,30 @@ impl Progress {
     }
 
     /// An observer of the run of a case.
-    pub fn watch(&self, case: &Case, records: Records) -> Watch {
-        let (name, model) = (&case.name, case.model());
+    pub fn watch(&self, case: &Case) -> Watch {
+        let (name, Model { duration, blank, .. }) = (&case.name, case.model());
         let stages: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
         Watch {
+            trace: None,
+            recorder: FrameRecorder::default(),
             to_come: stages.into_iter(),
-            duration: model.duration,
-            thickness: model.blank.thickness,
-            force_unit: model.extent().force_unit().symbol(),
-            last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
+            duration: *duration,
+            thickness: blank.thickness,
+            force_unit: case.model().extent().force_unit().symbol(),
+            last: StepRecord { thinnest: blank.thickness, ..StepRecord::default() },
             meter: self.meter(name.clone()),
-            records,
         }
     }
 
     /// A count of many runs.
     pub fn count(&self, name: String) -> Count {
-        Count { meter: Mutex::new(self.meter(name)), begin: Instant::now() }
+        Count(Mutex::new(self.meter(name)))
     }
 
     fn meter(&self, name: String) -> Meter {
         let style = ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
-        let bar = self.bars.add(ProgressBar::new(FULL as u64));
-        let bar = bar.with_style(style.expect("the template is valid"));
-        Meter { name, bar, has_lines: self.has_lines, last_line: Instant::now() }
+        let bar = self.bars.add(ProgressBar::new(FULL as u64)).with_style(style.expect("the template is valid"));
+        Meter { name, bar, has_lines: self.has_lines, begin: Instant::now(), last_line: Instant::now() }
     }
 }
 
@@ -108,15 +96,15 @@ impl Meter {
     }
 }
 
-impl study::Watch for Count {
+impl stampflow::study::Watch for Count {
     fn wants_to_stop(&self) -> bool {
-        interrupt::is_wanted()
+        is_interrupted()
     }
 
     fn ran(&self, done: usize, all: usize) {
         // A poisoned lock is a panic of another thread, which reports it.
-        let Ok(mut meter) = self.meter.lock() else { return };
-        let left = self.begin.elapsed().mul_f64((all - done) as f64 / done.max(1) as f64).as_secs();
+        let Ok(mut meter) = self.0.lock() else { return };
+        let left = meter.begin.elapsed().mul_f64((all - done) as f64 / done.max(1) as f64).as_secs();
         meter.show(done as f64 / all as f64, false, format!("{done} of {all} runs, {left} s left"));
         if done == all {
             meter.bar.finish();
@@ -126,31 +114,30 @@ impl study::Watch for Count {
 
 impl Watch {
     /// Runs all stages of a case and takes the time.
-    pub fn solve(mut self, case: Case) -> (Solution, Records) {
-        let start = Instant::now();
-        let mut solution = case.solve(&mut self);
-        solution.wall = Some(start.elapsed());
+    pub fn solve(&mut self, case: Case) -> Solution {
+        let mut solution = case.solve(self);
+        solution.wall = Some(self.meter.begin.elapsed());
         if solution.is_complete() {
-            self.meter.bar.finish();
+            self.meter.bar.finish()
         } else {
-            self.meter.bar.abandon();
+            self.meter.bar.abandon()
         }
-        (solution, self.records)
+        solution
     }
 
     fn show(&mut self, is_step: bool) {
-        let (record, unit) = (&self.last, self.force_unit);
-        let load = if record.travel > 0.0 {
-            format!("travel {:.2} mm, force {:.0} {unit}, ", record.travel, record.punch_force)
-        } else if record.pressure != 0.0 {
-            format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
+        let StepRecord { travel, pressure, .. } = self.last;
+        let load = if travel > 0.0 {
+            format!("travel {travel:.2} mm, force {:.0} {}, ", self.last.punch_force, self.force_unit)
+        } else if pressure != 0.0 {
+            format!("height {:.2} mm, pressure {pressure:.3} MPa, ", self.last.pole_height)
         } else {
             String::new()
         };
-        let left = 100.0 * record.thinnest / self.thickness;
+        let left = 100.0 * self.last.thinnest / self.thickness;
         // Round-off would leave the last step at 99 %.
-        let share = record.time / self.duration + 1e-9;
-        let message = format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step);
+        let share = self.last.time / self.duration + 1e-9;
+        let message = format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", self.last.step);
         self.meter.show(share, is_step && share >= 1.0, message);
     }
 }
@@ -163,15 +150,12 @@ impl Observer for Watch {
 
     fn stage(&mut self, stage: &Stage) {
         let Some(name) = self.to_come.next() else { return };
-        self.duration = stage.model.duration;
-        self.meter.name = name;
+        (self.duration, self.meter.name) = (stage.model.duration, name);
         self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
     }
 
     fn iteration(&mut self, iterate: &Iterate) {
-        if let Some(trace) = &mut self.records.trace {
-            trace.push(iterate.record());
-        }
+        self.trace.iter_mut().for_each(|trace| trace.push(iterate.record()));
         // Also while no step is accepted.
         if self.meter.has_lines {
             self.show(false);
@@ -179,10 +163,10 @@ impl Observer for Watch {
     }
 
     fn wants_to_stop(&mut self) -> bool {
-        interrupt::is_wanted()
+        is_interrupted()
     }
 
     fn state(&mut self, model: &Model, state: &State) {
-        self.records.recorder.state(model, state);
+        self.recorder.state(model, state);
     }
 }

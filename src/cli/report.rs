@@ -1,83 +1,53 @@
 //! `stampflow report`: a case solved and written as one HTML page.
 
-use super::code::{BadRequest, Code};
 use super::compare::{Variants, to_compare};
-use super::job;
-use super::options::{ErrorBars, Json, Overrides};
-use super::place;
-use super::progress::{Progress, Records};
-use super::screen::{print, print_json};
-use super::study::request;
-use serde_json::json;
-use stampflow::case::Case;
+use super::*;
 use stampflow::report::Report;
-use stampflow::results::{is_report, write};
+use stampflow::results::is_report;
 use stampflow::study::compare::SideBySide;
 use stampflow::study::verify::quick;
-use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
-pub const HELP: &str = "\
-One HTML file with its pictures inside. A browser prints it on A4 pages, or as PDF. Each number has its error bar, estimated
-from one coarser run. A report of an earlier run is replaced; any other file is left alone.
+options! {
+    /// Solve a case and write a report, one HTML page
+    #[command(after_long_help = "\
+One HTML file with its pictures inside; a browser prints it on A4 pages, or as PDF. A report of an earlier run is \
+replaced; any other file is left alone.
 
 Examples:
-  stampflow report cases/quickstart.toml
   stampflow report cup.toml -o cup_report.html --set 'report={part=\"Cup\", number=\"4711\"}'
-  stampflow report cases/quickstart.toml --also friction=0.12
-
-Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early, 130 interrupted, 1 anything else";
-
-#[derive(Debug, clap::Args)]
-pub struct Args {
-    /// Case file
-    case: PathBuf,
-    #[command(flatten)]
-    overrides: Overrides,
-    /// The file to write [default: out/<case>/report.html]
-    #[arg(long, short, alias = "out", value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Compare with another case or with measured curves; as often as needed
-    #[arg(long, value_name = "CASE.toml|CURVE.csv")]
-    against: Vec<PathBuf>,
-    #[command(flatten)]
-    variants: Variants,
-    /// Replace a file that is no report, too
-    #[arg(long)]
-    force: bool,
-    /// Show no progress
-    #[arg(long, short)]
-    quiet: bool,
-    #[command(flatten)]
-    json: Json,
-    #[command(flatten)]
-    bars: ErrorBars,
+  stampflow report cases/quickstart.toml --also friction=0.12")]
+    Args {
+        case: PathBuf [] "Case file",
+        output: Option<PathBuf> = "FILE" [long, short, alias = "out"]
+            "The file to write [default: out/<case>/report.html]",
+        against: Vec<PathBuf> = "CASE.toml|CURVE.csv" [long]
+            "Compare with another case or with measured curves; as often as needed",
+        force: bool [long] "Replace a file that is no report, too",
+    } variants: Variants, common: Common, bars: ErrorBars;
 }
 
-pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.all())?;
+pub fn report(args: &Args) -> Result<Code> {
+    let case = args.common.overrides.load(&args.case)?;
     let path = args.page(&case)?;
     place::file(&path, &case.inputs, "--output")?;
-    let compared = if args.against.is_empty() && args.variants.also.is_empty() {
-        None
-    } else {
-        let files: Vec<PathBuf> = std::iter::once(&args.case).chain(&args.against).cloned().collect();
-        Some(to_compare(&files, &args.variants, &args.overrides.all())?)
-    };
-    let progress = Progress::new(args.quiet || args.json.json);
-    let (solution, _) = progress.watch(&case, Records::default()).solve(case);
-    let verification = args.bars.of(&solution, &progress, true);
+    let files: Vec<PathBuf> = std::iter::once(&args.case).chain(&args.against).cloned().collect();
+    let is_compared = files.len() > 1 || !args.variants.also.is_empty();
+    let compared = is_compared.then(|| to_compare(&files, &args.variants, &args.common.overrides.all())).transpose()?;
+    let progress = args.common.progress();
+    let solved = Solved::new(progress.watch(&case).solve(case), &args.bars, &progress, true);
+    let Solved { solution, verification, answer, findings } = &solved;
     let versus = compared.map(|(candidates, curves)| {
-        let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()).bars);
+        let bars = verification.clone().unwrap_or_else(|| quick(solution, &()).bars);
         let threads = available_parallelism().map_or(1, usize::from);
         let count = progress.count(format!("{}, compared", solution.case.name));
         SideBySide::solve(&candidates, curves, Some((solution.clone(), bars)), threads, &count)
     });
-    let versus = versus.transpose().map_err(request)?;
-    let report = Report::verified(&solution, verification.as_ref());
+    let versus = versus.transpose()?;
+    let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
     let report = versus.iter().fold(report, Report::against);
     let written = write(&path, report.html().as_bytes());
-    let printed = if args.json.json {
+    let printed = if args.common.json() {
         let mut value = report.json();
         value["files"] = json!(written.iter().map(|()| &path).collect::<Vec<_>>());
         print_json(&value)
@@ -88,28 +58,21 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     };
     written?;
     printed?;
-    Ok(if solution.is_complete() { Code::Done } else { Code::StoppedEarly })
+    Ok(solved.code(false))
 }
 
 impl Args {
-    /// The file to write, an HTML page.
-    fn page(&self, case: &Case) -> Result<PathBuf, BadRequest> {
-        let path = match &self.output {
-            None => place::folder(Path::new("out"), case)?.join("report.html"),
-            Some(path) => path.clone(),
-        };
+    /// Path of the page; refuses a file that is no report.
+    fn page(&self, case: &Case) -> Result<PathBuf> {
+        let default = || place::folder(Path::new("out"), case).map(|folder| folder.join("report.html"));
+        let path = self.output.clone().map_or_else(default, Ok)?;
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("html");
-        if !matches!(ending, "html" | "htm") {
-            return Err(BadRequest(format!(
-                "a report is an HTML page and no .{ending} file: write -o NAME.html; a browser prints it as PDF"
-            )));
-        }
-        if self.force || path.symlink_metadata().is_err() || path.is_dir() || is_report(&path) {
-            return Ok(path);
-        }
-        let what = path.display();
-        Err(BadRequest(format!(
-            "{what} is there and is no report of ours: choose another name with -o, or replace it with --force"
-        )))
+        let what =
+            format!("a report is an HTML page and no .{ending} file: write -o NAME.html; a browser prints it as PDF");
+        ensure!(matches!(ending, "html" | "htm"), bad_request(what));
+        let is_free = self.force || path.symlink_metadata().is_err() || path.is_dir() || is_report(&path);
+        let what = "is there and is no report of ours: choose another name with -o, or replace it with --force";
+        ensure!(is_free, bad_request(format!("{} {what}", path.display())));
+        Ok(path)
     }
 }

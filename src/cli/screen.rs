@@ -1,21 +1,19 @@
 //! Printed texts and tables: as wide as the terminal, 80 columns elsewhere; coloured on terminals only.
 
-use super::code::Code;
+use super::*;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use serde::Serialize;
 use stampflow::assess::Light;
-use stampflow::case::files::visible;
 pub use stampflow::study::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Add;
 
-/// Columns without a terminal.
+/// Columns without a terminal, and of a wide one: longer lines are hard to read.
 const WIDTH: usize = 80;
-/// Columns of a wide terminal: longer lines are hard to read.
 const WIDEST: usize = 120;
 
 /// Text for a screen; control characters of titles, names and values are written as codes.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct ScreenText(String);
 
 impl ScreenText {
@@ -31,16 +29,16 @@ impl<T: AsRef<str>> From<T> for ScreenText {
     }
 }
 
-impl Add for ScreenText {
+impl<T: Into<ScreenText>> Add<T> for ScreenText {
     type Output = Self;
 
-    fn add(self, more: Self) -> Self {
-        Self(self.0 + &more.0)
+    fn add(self, more: T) -> Self {
+        Self(self.0 + &more.into().0)
     }
 }
 
 /// Prints whole lines; a reader that has gone away (`| head`) is no error.
-pub fn print(text: impl Into<ScreenText>) -> anyhow::Result<Code> {
+pub fn print(text: impl Into<ScreenText>) -> Result<Code> {
     match print_lines(&mut io::stdout().lock(), &text.into()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(Code::Done),
@@ -48,7 +46,7 @@ pub fn print(text: impl Into<ScreenText>) -> anyhow::Result<Code> {
 }
 
 /// Prints a value, indented.
-pub fn print_json(value: &impl Serialize) -> anyhow::Result<Code> {
+pub fn print_json(value: &impl Serialize) -> Result<Code> {
     print(serde_json::to_string_pretty(value)?)
 }
 
@@ -58,8 +56,7 @@ pub fn warn(text: impl Into<ScreenText>) {
 }
 
 fn print_lines(stream: &mut impl Write, ScreenText(text): &ScreenText) -> io::Result<()> {
-    let end = if text.ends_with('\n') { "" } else { "\n" };
-    write!(stream, "{text}{end}")
+    write!(stream, "{text}{}", if text.is_empty() || text.ends_with('\n') { "" } else { "\n" })
 }
 
 /// Colour of a light in tables and as an escape code; `None` without colours.
@@ -82,48 +79,61 @@ fn width() -> usize {
     if io::stdout().is_terminal() { textwrap::termwidth().min(WIDEST) } else { WIDTH }
 }
 
-/// Table with columns two spaces apart, wrapped to the width with the first column whole.
-pub fn table<Row: Into<Vec<Cell>>>(headers: &[&str], rows: impl IntoIterator<Item = Row>) -> ScreenText {
+/// Table with columns two spaces apart, wrapped to the width with the first column whole; headers may be none.
+pub fn table<Row: IntoIterator<Item: Into<Cell>>>(
+    headers: &[impl AsRef<str>],
+    rows: impl IntoIterator<Item = Row>,
+) -> ScreenText {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
     table.set_width(width() as u16);
     if !headers.is_empty() {
         let bold = Some(Attribute::Bold).filter(|_| has_colours(&io::stdout()));
-        let header = |header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect());
-        table.set_header(headers.iter().map(header));
+        let cells = headers.iter().map(|header| comfy_table::Cell::new(header.as_ref()));
+        table.set_header(cells.map(|cell| cell.add_attributes(bold.into_iter().collect())));
     }
     for row in rows {
-        table.add_row(row.into().into_iter().map(|cell| {
+        table.add_row(row.into_iter().map(Into::into).map(|cell| {
             let text = comfy_table::Cell::new(visible(&cell.to_string()));
             let color = if let Cell::Light(light, _) = cell { color(light) } else { None };
             color.map_or(text.clone(), |(color, _)| text.fg(color))
         }));
     }
-    let count = table.column_count();
-    for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((0, if i + 1 < count { 2 } else { 0 }));
-        if i == 0 {
-            column.set_constraint(ColumnConstraint::ContentWidth);
-        }
-    }
-    ScreenText::coloured(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
+    let last = table.column_count().saturating_sub(1);
+    table
+        .column_iter_mut()
+        .enumerate()
+        .for_each(|(i, column)| _ = column.set_padding((0, if i < last { 2 } else { 0 })));
+    table.column_mut(0).into_iter().for_each(|first| _ = first.set_constraint(ColumnConstraint::ContentWidth));
+    ScreenText(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
+}
+
+/// Table without headers.
+pub fn rows<Row: IntoIterator<Item: Into<Cell>>>(rows: impl IntoIterator<Item = Row>) -> ScreenText {
+    table::<Row>(&[""; 0], rows)
 }
 
 /// Text wrapped to the width, each line's rest under its last column.
-pub fn wrapped(text: &str) -> ScreenText {
-    visible(text).lines().map(|line| hanging(line, width()) + "\n").collect::<String>().into()
+pub fn wrapped(text: impl AsRef<str>) -> ScreenText {
+    let (text, width) = (visible(text.as_ref()), width());
+    let lines = text.lines().map(|line| {
+        let list = line.find("- ").filter(|at| line[..*at].trim().is_empty()).map(|at| at + 2);
+        let column = line.trim_end().rfind("  ").map(|at| line[..at + 2].chars().count());
+        let indent = " ".repeat(list.or(column).unwrap_or(0).min(width / 2));
+        textwrap::fill(line, textwrap::Options::new(width).subsequent_indent(&indent)) + "\n"
+    });
+    ScreenText(lines.collect())
+}
+
+/// Sentences as a list.
+pub fn list(lines: impl IntoIterator<Item = impl AsRef<str>>) -> ScreenText {
+    wrapped(lines.into_iter().map(|line| format!("- {}\n", line.as_ref())).collect::<String>())
 }
 
 /// Text with the first occurrence of a word in the colour of a light.
 pub fn highlighted(text: &str, word: &str, light: Light) -> ScreenText {
-    let text = wrapped(text);
-    let Some((_, code)) = color(light) else { return text };
-    ScreenText(text.0.replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1))
-}
-
-fn hanging(line: &str, width: usize) -> String {
-    let list = line.find("- ").filter(|at| line[..*at].trim().is_empty()).map(|at| at + 2);
-    let column = line.trim_end().rfind("  ").map(|at| line[..at + 2].chars().count());
-    let indent = " ".repeat(list.or(column).unwrap_or(0).min(width / 2));
-    textwrap::fill(line, textwrap::Options::new(width).subsequent_indent(&indent))
+    let (ScreenText(text), color) = (wrapped(text), color(light));
+    ScreenText(
+        color.map_or(text.clone(), |(_, code)| text.replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1)),
+    )
 }

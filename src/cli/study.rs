@@ -1,65 +1,210 @@
-//! Options and output that all studies share.
+//! `stampflow sweep`, `search`, `scatter` and `merge`, and the options and output that all studies share.
 
-use super::code::{BadRequest, Code};
-use super::options::{Json, Overrides, PictureOptions, Threads};
-use super::place;
-use super::progress::{Count, Progress};
-use super::screen::{ScreenText, print, print_json, table, warn, wrapped};
+use super::progress::Count;
+use super::*;
 use anyhow::Context;
-use serde::Serialize;
 use stampflow::results::ResultFolder;
-use stampflow::study::Watch;
 use stampflow::study::{
-    Evaluated, Evaluation, ReportTable, Shard, Study, StudyError, StudyReport, TableFile, begin, evaluate,
+    self, BaseCase, Evaluated, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep,
+    TableFile, Watch, begin, evaluate,
 };
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 use std::time::Instant;
+
+/// Callback of every new run.
+type Each<'a> = &'a mut dyn FnMut(&Evaluated) -> Result<()>;
 
 /// Designs that are begun without --yes.
 const MANY: u64 = 100_000;
 
-/// Options of every study.
-#[derive(Debug, clap::Args)]
-pub struct StudyOptions {
-    #[command(flatten)]
-    pub overrides: Overrides,
-    /// Folder for the results [default: out/<file>-<verb>]
-    #[arg(long, alias = "output", value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Show no progress
-    #[arg(long, short)]
-    quiet: bool,
-    #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    pub pictures: PictureOptions,
-    #[command(flatten)]
-    pub json: Json,
+options! {
+    StudyOptions {
+        out: Option<PathBuf> = "DIR" [long, alias = "output"] "Folder for the results [default: out/<file>-<verb>]",
+    } common: Common, threads: Threads, pictures: PictureOptions;
+    TableOptions {
+        resume: bool [long] "Keep the rows that an earlier run has left, and run what is missing",
+        restart: bool [long, conflicts_with = "resume"] "Remove the rows that an earlier run has left",
+    } study: StudyOptions;
+    ShardOptions {
+        file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file, or a study file",
+        shard: Option<Shard> = "K/N" [long] "Run one share of so many, such as 7/64, into a table of its own",
+        yes: bool [long] "Begin more than 100 000 runs without asking",
+    } table: TableOptions;
+    /// Run a case with many settings: ranges and lists of any keys, one row a run
+    #[command(after_long_help = "\
+Every combination of the values is one run; keys joined by & move together. A study file \
+holds the same: case, set, one_at_a_time, [vary], [[together]]. DIR/study.csv has one \
+row per run. A picture shows curves, a process window over two or three keys, or a tornado.
+
+Examples:
+  stampflow sweep cup.toml --vary friction=0.04,0.08 --vary \"tools.holder.force=5..30 kN/6\"
+  stampflow sweep study.toml --resume
+  stampflow sweep study.toml --shard 7/64 --out shards")]
+    SweepArgs {
+        vary: Vec<String> = "KEY=VALUES" [long]
+            "A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed",
+        one_at_a_time: bool [long] "Each key by itself at each of its values, instead of every combination",
+        error_bars: bool [long] "Error bars for all numbers, from one coarser run of each design; default over one key",
+        no_error_bars: bool [long, conflicts_with = "error_bars"] "No error bars",
+        keep: Option<Keep> = "curves" [long]
+            "Also write load and thickness of each design, two CSV files in DIR/curves",
+    } options: ShardOptions;
+    /// Run a case with scattering inputs: how sure the verdict is, and what decides
+    #[command(after_long_help = "\
+Distributions: uniform LOW..HIGH UNIT, uniform ± HALF UNIT, normal MEAN ± DEVIATION UNIT, \
+normal ± DEVIATION UNIT in LOW..HIGH UNIT. Without a middle they are about the case's own \
+value, and % is of the middle. `friction` is that of every tool, `strength` a factor on the \
+hardening law.
+
+Examples:
+  stampflow scatter cup.toml --vary \"friction=uniform 0.05..0.12\"
+  stampflow scatter study.toml --shard 7/64 --out shards
+  stampflow merge shards/scatter-*-of-64.csv --out out/study-scatter/scatter.csv")]
+    ScatterArgs {
+        vary: Vec<String> = "KEY=DISTRIBUTION" [long] "A key and its distribution, as often as needed",
+        runs: Option<u64> = "N" [long] "Sample size; best a power of two [default: 1024]",
+        seed: Option<u32> = "N" [long] "Seed of the sample [default: 1]",
+    } options: ShardOptions;
+    /// Find the limit of a condition, or the value at which a quantity is as wanted
+    #[command(after_long_help = "\
+Conditions, joined by `and`: no red, no red or amber, no tear, ROW not red (a row of the verdict), QUANTITY < LIMIT. \
+Searches with a name: limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius; with --target also \
+over-bend and bead-force.
+
+Examples:
+  stampflow search cup.toml --for limiting-draw-ratio
+  stampflow search cup.toml --vary \"blank.radius=45..70 mm\" --largest --while \"no red\"
+  stampflow search hat.toml --vary \"tools.holder.force=50..2000 N/mm log\" --target \"draw_in=20 mm\"
+
+Exit code 1: nothing found.")]
+    SearchArgs {
+        case: PathBuf = "CASE.toml" [] "A case file",
+        vary: Option<String> = "KEY=RANGE" [long]
+            "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios; a key alone is searched from half to twice its value",
+        goal: Option<String> = "SEARCH" [long = "for"] "A search with a name",
+        largest: bool [long, conflicts_with = "smallest"] "Find the largest value at which the condition holds",
+        smallest: bool [long] "Find the smallest value",
+        condition: Option<String> = "CONDITION" [long = "while", conflicts_with = "target"]
+            "The condition, such as \"no red\" or \"thinning < 20 % and punch_force <= 60 kN\"",
+        target: Option<String> = "QUANTITY=VALUE" [long] "A quantity and its wanted value, such as \"draw_in=8 mm\"",
+        tolerance: Option<String> = "VALUE" [long]
+            "Accuracy of the limit, in the unit of the key [default: 0.5 % of the range]",
+    } options: TableOptions;
+    /// Put the tables of a study's shards together
+    #[command(after_long_help = "\
+Give every shard of one study once. The same study with --resume and the folder as --out then writes report and pictures.
+
+Example:
+  stampflow merge shards/study-*-of-64.csv --out out/cup-sweep/study.csv")]
+    MergeArgs {
+        shards: Vec<PathBuf> = "SHARD.csv" [required = true] "Tables of all shards of one study",
+        out: PathBuf = "FILE.csv" [long, alias = "output"] "The table to write",
+    };
 }
 
-/// Options of studies with a run table.
-#[derive(Debug, clap::Args)]
-pub struct TableOptions {
-    /// Keep the rows that an earlier run has left, and run what is missing
-    #[arg(long)]
-    resume: bool,
-    /// Remove the rows that an earlier run has left
-    #[arg(long, conflicts_with = "resume")]
-    restart: bool,
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum Keep {
+    Curves,
 }
 
-/// Options of studies whose designs are known in advance.
-#[derive(Debug, clap::Args)]
-pub struct ShardOptions {
-    /// Run one share of so many, such as 7/64, into a table of its own
-    #[arg(long, value_name = "K/N")]
-    shard: Option<Shard>,
-    /// Begin more than 100 000 runs without asking
-    #[arg(long)]
-    yes: bool,
+pub fn sweep(args: &SweepArgs) -> Result<Code> {
+    let options = &args.options;
+    let mut sweep =
+        Sweep::load(&options.file, options.table.study.common.overrides.all(), &args.vary, args.one_at_a_time)?;
+    let errors = args.error_bars || sweep.has_error_bars() && !args.no_error_bars;
+    let dir = options.table.study.folder(&options.file, "sweep").join("curves");
+    let mut each = |evaluated: &Evaluated| if args.keep.is_some() { curves(&dir, evaluated) } else { Ok(()) };
+    options.run(&mut sweep, ["sweep", "study"], errors, &mut each)
+}
+
+pub fn scatter(ScatterArgs { vary, runs, seed, options }: &ScatterArgs) -> Result<Code> {
+    let mut scatter = Scatter::load(&options.file, options.table.study.common.overrides.all(), vary, *runs, *seed)?;
+    options.run(&mut scatter, ["scatter"; 2], false, &mut |_| Ok(()))
+}
+
+pub fn search(args: SearchArgs) -> Result<Code> {
+    let SearchArgs { case, vary, goal, largest, smallest, condition, target, tolerance, options } = args;
+    let side = if largest { Some(Side::Largest) } else { smallest.then_some(Side::Smallest) };
+    let base = BaseCase::load(&case, options.study.common.overrides.all())?;
+    let mut search = LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?;
+    options.run(&mut search, &case, ["search"; 2], Shard::WHOLE, false, &mut |_| Ok(()))
+}
+
+pub fn merge(MergeArgs { shards, out }: &MergeArgs) -> Result<Code> {
+    place::replaced(out, b"study,designs,index,", shards, "--out")?;
+    let (text, designs) = study::merge(shards)?;
+    write(out, text.as_bytes())?;
+    print(wrapped(format!("{designs} designs of {} shards in {}", shards.len(), out.display())))
+}
+
+/// Writes load and thickness of a design.
+fn curves(dir: &Path, Evaluated { run, outcome }: &Evaluated) -> Result<()> {
+    let curves = outcome.iter().flat_map(|outcome| {
+        [("load", "travel_mm,punch_force_N", &outcome.load), ("thickness", "s0_mm,thickness_mm", &outcome.thickness)]
+    });
+    for (name, header, points) in curves {
+        let lines: String = points.iter().map(|(x, y)| format!("{x},{y}\n")).collect();
+        write(&dir.join(format!("{name}-{}.csv", run.index)), format!("{header}\n{lines}").as_bytes())?;
+    }
+    Ok(())
+}
+
+impl ShardOptions {
+    fn run(&self, study: &mut dyn Study, names: [&str; 2], errors: bool, each: Each) -> Result<Code> {
+        let shard = self.shard.unwrap_or(Shard::WHOLE);
+        let count = shard.len(study.plan().designs);
+        let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
+        ensure!(count <= MANY || self.yes, bad_request(what));
+        self.table.run(study, &self.file, names, shard, errors, each)
+    }
+}
+
+impl TableOptions {
+    /// Evaluates a study, by its verb and its table's name, and presents it; `each` sees every new run.
+    fn run(
+        &self,
+        study: &mut dyn Study,
+        file: &Path,
+        [verb, name]: [&str; 2],
+        shard: Shard,
+        errors: bool,
+        each: Each,
+    ) -> Result<Code> {
+        let dir = self.study.folder(file, verb);
+        let path = dir.join(shard.file(name));
+        place::file(&path, &[file.to_owned()], "--out")?;
+        let start = Instant::now();
+        let watch = self.study.count(file, "runs");
+        let settings = Evaluation { threads: self.study.threads(), errors, shard, watch: &watch };
+        let runs = begin(study, &settings)?;
+        let mut table = TableFile::open(&path, &runs, self.resume, self.restart)?;
+        let earlier = std::mem::take(&mut table.earlier);
+        let unwritten = || format!("cannot write {}", path.display());
+        let mut failed = Ok(());
+        let runs = evaluate(study, &settings, runs, &earlier, &mut |runs, evaluated| {
+            failed = table.add(runs, &evaluated.run).with_context(unwritten).and_then(|()| each(evaluated));
+            if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        failed?;
+        let (all, designs) = (study.plan().designs, runs.runs.len());
+        if watch.wants_to_stop() && (all == 0 || (designs as u64) < shard.len(all)) {
+            warn(format!("{designs} runs are in {}; --resume goes on with the others", table.part.display()));
+            return Ok(Code::Done);
+        }
+        if shard != Shard::WHOLE {
+            table.finish().with_context(unwritten)?;
+            let text = format!("{designs} runs in {}; `stampflow merge` joins the shards", path.display());
+            return print(wrapped(text));
+        }
+        let rows = std::fs::read(&table.part).with_context(|| format!("cannot read {}", table.part.display()))?;
+        let files = vec![(shard.file(name), rows)];
+        let wall_s = start.elapsed().as_secs_f64();
+        let extra = json!({ "designs": designs, "lights": runs.lights(), "file": path, "wall_s": wall_s });
+        let code = self.study.present(&study.report(&runs), &dir, files, extra)?;
+        table.discard();
+        Ok(code)
+    }
 }
 
 impl StudyOptions {
@@ -70,119 +215,44 @@ impl StudyOptions {
 
     /// Progress of the runs of a file.
     pub fn count(&self, file: &Path, what: &str) -> Count {
-        Progress::new(self.quiet || self.json.json).count(format!("{}, {what}", stem(file)))
+        self.common.progress().count(format!("{}, {what}", stem(file)))
     }
 
     /// Runs at the same time: one per core by default.
     pub fn threads(&self) -> usize {
-        self.threads.count().or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1)
+        self.threads.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from)
     }
 
     /// Writes charts, tables and other files as one set; prints the report.
-    pub fn present<T: Serialize>(
+    pub fn present(
         &self,
         report: &StudyReport,
         dir: &Path,
-        files: Vec<(String, Vec<u8>)>,
-        extra: &T,
-    ) -> anyhow::Result<Code> {
-        #[derive(Serialize)]
-        struct ReportJson<'a, T> {
-            #[serde(flatten)]
-            report: &'a StudyReport,
-            #[serde(flatten)]
-            extra: &'a T,
-            files: &'a [PathBuf],
-        }
+        mut files: Vec<(String, Vec<u8>)>,
+        extra: Value,
+    ) -> Result<Code> {
         let pictures = self.pictures.pictures();
-        let charts = report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart));
         let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());
+        files.extend(tables().map(|table| (format!("{}.csv", table.name), table.csv())));
         let mut folder = ResultFolder::open(dir, |_, _| false)?;
-        for (name, bytes) in
-            files.into_iter().chain(tables().map(|t| (format!("{}.csv", t.name), t.csv()))).chain(charts)
+        for (name, bytes) in files.into_iter().chain(report.charts.iter().flat_map(|(name, c)| pictures.files(name, c)))
         {
             folder.write(name, &bytes)?;
         }
-        let files = &folder.commit()?;
-        if self.json.json {
-            print_json(&ReportJson { report, extra, files })?;
+        let files = folder.commit()?;
+        if self.common.json() {
+            let mut value = serde_json::to_value(report)?;
+            let extra = extra.as_object().into_iter().flatten();
+            extra.for_each(|(key, number)| value[key] = number.clone());
+            value["files"] = json!(files);
+            print_json(&value)?;
         } else {
-            let notes: String = report.notes.iter().map(|note| format!("\n- {note}")).collect();
-            let text = wrapped(&format!("{}{notes}", report.headline));
-            let text = tables().fold(text, |text, table| text + "\n".into() + screen_table(table));
-            print(text + wrapped(&format!("\n{}", dir.display())))?;
+            let text = wrapped(&report.headline) + list(&report.notes);
+            let text = tables().fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));
+            print(text + wrapped(format!("\n{}", dir.display())))?;
         }
         Ok(if report.found { Code::Done } else { Code::Failed })
     }
-}
-
-/// Evaluates a study into its table and presents it; `each` sees every new run.
-pub fn run(
-    study: &mut dyn Study,
-    (file, verb, name): (&Path, &str, &str),
-    (options, rows, shard): (&StudyOptions, &TableOptions, Option<&ShardOptions>),
-    errors: bool,
-    each: &mut dyn FnMut(&Evaluated) -> anyhow::Result<()>,
-) -> anyhow::Result<Code> {
-    /// Numbers of a run table, for JSON.
-    #[derive(Serialize)]
-    struct Summary {
-        designs: usize,
-        lights: BTreeMap<&'static str, usize>,
-        file: PathBuf,
-        wall_s: f64,
-    }
-    let dir = options.folder(file, verb);
-    let own = shard.and_then(|shard| shard.shard).unwrap_or(Shard::WHOLE);
-    let count = own.len(study.plan().designs);
-    if count > MANY && shard.is_some_and(|shard| !shard.yes) {
-        let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
-        return Err(BadRequest(what).into());
-    }
-    let path = dir.join(own.file(name));
-    place::file(&path, &[file.to_owned()], "--out")?;
-    let start = Instant::now();
-    let watch = options.count(file, "runs");
-    let settings = Evaluation { threads: options.threads(), errors, shard: own, watch: &watch };
-    let runs = begin(study, &settings).map_err(request)?;
-    let mut table = TableFile::open(&path, &runs, rows.resume, rows.restart).map_err(request)?;
-    let kept = std::mem::take(&mut table.earlier);
-    let mut failed = Ok(());
-    let runs = evaluate(study, &settings, runs, &kept, &mut |runs, evaluated| {
-        let added = table.add(runs, &evaluated.run).with_context(|| format!("cannot write {}", path.display()));
-        failed = added.and_then(|()| each(evaluated));
-        if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    });
-    failed?;
-    if watch.wants_to_stop() && (study.plan().designs == 0 || (runs.runs.len() as u64) < count) {
-        let part = table.part.display();
-        warn(format!("{} runs are in {part}; --resume goes on with the others", runs.runs.len()));
-        return Ok(Code::Done);
-    }
-    if own != Shard::WHOLE {
-        table.finish().with_context(|| format!("cannot write {}", path.display()))?;
-        let (n, path) = (runs.runs.len(), path.display());
-        return print(wrapped(&format!("{n} runs in {path}; `stampflow merge` joins the shards")));
-    }
-    let rows = std::fs::read(&table.part).with_context(|| format!("cannot read {}", table.part.display()))?;
-    let wall_s = start.elapsed().as_secs_f64();
-    let summary = Summary { designs: runs.runs.len(), lights: runs.lights(), file: path, wall_s };
-    let code = options.present(&study.report(&runs), &dir, vec![(own.file(name), rows)], &summary)?;
-    table.discard();
-    Ok(code)
-}
-
-/// A wrong study as bad input.
-pub fn request(error: StudyError) -> anyhow::Error {
-    match error {
-        StudyError::Case(error) => error.into(),
-        error @ StudyError::Request { .. } => BadRequest(error.to_string()).into(),
-    }
-}
-
-/// A table of results on the screen.
-pub fn screen_table(table: &ReportTable) -> ScreenText {
-    self::table(&table.columns.iter().map(String::as_str).collect::<Vec<_>>(), table.rows.clone())
 }
 
 fn stem(path: &Path) -> String {

@@ -1,0 +1,100 @@
+//! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
+
+use super::*;
+use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
+use stampflow::case::Solution;
+use stampflow::results::error_bars::{self, answered};
+use stampflow::units::joined;
+
+/// Output of one case of several: text or JSON, and errors that are no reason to give less of it.
+#[derive(Default)]
+pub struct Output {
+    pub code: Code,
+    pub screen: ScreenText,
+    pub json: Option<Value>,
+    pub failed: Vec<anyhow::Error>,
+}
+
+/// Prints the outputs of all cases, then the errors; the exit code is that of the first error, or the largest.
+pub fn finish(outputs: Vec<Result<Output>>, mut failed: Vec<anyhow::Error>, several: bool) -> Result<Code> {
+    let (mut code, mut screen, mut values) = (Code::Done, ScreenText::default(), Vec::new());
+    for output in sound(outputs, &mut failed) {
+        (code, screen) = (code.max(output.code), screen + output.screen);
+        values.extend(output.json);
+        failed.extend(output.failed);
+    }
+    let printed = match values.as_slice() {
+        [] => print(screen),
+        [value] if !several => print_json(value),
+        values => print_json(&values),
+    };
+    failed.extend(printed.err());
+    Ok(complained(&failed, code))
+}
+
+/// Solution with its error bars and verdict.
+pub struct Solved {
+    pub solution: Solution,
+    pub verification: Option<error_bars::ErrorBars>,
+    pub answer: Answer,
+    pub findings: Vec<Finding>,
+}
+
+impl Solved {
+    /// Judges a solution, with error bars if they are wanted, or by `default`.
+    pub fn new(solution: Solution, bars: &ErrorBars, progress: &Progress, default: bool) -> Self {
+        let verification = bars.of(&solution, progress, default);
+        let (answer, findings) = answered(&solution, verification.as_ref());
+        Self { solution, verification, answer, findings }
+    }
+
+    /// Exit code: red only with `--strict`, whether complete or not.
+    pub fn code(&self, strict: bool) -> Code {
+        match self.answer.light {
+            Light::Red if strict => Code::Red,
+            _ if self.solution.is_complete() => Code::Done,
+            _ => Code::StoppedEarly,
+        }
+    }
+
+    pub fn verdict(&self) -> Value {
+        stampflow::results::verdict(&self.answer, &self.findings, self.verification.as_ref())
+    }
+
+    /// One line: `cup: RED: it tears in the wall.`, with `more` at its end.
+    pub fn sentence(&self, more: &str) -> ScreenText {
+        let Answer { light, sentence, .. } = &self.answer;
+        let word = light.name().to_uppercase();
+        screen::highlighted(&format!("{}: {word}: {sentence}. {more}", self.solution.case.name), &word, *light)
+    }
+
+    /// The whole answer.
+    pub fn screen(&self) -> ScreenText {
+        let Self { solution, verification, answer, findings } = self;
+        let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);
+        let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
+        let bars = verification.as_ref().map_or_else(Vec::new, error_bars::ErrorBars::sentences);
+        let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
+        let gap = if warnings.is_empty() { "" } else { "\n" };
+        let text = self.sentence("") + list(size_doubts(&solution.case)) + "\n" + judged(findings);
+        let text = text + rows(numbers) + gap + list(warnings);
+        let unchecked = joined(judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into()), ", ");
+        if unchecked.is_empty() { text } else { text + wrapped(format!("\nNot checked: {unchecked}.")) }
+    }
+}
+
+/// Red rows, then amber ones; advice stands once under the rows that it is good for.
+fn judged(findings: &[Finding]) -> ScreenText {
+    let mut lines: Vec<[Cell; 3]> = Vec::new();
+    for alike in [Light::Red, Light::Amber].iter().flat_map(|light| by_advice(findings, |is| is == *light)) {
+        lines.extend(alike.iter().map(|finding| {
+            // Words have no limit.
+            let limit = finding.value().map_or(String::new(), |_| format!("; limit: {}", finding.limit));
+            [Cell::Light(finding.light, String::new()), finding.label.into(), (finding.found() + &limit).into()]
+        }));
+        let advice = Some(&alike[0].advice).filter(|advice| !advice.is_empty());
+        lines.extend(advice.map(|advice| ["", "→ change", advice].map(Cell::from)));
+        lines.push([""; 3].map(Cell::from));
+    }
+    rows(lines)
+}
