@@ -51,24 +51,24 @@ pub(super) fn lines(view: &StageView) -> Vec<Line> {
         ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
         ("notes", "Declared assumptions", model.notes.clone()),
     ] {
-        lines.push(key, label, Value::list(entries));
+        lines.add(key, label, Value::list(entries));
     }
     lines.lines
 }
 
 impl Lines<'_> {
-    fn push(&mut self, key: &'static str, label: &str, value: Value) {
+    fn add(&mut self, key: &'static str, label: &str, value: Value) {
         let group = if NUMERICAL.contains(&key) { Group::Solution } else { self.group };
         self.lines.push(Line { group, key, label: label.to_owned(), value });
     }
 
     fn number(&mut self, key: &'static str, label: &str, amount: Amount) {
         let amount = self.view.half(amount).map_or(amount, |bar| amount.with_bar(bar));
-        self.push(key, label, Value::Number(amount));
+        self.add(key, label, Value::Number(amount));
     }
 
     fn plain(&mut self, key: &'static str, label: &str, value: impl Into<Json>) {
-        self.push(key, label, Value::Plain(value.into()));
+        self.add(key, label, Value::Plain(value.into()));
     }
 
     /// Largest value over the steps, or 0.
@@ -112,7 +112,7 @@ impl Lines<'_> {
         if last.contact_share > 0.0 {
             self.number("contact_share", "Sheet on punch and die at the end", Amount::share(last.contact_share));
         }
-        self.push("events", "Events", Value::events(&events(run), model.extent().force_unit()));
+        self.add("events", "Events", Value::events(&events(run), model.extent().force_unit()));
     }
 
     /// Height, angles, and the thinnest and thickest places.
@@ -123,7 +123,7 @@ impl Lines<'_> {
             self.number("part_height", "Part height over all", Amount::place(height));
         }
         if let Some(changes) = tables::springback_changes(run) {
-            self.push("springback", "Spring-back", Value::changes(&changes));
+            self.add("springback", "Spring-back", Value::changes(&changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Amount::angle(angle));
         }
