@@ -13,11 +13,12 @@ use std::ffi::OsStr;
 use std::sync::LazyLock;
 
 /// Words of an option and their values.
-type Words<T> = &'static [(&'static str, T)];
+type NamedValues<T> = &'static [(&'static str, T)];
 
-const FORMATS: Words<Format> = &[("svg", Format::Svg), ("png", Format::Png)];
-const CAPTIONS: Words<Captions> = &[("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
-const SYSTEMS: Words<DisplaySettings> = &[("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
+const FORMATS: NamedValues<Format> = &[("svg", Format::Svg), ("png", Format::Png)];
+const CAPTIONS: NamedValues<Captions> =
+    &[("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
+const SYSTEMS: NamedValues<DisplaySettings> = &[("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
 
 /// Parser of a text with words that a shell offers to complete; any other text is accepted too.
 #[derive(Clone)]
@@ -163,7 +164,7 @@ pub fn units(name: &str) -> Result<DisplaySettings, String> {
 }
 
 /// Parser of one word of a list.
-fn one_of<T: Copy + Send + Sync>(all: Words<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
+fn one_of<T: Copy + Send + Sync>(all: NamedValues<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
     |text| {
         let known = || all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
         all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value).ok_or_else(|| format!("give {}", known()))
