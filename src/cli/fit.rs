@@ -82,7 +82,7 @@ fn keys(args: &Args, file: &Path, dir: &Path) -> Result<Code> {
         fit => fit?,
     };
     let files = vec![("fitted.toml".to_owned(), fit.text.clone().into_bytes())];
-    args.options.present(&fit.report(), dir, files, json!({ "law": null, "parameters": fit.estimates }))
+    args.options.present(&fit.report, dir, files, json!({ "law": null, "parameters": fit.estimates }))
 }
 
 /// A quantity above 0 of a dimension; a plain number may be 0.

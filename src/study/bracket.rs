@@ -152,40 +152,33 @@ pub(super) fn stretches(trials: &[Trial]) -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
 
-    fn search(is_limit: bool, side: Side, value: &dyn Fn(f64) -> Option<f64>) -> (Bracket, Vec<Trial>) {
-        let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
-        let search = Search { range, tolerance: Some(0.01), is_whole: false, is_limit, side };
-        let mut trials: Vec<Trial> = Vec::new();
-        loop {
-            let next = search.next(&trials);
-            if next.is_empty() {
-                return (search.result(&trials), trials);
-            }
-            trials.extend(next.into_iter().map(|x| (x, value(x))));
-        }
-    }
-
-    /// Trust: limits and roots by construction.
+    /// Trust: limits and roots by construction, to the tolerance.
     #[test]
     fn limits_and_roots_are_bracketed() {
-        let sign = |holds: bool| Some(if holds { 1.0 } else { -1.0 });
-        let (found, trials) = search(true, Side::Largest, &|x| sign(x <= 6.37));
-        let Bracket::Between([inner, outer]) = found else { panic!("{found:?}") };
-        assert!(inner <= 6.37 && 6.37 < outer && outer - inner <= 0.0101 && trials.len() < 30, "{found:?}");
-        let (found, trials) = search(false, Side::Smallest, &|x| Some(x * x - 20.0));
-        let Bracket::Between([a, b]) = found else { panic!("{found:?}") };
+        let search = |is_limit: bool, value: &dyn Fn(f64) -> Option<f64>| {
+            let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
+            let search = Search { range, tolerance: Some(0.01), is_whole: false, is_limit, side: Side::Largest };
+            let mut trials: Vec<Trial> = Vec::new();
+            while let next @ [_, ..] = &search.next(&trials)[..] {
+                trials.extend(next.iter().map(|x| (*x, value(*x))));
+            }
+            assert!(trials.len() < 30);
+            search.result(&trials)
+        };
+        let stretch = |x: f64| Some(if (4.0..4.6).contains(&x) { 1.0 } else { -1.0 });
         let root = 20f64.sqrt();
-        assert!((a - root) * (b - root) <= 0.0 && (a - b).abs() <= 0.0101 && trials.len() < 21, "{found:?}");
-        let (found, _) = search(true, Side::Largest, &|x| sign((4.0..4.6).contains(&x)));
-        assert!(matches!(found, Bracket::Between([a, b]) if a < 4.6 && b >= 4.6), "{found:?}");
-        for (value, expected) in [
-            (&(|_| Some(1.0)) as &dyn Fn(f64) -> Option<f64>, Bracket::Everywhere(10.0)),
-            (&|_| Some(-1.0), Bracket::Nowhere),
-            (&|_| None, Bracket::Failed),
-            (&|x: f64| (x < 5.1).then_some(1.0), Bracket::Open(5.0)),
+        for (found, expected) in [
+            (search(true, &|x| Some(if x <= 6.37 { 1.0 } else { -1.0 })), 6.37),
+            (search(true, &stretch), 4.6),
+            (search(false, &|x| Some(x * x - 20.0)), root),
         ] {
-            assert_eq!(search(true, Side::Largest, value).0, expected);
+            let Bracket::Between([a, b]) = found else { panic!("{found:?}") };
+            assert!((a - expected) * (b - expected) <= 0.0 && (a - b).abs() <= 0.0101, "{found:?}");
         }
+        assert_eq!(search(true, &|_| Some(1.0)), Bracket::Everywhere(10.0));
+        assert_eq!(search(true, &|_| Some(-1.0)), Bracket::Nowhere);
+        assert_eq!(search(true, &|_| None), Bracket::Failed);
+        assert_eq!(search(true, &|x| (x < 5.1).then_some(1.0)), Bracket::Open(5.0));
         assert_eq!(stretches(&[(1.0, Some(1.0)), (2.0, None), (3.0, Some(1.0)), (4.0, Some(-1.0))]), [[1.0, 3.0]]);
     }
 }

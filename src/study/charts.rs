@@ -1,5 +1,6 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
+use super::run::response_key;
 use super::sweep::Axis as SweepAxis;
 use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
@@ -11,20 +12,8 @@ use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
 /// Responses by their importance.
-const FIRST: [(Origin, &str); 12] = [
-    (Origin::Verdict, "thinning"),
-    (Origin::Answer, "punch_force"),
-    (Origin::Answer, "pressure"),
-    (Origin::Answer, "draw_in"),
-    (Origin::Verdict, "wrinkling"),
-    (Origin::Answer, "part_height"),
-    (Origin::Answer, "holder_force"),
-    (Origin::Verdict, "forming_limit"),
-    (Origin::Answer, "ring_opening"),
-    (Origin::Verdict, "springback"),
-    (Origin::Part, "thickest"),
-    (Origin::Verdict, "energy"),
-];
+const FIRST: &str = "thinning_judged punch_force pressure draw_in wrinkling_judged part_height holder_force \
+                     forming_limit_judged ring_opening springback_judged thickest energy_judged";
 /// A number varies if it spans more than this share of its largest value \[–\].
 const VARIES: f64 = 2e-3;
 /// Least span of an axis over the largest value \[–\].
@@ -37,13 +26,13 @@ type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
 pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
-    let place = |(of, key): (Origin, &str)| runs.responses.iter().position(|r| r.origin == of && r.quantity.key == key);
+    let place = |key: &str| runs.responses.iter().position(|response| response_key(response) == key);
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
         let (low, high) = bounds(values);
         high.abs().max(low.abs()) * VARIES < high - low
     };
-    FIRST.into_iter().filter_map(place).filter(varies).take(most).collect()
+    FIRST.split_whitespace().filter_map(place).filter(varies).take(most).collect()
 }
 
 /// One chart of some panels, each label once in its legend.
@@ -58,12 +47,18 @@ fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
 pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
     let wide: Vec<usize> = (0..sweep.axes.len()).filter(|i| sweep.axes[*i].count() > 1).collect();
     let panels = match wide[..] {
-        [x] => over_variable(&sweep.axes[x], runs),
+        [x] => {
+            let (axis, limits) = (&sweep.axes[x], |place: usize| runs.responses[place].quantity.limits);
+            let numbers = deciding(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
+            let positions = axis.positions.iter().copied().zip(&runs.runs).collect();
+            let own = axis.own.map(|own| (None, own, &runs.base));
+            trends(runs, &axis.drawn, positions, &numbers.collect::<Vec<_>>(), own)
+        }
         [x, y] => vec![window(sweep, runs, [x, y], None)],
         [x, y, z] => (0..sweep.axes[z].count()).map(|i| window(sweep, runs, [x, y], Some((z, i)))).collect(),
         _ => Vec::new(),
     };
-    let labels: Vec<String> = wide.iter().map(|i| sweep.axes[*i].drawn().label).collect();
+    let labels: Vec<String> = wide.iter().map(|i| sweep.axes[*i].drawn.label.clone()).collect();
     chart("sweep", &format!("Sweep: {}", labels.join(" × ")), panels)
 }
 
@@ -85,59 +80,53 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
     modes.map(dots).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// Number of known runs at positions along an axis, with its limit; points are joined if there is a `line`.
-fn trend(
+/// Numbers of known runs over a variable, each with its limit, error band and one run that is circled.
+fn trends(
     runs: &RunTable,
-    place: usize,
-    x: Axis,
-    positions: &[(f64, &Run)],
-    limit: Option<f64>,
-    (line, height): (Option<Style>, f64),
-) -> Panel {
-    let known = positions.iter().filter_map(|(x, run)| Some(((*x, run.response(place)?), *run)));
-    let points: Vec<((f64, f64), &Run)> = known.collect();
-    let curve: Vec<(f64, f64)> = points.iter().map(|(point, _)| *point).collect();
-    let y = named(runs, place);
-    let (low, high) = bounds(curve.iter().map(|point| point.0));
-    let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
-    let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-    let line = line.map(|style| Series::silent(curve, style));
-    Panel::fit(x, y, height, LEAST * largest).with(line).with(markers(&points)).with(limit)
-}
-
-fn over_variable(axis: &SweepAxis, runs: &RunTable) -> Vec<Panel> {
-    let mut positions: Vec<(f64, &Run)> = axis.positions().into_iter().zip(&runs.runs).collect();
+    x: &Axis,
+    mut positions: Vec<(f64, &Run)>,
+    numbers: &[(usize, Option<f64>)],
+    circled: Option<(Option<&str>, f64, &Run)>,
+) -> Vec<Panel> {
     positions.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let panel = |(i, place): (usize, usize)| {
-        let line = Style::Line { color: color(2), width: 2.4, dash: &[] };
-        let style = (Some(line).filter(|_| axis.names().is_empty()), if i == 0 { 230.0 } else { 150.0 });
-        let limit = runs.responses[place].quantity.limits.and_then(|limits| limits.red);
-        let panel = trend(runs, place, axis.drawn(), &positions, limit, style);
-        let own = axis.own.zip(runs.base.response(place));
-        let own = own.map(|own| Series::silent(vec![own], Style::Circles { color: BLACK }));
-        let bar = |(x, run): &(f64, &Run)| {
-            let half = run.errors.get(place).copied().filter(|half| half.is_finite());
-            run.response(place).map(|y| half.map(|half| [*x, y - half, y + half]))
+    let panel = |(i, &(place, limit)): (usize, &(usize, Option<f64>))| {
+        let known = positions.iter().filter_map(|(x, run)| Some(((*x, run.response(place)?), *run)));
+        let points: Vec<((f64, f64), &Run)> = known.collect();
+        let curve: Vec<(f64, f64)> = points.iter().map(|(point, _)| *point).collect();
+        let (low, high) = bounds(curve.iter().map(|point| point.0));
+        let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
+        let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+        let line = Series::silent(curve, Style::Line { color: color(2), width: 2.4, dash: &[] });
+        let circle = circled.and_then(|(label, x, run)| Some((label, (x, run.response(place)?))));
+        let circle = circle.map(|(label, at)| Series {
+            label: label.map(str::to_owned),
+            points: vec![at],
+            style: Style::Circles { color: BLACK },
+        });
+        let height = if i == 0 { 230.0 } else { 150.0 };
+        let panel = Panel::fit(x.clone(), named(runs, place), height, LEAST * largest);
+        let panel =
+            panel.with(Some(line).filter(|_| x.names.is_empty())).with(markers(&points)).with(limit).with(circle);
+        let bar = |((x, y), run): &((f64, f64), &Run)| {
+            let half = run.errors.get(place).copied().filter(|half| half.is_finite())?;
+            Some([*x, y - half, y + half])
         };
-        let band: Option<Vec<[f64; 3]>> = positions.iter().filter_map(bar).collect();
-        let band = band.filter(|band| band.len() > 1).unwrap_or_default();
-        match panel.with(own) {
-            panel if band.is_empty() => panel,
-            panel => panel.with_band("Error band", &band, color(2)),
-        }
+        let band = points.iter().map(bar).collect::<Option<Vec<_>>>().filter(|band| band.len() > 1);
+        let Some(band) = band else { return panel };
+        panel.with_band("Error band", &band, color(2))
     };
-    deciding(runs, PANELS).into_iter().enumerate().map(panel).collect()
+    numbers.iter().enumerate().map(panel).collect()
 }
 
 /// Process window: contour lines of each judged number at its limit, over the designs, maybe at one value of a third axis.
 fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usize, usize)>) -> Panel {
     let axes = [x, y].map(|i| &sweep.axes[i]);
-    let positions = axes.map(SweepAxis::positions);
+    let positions = axes.map(|axis| &axis.positions);
     let [columns, rows] = axes.map(SweepAxis::count);
     let mut grid: Vec<Option<&Run>> = vec![None; columns * rows];
     let mut points = Vec::new();
     for run in &runs.runs {
-        let places = sweep.places(run.index);
+        let places = sweep.places(run);
         let (Some(i), Some(j)) = (places[x], places[y]) else { continue };
         if third.is_none_or(|(z, k)| places[z] == Some(k)) {
             grid[j * columns + i] = Some(run);
@@ -146,17 +135,15 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
     }
     let mut series = markers(&points);
     let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.origin == Origin::Verdict);
-    let limited = judged.filter_map(|(place, r)| {
-        let limits = r.quantity.limits?;
-        Some((place, r.quantity.label, limits.red?, limits.sense))
-    });
-    for (n, (place, label, limit, sense)) in limited.enumerate() {
+    let limited =
+        judged.filter_map(|(place, r)| Some((place, r.quantity.label, r.quantity.limits?, r.quantity.limits?.red?)));
+    for (n, (place, label, limits, limit)) in limited.enumerate() {
         // Runs without the number count as beyond the limit.
-        let beyond = limit + limit.abs() * if sense == Sense::AtMost { 2.0 } else { -2.0 };
+        let beyond = limit + limit.abs() * if limits.sense == Sense::AtMost { 2.0 } else { -2.0 };
         let value = |run: &Option<&Run>| run.map(|run| run.numbers[place]).filter(|value| value.is_finite());
         let values: Vec<f64> = grid.iter().map(|run| value(run).unwrap_or(beyond)).collect();
         for line in contour_lines(&values, [columns, rows], limit) {
-            let at = |(u, v): (f64, f64)| (between(&positions[0], u), between(&positions[1], v));
+            let at = |(u, v): (f64, f64)| (between(positions[0], u), between(positions[1], v));
             let points = line.into_iter().map(at).collect();
             series.push(Series::new(format!("{label} at its limit"), points, Style::curve(n)));
         }
@@ -164,12 +151,12 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
     let own = axes[0].own.zip(axes[1].own);
     series.extend(own.map(|own| Series::new("the case as it stands", vec![own], Style::Triangles { color: BLACK })));
     let [along, up] = positions.map(|positions| {
-        let (low, high) = bounds(positions.into_iter());
+        let (low, high) = bounds(positions.iter().copied());
         (low - 0.03 * (high - low), high + 0.03 * (high - low))
     });
     let scale = Scale::Window { height: if third.is_some() { 270.0 } else { 430.0 }, x: along, y: up };
     let caption = third.map_or_else(String::new, |(z, k)| sweep.axes[z].describe(k));
-    let panel = Panel::new(axes[0].drawn(), axes[1].drawn(), scale).with(series);
+    let panel = Panel::new(axes[0].drawn.clone(), axes[1].drawn.clone(), scale).with(series);
     Panel { is_small: third.is_some(), caption, ..panel }
 }
 
@@ -208,14 +195,14 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
                     series.push(bar((own, end.number), (y - 0.34, y + 0.34), fill, (70, 70, 70)));
                     let kind = if end.number < own { AnnotationKind::End } else { AnnotationKind::Start };
                     let fails = if end.is_sound { "" } else { " (fails)" };
-                    let label = sweep.axes[s.axis].display(end.place) + fails;
+                    let label = sweep.axes[s.axis].labels[end.place].clone() + fails;
                     labels.push(Annotation::new(kind, label, (end.number, y)));
                 }
             }
         }
         let up = (-0.6, all.len() as f64 - 0.4);
         series.push(Series::silent(vec![(own, up.0), (own, up.1)], DASHED));
-        let names = all.iter().rev().map(|s| sweep.axes[s.axis].variables[0].label().to_owned()).collect();
+        let names = all.iter().rev().map(|s| sweep.axes[s.axis].drawn.label.clone()).collect();
         let scale = Scale::Window { height: 34.0 * all.len() as f64 + 12.0, x: (low - room, high + room), y: up };
         Some(Panel::new(named(runs, place), Axis::of_names("", names), scale).with(series).annotated(labels))
     };
@@ -235,20 +222,14 @@ pub(super) fn search(
     best: Option<usize>,
 ) -> Charts {
     let (unit, factor) = variable.axis_unit();
-    let mut limits: Vec<(usize, Option<f64>)> = limits.iter().map(|(place, limit)| (*place, Some(*limit))).collect();
-    if limits.is_empty() {
-        limits.extend(deciding(runs, 1).into_iter().map(|place| (place, None)));
-    }
     let positions: Vec<(f64, &Run)> = runs.runs.iter().map(|run| (factor * run.value(0), run)).collect();
-    let panel = |(place, limit): (usize, Option<f64>)| {
-        let x = Axis::named(variable.label(), unit).spaced(spacing);
-        let result = best.map(|best| {
-            let point = vec![(positions[best].0, runs.runs[best].numbers[place])];
-            Series::new("Result", point, Style::Circles { color: BLACK })
-        });
-        trend(runs, place, x, &positions, limit, (None, 260.0)).with(result)
-    };
-    chart("search", &format!("Search: {}", variable.label()), limits.into_iter().map(panel).collect())
+    let result = best.map(|best| (Some("Result"), positions[best].0, positions[best].1));
+    let mut numbers: Vec<_> = limits.iter().map(|(place, limit)| (*place, Some(*limit))).collect();
+    if numbers.is_empty() {
+        numbers.extend(deciding(runs, 1).into_iter().map(|place| (place, None)));
+    }
+    let x = Axis::named(variable.label(), unit).spaced(spacing);
+    chart("search", &format!("Search: {}", variable.label()), trends(runs, &x, positions, &numbers, result))
 }
 
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {

@@ -1,17 +1,19 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
+use super::error::ensure;
 use super::run::Silent;
+use super::variable::split_pair;
 use super::verify::{Outcome, Watch, quick};
 use super::{BaseCase, Cell, MeasuredCurve, ReportTable, StudyError, StudyReport, fail, parallel_map};
 use crate::assess::{self, Light};
 use crate::case::comparison::ComparedQuantity;
 use crate::case::{Case, Solution};
-use crate::model::Geometry;
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::color;
 use crate::plot::sections;
 use crate::results::comparison::Computed;
 use crate::results::error_bars::{ErrorBars, Number, Origin, answered};
+use crate::results::summary::section_of;
 use crate::units::{Amount, Digits};
 
 /// A case to compare.
@@ -48,31 +50,18 @@ pub struct SideBySide {
 
 /// Numbers that differ by less, over their size, are the same \[–\].
 const SAME: f64 = 1e-9;
-/// Measured points that are drawn as circles; more become a line.
-const CIRCLES: usize = 60;
 
 /// Overrides of a variant: `friction=0.12; tools.die.shoulder=5 mm`.
 pub fn variant(text: &str) -> Result<Vec<String>, StudyError> {
     let all: Vec<String> = text.split(';').map(str::trim).filter(|one| !one.is_empty()).map(str::to_owned).collect();
-    if all.is_empty() || !all.iter().all(|one| super::variable::split_pair(one).is_some()) {
-        let help = "write KEY=VALUE, several joined by semicolons: \"friction=0.12; tools.die.shoulder=5 mm\"";
-        return fail(format!("the variant `{}` gives no key a value", text.trim()), help);
-    }
-    Ok(all)
+    let is_variant = !all.is_empty() && all.iter().all(|one| split_pair(one).is_some());
+    let help = "write KEY=VALUE, several joined by semicolons: \"friction=0.12; tools.die.shoulder=5 mm\"";
+    ensure(is_variant, format!("the variant `{}` gives no key a value", text.trim()), help).map(|()| all)
 }
 
 impl Candidate {
     fn name(&self) -> String {
         if self.overrides.is_empty() { self.case.name.clone() } else { self.overrides.join(", ") }
-    }
-
-    fn kind(&self) -> String {
-        let extent = self.case.model().extent();
-        let geometry = match extent.geometry() {
-            Geometry::Axisymmetric => "axisymmetric",
-            Geometry::PlaneStrain => "plane strain",
-        };
-        format!("{geometry}, forces in {}", extent.force_unit().symbol())
     }
 }
 
@@ -84,19 +73,18 @@ pub fn check(candidates: &[Candidate], curves: &[MeasuredCurve]) -> Result<(), S
     };
     for (i, one) in candidates.iter().enumerate() {
         let is_same = |other: &Candidate| (&other.case.path, &other.case.text) == (&one.case.path, &one.case.text);
-        if candidates[..i].iter().any(is_same) {
-            let help = "leave one out, or change something in it with --also";
-            return fail(format!("{} is there twice", one.name()), help);
-        }
-        if one.kind() != first.kind() {
-            let what = format!("{} is {}, {} is {}", first.name(), first.kind(), one.name(), one.kind());
-            return fail(what, "compare sections of one kind; `depth` in [blank] gives forces of the part");
-        }
+        let help = "leave one out, or change something in it with --also";
+        ensure(!candidates[..i].iter().any(is_same), format!("{} is there twice", one.name()), help)?;
+        let [own, other] = [first, one].map(|candidate| candidate.case.model().extent());
+        let (own_text, other_text) = (section_of(own), section_of(other));
+        let what = format!("{} is {own_text}, {} is {other_text}", first.name(), one.name());
+        let help = "compare sections of one kind; `depth` in [blank] gives forces of the part";
+        let is_alike = (own.geometry(), own.force_unit()) == (other.geometry(), other.force_unit());
+        ensure(is_alike, what, help)?;
     }
     for curve in curves {
-        if let Err(error) = curve.points(&Computed::nothing(first.case.model())) {
-            return fail(error.to_string(), "check the columns and their units");
-        }
+        let points = curve.points(&Computed::nothing(first.case.model()));
+        points.map_err(|error| StudyError::new(error.to_string(), "check the columns and their units"))?;
     }
     Ok(())
 }
@@ -118,14 +106,14 @@ impl SideBySide {
             let bars = quick(&solution, &Silent(watch)).bars;
             Ok((solution, bars))
         };
-        let ended: Result<(), String> = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
+        let ended = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
             solved.push(result?);
             watch.ran(solved.len(), candidates.len());
             Ok(())
         });
-        if let Err(reason) = ended {
-            return fail(format!("a case cannot be run: {reason}"), "try `stampflow check` on each");
-        }
+        ended.map_err(|reason: String| {
+            StudyError::new(format!("a case cannot be run: {reason}"), "try `stampflow check` on each")
+        })?;
         let members = candidates.iter().zip(solved).enumerate();
         let members = members.map(|(i, (candidate, solved))| Member::new(i, candidate, solved)).collect();
         Ok(Self { members, curves })
@@ -156,28 +144,22 @@ impl SideBySide {
         let mut add = |label: &str, member: &Member, value: Cell, change: Cell, beyond: &str| {
             table.rows.push(vec![label.into(), member.mark.clone().into(), value, change, beyond.into()]);
         };
-        for member in &self.members {
-            add("Verdict", member, member.light.clone(), "".into(), "");
-        }
-        for member in &self.members {
-            add("End", member, member.outcome.end.why.to_string().into(), "".into(), "");
-        }
+        self.members.iter().for_each(|member| add("Verdict", member, member.light.clone(), "".into(), ""));
+        let end = |member: &Member| member.outcome.end.why.to_string().into();
+        self.members.iter().for_each(|member| add("End", member, end(member), "".into(), ""));
         for number in self.numbers() {
-            let first = self.members.first().and_then(|member| member.number(number));
+            let first = self.members[0].number(number);
             for (i, member) in self.members.iter().enumerate() {
                 let own = member.number(number);
-                let value = own.map_or_else(|| "–".into(), Cell::from);
-                match first.filter(|_| i > 0).zip(own) {
-                    None => add(number.quantity.label, member, value, "".into(), ""),
-                    Some((first, own)) => {
-                        let change = own.value - first.value;
-                        // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                        let open = first.bar().unwrap_or(0.0) + own.bar().unwrap_or(0.0);
-                        let is_beyond = change.abs() > SAME * first.value.abs() && change.abs() > open;
-                        let change = Amount::new(change, first.unit, first.digits).into();
-                        add(number.quantity.label, member, value, change, if is_beyond { "yes" } else { "no" });
-                    }
-                }
+                let difference = first.filter(|_| i > 0).zip(own).map(|(first, own)| {
+                    let change = own.value - first.value;
+                    // Runs of one mesh err alike: the sum of the bars is on the safe side.
+                    let open = first.bar().unwrap_or(0.0) + own.bar().unwrap_or(0.0);
+                    let is_beyond = change.abs() > SAME * first.value.abs() && change.abs() > open;
+                    (Amount::new(change, first.unit, first.digits).into(), if is_beyond { "yes" } else { "no" })
+                });
+                let (change, beyond) = difference.unwrap_or(("".into(), ""));
+                add(number.quantity.label, member, own.map_or_else(|| "–".into(), Cell::from), change, beyond);
             }
         }
         for (i, curve) in self.curves.iter().enumerate() {
@@ -193,13 +175,11 @@ impl SideBySide {
 
     /// Numbers of all runs, but those that only the verdict has.
     fn numbers(&self) -> Vec<&Number> {
-        let mut numbers: Vec<&Number> = Vec::new();
-        for number in self.members.iter().flat_map(|member| &member.outcome.numbers) {
-            if number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number)) {
-                numbers.push(number);
-            }
-        }
-        numbers
+        let all = self.members.iter().flat_map(|member| &member.outcome.numbers);
+        all.filter(|number| number.origin != Origin::Verdict).fold(Vec::new(), |mut numbers, number| {
+            numbers.extend(Some(number).filter(|number| !numbers.iter().any(|known: &&Number| known.is(number))));
+            numbers
+        })
     }
 
     /// File name, subject and chart of load, thickness and section.
@@ -210,12 +190,8 @@ impl SideBySide {
             ("compare_thickness", "thickness over the blank", self.curve(thickness, |outcome| &outcome.thickness)),
             ("compare_sections", "the sections at the end", self.sections()),
         ];
-        let charts = all.into_iter().filter_map(|(name, about, panel)| Some((name, about, panel?)));
-        charts
-            .map(|(name, about, panel)| {
-                (name, about, Chart::new(format!("Compared: {about}"), vec![panel], Vec::new()))
-            })
-            .collect()
+        let chart = |about, panel| Chart::new(format!("Compared: {about}"), vec![panel], Vec::new());
+        all.into_iter().filter_map(|(name, about, panel)| Some((name, about, chart(about, panel?)))).collect()
     }
 
     fn curve(&self, quantity: ComparedQuantity, curve: fn(&Outcome) -> &[(f64, f64)]) -> Option<Panel> {
@@ -225,9 +201,7 @@ impl SideBySide {
         for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
             let points = measured.points(&Computed::nothing(model)).unwrap_or_default();
             let points: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.reference)).collect();
-            let place = self.members.len() + i;
-            let circles = Style::Circles { color: color(place) };
-            let style = if points.len() > CIRCLES { Style::curve(place) } else { circles };
+            let style = Style::Circles { color: color(self.members.len() + i) };
             series.push(Series::new(format!("{}: {}", i + 1, measured.name()), points, style));
         }
         Some(Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series))

@@ -10,7 +10,9 @@
 //!
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
-use super::{Run, RunTable, StudyError, fail};
+use super::error::ensure;
+use super::variable::split_pair;
+use super::{Run, RunTable, StudyError};
 use crate::assess::Light;
 use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
 
@@ -23,8 +25,8 @@ pub struct Condition {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Term {
-    Light { row: Option<String>, worst: Light },
     NoTear,
+    Light { row: Option<String>, worst: Light },
     Quantity(Comparison),
 }
 
@@ -50,28 +52,22 @@ impl Condition {
 
     /// Finds its quantities and rows among those of a study's runs.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
-        for term in &mut self.terms {
-            match term {
-                Term::Quantity(comparison) => comparison.resolve(runs)?,
-                Term::Light { row: Some(row), .. } if !runs.rows.iter().any(|(key, _)| key == row) => {
-                    let keys = || runs.rows.iter().map(|(key, _)| key.as_str());
-                    let help = format!("{}it has {}", did_you_mean(row, keys()), keys().collect::<Vec<_>>().join(", "));
-                    return fail(format!("the verdict on this case has no row `{row}`"), help);
-                }
-                Term::Light { .. } | Term::NoTear => {}
+        self.terms.iter_mut().try_for_each(|term| match term {
+            Term::Quantity(comparison) => comparison.resolve(runs),
+            Term::Light { row: Some(row), .. } => {
+                let keys: Vec<&str> = runs.rows.iter().map(|(key, _)| key.as_str()).collect();
+                let help = format!("{}it has {}", did_you_mean(row, keys.iter().copied()), keys.join(", "));
+                ensure(keys.contains(&row.as_str()), format!("the verdict on this case has no row `{row}`"), help)
             }
-        }
-        Ok(())
+            Term::Light { row: None, .. } | Term::NoTear => Ok(()),
+        })
     }
 
     /// Whether a run satisfies it; `None` if it has no result or lacks a number.
     pub fn holds(&self, run: &Run) -> Option<bool> {
         let all: Vec<Option<bool>> = self.terms.iter().map(|term| term.holds(run)).collect();
-        match run.is_known() {
-            true if all.contains(&Some(false)) => Some(false),
-            true if !all.contains(&None) => Some(true),
-            _ => None,
-        }
+        let known = if all.contains(&Some(false)) { Some(false) } else { (!all.contains(&None)).then_some(true) };
+        known.filter(|_| run.is_known())
     }
 
     pub(super) fn limits(&self) -> Vec<(usize, f64)> {
@@ -99,65 +95,59 @@ impl Term {
 
     fn read(text: &str) -> Result<Self, StudyError> {
         let wrong = || StudyError::new(format!("`{}` is no condition", text.trim()), USAGE);
-        let words: Vec<&str> = text.split_whitespace().collect();
+        let words: Vec<&str> = text.split_whitespace().filter(|word| *word != "is").collect();
         let worst = |words: &[&str]| match words {
-            ["red"] => Some(Light::Red),
-            ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Some(Light::Amber),
-            _ => None,
+            ["red"] => Ok(Light::Red),
+            ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Ok(Light::Amber),
+            _ => Err(wrong()),
         };
-        if let ["no", "tear" | "tears" | "tearing"] = words[..] {
-            return Ok(Self::NoTear);
+        match words.iter().position(|word| *word == "not") {
+            _ if matches!(words[..], ["no", "tear" | "tears" | "tearing"]) => return Ok(Self::NoTear),
+            _ if words.first() == Some(&"no") => return Ok(Self::Light { row: None, worst: worst(&words[1..])? }),
+            Some(at) if at > 0 => {
+                let row = Some(words[..at].join("_").to_lowercase());
+                return Ok(Self::Light { row, worst: worst(&words[at + 1..])? });
+            }
+            _ => {}
         }
-        if let Some(worst) = words.strip_prefix(&["no"]).and_then(worst) {
-            return Ok(Self::Light { row: None, worst });
-        }
-        if let Some(at) = words.iter().position(|word| *word == "not") {
-            let row: Vec<&str> = words[..at].iter().filter(|word| **word != "is").copied().collect();
-            let worst = worst(&words[at + 1..]).filter(|_| !row.is_empty()).ok_or_else(wrong)?;
-            return Ok(Self::Light { row: Some(row.join("_").to_lowercase()), worst });
-        }
-        let (name, rest) = text.split_at(text.find(['<', '>', '≤', '≥']).ok_or_else(wrong)?);
+        let at = text.find(['<', '>', '≤', '≥']).filter(|at| !text[..*at].trim().is_empty()).ok_or_else(wrong)?;
+        let (name, rest) = text.split_at(at);
         let value = rest.trim_start_matches(['<', '>', '≤', '≥']);
-        let (is_less, or_equal) =
-            (rest.starts_with(['<', '≤']), value.starts_with('=') || rest.starts_with(['≤', '≥']));
-        let comparison = Comparison::new(name, value.trim_start_matches('='))?.ok_or_else(wrong)?;
-        Ok(Self::Quantity(Comparison { is_less, or_equal, ..comparison }))
+        let or_equal = value.starts_with('=') || rest.starts_with(['≤', '≥']);
+        let comparison = Comparison::new(name, value.trim_start_matches('='))?;
+        Ok(Self::Quantity(Comparison { is_less: rest.starts_with(['<', '≤']), or_equal, ..comparison }))
     }
 }
 
 impl Comparison {
     /// Reads `QUANTITY=VALUE`, a wanted value.
     pub fn target(text: &str) -> Result<Self, StudyError> {
-        let wrong =
-            || StudyError::new(format!("`{text}` is no target"), "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"");
-        let (quantity, value) = text.split_once('=').ok_or_else(wrong)?;
-        Self::new(quantity, value)?.ok_or_else(wrong)
+        let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
+        let pair = split_pair(text).ok_or_else(|| StudyError::new(format!("`{text}` is no target"), help));
+        pair.and_then(|(quantity, value)| Self::new(quantity, value))
     }
 
-    fn new(quantity: &str, value: &str) -> Result<Option<Self>, StudyError> {
-        let (quantity, value) = (quantity.trim().to_owned(), value.trim());
+    fn new(quantity: &str, value: &str) -> Result<Self, StudyError> {
         let value = if value.ends_with("°C") { value.to_owned() } else { value.replace('°', " deg") };
-        let limit = parse(&value)
+        let limit = parse(value.trim())
             .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))?;
-        let is_named = !quantity.is_empty();
-        Ok(is_named.then_some(Self { quantity, is_less: false, or_equal: true, limit, resolved: None }))
+        Ok(Self { quantity: quantity.trim().to_owned(), is_less: false, or_equal: true, limit, resolved: None })
     }
 
     /// Finds its response and converts its value to the response's unit.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
         let place = runs.response(&self.quantity)?;
-        let unit = runs.responses[place].quantity.amount.unit;
+        let (unit, given) = (runs.responses[place].quantity.amount.unit, self.limit);
         let symbol = match unit {
             Unit::None => "",
             Unit::Degree => "deg",
             unit => unit.symbol(),
         };
-        let given = self.limit;
         let one = parse(format!("1 {symbol}").trim_end()).ok();
-        let Some(one) = one.filter(|one| one.dimension == given.dimension && one.has_unit == given.has_unit) else {
-            let what = format!("`{}` is in {}, not {}", self.quantity, unit.symbol(), given.dimension.describe());
-            return fail(what, format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end()));
-        };
+        let one = one.filter(|one| one.dimension == given.dimension && one.has_unit == given.has_unit);
+        let what = format!("`{}` is in {}, not {}", self.quantity, unit.symbol(), given.dimension.describe());
+        let help = format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end());
+        let one = one.ok_or_else(|| StudyError::new(what, help))?;
         let value = if unit == Unit::Celsius { given.value - ZERO_CELSIUS } else { given.value / one.value };
         self.resolved = Some((place, value));
         Ok(())

@@ -34,3 +34,7 @@ impl StudyError {
 pub(super) fn fail<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, StudyError> {
     Err(StudyError::new(what, help))
 }
+
+pub(super) fn ensure(holds: bool, what: impl Into<String>, help: impl Into<String>) -> Result<(), StudyError> {
+    if holds { Ok(()) } else { fail(what, help) }
+}

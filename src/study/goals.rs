@@ -11,15 +11,10 @@ pub(super) struct Goal {
     /// Overrides of all runs.
     pub settings: Vec<String>,
     pub vary: String,
-    pub aim: GoalAim,
+    pub condition: Option<&'static str>,
+    /// Quantity whose value the user gives.
+    pub quantity: Option<&'static str>,
     pub side: Side,
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum GoalAim {
-    Condition(&'static str),
-    /// A quantity whose value the user gives.
-    Quantity(&'static str),
 }
 
 type Request = fn(&Case) -> Result<Goal, StudyError>;
@@ -52,8 +47,12 @@ impl Goal {
         request(case).map_err(|error| error.within(format!("{name} needs ")))
     }
 
-    fn new(vary: String, aim: GoalAim, side: Side) -> Result<Self, StudyError> {
-        Ok(Self { settings: Vec::new(), vary, aim, side })
+    fn keep(vary: String, condition: &'static str, side: Side) -> Self {
+        Self { settings: Vec::new(), vary, condition: Some(condition), quantity: None, side }
+    }
+
+    fn reach(vary: String, quantity: &'static str) -> Self {
+        Self { settings: Vec::new(), vary, condition: None, quantity: Some(quantity), side: Side::Smallest }
     }
 }
 
@@ -61,12 +60,9 @@ impl Goal {
 fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let model = one_stage(case)?;
     let (punch, die) = punch_and_die(model)?;
-    if model.geometry != Geometry::Axisymmetric || model.blank.edge != Edge::Free {
-        return missing("an axisymmetric blank with a free edge");
-    }
-    if throat(die).is_none() {
-        return missing("a die that is open below: its `throat`");
-    }
+    let is_cup = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
+    need(is_cup, "an axisymmetric blank with a free edge")?;
+    need(throat(die).is_some(), "a die that is open below: its `throat`")?;
     let radius = mouth(punch, model.travel);
     let held = model.tool(Role::Holder).map_or(0.0, |holder| extent(holder).0);
     let ends = [(RATIOS[0] * radius).max(FLANGE * shoulder_end(die).max(held)), RATIOS[1] * radius];
@@ -74,13 +70,11 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let travels = ends.map(|blank| 2.0 * radius * (0.25 * ((blank / radius).powi(2) - 1.0) + BEYOND));
     let (blank, travel) = (range("blank.radius", ends, "mm"), range("tools.punch.travel", travels, "mm"));
     let settings = vec!["stop.drawn_through=true".into(), "output.count=2".into()];
-    let (vary, aim) = (format!("{blank} & {travel}"), GoalAim::Condition("no tear"));
-    Ok(Goal { settings, vary, aim, side: Side::Largest })
+    Ok(Goal { settings, ..Goal::keep(format!("{blank} & {travel}"), "no tear", Side::Largest) })
 }
 
 fn height(case: &Case) -> Result<Goal, StudyError> {
-    let vary = travels(one_stage(case)?, [0.2, 3.0])?;
-    Goal::new(vary, GoalAim::Condition("no red and stop not amber"), Side::Largest)
+    Ok(Goal::keep(travels(one_stage(case)?, [0.2, 3.0])?, "no red and stop not amber", Side::Largest))
 }
 
 fn holder_force(case: &Case) -> Result<Goal, StudyError> {
@@ -88,40 +82,35 @@ fn holder_force(case: &Case) -> Result<Goal, StudyError> {
     let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) else {
         return missing("a holder with a force: [tools.holder] force");
     };
-    if model.geometry != Geometry::Axisymmetric {
-        return missing("an axisymmetric flange, for it goes by the wrinkle index");
-    }
+    let is_round = model.geometry == Geometry::Axisymmetric;
+    need(is_round, "an axisymmetric flange, for it goes by the wrinkle index")?;
     let vary = range("tools.holder.force", [0.1, 10.0].map(|share| share * press.force.largest()), "N") + " log";
-    Goal::new(vary, GoalAim::Condition("no red and wrinkling not red or amber"), Side::Smallest)
+    Ok(Goal::keep(vary, "no red and wrinkling not red or amber", Side::Smallest))
 }
 
 fn radius(case: &Case) -> Result<Goal, StudyError> {
     let (_, die) = punch_and_die(case.model())?;
-    let shoulder = throat(die).map(|throat| shoulder_end(die) - throat).filter(|shoulder| *shoulder > 0.0);
-    let Some(shoulder) = shoulder else { return missing("a die with a `shoulder`") };
+    let shoulder = throat(die).map_or(0.0, |throat| shoulder_end(die) - throat);
+    need(shoulder > 0.0, "a die with a `shoulder`")?;
     let vary = range("tools.die.shoulder", [0.15, 2.0].map(|share| share * shoulder), "mm");
-    Goal::new(vary, GoalAim::Condition("no red"), Side::Smallest)
+    Ok(Goal::keep(vary, "no red", Side::Smallest))
 }
 
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {
-    if case.stages.last().is_none_or(|stage| stage.model.release.is_none()) {
-        return missing("a stage that takes the tools away: [[stages]] with release = true");
-    }
-    Goal::new(travels(case.model(), [0.6, 1.3])?, GoalAim::Quantity("opening_angle"), Side::Smallest)
+    let is_released = case.stages.last().is_some_and(|stage| stage.model.release.is_some());
+    need(is_released, "a stage that takes the tools away: [[stages]] with release = true")?;
+    Ok(Goal::reach(travels(case.model(), [0.6, 1.3])?, "opening_angle"))
 }
 
 fn bead_force(case: &Case) -> Result<Goal, StudyError> {
     let model = case.model();
-    if model.beads.is_empty() {
-        return missing("a bead: [[tools.beads]] with at and restraining");
-    }
+    need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
     let largest = RESTRAINT * tensile_strength(&model.material) * model.blank.thickness;
-    let vary = range("tools.beads.0.restraining", [0.0, largest], "N/mm");
-    Goal::new(vary, GoalAim::Quantity("draw_in"), Side::Smallest)
+    Ok(Goal::reach(range("tools.beads.0.restraining", [0.0, largest], "N/mm"), "draw_in"))
 }
 
 fn one_stage(case: &Case) -> Result<&Model, StudyError> {
-    if case.later().is_empty() { Ok(case.model()) } else { missing("a case of one stage") }
+    need(case.later().is_empty(), "a case of one stage").map(|()| case.model())
 }
 
 fn punch_and_die(model: &Model) -> Result<(&Tool, &Tool), StudyError> {
@@ -129,10 +118,12 @@ fn punch_and_die(model: &Model) -> Result<(&Tool, &Tool), StudyError> {
 }
 
 fn travels(model: &Model, shares: [f64; 2]) -> Result<String, StudyError> {
-    if model.tool(Role::Punch).is_none() || model.travel <= 0.0 {
-        return missing("a punch with a travel");
-    }
+    need(model.tool(Role::Punch).is_some() && model.travel > 0.0, "a punch with a travel")?;
     Ok(range("tools.punch.travel", shares.map(|share| share * model.travel), "mm"))
+}
+
+fn need(is_there: bool, what: &str) -> Result<(), StudyError> {
+    if is_there { Ok(()) } else { missing(what) }
 }
 
 fn missing<T>(what: &str) -> Result<T, StudyError> {

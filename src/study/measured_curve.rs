@@ -18,7 +18,7 @@ pub struct MeasuredCurve {
     /// Its quantity and columns.
     pub spec: CurveSpec,
     csv: Csv,
-    scatter: Option<usize>,
+    scatter: Option<String>,
 }
 
 /// A quantity, words of its abscissa and of its ordinate.
@@ -30,8 +30,9 @@ const RULES: [Rule; 4] = [
     (ComparedQuantity::ThicknessAtS0, &["s0"], &["thickness"]),
     (ComparedQuantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
-const NOT: [&str; 9] = ["holder", "edge", "binder", "deviation", "stdev", "std", "scatter", "sd", "error"];
-const SCATTER: [&str; 5] = ["deviation", "stdev", "std", "scatter", "sd"];
+/// Words of a standard deviation.
+pub(super) const SCATTER: [&str; 6] = ["deviation", "stdev", "std", "scatter", "sd", "sigma"];
+const OTHER: [&str; 4] = ["holder", "edge", "binder", "error"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \
                        maybe one such as standard_deviation_kN";
 
@@ -39,8 +40,8 @@ impl MeasuredCurve {
     /// Reads a curve, whose columns name its quantity.
     pub fn load(path: &Path) -> Result<Self, StudyError> {
         let csv = read_csv(path, EXAMPLE)?;
-        let find =
-            |any: &[&str]| csv.header.fields.iter().position(|name| has_word(name, any) && !has_word(name, &NOT));
+        let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
+        let find = |any: &[&str]| csv.header.fields.iter().position(|name| is(name, any));
         let Some((quantity, x, y)) = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)))
         else {
             return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
@@ -52,11 +53,9 @@ impl MeasuredCurve {
 
     /// Curves that a case is compared with.
     pub fn of_case(case: &Case) -> Vec<Self> {
-        let curve = |spec: &Spec| match (&spec.against, &spec.data) {
-            (Against::Curve(curve), Some(data)) => {
-                Some(Self::new(spec.reference.clone(), curve.clone(), data.csv.clone()))
-            }
-            _ => None,
+        let curve = |spec: &Spec| {
+            let Against::Curve(curve) = &spec.against else { return None };
+            Some(Self::new(spec.reference.clone(), curve.clone(), spec.data.as_ref()?.csv.clone()))
         };
         case.compare.iter().filter_map(curve).collect()
     }
@@ -64,8 +63,8 @@ impl MeasuredCurve {
     fn new(path: PathBuf, spec: CurveSpec, csv: Csv) -> Self {
         let unit = |i: usize| csv.unit(i).ok().map(|(unit, _)| unit);
         let y = csv.column(&spec.y).and_then(unit);
-        let is_scatter = |(i, name): (usize, &str)| has_word(name, &SCATTER) && unit(i).is_some() && unit(i) == y;
-        let scatter = csv.header.fields.iter().enumerate().position(is_scatter);
+        let is_scatter = |(i, name): &(usize, &str)| has_word(name, &SCATTER) && unit(*i).is_some() && unit(*i) == y;
+        let scatter = csv.header.fields.iter().enumerate().find(is_scatter).map(|(_, name)| name.to_owned());
         Self { path, spec, csv, scatter }
     }
 
@@ -75,17 +74,11 @@ impl MeasuredCurve {
     }
 
     /// Standard deviation of each point; `None` if one has none.
-    pub fn deviations(&self, points: &[Point]) -> Option<Vec<f64>> {
-        let column = self.scatter?;
-        let (_, factor) = self.csv.unit(column).ok()?;
-        let (x, y) = (self.csv.column(&self.spec.x)?, self.csv.column(&self.spec.y)?);
-        let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let number = |row: &Record, column: usize| row.number(column).ok().flatten();
-        let is_point =
-            |row: &&Record| number(row, x).is_some_and(|x| (low..=high).contains(&x)) && number(row, y).is_some();
-        let rows = self.csv.rows.iter().filter(is_point);
-        let scatter = rows.map(|row| number(row, column).map(|size| size * factor).filter(|size| *size > 0.0));
-        scatter.collect::<Option<Vec<f64>>>().filter(|scatter| scatter.len() == points.len())
+    pub fn deviations(&self, computed: &Computed) -> Option<Vec<f64>> {
+        let spec = CurveSpec { y: self.scatter.clone()?, ..self.spec.clone() };
+        let sizes = computed.points(&spec, &self.path, &self.csv).ok()?.into_iter().map(|point| point.reference);
+        let sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
+        (sizes.len() == self.points(computed).ok()?.len()).then_some(sizes)
     }
 
     /// Axes of abscissa and ordinate, in solver units.

@@ -1,12 +1,13 @@
 //! Results of a study: a headline, notes, tables and charts, for every kind of study.
 
+use super::run_table::record;
 use crate::assess::Light;
 use crate::plot::chart::Chart;
 use crate::units::{Amount, rounded};
-use serde::{Serialize, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Results of a study.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, serde::Serialize)]
 pub struct StudyReport {
     /// The result in one sentence.
     pub headline: String,
@@ -22,7 +23,7 @@ pub struct StudyReport {
 }
 
 /// A table of results.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct ReportTable {
     /// File name without its ending.
     pub name: &'static str,
@@ -52,11 +53,7 @@ impl ReportTable {
     /// Formats CSV; the unit of a number stands in a column behind it.
     pub fn csv(&self) -> Vec<u8> {
         let is_amount = |i: usize| self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_))));
-        let has_unit: Vec<bool> = (0..self.columns.len()).map(is_amount).collect();
-        let with_unit = |cells: Vec<[String; 2]>| -> Vec<String> {
-            let cells = cells.into_iter().zip(&has_unit);
-            cells.flat_map(|(cell, has_unit)| cell.into_iter().take(1 + usize::from(*has_unit))).collect()
-        };
+        let widths: Vec<usize> = (0..self.columns.len()).map(|i| 1 + usize::from(is_amount(i))).collect();
         let header = self.columns.iter().map(|column| {
             let key = column.to_lowercase().replace([' ', '-'], "_").replace(['%', '²'], "");
             [key.clone(), key + "_unit"]
@@ -66,10 +63,11 @@ impl ReportTable {
             cell => [cell.to_string(), String::new()],
         };
         let rows = self.rows.iter().map(|row| row.iter().map(pair).collect());
-        std::iter::once(header.collect())
-            .chain(rows)
-            .flat_map(|row| super::run_table::record(&with_unit(row)))
-            .collect()
+        let lines = std::iter::once(header.collect()).chain(rows);
+        let fields = |line: Vec<[String; 2]>| -> Vec<String> {
+            line.into_iter().zip(&widths).flat_map(|(pair, width)| pair.into_iter().take(*width)).collect()
+        };
+        lines.flat_map(|line| record(&fields(line))).collect()
     }
 }
 
@@ -86,20 +84,14 @@ impl std::fmt::Display for Cell {
 
 impl Serialize for Cell {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Number {
-            value: f64,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            error: Option<f64>,
-            unit: &'static str,
+        let Self::Amount(amount) = self else { return serializer.collect_str(self) };
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("value", &rounded(amount.value))?;
+        if let Some(error) = amount.bar() {
+            map.serialize_entry("error", &rounded(error))?;
         }
-        match self {
-            Self::Amount(amount) => {
-                let error = amount.bar().map(rounded);
-                Number { value: rounded(amount.value), error, unit: amount.unit.spelled() }.serialize(serializer)
-            }
-            text => serializer.serialize_str(&text.to_string()),
-        }
+        map.serialize_entry("unit", amount.unit.spelled())?;
+        map.end()
     }
 }
 

@@ -1,8 +1,9 @@
 //! One evaluation: a design and the responses of its run.
 
+use super::variable::number;
 use super::verify::{Outcome, Watch, quick};
-use super::{BaseCase, FailureMode, variable};
-use crate::assess::{self, Light};
+use super::{BaseCase, FailureMode};
+use crate::assess::{self, Finding, Light};
 use crate::case::Solution;
 use crate::results::error_bars::{Number, Origin};
 use crate::units::rounded;
@@ -18,7 +19,7 @@ pub struct Design {
 }
 
 /// A row of a run table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Run {
     /// Position in the study, from 0.
     pub index: u64,
@@ -59,12 +60,9 @@ impl Run {
             inputs,
             numbers: vec![f64::NAN; responses],
             errors: vec![f64::NAN; if errors { responses } else { 0 }],
-            light: None,
             failures: vec![FailureMode::NoResult],
-            red: Vec::new(),
-            amber: Vec::new(),
             end: "not run".into(),
-            reason: String::new(),
+            ..Self::default()
         }
     }
 
@@ -85,7 +83,7 @@ impl Run {
 
     /// A variable as a number.
     pub fn value(&self, variable: usize) -> f64 {
-        self.values.get(variable).and_then(|text| variable::number(text)).unwrap_or(f64::NAN)
+        self.values.get(variable).and_then(|text| number(text)).unwrap_or(f64::NAN)
     }
 
     /// A response, if the run came to one.
@@ -94,23 +92,25 @@ impl Run {
     }
 }
 
-/// Column of a number; a judged one may have the key of another.
+/// Key of a number; a judged one may have the key of another.
+pub(super) fn response_key(number: &Number) -> String {
+    format!("{}{}", number.quantity.key, if number.origin == Origin::Verdict { "_judged" } else { "" })
+}
+
 pub(super) fn column(number: &Number, suffix: &str) -> String {
-    let judged = if number.origin == Origin::Verdict { "_judged" } else { "" };
-    number.quantity.amount.unit.keyed(&format!("{}{judged}{suffix}", number.quantity.key))
+    number.quantity.amount.unit.keyed(&(response_key(number) + suffix))
 }
 
 /// Numbers of a solved base case, judged ones with their limits, and keys and labels of its verdict's rows.
 pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, String)>) {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
-    let rows = || assess::judgements(&findings);
-    let response = |mut number: Number| {
-        let row = rows().find(|row| number.origin == Origin::Verdict && row.key == number.quantity.key);
+    let mut numbers = Outcome::with_findings(solution, None, &findings).numbers;
+    for number in &mut numbers {
+        let is_own = |row: &&Finding| number.origin == Origin::Verdict && row.key == number.quantity.key;
+        let row = assess::judgements(&findings).find(is_own);
         number.quantity.limits = row.and_then(|row| row.quantity.as_ref()?.limits);
-        number
-    };
-    let responses = Outcome::with_findings(solution, None, &findings).numbers.into_iter().map(response).collect();
-    (responses, rows().map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
+    }
+    (numbers, assess::judgements(&findings).map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
 }
 
 pub(super) fn evaluate_design(
@@ -122,9 +122,8 @@ pub(super) fn evaluate_design(
 ) -> Evaluated {
     let case = base.case(&design.settings).map_err(|error| error.to_string());
     let inputs = case.as_ref().map_or_else(|_| String::new(), BaseCase::input_hash);
-    let solved = case.and_then(|case| BaseCase::solve(case, watch));
     let run = Run::failed(design, inputs, responses.len(), errors);
-    match solved {
+    match case.and_then(|case| BaseCase::solve(case, watch)) {
         Ok(solution) => evaluated(run, &solution, responses, watch),
         Err(reason) => Evaluated { run: Run { reason: one_line(&reason), ..run }, outcome: None },
     }
@@ -133,20 +132,22 @@ pub(super) fn evaluate_design(
 pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number], watch: &dyn Watch) -> Evaluated {
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, None, &findings);
-    for (value, response) in run.numbers.iter_mut().zip(responses) {
-        let own = outcome.numbers.iter().find(|number| number.is(response));
-        *value = own.map_or(f64::NAN, |number| rounded(number.quantity.value()));
-    }
+    let own = |response: &Number| outcome.numbers.iter().find(|number| number.is(response));
+    run.numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |own| rounded(own.quantity.value()))).collect();
     if !run.errors.is_empty() {
         let bars = quick(solution, &Silent(watch)).bars;
         let half = |r: &Number| bars.number(r.origin, r.quantity.key)?.half();
         run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
     }
-    let rows = |light: Light| {
-        assess::judgements(&findings).filter(move |row| row.light == light).map(|row| row.key.to_owned()).collect()
-    };
-    (run.red, run.amber) = (rows(Light::Red), rows(Light::Amber));
-    run.light = Some(assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey));
+    for row in assess::judgements(&findings) {
+        run.light = run.light.max(Some(row.light));
+        match row.light {
+            Light::Red => run.red.push(row.key.to_owned()),
+            Light::Amber => run.amber.push(row.key.to_owned()),
+            _ => {}
+        }
+    }
+    run.light = run.light.or(Some(Light::Grey));
     run.failures = FailureMode::all(&solution.stages, &findings);
     run.end = outcome.end.kind.to_owned();
     if !outcome.end.complete {

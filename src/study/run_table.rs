@@ -5,10 +5,10 @@
 //! ```
 
 use super::run::column;
-use super::{FailureMode, Plan, Run, StudyError, fail};
+use super::{FailureMode, Plan, Run, StudyError};
 use crate::assess::Light;
 use crate::results::error_bars::Number;
-use crate::units::did_you_mean;
+use crate::units::{did_you_mean, joined};
 use std::collections::BTreeMap;
 
 pub(super) const BEGINNING: &str = "study,designs,index,";
@@ -38,31 +38,24 @@ impl RunTable {
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
         let is = |number: &Number| {
             let (key, label) = (number.quantity.key, number.quantity.label);
-            let names = [plain(key), format!("{key}_judged"), plain(&column(number, "")), plain(label)];
-            names.iter().any(|own| own == wanted)
+            [plain(key), format!("{key}_judged"), plain(&column(number, "")), plain(label)].contains(&wanted.to_owned())
         };
-        if let Some(place) = self.responses.iter().position(is) {
-            return Ok(place);
-        }
         let mut keys: Vec<&str> = self.responses.iter().map(|response| response.quantity.key).collect();
         keys.dedup();
-        let near = did_you_mean(wanted, keys.iter().copied());
+        let help = format!("{}it has {}", did_you_mean(wanted, keys.iter().copied()), keys.join(", "));
         let what = format!("a run of this case has no number `{}`", name.trim());
-        fail(what, format!("{near}it has {}", keys.join(", ")))
+        self.responses.iter().position(is).ok_or_else(|| StudyError::new(what, help))
     }
 
     pub(super) fn display(&self, place: usize, value: f64) -> String {
         self.responses[place].quantity.amount.of(value).to_string()
     }
 
-    /// Label of a row of the verdict.
-    pub fn label<'a>(&'a self, row: &'a str) -> &'a str {
-        self.rows.iter().find(|(key, _)| key == row).map_or(row, |(_, label)| label)
-    }
-
+    /// Labels of the red rows of a run, else of the amber ones.
     pub(super) fn worst_rows(&self, run: &Run) -> String {
         let keys = if run.red.is_empty() { &run.amber } else { &run.red };
-        keys.iter().map(|key| self.label(key)).collect::<Vec<_>>().join(", ")
+        let label = |key: &String| self.rows.iter().find(|row| row.0 == *key).map_or(key, |row| &row.1).clone();
+        joined(keys.iter().map(label), ", ")
     }
 
     /// Number of runs with each light, and of those that were not run.
@@ -74,54 +67,57 @@ impl RunTable {
 
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
-        let mut header: Vec<String> = FIRST.map(str::to_owned).to_vec();
-        header.extend(self.plan.columns.iter().cloned());
-        header.extend(self.responses.iter().map(|number| column(number, "")));
-        header.extend(self.responses.iter().filter(|_| self.has_errors).map(|r| column(r, "_error")));
-        header.extend(LAST.map(str::to_owned));
-        header
+        let numbers = self.responses.iter().map(|number| column(number, ""));
+        let errors = self.responses.iter().filter(|_| self.has_errors).map(|number| column(number, "_error"));
+        let first = FIRST.map(str::to_owned).into_iter().chain(self.plan.columns.iter().cloned());
+        first.chain(numbers).chain(errors).chain(LAST.map(str::to_owned)).collect()
     }
 
     /// Line of a run.
     pub fn line(&self, run: &Run) -> Vec<String> {
         let number = |value: &f64| if value.is_finite() { value.to_string() } else { String::new() };
-        let mut line =
-            vec![self.plan.key.clone(), self.plan.designs.to_string(), run.index.to_string(), run.inputs.clone()];
+        let [designs, index] = [self.plan.designs, run.index].map(|number| number.to_string());
+        let mut line = vec![self.plan.key.clone(), designs, index, run.inputs.clone()];
         line.extend(run.values.iter().cloned());
         line.extend(run.numbers.iter().chain(&run.errors).map(number));
         line.push(run.light.map_or("", Light::name).to_owned());
-        line.push(run.failures.iter().map(|mode| mode.key()).collect::<Vec<_>>().join(" "));
+        line.push(joined(run.failures.iter().map(|mode| mode.key().to_owned()), " "));
         line.extend([run.red.join(" "), run.amber.join(" "), run.end.clone(), run.reason.clone(), VERSION.to_owned()]);
         line
     }
 
     /// Run of a line; `None` if it is of another study, or cut.
     pub fn read(&self, line: &csv::StringRecord) -> Option<Run> {
-        let count = self.responses.len();
+        let fields: Vec<&str> = line.iter().collect();
+        let (variables, count) = (self.plan.columns.len(), self.responses.len());
         let errors = if self.has_errors { count } else { 0 };
-        let (variables, all) = (self.plan.columns.len(), line.len());
-        let is_own = line.get(0)? == self.plan.key && line.get(1)? == self.plan.designs.to_string();
-        let is_whole = all == FIRST.len() + variables + count + errors + LAST.len() && line.get(all - 1)? == VERSION;
-        let mut fields = line.iter().skip(2).filter(|_| is_own && is_whole);
-        let index = fields.next()?.parse().ok()?;
-        let inputs = fields.next()?.to_owned();
-        let values = fields.by_ref().take(variables).map(str::to_owned).collect();
-        let mut numbers =
-            |count| fields.by_ref().take(count).map(|text| text.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>();
-        let (numbers, errors) = (numbers(count), numbers(errors));
-        let light = fields.next()?;
-        let mut words = || Some(fields.next()?.split_whitespace().map(str::to_owned).collect::<Vec<String>>());
-        let failures = words()?.iter().filter_map(|key| FailureMode::from_key(key)).collect();
-        let (red, amber) = (words()?, words()?);
-        let (end, reason) = (fields.next()?.to_owned(), fields.next()?.to_owned());
-        let light = LIGHTS.into_iter().find(|own| own.name() == light);
-        Some(Run { index, values, inputs, numbers, errors, light, failures, red, amber, end, reason })
+        let [key, designs, index, inputs, rest @ ..] = &fields[..] else { return None };
+        let is_own = *key == self.plan.key && *designs == self.plan.designs.to_string();
+        let (values, rest) = rest.split_at_checked(variables).filter(|_| is_own)?;
+        let (numbers, rest) = rest.split_at_checked(count)?;
+        let (errors, rest) = rest.split_at_checked(errors)?;
+        let [light, failures, red, amber, end, reason, VERSION] = rest else { return None };
+        let parsed = |texts: &[&str]| texts.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
+        Some(Run {
+            index: index.parse().ok()?,
+            values: values.iter().map(|value| (*value).to_owned()).collect(),
+            inputs: (*inputs).to_owned(),
+            numbers: parsed(numbers),
+            errors: parsed(errors),
+            light: LIGHTS.into_iter().find(|own| own.name() == *light),
+            failures: failures.split_whitespace().filter_map(FailureMode::from_key).collect(),
+            red: words(red),
+            amber: words(amber),
+            end: (*end).to_owned(),
+            reason: (*reason).to_owned(),
+        })
     }
 
     /// The whole table as CSV.
     pub fn csv(&self) -> Vec<u8> {
-        let lines = self.runs.iter().map(|run| record(&self.line(run)));
-        std::iter::once(record(&self.header())).chain(lines).flatten().collect()
+        let lines = self.runs.iter().map(|run| self.line(run));
+        std::iter::once(self.header()).chain(lines).flat_map(|line| record(&line)).collect()
     }
 }
 

@@ -3,15 +3,15 @@
 //! The sample is a scrambled Sobol sequence. Wilson's intervals take its points as independent, which is on the safe side.
 
 use super::charts;
-use super::default_scatter::default_scatter;
+use super::error::ensure;
 use super::statistics::{quantile, rank_correlation, wilson};
-use super::uncertain_variable::UncertainVariable;
+use super::uncertain_variable::{STRENGTH, UncertainVariable};
 use super::{
-    BaseCase, Cell, Design, Plan, Probability, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
-    fail,
+    BaseCase, Cell, Design, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport, fail,
 };
 use crate::assess::Light;
-use crate::units::Amount;
+use crate::case::Case;
+use crate::units::{Amount, joined};
 use sobol_burley::sample;
 use std::path::Path;
 
@@ -56,8 +56,8 @@ pub struct Event {
     pub(super) light: Light,
     /// Runs that have it.
     pub hits: usize,
-    /// Its probability.
-    pub probability: Probability,
+    /// Share of the runs and its interval of 95 %.
+    pub probability: [f64; 3],
     pub(super) correlations: Vec<Option<f64>>,
 }
 
@@ -91,20 +91,16 @@ impl Scatter {
         let case = base.case(&[])?;
         let (vary, defaults) = if vary.is_empty() { default_scatter(&case) } else { (vary.to_vec(), Vec::new()) };
         let variables = vary.iter().map(|text| UncertainVariable::read(&case, text)).collect::<Result<Vec<_>, _>>()?;
-        if variables.is_empty() {
-            return fail("nothing scatters: the case gives no friction", "give --vary \"KEY=DISTRIBUTION\"");
-        }
-        if variables.len() > VARIABLES {
-            return fail(format!("{} keys scatter", variables.len()), "128 at most");
-        }
+        let (what, help) = ("nothing scatters: the case gives no friction", "give --vary \"KEY=DISTRIBUTION\"");
+        ensure(!variables.is_empty(), what, help)?;
+        ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
         for (i, one) in variables.iter().enumerate() {
             if let Some(other) = variables[..i].iter().find(|o| one.conflicts_with(o) || o.conflicts_with(one)) {
                 return fail(format!("{} and {} set the same", other.variable.key, one.variable.key), "leave one out");
             }
         }
-        if !(8..=MOST).contains(&runs) {
-            return fail(format!("{runs} runs"), "give 8 to 4294967296, best a power of two");
-        }
+        let help = "give 8 to 4294967296, best a power of two";
+        ensure((8..=MOST).contains(&runs), format!("{runs} runs"), help)?;
         for variable in &variables {
             base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
@@ -135,25 +131,19 @@ impl Scatter {
             values.sort_by(f64::total_cmp);
             (!values.is_empty()).then(|| Spread { response, values, correlations: correlations(&all) })
         });
-        let mut events = Vec::new();
-        let mut add = |label: &str, light: Light, has: &dyn Fn(&Run) -> bool| {
+        let event = |label: &str, light: Light, has: &dyn Fn(&Run) -> bool| {
             let all: Vec<f64> = known.iter().map(|run| f64::from(u8::from(has(run)))).collect();
             let hits = all.iter().filter(|hit| **hit > 0.0).count();
-            let is_named = hits > 0 || label == TEARS || label == ALL;
-            if let Some(probability) = wilson(hits, known.len()).filter(|_| is_named) {
-                let (label, correlations) = (label.to_owned(), correlations(&all));
-                events.push(Event { label, light, hits, probability, correlations });
-            }
+            let probability = wilson(hits, known.len())?;
+            Some(Event { label: label.to_owned(), light, hits, probability, correlations: correlations(&all) })
         };
-        add(TEARS, Light::Red, &Run::tears);
-        for light in [Light::Red, Light::Amber] {
-            add(ALL, light, &|run: &Run| run.light == Some(light));
-        }
+        let mut events = vec![event(TEARS, Light::Red, &Run::tears)];
+        events.extend([Light::Red, Light::Amber].map(|light| event(ALL, light, &|run| run.light == Some(light))));
         for (key, label) in &runs.rows {
-            add(label, Light::Red, &|run: &Run| run.red.contains(key));
-            add(label, Light::Amber, &|run: &Run| run.amber.contains(key));
+            events.push(event(label, Light::Red, &|run| run.red.contains(key)).filter(|event| event.hits > 0));
+            events.push(event(label, Light::Amber, &|run| run.amber.contains(key)).filter(|event| event.hits > 0));
         }
-        UncertaintyResult { events, spreads: spreads.collect() }
+        UncertaintyResult { events: events.into_iter().flatten().collect(), spreads: spreads.collect() }
     }
 
     /// The variables with a noticeable rank correlation, the largest first: `friction +0.92, strength -0.31`.
@@ -162,34 +152,25 @@ impl Scatter {
         let mut all: Vec<(&str, f64)> = pairs.filter_map(|(v, c)| Some((v.variable.key.as_str(), (*c)?))).collect();
         all.retain(|(_, c)| c.abs() >= NAMED);
         all.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-        all.iter().map(|(key, c)| format!("{key} {c:+.2}")).collect::<Vec<_>>().join(", ").into()
+        joined(all.iter().map(|(key, c)| format!("{key} {c:+.2}")), ", ").into()
     }
 
     fn tables(&self, runs: &RunTable, result: &UncertaintyResult) -> Vec<ReportTable> {
         let columns = ["Light", "Row", "Share of parts", "from", "to", "Rank correlation"];
         let mut lights = ReportTable::new("scatter_lights", &columns);
         for event in &result.events {
-            let Probability { value, low, high } = event.probability;
-            let [value, low, high] = [value, low, high].map(|share| Amount::share(share).into());
-            let light = Cell::Light(event.light, String::new());
-            lights.rows.push(vec![
-                light,
-                event.label.clone().into(),
-                value,
-                low,
-                high,
-                self.influences(&event.correlations),
-            ]);
+            let [value, low, high] = event.probability.map(|share| Amount::share(share).into());
+            let (light, label) = (Cell::Light(event.light, String::new()), event.label.clone().into());
+            lights.rows.push(vec![light, label, value, low, high, self.influences(&event.correlations)]);
         }
         let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
         let mut numbers = ReportTable::new("scatter_numbers", &columns);
         for spread in &result.spreads {
-            let number = &runs.responses[spread.response];
+            let number = &runs.responses[spread.response].quantity;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
             if quantiles[0] != quantiles[2] {
-                let [low, median, high] = quantiles.map(|value| number.quantity.amount.of(value).into());
-                let influences = self.influences(&spread.correlations);
-                numbers.rows.push(vec![number.quantity.label.into(), low, median, high, influences]);
+                let [low, median, high] = quantiles.map(|value| number.amount.of(value).into());
+                numbers.rows.push(vec![number.label.into(), low, median, high, self.influences(&spread.correlations)]);
             }
         }
         vec![lights, numbers]
@@ -211,16 +192,16 @@ impl Study for Scatter {
         let headline = match result.events.first() {
             None => format!("None of {n} runs came to a result."),
             Some(Event { hits: 0, probability, .. }) => {
-                format!("No tear in {n} parts: fewer than {} scrap, 95 % sure.", Amount::share(probability.high))
+                format!("No tear in {n} parts: fewer than {} scrap, 95 % sure.", Amount::share(probability[2]))
             }
             Some(Event { hits, probability, .. }) => {
-                let [low, high] = [probability.low, probability.high].map(Amount::share);
+                let [_, low, high] = probability.map(Amount::share);
                 format!("{hits} of {n} parts tear: {low} to {high}, 95 % sure.")
             }
         };
         let [red, amber] = [Light::Red, Light::Amber].map(|light| {
             let event = result.events.iter().find(|event| event.label == ALL && event.light == light);
-            Amount::share(event.map_or(0.0, |event| event.probability.value))
+            Amount::share(event.map_or(0.0, |event| event.probability[0]))
         });
         let shares = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
@@ -233,4 +214,52 @@ impl Study for Scatter {
             charts: charts::scatter(runs, &result),
         }
     }
+}
+
+/// Half width of the friction coefficient \[–\]; declared.
+const FRICTION: f64 = 0.02;
+/// Least friction over the case's own \[–\]; declared.
+const LEAST_FRICTION: f64 = 0.5;
+/// Standard deviations from the middle of a standard's strength range to its end; declared.
+const STRENGTH_DEVIATIONS: f64 = 2.0;
+/// Standard deviations of a thickness tolerance; declared.
+const THICKNESS_DEVIATIONS: f64 = 3.0;
+
+/// Default `KEY=DISTRIBUTION` texts of a case, and notes on them.
+fn default_scatter(case: &Case) -> (Vec<String>, Vec<String>) {
+    let (mut vary, mut notes) = friction(case);
+    let Some((sheet, class)) = case.sheet().and_then(|sheet| Some((sheet.name, sheet.class?))) else {
+        let note = "Strength and thickness do not scatter: the library has no tolerances of this sheet. Give yours, \
+                    such as --vary \"strength=normal ± 5 %\".";
+        notes.push(note.into());
+        return (vary, notes);
+    };
+    let thickness = case.model().blank.thickness;
+    if let Some((standard, tolerance)) = class.thickness.and_then(|by| Some((by, by.tolerance(thickness)?))) {
+        let deviation = tolerance / THICKNESS_DEVIATIONS;
+        vary.push(format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in ± {tolerance} mm"));
+        let (tolerance, source) = (Amount::size(tolerance), standard.source());
+        notes.push(format!("Thickness: normal, tolerance {tolerance} at three standard deviations; {source}."));
+    }
+    if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {
+        let deviation = share / STRENGTH_DEVIATIONS;
+        vary.push(format!("{STRENGTH}=normal 1 ± {deviation:.4} in {:.4}..{:.4}", 1.0 - share, 1.0 + share));
+        let ([low, high], source) = ([low, high].map(Amount::given_stress), class.source);
+        notes.push(format!("Strength of {sheet}: normal, {low} to {high} at two standard deviations; {source}."));
+    }
+    (vary, notes)
+}
+
+fn friction(case: &Case) -> (Vec<String>, Vec<String>) {
+    let tools = case.written("friction");
+    let number = |text: &str| text.parse().ok().filter(|mu: &f64| *mu > 0.0);
+    let numbers: Vec<(&str, f64)> =
+        tools.iter().filter_map(|(path, text)| Some((path.as_str(), number(text)?))).collect();
+    let Some((_, first)) = numbers.first() else { return Default::default() };
+    let is_one = numbers.len() == tools.len() && numbers.iter().all(|(_, mu)| mu == first);
+    let uniform = |&(key, mu): &(&str, f64)| {
+        format!("{key}=uniform {}..{}", (mu - FRICTION).max(LEAST_FRICTION * mu), mu + FRICTION)
+    };
+    let vary = if is_one { vec![uniform(&("friction", *first))] } else { numbers.iter().map(uniform).collect() };
+    (vary, vec![format!("Friction: uniform, ± {FRICTION} about the case's own (declared).")])
 }

@@ -18,8 +18,10 @@
 //! ```
 
 use super::base_case::read_text;
+use super::error::ensure;
 use super::{StudyError, fail};
-use serde::{Deserialize, Deserializer};
+use crate::units::joined;
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
@@ -37,8 +39,9 @@ pub(super) struct StudyFile {
     pub one_at_a_time: bool,
     pub runs: Option<u64>,
     pub seed: Option<u32>,
-    #[serde(default, deserialize_with = "one_or_many")]
-    pub to: Vec<PathBuf>,
+    to: Option<Value>,
+    #[serde(skip)]
+    pub curves: Vec<PathBuf>,
     /// `KEY=VALUES & KEY=VALUES`.
     #[serde(skip)]
     pub variables: Vec<String>,
@@ -51,18 +54,13 @@ pub(super) struct StudyFile {
 impl StudyFile {
     /// Reads a study file, or a case file as a study without variables; `set` comes behind its own, `vary` replaces them.
     pub fn load(path: &Path, set: Vec<String>, vary: &[String]) -> Result<Self, StudyError> {
-        let shown = path.display();
         let text = read_text(path, "give a case file, or a study file")?;
         let is_case = toml::from_str::<Table>(&text)
             .map_or(true, |table| !table.contains_key("case") && CASE_KEYS.iter().any(|key| table.contains_key(*key)));
-        let mut file = if is_case {
-            Self::default()
-        } else {
-            Self::read(&text, path).map_err(|e| e.within(format!("{shown}: ")))?
+        let mut file = match is_case {
+            true => Self { case: path.to_owned(), ..Self::default() },
+            false => Self::read(&text, path).map_err(|e| e.within(format!("{}: ", path.display())))?,
         };
-        if is_case {
-            file.case = path.to_owned();
-        }
         file.set.extend(set);
         if !vary.is_empty() {
             file.variables = vary.to_vec();
@@ -75,53 +73,39 @@ impl StudyFile {
             |error: toml::de::Error| StudyError::new(error.to_string().trim_end(), "see `stampflow sweep --help`");
         let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
-        (file.case, file.to) = (beside(&file.case), file.to.iter().map(beside).collect());
-        if !file.case.exists() {
-            let what = format!("there is no file {}", file.case.display());
-            return fail(what, "`case` is the path of a case file, relative to the study file");
-        }
+        file.case = beside(&file.case);
+        file.curves = match &file.to {
+            Some(Value::Array(all)) => all.iter().map(|path| beside(&plain(path).into())).collect(),
+            path => path.iter().map(|path| beside(&plain(path).into())).collect(),
+        };
+        let help = "`case` is the path of a case file, relative to the study file";
+        ensure(file.case.exists(), format!("there is no file {}", file.case.display()), help)?;
         file.variables = pairs(&file.vary, "")?;
         for together in &file.together {
-            match pairs(together, "")?.join(" & ") {
-                none if none.is_empty() => return fail("a [[together]] has no keys", "give it two keys or more"),
-                keys => file.variables.push(keys),
-            }
+            let keys = pairs(together, "")?;
+            ensure(!keys.is_empty(), "a [[together]] has no keys", "give it two keys or more")?;
+            file.variables.push(keys.join(" & "));
         }
         Ok(file)
     }
 }
 
-fn one_or_many<'de, D: Deserializer<'de>>(paths: D) -> Result<Vec<PathBuf>, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    enum Paths {
-        One(PathBuf),
-        Many(Vec<PathBuf>),
-    }
-    Ok(match Paths::deserialize(paths)? {
-        Paths::One(path) => vec![path],
-        Paths::Many(paths) => paths,
-    })
+fn plain(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
 /// `KEY=VALUES` of every dotted key below a table.
 fn pairs(table: &Table, above: &str) -> Result<Vec<String>, StudyError> {
-    let plain = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let mut all = Vec::new();
     for (name, value) in table {
         let key = format!("{above}{name}");
-        let values = match value {
-            Value::Table(table) => {
-                all.extend(pairs(table, &format!("{key}."))?);
-                continue;
-            }
-            Value::Datetime(_) => {
-                return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]");
-            }
-            Value::Array(values) => values.iter().map(plain).collect::<Vec<_>>().join(", "),
-            value => plain(value),
-        };
-        all.push(format!("{key}={values}"));
+        let help = "write \"4..10 mm/7\" or [0.04, 0.08]";
+        match value {
+            Value::Table(table) => all.extend(pairs(table, &format!("{key}."))?),
+            Value::Datetime(_) => return fail(format!("{key} gives no values"), help),
+            Value::Array(values) => all.push(format!("{key}={}", joined(values.iter().map(plain), ", "))),
+            value => all.push(format!("{key}={}", plain(value))),
+        }
     }
     Ok(all)
 }

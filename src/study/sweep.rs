@@ -1,10 +1,12 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
 use super::charts;
-use super::variable::{number, repeated};
+use super::error::ensure;
+use super::variable::check_distinct;
+use super::variable::number;
 use super::{
     BaseCase, Cell, Design, FailureMode, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
-    Variable, fail,
+    Variable,
 };
 use crate::assess::Light;
 use crate::plot;
@@ -23,9 +25,16 @@ pub struct Sweep {
 /// Variables that move together; the first names the axis.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
-    pub variables: Vec<Variable>,
+    variables: Vec<Variable>,
     values: Vec<Vec<String>>,
-    pub(super) own: Option<f64>,
+    /// Axis of a picture; it has names if the values are words.
+    pub drawn: plot::Axis,
+    /// In the solver's unit; the index for words.
+    pub positions: Vec<f64>,
+    /// Values with their unit.
+    pub labels: Vec<String>,
+    /// Position of the case as it stands.
+    pub own: Option<f64>,
 }
 
 const DRAWN: usize = 10_000;
@@ -34,53 +43,35 @@ impl Axis {
     fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
         let variables = text.split('&').map(Variable::read).collect::<Result<Vec<_>, _>>()?;
         let values = variables.iter().map(Variable::values).collect::<Result<Vec<_>, _>>()?;
-        if let Some(i) = (1..values.len()).find(|&i| values[i].len() != values[0].len()) {
-            let counted = |i: usize| format!("{} has {} values", variables[i].key, values[i].len());
-            return fail(format!("{} but {}", counted(0), counted(i)), "keys that move together have as many values");
+        for (variable, own) in variables.iter().zip(&values) {
+            let [first, other] = [(&variables[0], &values[0]), (variable, own)]
+                .map(|(variable, values)| format!("{} has {} values", variable.key, values.len()));
+            let help = "keys that move together have as many values";
+            ensure(own.len() == values[0].len(), format!("{first} but {other}"), help)?;
         }
-        let mut axis = Self { variables, values, own: None };
-        let variable = &axis.variables[0];
-        axis.own = base.value(&variable.key).and_then(|own| match axis.names() {
-            [] => Some(variable.axis_unit().1 * variable.in_unit(&own)?),
-            names => names.iter().position(|name| *name == own).map(|place| place as f64),
+        let (first, (unit, factor)) = (&variables[0], variables[0].axis_unit());
+        let mut drawn = plot::Axis::named(first.label(), unit);
+        let numbers: Option<Vec<f64>> = values[0].iter().map(|value| Some(factor * number(value)?)).collect();
+        let own = base.value(&first.key);
+        let own = match &numbers {
+            Some(_) => own.and_then(|own| Some(factor * first.in_unit(&own)?)),
+            None => own.and_then(|own| values[0].iter().position(|name| *name == own)).map(|i| i as f64),
+        };
+        let positions = numbers.unwrap_or_else(|| {
+            drawn.names = values[0].clone();
+            (0..values[0].len()).map(|i| i as f64).collect()
         });
-        Ok(axis)
+        let labels = values[0].iter().map(|value| format!("{value} {}", first.unit).trim_end().to_owned()).collect();
+        Ok(Self { variables, values, drawn, positions, labels, own })
     }
 
     pub fn count(&self) -> usize {
-        self.values[0].len()
-    }
-
-    /// Values as words; empty for numbers.
-    pub fn names(&self) -> &[String] {
-        let is_numeric = self.values[0].iter().all(|value| number(value).is_some());
-        if is_numeric { &[] } else { &self.values[0] }
-    }
-
-    /// Positions along the axis, in its solver unit; the index for words.
-    pub fn positions(&self) -> Vec<f64> {
-        let (_, factor) = self.variables[0].axis_unit();
-        let position = |(i, value): (usize, &String)| number(value).map_or(i as f64, |number| factor * number);
-        self.values[0].iter().enumerate().map(position).collect()
-    }
-
-    /// Axis of a picture.
-    pub fn drawn(&self) -> plot::Axis {
-        let label = self.variables[0].label();
-        match self.names() {
-            [] => plot::Axis::named(label, self.variables[0].axis_unit().0),
-            names => plot::Axis::of_names(label, names.to_vec()),
-        }
-    }
-
-    /// A value with its unit.
-    pub fn display(&self, i: usize) -> String {
-        format!("{} {}", self.values[0][i], self.variables[0].unit).trim_end().to_owned()
+        self.positions.len()
     }
 
     /// `Holder force 5 kN`.
     pub fn describe(&self, i: usize) -> String {
-        format!("{} {}", self.variables[0].label(), self.display(i))
+        format!("{} {}", self.drawn.label, self.labels[i])
     }
 
     fn settings(&self, i: usize) -> impl Iterator<Item = String> {
@@ -98,22 +89,20 @@ impl Sweep {
     /// Varies a case by `KEY=VALUES` texts.
     pub fn new(base: BaseCase, vary: &[String], one_at_a_time: bool) -> Result<Self, StudyError> {
         let axes = vary.iter().map(|text| Axis::read(text, &base)).collect::<Result<Vec<_>, _>>()?;
-        if axes.is_empty() {
-            return fail("nothing of the case is varied", "give --vary KEY=VALUES, as often as needed");
-        }
-        if let Some(key) = repeated(axes.iter().flat_map(|axis| &axis.variables)) {
-            return fail(format!("{key} is varied twice"), "give all its values at once");
-        }
+        let help = "give --vary KEY=VALUES, as often as needed";
+        ensure(!axes.is_empty(), "nothing of the case is varied", help)?;
+        let variables = || axes.iter().flat_map(|axis| &axis.variables);
+        check_distinct(variables(), "is varied twice", "give all its values at once")?;
         let counts = || axes.iter().map(|axis| axis.count() as u64);
-        let Some(all) = counts().try_fold(1u64, u64::checked_mul) else {
-            return fail("more designs than can be counted", "fewer values, or `scatter` for a sample");
-        };
+        let countless =
+            || StudyError::new("more designs than can be counted", "fewer values, or `scatter` for a sample");
+        let all = counts().try_fold(1, u64::checked_mul).ok_or_else(countless)?;
         for axis in &axes {
             let last = axis.count() - 1;
             base.check_any([0, last / 2, last].map(|i| axis.settings(i).collect()))?;
         }
         let designs = if one_at_a_time { 1 + counts().sum::<u64>() } else { all };
-        let columns = axes.iter().flat_map(|axis| &axis.variables).map(Variable::header).collect();
+        let columns = variables().map(Variable::header).collect();
         let values: Vec<_> = axes.iter().map(|axis| (&axis.variables, &axis.values)).collect();
         let plan = Plan::new(base, &format!("{values:?}{one_at_a_time}"), columns, designs);
         Ok(Self { plan, axes, one_at_a_time })
@@ -124,33 +113,33 @@ impl Sweep {
         self.axes.len() == 1 && !self.one_at_a_time
     }
 
-    /// Place of a design on every axis; `None` where the case keeps its own value.
-    pub(super) fn places(&self, index: u64) -> Vec<Option<usize>> {
-        let counts = self.axes.iter().map(|axis| axis.count() as u64);
-        if self.one_at_a_time {
-            // Design 0 is the base case.
-            let mut before = 1;
-            let place = |count: u64| {
-                let own = index.checked_sub(before).filter(|place| *place < count);
-                before += count;
-                own.map(|place| place as usize)
-            };
-            return counts.map(place).collect();
-        }
-        let mut rest = index;
-        let place = |count: u64| {
-            let place = rest % count;
-            rest /= count;
-            Some(place as usize)
+    /// Place of a run on every axis; `None` where the case keeps its own value.
+    pub(super) fn places(&self, run: &Run) -> Vec<Option<usize>> {
+        let mut column = 0;
+        let place = |axis: &Axis| {
+            let own = &run.values[column];
+            column += axis.variables.len();
+            axis.values[0].iter().position(|value| value == own)
         };
-        let mut places: Vec<_> = counts.rev().map(place).collect();
-        places.reverse();
-        places
+        self.axes.iter().map(place).collect()
     }
 
-    fn design(&self, index: u64) -> Design {
-        let places = self.places(index);
-        let pairs = || self.axes.iter().zip(&places);
+    /// Places of all designs; the last axis varies fastest.
+    fn designs(&self) -> Vec<Vec<Option<usize>>> {
+        let base = vec![None; self.axes.len()];
+        let on_axis = |places: &Vec<Option<usize>>, axis: usize| -> Vec<Vec<Option<usize>>> {
+            let at = |i| places.iter().enumerate().map(move |(own, place)| if own == axis { Some(i) } else { *place });
+            (0..self.axes[axis].count()).map(|i| at(i).collect()).collect()
+        };
+        let axes = 0..self.axes.len();
+        if self.one_at_a_time {
+            return [base.clone()].into_iter().chain(axes.flat_map(|axis| on_axis(&base, axis))).collect();
+        }
+        axes.fold(vec![base], |all, axis| all.iter().flat_map(|places| on_axis(places, axis)).collect())
+    }
+
+    fn design(&self, index: u64, places: &[Option<usize>]) -> Design {
+        let pairs = || self.axes.iter().zip(places);
         let values = pairs().flat_map(|(axis, place)| {
             axis.values.iter().map(move |values| place.map_or_else(String::new, |i| values[i].clone()))
         });
@@ -159,43 +148,40 @@ impl Sweep {
     }
 
     fn notes(&self, runs: &RunTable) -> Vec<String> {
-        let mut notes = Vec::new();
-        if let Some(place) = charts::deciding(runs, 1).first().copied() {
-            let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[place].is_finite());
-            let by = |a: &&Run, b: &&Run| a.numbers[place].total_cmp(&b.numbers[place]);
-            if let Some((least, most)) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)
-            {
-                let describe = |run: &Run| {
-                    let values = self.axes.iter().zip(self.places(run.index));
-                    let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
-                    format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
-                };
-                let (label, least, most) = (runs.responses[place].quantity.label, describe(least), describe(most));
-                notes.push(format!("{label} of sound designs: {least} to {most}."));
-            }
-        }
         let modes = joined(runs.base.failures.iter().map(|mode| mode.label().to_owned()), ", ");
-        notes.push(match (modes.as_str(), runs.base.light) {
+        let base = match (modes.as_str(), runs.base.light) {
             ("", Some(Light::Amber)) => "The case as it stands is sound, with amber rows.".into(),
             ("", _) => "The case as it stands is sound.".into(),
             _ => format!("The case as it stands fails: {modes}."),
+        };
+        let describe = |place: usize, run: &Run| {
+            let values = self.axes.iter().zip(self.places(run));
+            let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
+            format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
+        };
+        let span = charts::deciding(runs, 1).first().and_then(|place| {
+            let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[*place].is_finite());
+            let by = |a: &&Run, b: &&Run| a.numbers[*place].total_cmp(&b.numbers[*place]);
+            let (least, most) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)?;
+            let (label, least, most) =
+                (runs.responses[*place].quantity.label, describe(*place, least), describe(*place, most));
+            Some(format!("{label} of sound designs: {least} to {most}."))
         });
-        notes
+        span.into_iter().chain([base]).collect()
     }
 
     /// Effects of the variables on a number, the largest first.
     pub fn sensitivities(&self, runs: &RunTable, response: usize) -> Vec<Sensitivity> {
-        let Some(own) = runs.runs.first().map(|run| run.numbers[response]).filter(|own| own.is_finite()) else {
-            return Vec::new();
-        };
+        let own = runs.runs.first().map_or(f64::NAN, |run| run.numbers[response]);
         let one = |axis: usize| {
             let end = |run: &Run| {
-                let (place, number) = (self.places(run.index)[axis]?, run.response(response)?);
+                let (place, number) = (self.places(run)[axis]?, run.response(response)?);
                 Some(End { number, place, is_sound: run.is_sound() })
             };
             Sensitivity { axis, own, ends: runs.runs.iter().skip(1).filter_map(end).collect() }
         };
-        let mut all: Vec<Sensitivity> = (0..self.axes.len()).map(one).filter(|s| s.width() > 0.0).collect();
+        let all = (0..self.axes.len()).map(one).filter(|s| s.width() > 0.0 && own.is_finite());
+        let mut all: Vec<Sensitivity> = all.collect();
         all.sort_by(|a, b| b.width().total_cmp(&a.width()));
         all
     }
@@ -204,13 +190,13 @@ impl Sweep {
         let columns = ["Number", "Key", "As it stands", "Least", "at", "Largest", "at value"];
         let mut table = ReportTable::new("sensitivities", &columns);
         for response in charts::deciding(runs, 4) {
-            let number = &runs.responses[response];
+            let number = &runs.responses[response].quantity;
             for s in self.sensitivities(runs, response) {
-                let Some(ends) = s.extremes() else { continue };
-                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.quantity.amount.of(value)));
-                let mut row = vec![number.quantity.label.into(), axis.variables[0].label().into(), amount(s.own)];
-                row.extend(ends.iter().flat_map(|end| [amount(end.number), axis.display(end.place).into()]));
-                table.rows.push(row);
+                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.of(value)));
+                let ends = s.extremes().into_iter().flatten();
+                let ends = ends.flat_map(|end| [amount(end.number), axis.labels[end.place].clone().into()]);
+                let first = [number.label.into(), axis.drawn.label.clone().into(), amount(s.own)];
+                table.rows.push(first.into_iter().chain(ends).collect());
             }
         }
         table
@@ -253,7 +239,7 @@ impl Study for Sweep {
     }
 
     fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..self.plan.designs).map(|index| self.design(index)).collect()
+        (0..).zip(self.designs()).map(|(index, places)| self.design(index, &places)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {

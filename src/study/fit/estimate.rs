@@ -25,31 +25,22 @@ pub struct Estimate {
     pub bound: Option<f64>,
 }
 
-/// Two parameters that the points cannot tell apart, with their correlation.
-pub type Correlated = (usize, usize, f64);
-
-/// Estimates at a minimum, and pairs with a correlation of `tied` or more. Weighted residuals have a variance of 1 at least.
-pub(super) fn estimates(
-    names: &[(&str, &str)],
+/// Estimates of named parameters with units at a minimum. Weighted residuals have a variance of 1 at least.
+pub(super) fn estimates<'a>(
+    names: impl Iterator<Item = (&'a str, &'a str)>,
     parameters: &[Parameter],
     minimum: &Minimum,
     is_weighted: bool,
-    tied: f64,
-) -> (Vec<Estimate>, Vec<Correlated>) {
-    let variance = minimum.variance().max(if is_weighted { 1.0 } else { 0.0 });
-    let covariance = minimum.covariance(variance);
-    let one = |(j, ((key, unit), parameter)): (usize, (&(&str, &str), &Parameter))| Estimate {
-        key: (*key).to_owned(),
-        unit: (*unit).to_owned(),
+) -> Vec<Estimate> {
+    let covariance = minimum.covariance(minimum.variance().max(if is_weighted { 1.0 } else { 0.0 }));
+    let one = |(j, (key, unit)): (usize, (&str, &str))| Estimate {
+        key: key.to_owned(),
+        unit: unit.to_owned(),
         value: minimum.values[j],
         error: covariance.as_ref().filter(|_| minimum.free[j]).map(|c| c[(j, j)].sqrt()),
-        bound: (!minimum.free[j] && parameter.low < parameter.high).then_some(minimum.values[j]),
+        bound: (!minimum.free[j] && parameters[j].low < parameters[j].high).then_some(minimum.values[j]),
     };
-    let estimates = names.iter().zip(parameters).enumerate().map(one).collect();
-    let Some(c) = covariance else { return (estimates, Vec::new()) };
-    let pairs = (0..c.nrows()).flat_map(|i| (i + 1..c.nrows()).map(move |j| (i, j)));
-    let correlations = pairs.map(|(i, j)| (i, j, c[(i, j)] / (c[(i, i)] * c[(j, j)]).sqrt()));
-    (estimates, correlations.filter(|(.., correlation)| correlation.abs() >= tied).collect())
+    names.enumerate().map(one).collect()
 }
 
 pub(super) fn table<'a>(all: impl Iterator<Item = (String, &'a Estimate)>) -> ReportTable {
@@ -67,16 +58,10 @@ impl Estimate {
     /// Value to two digits more than its error allows, because errors of several parameters go together.
     pub fn written(&self) -> String {
         let magnitude = |value: f64| if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
-        let error = self.error.filter(|error| *error > PERFECT * self.value.abs());
         let most = (FINEST - magnitude(self.value)).max(0);
-        error.map_or_else(
-            || rounded(self.value).to_string(),
-            |error| trimmed(self.value, (3 - magnitude(error)).clamp(0, most)),
-        )
-    }
-
-    /// Whether a value lies within so many standard errors.
-    pub fn holds(&self, value: f64, errors: f64) -> bool {
-        self.error.is_some_and(|error| (value - self.value).abs() <= errors * error)
+        match self.error.filter(|error| *error > PERFECT * self.value.abs()) {
+            Some(error) => trimmed(self.value, (3 - magnitude(error)).clamp(0, most)),
+            None => rounded(self.value).to_string(),
+        }
     }
 }

@@ -1,8 +1,10 @@
-//! Reduction of a tension test: elastic line, yield stress, uniform elongation, flow curve.
+//! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::tension::{Tension, TensionRow};
+use crate::study::error::ensure;
 use crate::study::{StudyError, fail};
-use crate::units::{Amount, significant};
+use crate::units::{Amount, joined, significant};
+use std::path::PathBuf;
 
 /// Settings of the reduction of tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +22,7 @@ pub struct Reduction {
 /// Flow curve that laws are fitted to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowCurve {
-    /// Name of the file.
+    /// Name of the file without its folders.
     pub name: String,
     /// Angle to the rolling direction \[°\].
     pub direction: Option<f64>,
@@ -28,20 +30,14 @@ pub struct FlowCurve {
     pub rate: Option<f64>,
     /// Slope of the elastic line \[MPa\].
     pub young: Option<f64>,
-    /// Whether that slope was fitted.
-    pub is_fitted: bool,
-    /// Engineering stress at the offset; `None` if the test begins beyond \[MPa\].
-    pub yield_stress: Option<f64>,
-    /// Largest engineering stress \[MPa\].
-    pub strength: f64,
     /// Plastic strain at the largest force; `None` if the force does not fall thereafter \[–\].
     pub uniform: Option<f64>,
     /// Points that laws are fitted to.
     pub points: Vec<FlowPoint>,
-    /// Plastic points before and beyond them.
-    pub others: Vec<FlowPoint>,
     /// r-value, width over thickness strain, and its standard error \[–\].
     pub r: Option<(f64, f64)>,
+    /// Results of the test.
+    pub sentence: String,
 }
 
 /// A point of a flow curve.
@@ -57,7 +53,7 @@ pub struct FlowPoint {
 
 /// Stress range of the elastic line over the stress at 1 % strain: between seating and yield \[–\].
 const ELASTIC: [f64; 2] = [0.1, 0.4];
-/// Fewest points of an elastic line.
+/// Fewest points of a line.
 const LINE: usize = 4;
 /// Resolution of strains in files \[–\].
 const ROUNDED: f64 = 1e-9;
@@ -75,83 +71,62 @@ impl Default for Reduction {
 impl FlowCurve {
     /// Reduces a test.
     pub fn of(test: &Tension, reduction: &Reduction) -> Result<Self, StudyError> {
-        let line = match (reduction.young, test.is_plastic) {
-            (young, true) => young.map(|young| (young, 0.0)),
-            (young, false) => Some(elastic_line(test, young)?),
+        let line = match reduction.young {
+            young if test.is_plastic => young.map(|young| (young, 0.0)),
+            young => Some(elastic_line(test, young)?),
         };
         let (offset, toe) = (reduction.offset, line.map_or(0.0, |(_, toe)| toe));
         let elastic = |row: &TensionRow| line.map_or(0.0, |(young, _)| row.stress / young);
-        let sum = |row: &TensionRow| if test.is_plastic { row.strain + elastic(row) } else { row.strain - toe };
-        let rows = &test.rows;
-        let plastic = |i: usize| if test.is_plastic { rows[i].strain } else { sum(&rows[i]) - elastic(&rows[i]) };
-        let engineering = |i: usize| rows[i].stress * (-sum(&rows[i])).exp();
-        let peak = (0..rows.len()).max_by(|a, b| engineering(*a).total_cmp(&engineering(*b))).unwrap_or(0);
-        let strength = engineering(peak);
-        let necks = (peak..rows.len()).any(|i| engineering(i) < (1.0 - FALLEN) * strength);
-        let uniform = necks.then(|| plastic(peak));
+        // Plastic strain and engineering stress.
+        let reduced = |row: &TensionRow| {
+            let sum = if test.is_plastic { row.strain + elastic(row) } else { row.strain - toe };
+            let plastic = if test.is_plastic { row.strain } else { sum - elastic(row) };
+            (plastic, row.stress * (-sum).exp())
+        };
+        let all: Vec<(f64, f64)> = test.rows.iter().map(reduced).collect();
+        let peak = (0..all.len()).max_by(|a, b| all[*a].1.total_cmp(&all[*b].1)).unwrap_or(0);
+        let strength = all[peak].1;
+        let uniform = all[peak..].iter().any(|at| at.1 < (1.0 - FALLEN) * strength).then(|| all[peak].0);
         let from = reduction.from.unwrap_or(offset) - ROUNDED;
         let to = reduction.to.unwrap_or(f64::INFINITY).min(uniform.unwrap_or(f64::INFINITY)) + ROUNDED;
-        let is_used = |i: &usize| (from..=to).contains(&plastic(*i)) && (*i <= peak || !necks);
-        let (used, others): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(is_used);
-        let Some(&last) = used.last() else {
-            let range = format!("from {:.4} to {to:.4}", from + ROUNDED);
-            let what = format!("{} has no points with a plastic strain {range}", test.name);
-            return fail(what, "see whether --young, --offset, --from and --to go with it");
+        let is_used = |i: &usize| (from..=to).contains(&all[*i].0) && (*i <= peak || uniform.is_none());
+        let used: Vec<usize> = (0..all.len()).filter(is_used).collect();
+        let what = format!("{} has no points with a plastic strain from {:.4} to {to:.4}", test.name, from + ROUNDED);
+        ensure(!used.is_empty(), what, "see whether --young, --offset, --from and --to go with it")?;
+        let crossing = all[..=used[used.len() - 1]].windows(2).find(|pair| pair[0].0 < offset && pair[1].0 >= offset);
+        let yield_stress = match crossing {
+            Some([a, b]) => Some(a.1 + (b.1 - a.1) * (offset - a.0) / (b.0 - a.0)),
+            _ => ((all[0].0 - offset).abs() <= ROUNDED).then(|| all[0].1),
         };
-        let yield_stress = match (1..=last).find(|&i| plastic(i - 1) < offset && plastic(i) >= offset) {
-            Some(i) => {
-                let share = (offset - plastic(i - 1)) / (plastic(i) - plastic(i - 1));
-                Some(engineering(i - 1) + (engineering(i) - engineering(i - 1)) * share)
-            }
-            None => ((plastic(0) - offset).abs() <= ROUNDED).then(|| engineering(0)),
-        };
-        let across = |i: &usize| Some((plastic(*i), rows[*i].width? + POISSON * elastic(&rows[*i])));
+        let across = |i: &usize| Some((all[*i].0, test.rows[*i].width? + POISSON * elastic(&test.rows[*i])));
         let r = r_value(used.iter().filter_map(across).collect());
-        let point = |i: usize| FlowPoint { strain: plastic(i), stress: rows[i].stress, scatter: rows[i].scatter };
-        Ok(Self {
-            name: test.name.clone(),
-            direction: None,
-            rate: None,
-            young: line.map(|(young, _)| young),
-            is_fitted: reduction.young.is_none(),
-            yield_stress,
-            strength,
-            uniform,
-            points: used.into_iter().map(point).collect(),
-            others: others.into_iter().map(point).filter(|point| point.strain > 0.0).collect(),
-            r,
-        })
-    }
-
-    /// Name of the file without its folders.
-    pub fn short_name(&self) -> &str {
-        self.name.rsplit(['/', '\\']).next().unwrap_or_default()
+        let point = |i: usize| {
+            let TensionRow { stress, scatter, .. } = test.rows[i];
+            FlowPoint { strain: all[i].0, stress, scatter }
+        };
+        let points: Vec<FlowPoint> = used.into_iter().map(point).collect();
+        let source = if reduction.young.is_none() { "slope of the elastic line" } else { "E as given" };
+        let young = line.map(|(young, _)| young);
+        let strength = Amount::stress(strength);
+        let cut = uniform.map_or("the force does not fall: no cut".to_owned(), |uniform| {
+            format!("largest force at a plastic strain of {uniform:.3}, {strength}: cut there")
+        });
+        let (count, first) = (points.len(), points[0].strain);
+        let last = points.iter().map(|point| point.strain).fold(0.0, f64::max);
+        let parts = [
+            young.map(|young| format!("{source} {}", Amount::stress(significant(young, 3)))),
+            yield_stress.map(|stress| format!("yield stress {}", Amount::stress(stress))),
+            Some(format!("{cut}; {count} points from {first:.4} to {last:.3}")),
+            r.map(|(r, error)| format!("r {r:.3} ± {error:.3}")),
+        ];
+        let name = test.name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+        let sentence = format!("{name}: {}.", joined(parts.into_iter().flatten(), "; "));
+        Ok(Self { name, direction: None, rate: None, young, uniform, points, r, sentence })
     }
 
     /// Largest plastic strain that laws are fitted to \[–\].
     pub fn end(&self) -> f64 {
         self.points.iter().map(|point| point.strain).fold(0.0, f64::max)
-    }
-
-    pub(super) fn is_again(&self, other: &Self) -> bool {
-        let is_alike = self.direction == other.direction && self.rate == other.rate;
-        is_alike && self.points == other.points && self.others == other.others
-    }
-
-    /// Results of the test in one sentence.
-    pub fn sentence(&self) -> String {
-        let source = if self.is_fitted { "slope of the elastic line" } else { "E as given" };
-        let mut parts = Vec::new();
-        parts.extend(self.young.map(|young| format!("{source} {}", Amount::stress(significant(young, 3)))));
-        parts.extend(self.yield_stress.map(|stress| format!("yield stress {}", Amount::stress(stress))));
-        let strength = Amount::stress(self.strength);
-        parts.push(self.uniform.map_or("the force does not fall: no cut".to_owned(), |uniform| {
-            format!("largest force at a plastic strain of {uniform:.3}, {strength}: cut there")
-        }));
-        let first = self.points.first().map_or(0.0, |p| p.strain);
-        parts.push(format!("{} points from {first:.4} to {:.3}", self.points.len(), self.end()));
-        parts.extend(self.r.map(|(r, error)| format!("r {r:.3} ± {error:.3}")));
-        format!("{}: {}.", self.short_name(), parts.join("; "))
     }
 }
 
@@ -163,25 +138,21 @@ fn elastic_line(test: &Tension, young: Option<f64>) -> Result<(f64, f64), StudyE
     let before = test.rows.iter().take_while(|row| row.strain < 0.01).filter(is_elastic);
     let points: Vec<(f64, f64)> = before.map(|row| (row.stress, row.strain)).collect();
     let count = points.len();
-    match young {
-        Some(young) if count < LINE => Ok((young, 0.0)),
-        Some(young) => Ok((young, points.iter().map(|(s, e)| e - s / young).sum::<f64>() / count as f64)),
-        None if count < LINE => {
-            fail(format!("{} has {count} points on its elastic line, too few for its slope", test.name), help)
-        }
-        None => match straight_line(points) {
-            [toe, compliance, _] if compliance > 0.0 => Ok((1.0 / compliance, toe)),
-            _ => fail(format!("{} begins without an elastic line", test.name), help),
-        },
+    if let Some(young) = young {
+        let toe = points.iter().map(|(stress, strain)| strain - stress / young).sum::<f64>() / count as f64;
+        return Ok((young, if count < LINE { 0.0 } else { toe }));
+    }
+    let what = format!("{} has {count} points on its elastic line, too few for its slope", test.name);
+    ensure(count >= LINE, what, help)?;
+    match straight_line(points) {
+        [toe, compliance, _] if compliance > 0.0 => Ok((1.0 / compliance, toe)),
+        _ => fail(format!("{} begins without an elastic line", test.name), help),
     }
 }
 
 /// r from plastic strains along and across: −m/(1 + m) with their slope m.
 fn r_value(points: Vec<(f64, f64)>) -> Option<(f64, f64)> {
-    if points.len() < LINE {
-        return None;
-    }
-    let [_, slope, error] = straight_line(points);
+    let [_, slope, error] = Some(points).filter(|points| points.len() >= LINE).map(straight_line)?;
     (-1.0 < slope && slope < 0.0).then(|| (-slope / (1.0 + slope), error / (1.0 + slope).powi(2)))
 }
 
@@ -194,4 +165,48 @@ pub(super) fn straight_line(points: Vec<(f64, f64)>) -> [f64; 3] {
     let slope = if xx > 0.0 { xy / xx } else { 0.0 };
     let rest: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
     [y - slope * x, slope, (rest / (n - 2.0).max(1.0) / xx).sqrt()]
+}
+
+/// Tension tests and the settings of their reduction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tests {
+    /// A CSV file for each test.
+    pub tests: Vec<PathBuf>,
+    /// Settings of the reduction.
+    pub reduction: Reduction,
+    /// Section of the specimen, for forces \[mm²\].
+    pub section: Option<f64>,
+    /// Gauge length, for elongations \[mm\].
+    pub gauge: Option<f64>,
+    /// Strain rate of each test, or none \[1/s\].
+    pub rate: Vec<f64>,
+    /// Angle of each test to the rolling direction, or none \[°\].
+    pub direction: Vec<f64>,
+}
+
+impl Tests {
+    /// Reads and reduces the tests.
+    pub fn curves(&self) -> Result<Vec<FlowCurve>, StudyError> {
+        let count = self.tests.len();
+        for (option, own) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
+            ensure(own == 0 || own == count, format!("{option} has {own} values for {count} tests"), "give one each")?;
+        }
+        for rate in &self.rate {
+            ensure(*rate > 0.0 && rate.is_finite(), format!("a strain rate of {rate} /s"), "it must be above 0")?;
+        }
+        let mut curves: Vec<FlowCurve> = Vec::new();
+        for (i, path) in self.tests.iter().enumerate() {
+            let curve = FlowCurve::of(&Tension::load(path, self.section, self.gauge)?, &self.reduction)?;
+            let (rate, direction) = (self.rate.get(i).copied(), self.direction.get(i).copied());
+            let curve = FlowCurve { rate, direction, ..curve };
+            // Equal numbers are no second measurement, and would make every interval narrower.
+            let same =
+                |other: &FlowCurve| (rate, direction, &curve.points) == (other.rate, other.direction, &other.points);
+            let twin = curves.iter().position(same).unwrap_or(i);
+            let what = format!("{} and {} are one test", self.tests[twin].display(), path.display());
+            ensure(twin == i, what, "give every test once")?;
+            curves.push(curve);
+        }
+        Ok(curves)
+    }
 }

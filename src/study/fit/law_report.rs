@@ -1,15 +1,16 @@
-//! Report of fitted laws: parameters, comparison by Akaike's criterion, chart.
+//! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
-use super::estimate::table;
-use super::flow_curve::FlowCurve;
-use super::law_fit::LawFits;
+use super::estimate::{Estimate, table};
+use super::law_fit::{LawFit, LawFits};
+use crate::material::rate::Rate;
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
-use crate::plot::palette::{BLACK, GREY, color};
+use crate::plot::palette::{BLACK, color};
 use crate::study::{Cell, ReportTable, StudyReport};
-use crate::units::{Amount, Digits, Unit, trimmed};
+use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 
 const POINTS: usize = 160;
+/// Most points of a test that are drawn.
 const DRAWN: usize = 120;
 /// Strain that is drawn, over the end of the points \[–\].
 const BEYOND: f64 = 2.0;
@@ -20,57 +21,42 @@ impl LawFits {
     /// Headline, notes, tables and chart.
     pub fn report(&self) -> StudyReport {
         let best = self.best();
-        let others = self.fits.iter().filter(|fit| fit.kind != best.kind);
-        let next = others.map(|fit| fit.aic - best.aic).fold(f64::INFINITY, f64::min);
-        let clearly = match next {
+        let others = self.fits.iter().filter(|fit| fit.kind != best.kind).map(|fit| fit.aic - best.aic);
+        let clearly = match others.fold(f64::INFINITY, f64::min) {
             f64::INFINITY => "",
             CLEAR.. => ", clearly better than the others",
             _ => ", but another law fits about as well",
         };
-        let rms = Amount::new(best.rms, Unit::MPa, Digits::Significant(2));
-        let mut notes: Vec<String> = self.tests.iter().map(FlowCurve::sentence).collect();
+        let rms = |rms: f64, digits| Amount::new(rms, Unit::MPa, Digits::Significant(digits));
+        let mut notes: Vec<String> = self.tests.iter().map(|test| test.sentence.clone()).collect();
         for e in best.estimates.iter().filter(|e| e.bound.is_some()) {
             notes.push(format!("{} is at the end of its range: the law does not suit these points.", e.key));
-        }
-        for (i, j, correlation) in &best.correlated {
-            let [a, b] = [i, j].map(|i| &best.estimates[*i].key);
-            notes.push(format!("{a} and {b} can hardly be told apart (correlation {correlation:.2})."));
         }
         if let Some([r0, r45, r90]) = self.r_values() {
             let (mean, ears) = (0.25 * (r0 + 2.0 * r45 + r90), 0.5 * (r0 - 2.0 * r45 + r90));
             notes.push(format!("r̄ = (r0 + 2 r45 + r90)/4 = {mean:.3}, Δr = (r0 − 2 r45 + r90)/2 = {ears:.3}."));
         }
+        let mut laws = ReportTable::new("laws", &["Law", "R.m.s.", "AIC"]);
+        laws.rows.extend(
+            self.fits
+                .iter()
+                .map(|fit| vec![fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()]),
+        );
         let estimates = self.fits.iter().flat_map(|fit| fit.estimates.iter().map(|e| (fit.kind.name(), e)));
-        let tables = [self.laws(), table(estimates), self.directions()];
-        let tables = tables.into_iter().filter(|table| !table.rows.is_empty()).collect();
+        let columns = ["Direction", "Tests", "Stress ratio", "r", "Error of r"];
+        let mut directions = ReportTable::new("directions", &columns);
+        directions.rows.extend(self.directions.iter().map(|d| {
+            let [r, error] = [d.r.map(|r| r.0), d.r.map(|r| r.1)].map(|x| x.map_or("–".into(), |x| trimmed(x, 4)));
+            [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error].map(Cell::from).to_vec()
+        }));
+        let tables = [laws, table(estimates), directions].into_iter().filter(|table| !table.rows.is_empty());
         StudyReport {
-            headline: format!("{} fits best ({rms} r.m.s.){clearly}.", best.kind.label()),
+            headline: format!("{} fits best ({} r.m.s.){clearly}.", best.kind.label(), rms(best.rms, 2)),
             notes,
-            tables,
+            tables: tables.collect(),
             found: true,
             charts: vec![("fit".to_owned(), self.chart())],
         }
-    }
-
-    fn laws(&self) -> ReportTable {
-        let mut table = ReportTable::new("laws", &["Law", "R²", "R.m.s.", "AIC"]);
-        for fit in &self.fits {
-            let rms = Amount::new(fit.rms, Unit::MPa, Digits::Significant(4));
-            let [r2, aic] = [trimmed(fit.r2, 5), trimmed(fit.aic, 1)].map(Cell::from);
-            table.rows.push(vec![fit.kind.label().into(), r2, rms.into(), aic]);
-        }
-        table
-    }
-
-    fn directions(&self) -> ReportTable {
-        let mut table = ReportTable::new("directions", &["Direction", "Tests", "Stress ratio", "r", "Error of r"]);
-        for d in &self.directions {
-            let [r, error] =
-                d.r.map_or(["–".to_owned(), "–".to_owned()], |(r, error)| [r, error].map(|x| trimmed(x, 4)));
-            let cells = [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error];
-            table.rows.push(cells.map(Cell::from).to_vec());
-        }
-        table
     }
 
     fn chart(&self) -> Chart {
@@ -82,28 +68,59 @@ impl LawFits {
         });
         let tests = self.tests.iter().enumerate().map(|(i, test)| {
             let style = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
-            Series::new(test.short_name(), thinned(test.points.iter().map(|p| (p.strain, p.stress))), style)
+            let drawn = test.points.iter().step_by(test.points.len().div_ceil(DRAWN).max(1));
+            Series::new(test.name.as_str(), drawn.map(|p| (p.strain, p.stress)).collect(), style)
         });
         let flag = Annotation::new(AnnotationKind::Flag, "end of the points", (end, best.stress(end, None)));
-        let points = self.fitted().flat_map(|test| &test.points);
-        let misses = thinned(points.zip(&best.misses).map(|(point, miss)| (point.strain, *miss)));
-        let zero = Series::silent(vec![(0.0, 0.0), (end, 0.0)], Style::Line { color: GREY, width: 1.2, dash: &[] });
-        let panel = |label: &'static str, height, least| {
-            let strain = Axis::named("True plastic strain", Unit::None);
-            Panel::fit(strain, Axis::named(label, Unit::MPa), height, least)
-        };
-        let above = panel("True stress", 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
-        let below = [zero, Series::silent(misses, Style::Dots { color: BLACK })];
-        Chart::new(
-            format!("{} fitted", best.kind.label()),
-            vec![above, panel("Law less point", 210.0, 1.0).with(below)],
-            Vec::new(),
-        )
+        let (strain, stress) = (Axis::named("True plastic strain", Unit::None), Axis::named("True stress", Unit::MPa));
+        let panel = Panel::fit(strain, stress, 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
+        Chart::new(format!("{} fitted", best.kind.label()), vec![panel], Vec::new())
     }
 }
 
-fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let all: Vec<(f64, f64)> = points.collect();
-    let every = all.len().div_ceil(DRAWN).max(1);
-    all.into_iter().step_by(every).collect()
+/// Poisson's ratio, which a tension test without a width does not give \[–\].
+const POISSON: f64 = 0.3;
+/// Moduli of metals; another slope is that of the machine \[MPa\].
+const METALS: std::ops::RangeInclusive<f64> = 40_000.0..=240_000.0;
+
+/// Material table of a law: range, elastic line, rate law and r-values.
+pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
+    let files = joined(fits.tests.iter().map(|test| test.name.clone()), ", ");
+    let (label, end) = (law.kind.label(), trimmed(rounded(fits.end()), 4));
+    let source = format!("fitted by stampflow to {files}: {label} up to a plastic strain of {end}");
+    let mut text = format!("[material]\nsource = {source:?}\n");
+    if let Some(young) = fits.fitted().find_map(|test| test.young.filter(|young| METALS.contains(young))) {
+        let young = trimmed(1e-3 * young, 1);
+        text += &format!("young = \"{young} GPa\"\npoisson = {POISSON}                       # declared\n");
+    }
+    text += &format!("fitted_up_to = {end}\n");
+    if let Some(r) = fits.r_values() {
+        let [r0, r45, r90] = r.map(|r| trimmed(r, 3));
+        text += &format!("anisotropy = {{ r0 = {r0}, r45 = {r45}, r90 = {r90} }}\n");
+    } else if let Some((r, _)) = fits.directions.iter().find_map(|d| d.r) {
+        text += &format!("anisotropy = {}                   # of one direction\n", trimmed(r, 3));
+    }
+    text += &format!("\n[material.hardening.{}]\n", law.kind.name().replace('-', "_"));
+    let (of_rate, own): (Vec<&Estimate>, Vec<_>) = law.estimates.iter().partition(|e| e.key.starts_with("rate."));
+    for e in own {
+        let error = e.error.map_or_else(String::new, |error| format!("    # ± {}", significant(error, 2)));
+        text += &format!("{} = {}{error}\n", e.key, quoted(e));
+    }
+    let (name, reference) = match law.rate {
+        Some(Rate::PowerRate(power)) => ("power", Some(power.reference)),
+        Some(Rate::JohnsonCook(law)) => ("johnson_cook", Some(law.reference)),
+        Some(Rate::CowperSymonds(_)) => ("cowper_symonds", None),
+        _ => return text,
+    };
+    text += &format!("\n[material.rate.{name}]\n");
+    text.extend(of_rate.iter().map(|e| format!("{} = {}\n", e.key.trim_start_matches("rate."), quoted(e))));
+    text.extend(reference.map(|reference| format!("reference = \"{reference} /s\"\n")));
+    text
+}
+
+fn quoted(estimate: &Estimate) -> String {
+    match estimate.unit.as_str() {
+        "" => estimate.written(),
+        unit => format!("\"{} {unit}\"", estimate.written()),
+    }
 }

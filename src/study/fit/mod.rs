@@ -3,18 +3,15 @@
 mod case_fit;
 mod estimate;
 mod flow_curve;
-mod hardening;
+mod law;
 mod law_fit;
 mod law_report;
-mod material_text;
-mod specimens;
 mod tension;
 
 pub use case_fit::{CaseFit, CaseFitRequest, fit_case};
-pub use estimate::{Correlated, Estimate};
-pub use flow_curve::{FlowCurve, FlowPoint, Reduction};
-pub use hardening::{HardeningKind, RateKind};
+pub use estimate::Estimate;
+pub use flow_curve::{FlowCurve, FlowPoint, Reduction, Tests};
+pub use law::{HardeningKind, RateKind};
 pub use law_fit::{Direction, LawFit, LawFits, fit_laws};
-pub use material_text::material_text;
-pub use specimens::Tests;
+pub use law_report::material_text;
 pub use tension::Tension;

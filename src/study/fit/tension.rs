@@ -1,6 +1,7 @@
 //! A tension test as its file has it: columns by their headers, true strain and stress row by row.
 
-use crate::study::measured_curve::{csv_error, has_word, read_csv};
+use crate::study::error::ensure;
+use crate::study::measured_curve::{SCATTER, csv_error, has_word, read_csv};
 use crate::study::{StudyError, fail};
 use crate::table::{Csv, Unit};
 use std::path::Path;
@@ -16,6 +17,7 @@ pub struct Tension {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TensionRow {
+    line: usize,
     /// True strain, without the elastic part if the test is plastic \[–\].
     pub strain: f64,
     /// True stress \[MPa\].
@@ -35,27 +37,15 @@ enum Measure {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    column: usize,
+struct Column {
+    place: usize,
     measure: Measure,
-    /// Factor from the file's unit to the solver's.
+    /// Factor from the file's unit to strain or MPa.
     factor: f64,
 }
 
-struct Columns {
-    /// Elongation if `is_force`.
-    strain: Place,
-    /// Force if `is_force`.
-    stress: Place,
-    is_force: bool,
-    scatter: Option<Place>,
-    width: Option<Place>,
-}
-
-const SCATTER: [&str; 6] = ["deviation", "stdev", "std", "scatter", "sd", "sigma"];
 const WIDTH: [&str; 3] = ["width", "transverse", "lateral"];
-const FORCE: [&str; 2] = ["force", "load"];
-const ELONGATION: [&str; 3] = ["elongation", "extension", "displacement"];
+const RATIO: [Unit; 2] = [Unit::None, Unit::Percent];
 const EXAMPLE: &str =
     "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
 const NAMES: &str = "name them as in `engineering_strain_percent,engineering_stress_MPa`, `true_strain,true_stress_MPa`, \
@@ -79,122 +69,90 @@ impl Tension {
     }
 
     fn new(csv: &Csv, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let columns = Columns::new(csv, name)?;
-        let [per_strain, per_stress] = match (columns.is_force, section, gauge) {
-            (false, ..) => [1.0; 2],
-            (true, Some(section), Some(gauge)) => [1.0 / gauge, 1.0 / section],
-            (true, ..) => {
-                let help = "give --section \"20 mm^2\" and --gauge \"80 mm\" of the specimen";
-                return fail(format!("{name} has force and elongation"), help);
-            }
+        let not = [&SCATTER[..], &WIDTH].concat();
+        let column =
+            |any: &[&str], none: &[&str], units: &[Unit]| Column::find(csv, name, any, none, units).transpose();
+        let scatter_column = column(&SCATTER, &[], &[Unit::MPa])?;
+        let width_column = column(&WIDTH, &[], &RATIO)?;
+        let curve = column(&["strain"], &[&not[..], &["rate"]].concat(), &RATIO)?;
+        let curve = curve.zip(column(&["stress"], &not, &[Unit::MPa])?);
+        let (strain_column, stress_column) = if let Some((strain, stress)) = curve {
+            let fits = strain.measure != Measure::Plastic || stress.measure == Measure::True;
+            let help = "plastic strain goes with true stress: give `true_stress_MPa`";
+            ensure(fits, format!("{name} has plastic strain over engineering stress"), help)?;
+            (strain, stress)
+        } else {
+            let elongation = column(&["elongation", "extension", "displacement"], &not, &[Unit::Mm])?;
+            let what = format!("{name} has no columns of strain and stress, nor of elongation and force");
+            let (elongation, force) = elongation
+                .zip(column(&["force", "load"], &not, &[Unit::N])?)
+                .ok_or_else(|| StudyError::new(format!("{what}; it has {}", csv.names()), NAMES))?;
+            let help = "give --section \"20 mm^2\" and --gauge \"80 mm\" of the specimen";
+            let missing = || StudyError::new(format!("{name} has force and elongation"), help);
+            let (section, gauge) = section.zip(gauge).ok_or_else(missing)?;
+            let per = |column: Column, size: f64| Column { factor: column.factor / size, ..column };
+            (per(elongation, gauge), per(force, section))
         };
-        let at = |line: usize| format!("{name}, line {line}");
-        let (mut rows, mut lines) = (Vec::new(), Vec::new());
+        let mut rows = Vec::new();
         for row in &csv.rows {
-            let at = at(row.line);
+            let at = format!("{name}, line {}", row.line);
             let [count, wanted] = [row.fields.len(), csv.header.fields.len()];
-            if count < wanted {
-                let help = "complete the row or take it out; a value that is not known is empty, as in `5.0,`";
-                return fail(format!("{at}: {count} numbers stand under {wanted} columns"), help);
-            }
-            let number = |place: Place| match row.number(place.column) {
-                Ok(number) => Ok(number.map(|number| number * place.factor)),
-                Err(error) => fail(format!("{at}: {}", error.what), error.help),
+            let help = "complete the row or take it out; a value that is not known is empty, as in `5.0,`";
+            ensure(count >= wanted, format!("{at}: {count} numbers stand under {wanted} columns"), help)?;
+            let number = |column: Option<Column>| match column.map(|c| (row.number(c.place), c.factor)) {
+                None => Ok(None),
+                Some((Ok(number), factor)) => Ok(number.map(|number| number * factor)),
+                Some((Err(error), _)) => fail(format!("{at}: {}", error.what), error.help),
             };
-            let optional = |place: Option<Place>| place.map_or(Ok(None), number);
-            let (Some(strain), Some(stress)) = (number(columns.strain)?, number(columns.stress)?) else { continue };
-            let (strain, stress) = (strain * per_strain, stress * per_stress);
-            if strain.abs() > LARGEST {
-                let what = format!("{at}: a strain of {strain} is none of a tension test");
-                return fail(what, "in per cent, the header ends so: strain_percent");
-            }
-            let strain = columns.strain.logarithmic(strain);
-            let longer = if columns.stress.measure == Measure::True { 1.0 } else { strain.exp() };
-            let scatter = optional(columns.scatter)?.map(|scatter| scatter * longer);
-            if let Some(scatter) = scatter.filter(|scatter| *scatter <= 0.0) {
-                let what = format!("{at}: a standard deviation of {scatter} MPa");
-                return fail(what, "it must be above 0, or empty in all rows");
-            }
-            let width = columns.width.zip(optional(columns.width)?).map(|(place, width)| place.logarithmic(width));
-            rows.push(TensionRow { strain, stress: stress * longer, scatter, width });
-            lines.push(row.line);
+            let curve = number(Some(strain_column))?.zip(number(Some(stress_column))?);
+            let Some((strain, stress)) = curve else { continue };
+            let what = format!("{at}: a strain of {strain} is none of a tension test");
+            ensure(strain.abs() <= LARGEST, what, "in per cent, the header ends so: strain_percent")?;
+            let strain = strain_column.logarithmic(strain);
+            let longer = if stress_column.measure == Measure::True { 1.0 } else { strain.exp() };
+            let scatter = number(scatter_column)?.map(|scatter| scatter * longer);
+            let what = format!("{at}: a standard deviation of {} MPa", scatter.unwrap_or(0.0));
+            ensure(scatter.is_none_or(|s| s > 0.0), what, "it must be above 0, or empty in all rows")?;
+            let width = width_column.zip(number(width_column)?).map(|(column, width)| column.logarithmic(width));
+            rows.push(TensionRow { line: row.line, strain, stress: stress * longer, scatter, width });
         }
         if rows.iter().any(|row| row.scatter.is_none()) {
             rows.iter_mut().for_each(|row| row.scatter = None);
         }
-        if rows.len() < FEWEST {
-            let what = format!("{name} has {} rows with strain and stress, fewer than {FEWEST}", rows.len());
-            return fail(what, EXAMPLE);
-        }
-        let is_tension = |value: fn(&TensionRow) -> f64| {
-            let (low, high) =
-                rows.iter().map(value).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-            high > -low
-        };
-        if !is_tension(|row| row.strain) || !is_tension(|row| row.stress) {
-            let what = format!("{name} is a test in compression: its strains or stresses are negative");
-            return fail(what, "for a law of hardening, give both positive");
-        }
+        let what = format!("{name} has {} rows with strain and stress, fewer than {FEWEST}", rows.len());
+        ensure(rows.len() >= FEWEST, what, EXAMPLE)?;
+        let largest = |value: fn(&TensionRow) -> f64| rows.iter().map(value).max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let is_tension = largest(|row| row.strain) > Some(0.0) && largest(|row| row.stress) > Some(0.0);
+        let what = format!("{name} is a test in compression: its strains or stresses are negative");
+        ensure(is_tension, what, "for a law of hardening, give both positive")?;
         let mut furthest = f64::NEG_INFINITY;
-        for (row, line) in rows.iter().zip(lines) {
-            if row.strain < furthest - BACK {
-                let what = format!("{}: the strain goes back from {furthest:.4} to {:.4}", at(line), row.strain);
-                return fail(what, "one test a file, without unloading: cut out what goes back");
-            }
-            furthest = furthest.max(row.strain);
+        for TensionRow { line, strain, .. } in &rows {
+            let what = format!("{name}, line {line}: the strain goes back from {furthest:.4} to {strain:.4}");
+            ensure(*strain >= furthest - BACK, what, "one test a file, without unloading: cut out what goes back")?;
+            furthest = furthest.max(*strain);
         }
-        Ok(Self { name: name.to_owned(), rows, is_plastic: columns.strain.measure == Measure::Plastic })
+        Ok(Self { name: name.to_owned(), rows, is_plastic: strain_column.measure == Measure::Plastic })
     }
 }
 
-impl Columns {
-    fn new(csv: &Csv, file: &str) -> Result<Self, StudyError> {
-        let header = |i: usize| csv.header.fields.get(i).unwrap_or_default();
-        let find = |any: &[&str], none: &[&[&str]]| {
-            let is = |i: &usize| has_word(header(*i), any) && !none.iter().any(|none| has_word(header(*i), none));
-            (0..csv.header.fields.len()).find(is)
-        };
-        let place = |column: usize, units: &[Unit]| Place::new(csv, file, column, units);
-        let ratio = [Unit::None, Unit::Percent];
-        let strain = find(&["strain"], &[&SCATTER, &WIDTH, &["rate"]]);
-        let [stress, force, elongation] = [&["stress"][..], &FORCE, &ELONGATION].map(|any| find(any, &[&SCATTER]));
-        let (strain, stress, is_force) = match (strain, stress, elongation, force) {
-            (Some(strain), Some(stress), ..) => (place(strain, &ratio)?, place(stress, &[Unit::MPa])?, false),
-            (_, _, Some(elongation), Some(force)) => (place(elongation, &[Unit::Mm])?, place(force, &[Unit::N])?, true),
-            _ => {
-                let what = format!("{file} has no columns of strain and stress, nor of elongation and force");
-                return fail(format!("{what}; it has {}", csv.names()), NAMES);
-            }
-        };
-        if strain.measure == Measure::Plastic && stress.measure != Measure::True {
-            let help = "plastic strain goes with true stress: give `true_stress_MPa`";
-            return fail(format!("{file} has plastic strain over engineering stress"), help);
-        }
-        let scatter = find(&SCATTER, &[]).map(|column| place(column, &[Unit::MPa])).transpose()?;
-        let width = find(&WIDTH, &[]).map(|column| place(column, &ratio)).transpose()?;
-        Ok(Self { strain, stress, is_force, scatter, width })
-    }
-}
-
-impl Place {
-    fn new(csv: &Csv, file: &str, column: usize, units: &[Unit]) -> Result<Self, StudyError> {
-        let header = csv.header.fields.get(column).unwrap_or_default();
-        let (unit, factor) = match csv.unit(column) {
+impl Column {
+    /// The first column whose header has one word and none of the others.
+    fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Option<Result<Self, StudyError>> {
+        let mut headers = csv.header.fields.iter().enumerate();
+        let (place, header) = headers.find(|(_, header)| has_word(header, any) && !has_word(header, none))?;
+        let (unit, factor) = match csv.unit(place) {
             Err(_) if units.contains(&Unit::None) => (Unit::None, 1.0),
             Ok((Unit::Percent, _)) => (Unit::Percent, 0.01),
             Ok(unit) => unit,
-            Err(error) => return fail(format!("{file}: {error}"), NAMES),
+            Err(error) => return Some(fail(format!("{file}: {error}"), NAMES)),
         };
-        if !units.contains(&unit) {
-            let symbol = unit.symbol();
-            return fail(format!("{file}: column `{header}` is in {symbol}, which does not fit its name"), NAMES);
-        }
+        let what = format!("{file}: column `{header}` is in {}, which does not fit its name", unit.symbol());
         let measure = match header {
             header if has_word(header, &["plastic"]) => Measure::Plastic,
             header if has_word(header, &["true", "log", "logarithmic", "cauchy"]) => Measure::True,
             _ => Measure::Engineering,
         };
-        Ok(Self { column, measure, factor })
+        Some(ensure(units.contains(&unit), what, NAMES).map(|()| Self { place, measure, factor }))
     }
 
     fn logarithmic(self, strain: f64) -> f64 {

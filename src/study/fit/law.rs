@@ -1,4 +1,4 @@
-//! Hardening and rate laws that can be fitted: parameters, ranges and starting points.
+//! Laws that can be fitted: parameters, ranges and starting points of hardening and rate laws.
 
 use super::flow_curve::straight_line;
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
@@ -18,21 +18,11 @@ pub enum HardeningKind {
     Ludwik,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ParameterRange {
-    pub key: &'static str,
-    /// `MPa`, `/s`, or none.
-    pub unit: &'static str,
-    pub low: f64,
-    pub high: f64,
-}
-
-const fn range(key: &'static str, unit: &'static str, low: f64, high: f64) -> ParameterRange {
-    ParameterRange { key, unit, low, high }
-}
+/// Name, unit (`MPa`, `/s` or none), least and largest value.
+pub(super) type ParameterRange = (&'static str, &'static str, f64, f64);
 
 const fn stress(key: &'static str) -> ParameterRange {
-    range(key, "MPa", 1.0, 1e5)
+    (key, "MPa", 1.0, 1e5)
 }
 
 impl HardeningKind {
@@ -54,13 +44,15 @@ impl HardeningKind {
         }
     }
 
-    pub(super) fn parameters(self) -> Vec<ParameterRange> {
-        let [initial, saturation, rate] = [stress("initial"), stress("saturation"), range("rate", "", 0.0, 1e3)];
+    pub(super) fn parameters(self) -> &'static [ParameterRange] {
+        const RATE: ParameterRange = ("rate", "", 0.0, 1e3);
         match self {
-            Self::Swift => vec![stress("k"), range("n", "", 0.0, 1.0), range("offset", "", 1e-6, 1.0)],
-            Self::Voce => vec![initial, saturation, rate],
-            Self::HockettSherby => vec![initial, saturation, rate, range("exponent", "", 0.05, 1.0)],
-            Self::Ludwik => vec![initial, stress("k"), range("n", "", 0.01, 1.0)],
+            Self::Swift => &const { [stress("k"), ("n", "", 0.0, 1.0), ("offset", "", 1e-6, 1.0)] },
+            Self::Voce => &const { [stress("initial"), stress("saturation"), RATE] },
+            Self::HockettSherby => {
+                &const { [stress("initial"), stress("saturation"), RATE, ("exponent", "", 0.05, 1.0)] }
+            }
+            Self::Ludwik => &const { [stress("initial"), stress("k"), ("n", "", 0.01, 1.0)] },
         }
     }
 
@@ -125,13 +117,11 @@ pub enum RateKind {
 
 impl RateKind {
     /// Parameters, each with its start.
-    pub(super) fn parameters(self) -> Vec<(ParameterRange, f64)> {
+    pub(super) fn parameters(self) -> &'static [(ParameterRange, f64)] {
         match self {
-            Self::Power => vec![(range("rate.exponent", "", 0.0, 1.0), 0.02)],
-            Self::JohnsonCook => vec![(range("rate.coefficient", "", 1e-9, 1.0), 0.02)],
-            Self::CowperSymonds => {
-                vec![(range("rate.rate", "/s", 1e-6, 1e12), 1e4), (range("rate.exponent", "", 0.5, 50.0), 5.0)]
-            }
+            Self::Power => &[(("rate.exponent", "", 0.0, 1.0), 0.02)],
+            Self::JohnsonCook => &[(("rate.coefficient", "", 1e-9, 1.0), 0.02)],
+            Self::CowperSymonds => &[(("rate.rate", "/s", 1e-6, 1e12), 1e4), (("rate.exponent", "", 0.5, 50.0), 5.0)],
         }
     }
 
