@@ -51,8 +51,8 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
             let (axis, limits) = (&sweep.axes[x], |place: usize| runs.responses[place].quantity.limits);
             let numbers = deciding(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
             let positions = axis.positions.iter().copied().zip(&runs.runs).collect();
-            let own = axis.own.map(|own| (None, own, &runs.base));
-            trends(runs, &axis.drawn, positions, &numbers.collect::<Vec<_>>(), own)
+            let own = axis.own.map(|own| (own, &runs.base));
+            trends(runs, &axis.drawn, positions, &numbers.collect::<Vec<_>>(), (None, own))
         }
         [x, y] => vec![window(sweep, runs, [x, y], None)],
         [x, y, z] => (0..sweep.axes[z].count()).map(|i| window(sweep, runs, [x, y], Some((z, i)))).collect(),
@@ -80,13 +80,13 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
     modes.map(dots).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// Numbers of known runs over a variable, each with its limit, error band and one run that is circled.
+/// Numbers of known runs over a variable, each with its limit, error band and one circled run; labelled trials are not joined.
 fn trends(
     runs: &RunTable,
     x: &Axis,
     mut positions: Vec<(f64, &Run)>,
     numbers: &[(usize, Option<f64>)],
-    circled: Option<(Option<&str>, f64, &Run)>,
+    (label, circled): (Option<&str>, Option<(f64, &Run)>),
 ) -> Vec<Panel> {
     positions.sort_by(|a, b| a.0.total_cmp(&b.0));
     let panel = |(i, &(place, limit)): (usize, &(usize, Option<f64>))| {
@@ -97,16 +97,13 @@ fn trends(
         let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
         let line = Series::silent(curve, Style::Line { color: color(2), width: 2.4, dash: &[] });
-        let circle = circled.and_then(|(label, x, run)| Some((label, (x, run.response(place)?))));
-        let circle = circle.map(|(label, at)| Series {
-            label: label.map(str::to_owned),
-            points: vec![at],
-            style: Style::Circles { color: BLACK },
-        });
-        let height = if i == 0 { 230.0 } else { 150.0 };
+        let circle = circled.and_then(|(x, run)| Some(vec![(x, run.response(place)?)]));
+        let style = Style::Circles { color: BLACK };
+        let circle = circle.map(|points| Series { label: label.map(str::to_owned), points, style });
+        let is_joined = x.names.is_empty() && label.is_none();
+        let height = if label.is_some() { 260.0 } else { [230.0, 150.0][i.min(1)] };
         let panel = Panel::fit(x.clone(), named(runs, place), height, LEAST * largest);
-        let panel =
-            panel.with(Some(line).filter(|_| x.names.is_empty())).with(markers(&points)).with(limit).with(circle);
+        let panel = panel.with(Some(line).filter(|_| is_joined)).with(markers(&points)).with(limit).with(circle);
         let bar = |((x, y), run): &((f64, f64), &Run)| {
             let half = run.errors.get(place).copied().filter(|half| half.is_finite())?;
             Some([*x, y - half, y + half])
@@ -223,13 +220,17 @@ pub(super) fn search(
 ) -> Charts {
     let (unit, factor) = variable.axis_unit();
     let positions: Vec<(f64, &Run)> = runs.runs.iter().map(|run| (factor * run.value(0), run)).collect();
-    let result = best.map(|best| (Some("Result"), positions[best].0, positions[best].1));
+    let result = best.map(|best| positions[best]);
     let mut numbers: Vec<_> = limits.iter().map(|(place, limit)| (*place, Some(*limit))).collect();
     if numbers.is_empty() {
         numbers.extend(deciding(runs, 1).into_iter().map(|place| (place, None)));
     }
     let x = Axis::named(variable.label(), unit).spaced(spacing);
-    chart("search", &format!("Search: {}", variable.label()), trends(runs, &x, positions, &numbers, result))
+    chart(
+        "search",
+        &format!("Search: {}", variable.label()),
+        trends(runs, &x, positions, &numbers, (Some("Result"), result)),
+    )
 }
 
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {

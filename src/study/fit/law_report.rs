@@ -5,7 +5,7 @@ use super::law_fit::{LawFit, LawFits};
 use crate::material::rate::Rate;
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
-use crate::plot::palette::{BLACK, color};
+use crate::plot::palette::{BLACK, GREY, color};
 use crate::study::{Cell, ReportTable, StudyReport};
 use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 
@@ -68,14 +68,27 @@ impl LawFits {
         });
         let tests = self.tests.iter().enumerate().map(|(i, test)| {
             let style = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
-            let drawn = test.points.iter().step_by(test.points.len().div_ceil(DRAWN).max(1));
-            Series::new(test.name.as_str(), drawn.map(|p| (p.strain, p.stress)).collect(), style)
+            Series::new(test.name.as_str(), thinned(test.points.iter().map(|p| (p.strain, p.stress))), style)
         });
         let flag = Annotation::new(AnnotationKind::Flag, "end of the points", (end, best.stress(end, None)));
-        let (strain, stress) = (Axis::named("True plastic strain", Unit::None), Axis::named("True stress", Unit::MPa));
-        let panel = Panel::fit(strain, stress, 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
-        Chart::new(format!("{} fitted", best.kind.label()), vec![panel], Vec::new())
+        let points = self.fitted().flat_map(|test| test.points.iter().map(|point| (point, test.rate)));
+        let misses = thinned(points.map(|(p, rate)| (p.strain, best.stress(p.strain, rate) - p.stress)));
+        let zero = Series::silent(vec![(0.0, 0.0), (end, 0.0)], Style::Line { color: GREY, width: 1.2, dash: &[] });
+        let panel = |label: &'static str, height, least| {
+            let strain = Axis::named("True plastic strain", Unit::None);
+            Panel::fit(strain, Axis::named(label, Unit::MPa), height, least)
+        };
+        let above = panel("True stress", 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
+        let below = [zero, Series::silent(misses, Style::Dots { color: BLACK })];
+        let panels = vec![above, panel("Law less point", 210.0, 1.0).with(below)];
+        Chart::new(format!("{} fitted", best.kind.label()), panels, Vec::new())
     }
+}
+
+fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let all: Vec<(f64, f64)> = points.collect();
+    let every = all.len().div_ceil(DRAWN).max(1);
+    all.into_iter().step_by(every).collect()
 }
 
 /// Poisson's ratio, which a tension test without a width does not give \[–\].
