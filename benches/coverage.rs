@@ -55,7 +55,7 @@ fn print_raw(checked: &Checked, seed: u64) {
             "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
             number.origin,
             number.quantity.key,
-            number.quantity.value(),
+            number.quantity.amount.value,
             number.resolution,
             base.end.kind.replace(' ', "_"),
             base.shortest,
@@ -121,7 +121,7 @@ impl Tally {
                     rows.push(Row { name: label.to_owned(), ..Row::default() });
                     rows.len() - 1
                 });
-                let error = (truth - number.quantity.value()).abs();
+                let error = (truth - number.quantity.amount.value).abs();
                 match number.half() {
                     None => rows[i].without += 1,
                     Some(half) => {

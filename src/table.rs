@@ -3,7 +3,7 @@
 mod csv;
 pub(crate) mod fields;
 
-pub use crate::units::{Unit, UnitError};
+pub use crate::units::Unit;
 pub use csv::{Csv, CsvError, Record};
 
 use crate::model::{Extent, Geometry};

@@ -41,7 +41,7 @@ pub fn report(case: &Case) -> Check {
     lines.extend(tools::lines(model));
     lines.extend(source("friction source", &case.sources.friction));
     lines.extend(loads::holder(model, strength));
-    lines.push(number("elements", Amount::count(model.blank.elements), ""));
+    lines.push(number("elements", Amount::count(model.blank.elements as f64), ""));
     lines.extend(estimate::coarsest_corner(model).map(|fit| {
         let (tool, radius) = (fit.role.name(), Amount::drawn(fit.radius));
         let per_quarter = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2));

@@ -163,7 +163,7 @@ impl Finding {
 
     fn limited(mut self, limit: String, limits: Limits) -> Self {
         let Some(quantity) = &mut self.quantity else { return self.limit(limit) };
-        let value = quantity.value();
+        let value = quantity.amount.value;
         // Also what is not a number is beyond a limit.
         let is_kept = |limit: f64| if limits.sense == Sense::AtMost { value <= limit } else { value >= limit };
         quantity.limits = Some(limits);
@@ -196,9 +196,11 @@ impl Finding {
     /// Sentence with the number, and its error bar if there is one.
     pub fn found(&self) -> String {
         match &self.quantity {
-            Some(number) if self.text.contains(PLACEHOLDER) => self.text.replacen(PLACEHOLDER, &number.to_string(), 1),
-            Some(number) if number.error != ErrorBar::NotComputed && number.amount.bar().is_some() => {
-                format!("{} ({number})", self.text)
+            Some(number) if self.text.contains(PLACEHOLDER) => {
+                self.text.replacen(PLACEHOLDER, &number.amount.to_string(), 1)
+            }
+            Some(number) if number.error != ErrorBar::NotComputed && number.amount.bar.is_some() => {
+                format!("{} ({})", self.text, number.amount)
             }
             _ => self.text.clone(),
         }
@@ -206,7 +208,7 @@ impl Finding {
 
     /// Number that is judged, in its unit.
     pub fn value(&self) -> Option<f64> {
-        self.quantity.as_ref().map(Quantity::value)
+        self.quantity.as_ref().map(|quantity| quantity.amount.value)
     }
 
     /// Limits of the number.

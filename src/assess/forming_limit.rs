@@ -70,7 +70,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let uses = format!(
         "uses {{}} of the limit at s0 = {}, {} of major true strain {side}",
         Amount::place(worst.s0),
-        Amount::strain(worst.margin().abs())
+        Amount::ratio(worst.margin().abs())
     );
     let reached = assessment.reached.map(|reached| {
         let when = match stage.model.travel > 0.0 {
@@ -82,7 +82,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let faces = (bend * THIN > 1.0).then(|| {
-        format!("of the mid-surface: bends strain the faces by up to {}", Amount::strain((1.0 + 0.5 * bend).ln()))
+        format!("of the mid-surface: bends strain the faces by up to {}", Amount::ratio((1.0 + 0.5 * bend).ln()))
     });
     let text = joined([Some(uses), reached, faces].into_iter().flatten(), "; ");
     Some(
@@ -101,7 +101,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
 
 /// Place strained beyond the end of the curve, where nothing is judged.
 fn unjudged(name: &'static str, open: &Judged) -> Finding {
-    let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::strain);
+    let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::ratio);
     let s0 = Amount::place(open.s0);
     let text = format!(
         "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"

@@ -24,7 +24,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
     let idle = |motion: &Motion| matches!(motion, Motion::Pressed(press) if press.is_idle());
     model.tools.iter().any(|tool| idle(&tool.motion)).then(|| {
         let text = "the holder has no force and takes no part: the flange may swing up through where it is drawn";
-        Finding::warning("holder_force", "Holder", text).number(Amount::count(0)).limit("above 0")
+        Finding::warning("holder_force", "Holder", text).number(Amount::count(0.0)).limit("above 0")
     })
 }
 

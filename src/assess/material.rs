@@ -85,7 +85,7 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
     let range = material.measured_up_to();
     let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}").source(OWN);
-    let judged = judged.number(Amount::strain(strain));
+    let judged = judged.number(Amount::ratio(strain));
     let Some(end) = range else {
         let judged = judged.light(Light::Grey).limit("a formula: the range of its fit is not in the case");
         return Some(judged.advice("write the range of the fit as [material] fitted_up_to"));
@@ -103,7 +103,7 @@ pub(super) fn extrapolated(stage: &StageSolution) -> Option<Finding> {
     let to = Amount::number(end);
     let range = if material.fitted_up_to.is_some() { "law is fitted up to" } else { "table ends at" };
     let text = format!("the hardening {range} a strain of {to}; the run extrapolates it to {{}}");
-    let warning = Finding::warning("extrapolated", "Hardening law", text).number(Amount::strain(strain));
+    let warning = Finding::warning("extrapolated", "Hardening law", text).number(Amount::ratio(strain));
     Some(warning.at_most(to, end, None).source(OWN))
 }
 

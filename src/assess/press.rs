@@ -44,7 +44,10 @@ impl<'a> Load<'a> {
 
     /// Least rating of a press for it, rounded up.
     pub fn rating(&self) -> Amount {
-        Amount::force(RESERVE * self.force(), self.on.model.extent().force_unit()).to(Digits::Upward(2))
+        let least = RESERVE * self.force();
+        let second_digit = 10f64.powi(least.log10().floor() as i32 - 1);
+        let rating = (least / second_digit - 1e-9).ceil() * second_digit;
+        Amount::force(rating, self.on.model.extent().force_unit()).to(Digits::Given(3))
     }
 }
 
@@ -70,7 +73,7 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let text = run.of_stage(format!("{{}}{}", per_depth(unit)), i);
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    Some(rated("energy", "Energy", text, Amount::energy(work, unit), rating))
+    Some(rated("energy", "Energy", text, Amount::force(work, unit), rating))
 }
 
 fn per_depth(unit: Unit) -> &'static str {
@@ -84,6 +87,6 @@ fn rated(key: &'static str, label: &'static str, text: String, load: Amount, rat
         let advice = format!("give {depth}[press] force and energy: the ratings on its data sheet");
         return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
     };
-    let judged = judged.at_most(format!("{}{}", load.of(rating), per_depth(load.unit)), NEAR * rating, rating);
+    let judged = judged.at_most(format!("{}{}", load.with_value(rating), per_depth(load.unit)), NEAR * rating, rating);
     judged.advice("a stronger press; less friction or holder force, a smaller blank, a thinner sheet")
 }

@@ -76,7 +76,7 @@ impl Import {
                 Material::plain(Hardening::Swift(Swift::new(k, n, offset).expect("the law is one")))
             }
         };
-        let tools = DrawnTools::new(self, sections.tools.iter().collect());
+        let tools = DrawnTools::new(self, sections.first.tools.iter().collect());
         let (size, doubts) = (tools.size(), tools.doubts());
         let text = self.text(drawing, &sections, &tools, &metal);
         let case = self.case(&text, &drawing.display().to_string(), &tools).map_err(ImportFailure::Case)?;
@@ -120,7 +120,7 @@ impl Import {
 
     fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
         let sizes = first.sizes();
-        let mut values = tool_values(&sections.tools);
+        let mut values = tool_values(&sections.first.tools);
         let notes: String = sections.notes.iter().map(|note| comment(&format!("- {note}"))).collect();
         values.set("notes", notes.trim_end(), "");
         let name = drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -139,7 +139,9 @@ impl Import {
         ];
         let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();
         values.set("open", open.join(", "), "");
-        if let Some(name) = sections.number.map(stage).or((!sections.later.is_empty()).then(|| "first".to_owned())) {
+        if let Some(name) =
+            sections.first.number.map(stage).or((!sections.later.is_empty()).then(|| "first".to_owned()))
+        {
             values.set("stage", format!("{name:?}"), "");
         }
         let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };

@@ -84,12 +84,12 @@ pub fn import(args: Args) -> Result<Code> {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Vec<Value>>();
         let later = sections.later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
-        let (tools, later) = (tools(&sections.tools), later.collect::<Vec<_>>());
+        let (tools, later) = (tools(&sections.first.tools), later.collect::<Vec<_>>());
         let files =
             json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes });
         return print_json(&files);
     }
-    let tools = sections.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)).map(|tool| {
+    let tools = sections.first.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)).map(|tool| {
         let pieces = tool.profile.pieces().len();
         let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
         format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
@@ -97,7 +97,7 @@ pub fn import(args: Args) -> Result<Code> {
     let notes = notes.iter().map(|note| format!("  - {note}\n"));
     let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
     let (out, picture) = (out.display(), picture.display());
-    let next = match sections.tool(Role::Punch) {
+    let next = match sections.first.tool(Role::Punch) {
         Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
         None => "no punch is drawn: add one to the case before you run it".to_owned(),
     };
@@ -112,7 +112,7 @@ fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
         profile: tool.profile.clone(),
         ends: tool.ends.clone(),
     };
-    let operations = std::iter::once(&sections.tools).chain(sections.later.iter().map(|later| &later.tools));
+    let operations = std::iter::once(&sections.first.tools).chain(sections.later.iter().map(|later| &later.tools));
     let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
     let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
                    case moves each along z to where it touches the sheet.";

@@ -59,7 +59,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     }
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
-    let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.to_string(), own.made_of()];
+    let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.amount.to_string(), own.made_of()];
     let rows = verification.bars.numbers.iter().filter(is_printed).map(row);
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
     let written = path.map_or(String::new(), |path| format!("{} is written\n", path.display()));
@@ -84,7 +84,7 @@ fn as_json(verification: &Verification) -> Value {
     };
     let numbers = verification.bars.numbers.iter().map(|number| {
         let (quantity, error_bar) = (&number.quantity, number.half().map(rounded));
-        let (value, unit) = (rounded(quantity.value()), quantity.amount.unit.spelled());
+        let (value, unit) = (rounded(quantity.amount.value), quantity.amount.unit.spelled());
         let why_none = if let ErrorBar::Missing(why) = &quantity.error { Some(why) } else { None };
         let (key, parts) = (quantity.key, parts(number));
         json!({

@@ -61,7 +61,7 @@ impl KeelerBrazier {
             "Forming limit: Keeler and Brazier, for steel, with n = {n} ({origin}) and t = {thickness}; FLC₀ = {flc0}.",
             n = Amount::ratio(n).to(Digits::Decimals(4)),
             thickness = Amount::size(thickness),
-            flc0 = Amount::strain(flc0).to(Digits::Decimals(4))
+            flc0 = Amount::ratio(flc0).to(Digits::Decimals(4))
         )];
         let points = vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]];
         Curve::new(Kind::KeelerBrazier(*self), sheet, points, notes)

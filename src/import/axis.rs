@@ -2,10 +2,10 @@
 
 use super::ImportError;
 use super::blocks::Placed;
+use super::chain::Chain;
 use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
-use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
 use crate::model::Role;
 
@@ -17,10 +17,10 @@ const CENTRE: [&str; 11] =
     ["center", "centre", "mitte", "achse", "axis", "axe", "symm", "dashdot", "strichpunkt", "iso04w", "iso10w"];
 
 /// Refuses tools that would be rings or lie symmetric about a line other than x = 0; a centre line at x = 0 accepts them.
-pub(super) fn check(strokes: &[(ToolId, Vec<Stroke>)], entities: &[Placed], frame: &Frame) -> Result<(), ImportError> {
+pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], entities: &[Placed], frame: &Frame) -> Result<(), ImportError> {
     let pieces = |roles: &[Role]| {
         let strokes = strokes.iter().filter(|(tool, _)| roles.contains(&tool.role)).flat_map(|(_, strokes)| strokes);
-        strokes.flat_map(|stroke| stroke.pieces.iter().copied()).collect::<Vec<Piece>>()
+        strokes.flat_map(|stroke| stroke.pieces().copied()).collect::<Vec<Piece>>()
     };
     let bounds = |role| Bounds::around(&pieces(&[role]));
     let all = pieces(&Role::ALL);

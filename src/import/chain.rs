@@ -1,23 +1,21 @@
-//! Strokes joined end to end into one line.
+//! Strokes of a tool joined end to end into one chain.
 
 use super::ImportError;
 use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
-use super::stroke::Stroke;
 use crate::geometry::{Arc, Bounds, Piece, Point, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::rc::Rc;
 
 /// Largest angle between overlapping lines \[rad\].
 const ALONG: f64 = 0.01;
 
+/// Pieces in order, each with the source of its stroke: of one entity, or of a tool.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
-    /// Pieces in order, each with the index of its stroke.
-    pub pieces: Vec<(Piece, usize)>,
-    /// Source of each stroke.
-    pub sources: Vec<Source>,
+    pub pieces: Vec<(Piece, Rc<Source>)>,
     pub is_closed: bool,
 }
 
@@ -25,6 +23,12 @@ pub(super) struct Chain {
 type End = (usize, bool);
 
 impl Chain {
+    /// Pieces of one entity.
+    pub fn stroke(pieces: impl IntoIterator<Item = Piece>, source: &Source) -> Self {
+        let source = Rc::new(source.clone());
+        Self { pieces: pieces.into_iter().map(|piece| (piece, source.clone())).collect(), is_closed: false }
+    }
+
     pub fn first(&self) -> Point {
         self.pieces[0].0.first()
     }
@@ -33,13 +37,24 @@ impl Chain {
         self.pieces[self.pieces.len() - 1].0.last()
     }
 
+    pub fn pieces(&self) -> impl DoubleEndedIterator<Item = &Piece> + Clone {
+        self.pieces.iter().map(|(piece, _)| piece)
+    }
+
+    pub fn bounds(&self) -> Bounds {
+        Bounds::around(&self.pieces().copied().collect::<Vec<_>>()).expect("a chain has pieces")
+    }
+
     pub fn reversed(self) -> Self {
-        Self { pieces: self.pieces.iter().rev().map(|(piece, stroke)| (piece.reversed(), *stroke)).collect(), ..self }
+        Self {
+            pieces: self.pieces.iter().rev().map(|(piece, source)| (piece.reversed(), source.clone())).collect(),
+            ..self
+        }
     }
 
     /// Source of a piece.
     pub fn source(&self, piece: usize) -> &Source {
-        &self.sources[self.pieces[piece].1]
+        &self.pieces[piece].1
     }
 }
 
@@ -47,54 +62,51 @@ impl Chain {
 ///
 /// # Errors
 /// When they overlap, branch, cross, or leave a gap.
-pub(super) fn join(
-    strokes: Vec<Stroke>,
-    tool: ToolId,
-    frame: &Frame,
-    notes: &mut Vec<String>,
-) -> Result<Chain, ImportError> {
-    let strokes = without_repeats(strokes, frame, notes);
+pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain, ImportError> {
+    let strokes = without_repeats(strokes, frame);
     let corners = corners(&strokes, frame.join);
     if let Some((at, ends)) = corners.iter().find(|(_, ends)| ends.len() > 2) {
-        let names: Vec<String> = ends.iter().map(|(i, _)| strokes[*i].source.to_string()).collect();
+        let names: Vec<String> = ends.iter().map(|(i, _)| strokes[*i].source(0).to_string()).collect();
         let what = format!("the {tool}'s line branches at {}: {} meet", frame.place(*at), names.join(", "));
         let help = "a section is one line without side branches: leave only what meets the sheet";
-        return Err(strokes[ends[0].0].source.error(what, help));
+        return Err(strokes[ends[0].0].source(0).error(what, help));
     }
     touching(&strokes, tool, frame)?;
     let lines = walk(strokes.len(), &corners);
     if let Some((line, _)) = lines.iter().find(|(_, is_closed)| *is_closed).filter(|_| lines.len() > 1) {
-        let Stroke { source, pieces } = &strokes[line[0].0];
-        let (place, count) = (frame.place(pieces[0].first()), lines.len());
+        let stroke = &strokes[line[0].0];
+        let (source, place, count) = (stroke.source(0), frame.place(stroke.first()), lines.len());
         let what = format!("the {tool}'s line is {count} lines, one of them closed: {source} at {place}");
         let help = "which one meets the sheet cannot be told: leave only that, an open line or one outline";
         return Err(source.error(what, help));
     }
     let [(line, is_closed)] = &lines[..] else { return Err(gap(&strokes, &lines, tool, frame)) };
-    let pieces = line.iter().flat_map(|(i, last)| {
-        let stroke = if *last { strokes[*i].reversed() } else { strokes[*i].clone() };
-        stroke.pieces.into_iter().map(|piece| (piece, *i))
-    });
-    let mut pieces: Vec<(Piece, usize)> = pieces.collect();
-    let widest = close_joints(&mut pieces, *is_closed);
+    let stroke = |(i, last): &End| if *last { strokes[*i].clone().reversed() } else { strokes[*i].clone() };
+    let pieces = line.iter().flat_map(|end| stroke(end).pieces).collect();
+    let mut chain = Chain { pieces, is_closed: *is_closed };
+    let widest = close_joints(&mut chain);
     if widest > 1e-6 {
-        notes.push(format!("ends of the {tool}'s line that were up to {widest:.2e} mm apart are joined"));
+        frame.note(format!("ends of the {tool}'s line that were up to {widest:.2e} mm apart are joined"));
     }
-    Ok(Chain { pieces, sources: strokes.into_iter().map(|stroke| stroke.source).collect(), is_closed: *is_closed })
+    Ok(chain)
 }
 
-fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
-    let points = |stroke: &Stroke| stroke.pieces.iter().flat_map(|piece| piece.sample(4)).collect::<Vec<_>>();
-    let within = |a: &Stroke, b: &Stroke| points(a).iter().all(|p| distance(b, *p) <= frame.join);
-    let mut distinct: Vec<(Bounds, Stroke)> = Vec::new();
+fn without_repeats(strokes: Vec<Chain>, frame: &Frame) -> Vec<Chain> {
+    // [mm]
+    let distance = |stroke: &Chain, p: Point| {
+        stroke.pieces().map(|piece| (piece.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min)
+    };
+    let within =
+        |a: &Chain, b: &Chain| a.pieces().flat_map(|piece| piece.sample(4)).all(|p| distance(b, p) <= frame.join);
+    let mut distinct: Vec<(Bounds, Chain)> = Vec::new();
     for stroke in strokes {
         let around = stroke.bounds();
-        let mut close =
-            distinct.iter().filter(|(other, _)| !around.is_apart(other, frame.join)).map(|(_, other)| other);
-        match close.find(|other| within(&stroke, other) && within(other, &stroke)) {
-            Some(Stroke { source: other, .. }) => {
-                let (source, from, to) = (&stroke.source, frame.place(stroke.first()), frame.place(stroke.last()));
-                notes.push(format!("{source} is left out: it repeats {other}, from {from} to {to}"));
+        let mut close = distinct.iter().filter(|(other, _)| !around.is_apart(other, frame.join));
+        match close.find(|(_, other)| within(&stroke, other) && within(other, &stroke)) {
+            Some((_, other)) => {
+                let (from, to) = (frame.place(stroke.first()), frame.place(stroke.last()));
+                let (source, other) = (stroke.source(0), other.source(0));
+                frame.note(format!("{source} is left out: it repeats {other}, from {from} to {to}"));
             }
             None => distinct.push((around, stroke)),
         }
@@ -102,12 +114,7 @@ fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>)
     distinct.into_iter().map(|(_, stroke)| stroke).collect()
 }
 
-/// \[mm\]
-fn distance(stroke: &Stroke, p: Point) -> f64 {
-    stroke.pieces.iter().map(|piece| (piece.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min)
-}
-
-fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
+fn corners(strokes: &[Chain], join: f64) -> Vec<(Point, Vec<End>)> {
     let mut corners: Vec<(Point, Vec<End>)> = Vec::new();
     for (i, stroke) in strokes.iter().enumerate() {
         for (point, last) in [(stroke.first(), false), (stroke.last(), true)] {
@@ -121,31 +128,30 @@ fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
 }
 
 /// Refuses ends inside another stroke: overlaps and side branches.
-fn touching(strokes: &[Stroke], tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
-    let boxes: Vec<Bounds> = strokes.iter().map(Stroke::bounds).collect();
+fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
+    let boxes: Vec<Bounds> = strokes.iter().map(Chain::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
-        let last = stroke.pieces[stroke.pieces.len() - 1];
-        let ends = [(stroke.first(), stroke.pieces[0].tangent(false)), (stroke.last(), last.tangent(true))];
-        for (at, along) in ends {
+        let [first, last] = [&stroke.pieces[0].0, &stroke.pieces[stroke.pieces.len() - 1].0];
+        for (at, along) in [(first.first(), first.tangent(false)), (last.last(), last.tangent(true))] {
             let is_close = |j: &usize| *j != i && !boxes[*j].is_beyond(at, frame.join);
             for other in (0..strokes.len()).filter(is_close).map(|j| &strokes[j]) {
                 let at_end = [other.first(), other.last()].iter().any(|end| (end - at).norm() <= frame.join);
-                let on = other.pieces.iter().find(|piece| (piece.closest_point(at) - at).norm() <= frame.join);
+                let on = other.pieces().find(|piece| (piece.closest_point(at) - at).norm() <= frame.join);
                 let Some(piece) = on.filter(|_| !at_end) else { continue };
                 let tangent = match piece {
                     Piece::Segment(_) => piece.tangent(false),
                     Piece::Arc(arc) => nalgebra::Rotation2::new(FRAC_PI_2) * (at - arc.center),
                 };
                 let angle = turn(along, tangent).abs();
-                let (place, source, other) = (frame.place(at), &stroke.source, &other.source);
-                return Err(if angle.min(PI - angle) < ALONG {
+                let (place, source, other) = (frame.place(at), stroke.source(0), other.source(0));
+                let (what, help) = if angle.min(PI - angle) < ALONG {
                     let what = format!("two parts of the {tool}'s line overlap at {place}: {source} and {other}");
-                    source.error(what, "draw each part of the line once")
+                    (what, "draw each part of the line once")
                 } else {
                     let what = format!("the {tool}'s line branches at {place}: {source} ends on the inside of {other}");
-                    let help = "a section is one line without side branches: trim the lines there, or leave one out";
-                    source.error(what, help)
-                });
+                    (what, "a section is one line without side branches: trim the lines there, or leave one out")
+                };
+                return Err(source.error(what, help));
             }
         }
     }
@@ -182,33 +188,29 @@ fn walk(count: usize, corners: &[(Point, Vec<End>)]) -> Vec<Line> {
 }
 
 /// Error of the two ends of different lines that come closest.
-fn gap(strokes: &[Stroke], lines: &[Line], tool: ToolId, frame: &Frame) -> ImportError {
-    let point = |(i, last): End| (if last { strokes[i].last() } else { strokes[i].first() }, &strokes[i].source);
-    let ends = |(line, _): &Line| {
+fn gap(strokes: &[Chain], lines: &[Line], tool: ToolId, frame: &Frame) -> ImportError {
+    let point = |(i, last): End| (if last { strokes[i].last() } else { strokes[i].first() }, strokes[i].source(0));
+    let line_ends = |(number, (line, _)): (usize, &Line)| {
         let (i, last) = line[line.len() - 1];
-        [point(line[0]), point((i, !last))]
+        [line[0], (i, !last)].map(|end| (number, point(end)))
     };
-    let ends: Vec<_> = lines.iter().map(ends).collect();
-    let pairs = ends.iter().enumerate().flat_map(|(i, line)| ends[i + 1..].iter().map(move |other| (line, other)));
-    let pairs = pairs.flat_map(|(line, other)| other.iter().flat_map(move |b| line.iter().map(move |a| (a, b))));
+    let ends: Vec<_> = lines.iter().enumerate().flat_map(line_ends).collect();
+    let pairs = ends.iter().flat_map(|b| ends.iter().filter(move |a| a.0 < b.0).map(move |a| (a.1, b.1)));
     let distances = pairs.map(|(a, b)| ((b.0 - a.0).norm(), a, b));
     let closest = distances.min_by(|a, b| a.0.total_cmp(&b.0)).expect("there is more than one line");
     let (distance, (a, from_a), (b, from_b)) = closest;
-    let (a, b) = (frame.place(*a), frame.place(*b));
-    let what = format!(
-        "the {tool}'s line has a gap of {} mm: {from_a} ends at {a} and {from_b} at {b}",
-        significant(distance, 4)
-    );
+    let (a, b, size) = (frame.place(a), frame.place(b), significant(distance, 4));
+    let what = format!("the {tool}'s line has a gap of {size} mm: {from_a} ends at {a} and {from_b} at {b}");
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
     from_a.error(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))
 }
 
 /// Closes all joints and returns the widest \[mm\]; a line gives way to an arc, so that tangents stay.
-fn close_joints(pieces: &mut [(Piece, usize)], is_closed: bool) -> f64 {
-    let (mut widest, count): (f64, usize) = (0.0, pieces.len());
-    for i in 0..count {
-        let next = (i + 1) % count;
-        if next == 0 && !is_closed || next > 0 && pieces[i].1 == pieces[next].1 {
+fn close_joints(chain: &mut Chain) -> f64 {
+    let (mut widest, pieces): (f64, _) = (0.0, &mut chain.pieces);
+    for i in 0..pieces.len() {
+        let next = (i + 1) % pieces.len();
+        if next == 0 && !chain.is_closed || next > 0 && Rc::ptr_eq(&pieces[i].1, &pieces[next].1) {
             continue;
         }
         let (a, b) = (pieces[i].0, pieces[next].0);

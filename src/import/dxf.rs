@@ -67,7 +67,7 @@ pub(super) struct Source {
 
 impl Source {
     pub fn error(&self, what: impl Into<String>, help: impl Into<String>) -> ImportError {
-        ImportError::at(self.line, what, help)
+        ImportError::new(what, help).at(self.line)
     }
 }
 
@@ -147,7 +147,7 @@ impl Entity {
         if is_number && (self.is_curve() || self.source.kind == "INSERT") {
             let source = &self.source;
             let damaged =
-                |what: String| ImportError::at(line, format!("{source} cannot be read: line {line} {what}"), AGAIN);
+                |what: String| ImportError::new(format!("{source} cannot be read: line {line} {what}"), AGAIN).at(line);
             let number = value.parse().ok().filter(|number: &f64| number.is_finite());
             let number = number.ok_or_else(|| damaged(format!("has to be a number, and is \"{}\"", cut(value))))?;
             let needs_x = matches!((source.kind.as_str(), code), ("LWPOLYLINE", 20 | 42) | ("SPLINE", 20 | 30));
@@ -174,25 +174,23 @@ impl Entity {
 
 /// Text of the file: UTF-8, or the Windows code page of older files.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
-    let what = match bytes {
-        _ if bytes.len() > LARGEST => {
-            let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
-            return Err(ImportError::new(what, "save the tools' layers only"));
-        }
-        _ if bytes.starts_with(b"AutoCAD Binary DXF") => "the file is a binary DXF",
-        _ if bytes.starts_with(b"AC10") => "the file is a DWG, not a DXF",
-        _ => {
-            let windows = |byte: &u8| match byte {
-                0x80..=0x9f => WINDOWS[usize::from(byte - 0x80)],
-                _ => char::from(*byte),
-            };
-            return Ok(match std::str::from_utf8(bytes) {
-                Ok(text) => text.trim_start_matches('\u{feff}').into(),
-                Err(_) => bytes.iter().map(windows).collect::<String>().into(),
-            });
-        }
+    if bytes.len() > LARGEST {
+        let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
+        return Err(ImportError::new(what, "save the tools' layers only"));
+    }
+    let others = [("AutoCAD Binary DXF", "the file is a binary DXF"), ("AC10", "the file is a DWG, not a DXF")];
+    if let Some((_, what)) = others.into_iter().find(|(begin, _)| bytes.starts_with(begin.as_bytes())) {
+        let help = "save the drawing as DXF in text form (ASCII), version R12 or later";
+        return Err(ImportError::new(what, help));
+    }
+    let windows = |byte: &u8| match byte {
+        0x80..=0x9f => WINDOWS[usize::from(byte - 0x80)],
+        _ => char::from(*byte),
     };
-    Err(ImportError::new(what, "save the drawing as DXF in text form (ASCII), version R12 or later"))
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => text.trim_start_matches('\u{feff}').into(),
+        Err(_) => bytes.iter().map(windows).collect::<String>().into(),
+    })
 }
 
 /// Owner of the next groups.
@@ -222,7 +220,7 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
                 true => format!("the file is damaged: line {} has to be a group code, and is \"{}\"", i + 1, cut(code)),
                 false => "the file is not a DXF drawing: it does not begin with a section".to_owned(),
             };
-            return Err(ImportError::at(i + 1, what, "save it as DXF in text form (ASCII) again"));
+            return Err(ImportError::new(what, "save it as DXF in text form (ASCII) again").at(i + 1));
         };
         match (section, code, value) {
             (_, 0, "EOF") => break,
@@ -264,7 +262,7 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
             let what = format!(
                 "the drawing has more than {ENTITIES} entities or {POINTS} points: line {last_line} is one more"
             );
-            return Err(ImportError::at(last_line, what, "save the tools' layers only"));
+            return Err(ImportError::new(what, "save the tools' layers only").at(last_line));
         }
     }
     if !is_dxf {
@@ -274,7 +272,7 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     if !section.is_empty() {
         let what =
             format!("the drawing is cut short: it ends inside its {} section, at line {last_line}", cut(section));
-        return Err(ImportError::at(last_line, what, AGAIN));
+        return Err(ImportError::new(what, AGAIN).at(last_line));
     }
     Ok(drawing)
 }

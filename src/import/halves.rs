@@ -4,50 +4,43 @@ use super::ImportError;
 use super::chain::{Chain, join, with_ends};
 use super::frame::Frame;
 use super::layers::ToolId;
-use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
 
 /// Chain at x ≥ 0.
-pub(super) fn right(
-    strokes: Vec<Stroke>,
-    tool: ToolId,
-    frame: &Frame,
-    notes: &mut Vec<String>,
-) -> Result<Chain, ImportError> {
-    let (right, left): (Vec<Stroke>, Vec<Stroke>) =
-        strokes.iter().flat_map(|stroke| cut(stroke, frame, notes)).partition(|stroke| is_right(&stroke.pieces[0]));
-    let mirrored =
-        |Stroke { pieces, source }| Stroke { pieces: pieces.iter().map(Piece::across_axis).collect(), source };
-    let left: Vec<Stroke> = left.into_iter().map(mirrored).collect();
+pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain, ImportError> {
+    let parts = strokes.iter().flat_map(|stroke| cut(stroke, frame));
+    let (right, left): (Vec<Chain>, Vec<Chain>) = parts.partition(|part| is_right(&part.pieces[0].0));
+    let mirrored = |part: &Chain| Chain::stroke(part.pieces().map(Piece::across_axis), part.source(0));
+    let left: Vec<Chain> = left.iter().map(mirrored).collect();
     match (right.is_empty(), left.is_empty()) {
-        (false, true) => join(right, tool, frame, notes),
+        (false, true) => join(right, tool, frame),
         (true, false) => {
-            notes.push(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
-            join(left, tool, frame, notes)
+            frame.note(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
+            join(left, tool, frame)
         }
         (true, true) => Err(ImportError::new(
             format!("all of the {tool}'s line lies on the axis"),
             "draw the side of the tool that meets the sheet; --axis says where the axis is",
         )),
         (false, false) => {
-            let chain = join(right, tool, frame, notes)?;
+            let chain = join(right, tool, frame)?;
             // The notes of the right half are true of the left one too.
-            let image = join(left, tool, frame, &mut Vec::new())?;
+            let image = join(left, tool, &frame.clone())?;
             compare(&chain, &image, tool, frame)?;
-            notes.push(format!("both halves of the {tool} are drawn and are alike: the right one is used"));
+            frame.note(format!("both halves of the {tool} are drawn and are alike: the right one is used"));
             Ok(chain)
         }
     }
 }
 
 /// Parts of a stroke on either side of the axis, without those along it; points within a joint's width are on the axis.
-fn cut(stroke: &Stroke, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
+fn cut(stroke: &Chain, frame: &Frame) -> Vec<Chain> {
     let on_axis = |p: Point| if p.x.abs() <= frame.join { Point::new(0.0, p.y) } else { p };
-    let mut parts: Vec<Stroke> = Vec::new();
+    let (source, mut parts) = (stroke.source(0), Vec::<Vec<Piece>>::new());
     // The side of the part that the next piece goes on with.
     let mut open = None;
     let mut along = false;
-    for piece in &stroke.pieces {
+    for piece in stroke.pieces() {
         let (from, to) = (on_axis(piece.first()), on_axis(piece.last()));
         if from.x == 0.0 && to.x == 0.0 && matches!(piece, Piece::Segment(_)) {
             (open, along) = (None, true);
@@ -57,16 +50,16 @@ fn cut(stroke: &Stroke, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
             let piece = with_ends(&piece, on_axis(piece.first()), on_axis(piece.last()));
             let side = Some(is_right(&piece));
             match parts.last_mut().filter(|_| open == side) {
-                Some(part) => part.pieces.push(piece),
-                None => parts.push(Stroke { pieces: vec![piece], source: stroke.source.clone() }),
+                Some(part) => part.push(piece),
+                None => parts.push(vec![piece]),
             }
             open = side;
         }
     }
     if along {
-        notes.push(format!("{} runs along the axis, and that part of it is left out", stroke.source));
+        frame.note(format!("{source} runs along the axis, and that part of it is left out"));
     }
-    parts
+    parts.into_iter().map(|pieces| Chain::stroke(pieces, source)).collect()
 }
 
 fn is_right(piece: &Piece) -> bool {
@@ -76,14 +69,14 @@ fn is_right(piece: &Piece) -> bool {
 /// Refuses halves that differ.
 fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
-        let pieces = these.pieces.iter().enumerate();
-        let points = pieces.flat_map(|(i, (piece, _))| piece.sample(8).into_iter().map(move |p| (p, i)));
-        let others: Vec<(Bounds, &Piece)> = others.pieces.iter().map(|(piece, _)| (piece.bounds(), piece)).collect();
-        points.map(move |(p, i)| {
+        let points =
+            these.pieces.iter().flat_map(|(piece, source)| piece.sample(8).into_iter().map(move |p| (p, source)));
+        let others: Vec<(Bounds, &Piece)> = others.pieces().map(|piece| (piece.bounds(), piece)).collect();
+        points.map(move |(p, source)| {
             let distance = others.iter().fold(f64::INFINITY, |least, (around, other)| {
                 if around.is_beyond(p, least) { least } else { least.min((other.closest_point(p) - p).norm()) }
             });
-            (distance, Point::new(side * p.x, p.y), these.source(i))
+            (distance, Point::new(side * p.x, p.y), source)
         })
     });
     let Some((distance, at, source)) = worst.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };

@@ -3,6 +3,7 @@
 use super::ImportError;
 use super::blocks::Placed;
 use super::dxf::cut;
+use super::frame::Frame;
 use super::options::Options;
 use crate::model::Role;
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,7 +30,7 @@ impl fmt::Display for ToolId {
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
 /// Tools by layer: those of `--layer`, then those by name.
-pub(super) fn layers(entities: &[Placed], options: &Options, notes: &mut Vec<String>) -> Result<Layers, ImportError> {
+pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<Layers, ImportError> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {
         *counts.entry(&source.layer).or_default() += 1;
@@ -60,7 +61,7 @@ pub(super) fn layers(entities: &[Placed], options: &Options, notes: &mut Vec<Str
     }
     let ignored = list(counts.iter().filter(|(layer, _)| !layers.contains_key(**layer)).map(counted));
     if !ignored.is_empty() {
-        notes.push(format!("layers that are no tool are left out: {ignored}"));
+        frame.note(format!("layers that are no tool are left out: {ignored}"));
     }
     Ok(ordered(layers))
 }
@@ -73,11 +74,9 @@ pub(super) fn nothing_drawn(layers: &Layers) -> ImportError {
 
 /// List for a sentence, of twenty entries at most.
 pub(super) fn list(mut entries: impl Iterator<Item = String>) -> String {
-    let first: Vec<String> = entries.by_ref().take(20).collect();
-    match entries.count() {
-        0 => first.join(", "),
-        more => format!("{} and {more} more", first.join(", ")),
-    }
+    let first = entries.by_ref().take(20).collect::<Vec<_>>().join(", ");
+    let more = entries.count();
+    if more == 0 { first } else { format!("{first} and {more} more") }
 }
 
 pub(super) fn count_entities(count: usize) -> String {
@@ -86,10 +85,10 @@ pub(super) fn count_entities(count: usize) -> String {
 
 fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
     let roles = Role::named_in(layer);
-    if roles.len() < 2 {
+    let names: Vec<&str> = roles.iter().map(|role| role.name()).collect();
+    if names.len() < 2 {
         return Ok(roles.first().copied());
     }
-    let names: Vec<&str> = roles.iter().map(|role| role.name()).collect();
     let layer = cut(layer);
     let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
     Err(ImportError::new(what, format!("say which it is: --layer \"{layer}={}\", or =none", names[0])))
@@ -122,39 +121,14 @@ fn ordered(mut layers: Layers) -> Layers {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_layer_has_an_operation() {
-        for (layer, number) in [
-            ("OP20_PUNCH", Some(20)),
-            ("op 30 - die", Some(30)),
-            ("PUNCH_OP5", Some(5)),
-            ("Stempel AFO20", Some(20)),
-            ("Stufe 2 Matrize", Some(2)),
-            ("Die 1", None),
-            ("OPEN2_DIE", None),
-            ("LOOP2", None),
-            ("OP99999999999", None),
-        ] {
-            assert_eq!(operation(layer), number, "{layer}");
-        }
+#[test]
+fn a_layer_has_an_operation() {
+    let with =
+        [("OP20_PUNCH", 20), ("op 30 - die", 30), ("PUNCH_OP5", 5), ("Stempel AFO20", 20), ("Stufe 2 Matrize", 2)];
+    for (layer, number) in with {
+        assert_eq!(operation(layer), Some(number), "{layer}");
     }
-
-    #[test]
-    fn layers_without_a_number_are_the_first_operations() {
-        use Role::{Die, Holder, Punch};
-        let ordered = |tools: &[(Option<u32>, Role)]| {
-            let layer = |(i, (operation, role)): (usize, &(Option<u32>, Role))| {
-                (i.to_string(), ToolId { operation: *operation, role: *role })
-            };
-            let layers = ordered(tools.iter().enumerate().map(layer).collect());
-            layers.values().map(|tool| tool.operation).collect::<Vec<_>>()
-        };
-        assert_eq!(ordered(&[(None, Punch), (None, Die)]), [None, None]);
-        assert_eq!(ordered(&[(Some(20), Punch), (None, Die)]), [None, None]);
-        assert_eq!(ordered(&[(Some(20), Punch), (None, Holder), (Some(30), Punch)]), [Some(20), Some(20), Some(30)]);
-        assert_eq!(ordered(&[(None, Punch), (None, Die), (Some(20), Punch)]), [None, None, Some(20)]);
+    for layer in ["Die 1", "OPEN2_DIE", "LOOP2", "OP99999999999"] {
+        assert_eq!(operation(layer), None, "{layer}");
     }
 }

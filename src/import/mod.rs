@@ -53,8 +53,8 @@ impl ImportError {
         Self { what: what.into(), help: help.into(), line: None }
     }
 
-    fn at(line: usize, what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { line: Some(line), ..Self::new(what, help) }
+    fn at(self, line: usize) -> Self {
+        Self { line: Some(line), ..self }
     }
 }
 
@@ -95,21 +95,12 @@ impl Operation {
 /// Tools read from a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
-    /// Number of the first operation, if there are several.
-    pub number: Option<u32>,
-    /// Tools of the first operation.
-    pub tools: Vec<Section>,
+    /// The first or only operation.
+    pub first: Operation,
     /// Later operations, by their numbers.
     pub later: Vec<Operation>,
     /// How the drawing was understood: unit, direction, halves, joints, omissions.
     pub notes: Vec<String>,
-}
-
-impl Sections {
-    /// Section of a tool of the first operation, if drawn.
-    pub fn tool(&self, role: Role) -> Option<&Section> {
-        self.tools.iter().find(|tool| tool.role == role)
-    }
 }
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
@@ -118,18 +109,15 @@ impl Sections {
 /// When the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let drawing = dxf::drawing(&dxf::decode(bytes)?)?;
-    let mut notes = Vec::new();
-    let frame = frame::Frame::new(&drawing, options, &mut notes)?;
+    let frame = frame::Frame::new(&drawing, options)?;
     let entities = blocks::exploded(&drawing)?;
-    let layers = layers::layers(&entities, options, &mut notes)?;
+    let layers = layers::layers(&entities, options, &frame)?;
     let numbers: BTreeSet<Option<u32>> = layers.values().map(|tool| tool.operation).collect();
     let mut strokes = Vec::new();
     for tool in numbers.iter().flat_map(|operation| Role::ALL.map(|role| ToolId { operation: *operation, role })) {
-        let drawn = stroke::strokes(&entities, &layers, tool, &frame, &mut notes)?;
-        if !drawn.is_empty() {
-            strokes.push((tool, drawn));
-        }
+        strokes.push((tool, stroke::strokes(&entities, &layers, tool, &frame)?));
     }
+    strokes.retain(|(_, drawn)| !drawn.is_empty());
     if strokes.is_empty() {
         return Err(layers::nothing_drawn(&layers));
     }
@@ -138,24 +126,22 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     }
     let mut chains = Vec::new();
     for (tool, strokes) in strokes {
-        chains.push((tool, halves::right(strokes, tool, &frame, &mut notes)?));
+        chains.push((tool, halves::right(strokes, tool, &frame)?));
     }
-    let heading = orient::heading(&chains, options.punch_moves, &mut notes)?;
-    let mut operations: Vec<Operation> = Vec::new();
+    let heading = orient::heading(&chains, options.punch_moves, &frame)?;
+    let mut later: Vec<Operation> = Vec::new();
     for (tool, chain) in chains {
-        let section = orient::section(tool, chain, heading, &frame, &mut notes)?;
-        match operations.last_mut().filter(|operation| operation.number == tool.operation) {
+        let section = orient::section(tool, chain, heading, &frame)?;
+        match later.last_mut().filter(|operation| operation.number == tool.operation) {
             Some(operation) => operation.tools.push(section),
-            None => operations.push(Operation { number: tool.operation, tools: vec![section] }),
+            None => later.push(Operation { number: tool.operation, tools: vec![section] }),
         }
     }
-    let idle = operations.iter().find(|operation| operation.tool(Role::Punch).is_none());
-    if let Some(operation) = idle.filter(|_| operations.len() > 1) {
-        let what = format!("of {} operations, {} has no punch", operations.len(), operation.name());
+    let idle = later.iter().find(|operation| operation.tool(Role::Punch).is_none());
+    if let Some(operation) = idle.filter(|_| later.len() > 1) {
+        let what = format!("of {} operations, {} has no punch", later.len(), operation.name());
         let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
         return Err(ImportError::new(what, help));
     }
-    let later = operations.split_off(1);
-    let Operation { number, tools } = operations.remove(0);
-    Ok(Sections { number, tools, later, notes })
+    Ok(Sections { first: later.remove(0), later, notes: frame.notes.into_inner() })
 }

@@ -1,7 +1,6 @@
 //! How a drawing is to be understood.
 
 use crate::model::Role;
-use crate::units::factor;
 use std::str::FromStr;
 
 /// Options of the reader.
@@ -27,38 +26,23 @@ impl Default for Options {
     }
 }
 
-/// Unit of length of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DrawingUnit {
-    /// 1 mm.
-    Mm,
-    /// 10 mm.
-    Cm,
-    /// 10³ mm.
-    M,
-    /// 25.4 mm.
-    Inch,
-    /// 304.8 mm.
-    Foot,
-    /// 0.0254 mm.
-    Mil,
-    /// 10⁻³ mm.
-    Micrometre,
-}
+/// Unit of length of a drawing: its symbol, as `--unit` takes it, and its length \[mm\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawingUnit(pub &'static str, pub f64);
 
 impl DrawingUnit {
+    /// Millimetre.
+    pub const MM: Self = Self("mm", 1.0);
     /// Every unit, the likeliest first.
-    pub const ALL: [Self; 7] = [Self::Mm, Self::Cm, Self::M, Self::Inch, Self::Foot, Self::Mil, Self::Micrometre];
-
-    /// Symbol, as `--unit` takes it.
-    pub fn symbol(self) -> &'static str {
-        ["mm", "cm", "m", "in", "ft", "mil", "um"][self as usize]
-    }
-
-    /// Length \[mm\].
-    pub fn mm(self) -> f64 {
-        factor(self.symbol()).expect("every unit of a drawing is one of a case file")
-    }
+    pub const ALL: [Self; 7] = [
+        Self::MM,
+        Self("cm", 10.0),
+        Self("m", 1000.0),
+        Self("in", 25.4),
+        Self("ft", 304.8),
+        Self("mil", 1e-3 * 25.4),
+        Self("um", 1e-3),
+    ];
 }
 
 /// Direction of the punch in the drawing, where y goes up.
@@ -81,8 +65,8 @@ impl FromStr for DrawingUnit {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let unit = Self::ALL.into_iter().find(|unit| unit.symbol() == text);
-        unit.ok_or_else(|| format!("give {}", Self::ALL.map(Self::symbol).join(", ")))
+        let unit = Self::ALL.into_iter().find(|unit| unit.0 == text);
+        unit.ok_or_else(|| format!("give {}", Self::ALL.map(|unit| unit.0).join(", ")))
     }
 }
 
@@ -90,11 +74,8 @@ impl FromStr for Heading {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "down" => Ok(Self::Down),
-            "up" => Ok(Self::Up),
-            _ => Err("give down, up".to_owned()),
-        }
+        let heading = [Self::Down, Self::Up].into_iter().find(|heading| heading.name() == text);
+        heading.ok_or_else(|| "give down, up".to_owned())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Direction of the punch, and the sheet on the left of every section.
 
 use super::chain::Chain;
-use super::dxf::{Source, cut};
+use super::dxf::cut;
 use super::frame::Frame;
 use super::layers::{ToolId, count_entities, list};
 use super::options::Heading;
@@ -10,6 +10,7 @@ use super::{ImportError, Section};
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// Least height of a wall \[mm\].
 const WALL: f64 = 1e-3;
@@ -20,7 +21,7 @@ const WALL: f64 = 1e-3;
 pub(super) fn heading(
     chains: &[(ToolId, Chain)],
     option: Option<Heading>,
-    notes: &mut Vec<String>,
+    frame: &Frame,
 ) -> Result<Heading, ImportError> {
     let open = chains.iter().filter(|(tool, chain)| tool.role != Role::Holder && !is_outline(chain));
     let walls = open.filter_map(|(tool, chain)| {
@@ -44,7 +45,7 @@ pub(super) fn heading(
         (None, Some((tool, heading)), None) => (*heading, format!("by the {tool}'s wall")),
         (None, None, _) => by_place(chains)?,
     };
-    notes.push(format!("the punch moves {} in the drawing ({why})", heading.name()));
+    frame.note(format!("the punch moves {} in the drawing ({why})", heading.name()));
     Ok(heading)
 }
 
@@ -61,20 +62,14 @@ fn by_place(chains: &[(ToolId, Chain)]) -> Result<(Heading, String), ImportError
 }
 
 /// Section of a tool: z along the punch travel, the sheet on its left.
-pub(super) fn section(
-    tool: ToolId,
-    chain: Chain,
-    heading: Heading,
-    frame: &Frame,
-    notes: &mut Vec<String>,
-) -> Result<Section, ImportError> {
-    let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame, notes)? } else { chain };
+pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section, ImportError> {
+    let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame)? } else { chain };
     let outward = outward(tool, chain, heading, frame)?;
     // Below the sheet one walks outward, above it inward.
     let chain = if tool.role == Role::Die { outward.reversed() } else { outward };
     let turned = |p: Point| if heading == Heading::Down { Point::new(p.x, -p.y) } else { p };
     let to_section = |piece: &Piece| if heading == Heading::Down { piece.upside_down() } else { *piece };
-    let profile = Profile::new(chain.pieces.iter().map(|(piece, _)| to_section(piece)).collect())
+    let profile = Profile::new(chain.pieces().map(to_section).collect())
         .map_err(|error| ImportError::new(format!("the {tool}'s line is no section: {error}"), "redraw it"))?;
     let fold = profile.fold().map(|fold| match fold {
         Fold::Back { at, after, .. } => {
@@ -91,20 +86,17 @@ pub(super) fn section(
         return Err(source.error(what, "a section is one open line along the side that meets the sheet"));
     }
     // Inside a spline there are as many ends as its tolerance asks for.
-    let is_drawn =
-        |i: &usize| *i == 0 || chain.pieces[i - 1].1 != chain.pieces[*i].1 || chain.source(*i).kind != "SPLINE";
+    let is_drawn = |i: &usize| {
+        *i == 0 || !Rc::ptr_eq(&chain.pieces[i - 1].1, &chain.pieces[*i].1) || chain.source(*i).kind != "SPLINE"
+    };
     let firsts = (0..chain.pieces.len()).filter(is_drawn).map(|i| chain.pieces[i].0.first());
     let ends = firsts.chain([chain.last()]).map(turned).collect();
-    let sources: Vec<&Source> = (0..chain.pieces.len()).map(|i| chain.source(i)).collect();
-    let layers: BTreeSet<&str> = sources.iter().map(|source| source.layer.as_str()).collect();
-    let drawn: BTreeSet<(&str, usize)> = sources.iter().map(|source| (source.block.as_str(), source.line)).collect();
+    let sources = chain.pieces.iter().map(|(_, source)| source);
+    let layers: BTreeSet<&str> = sources.clone().map(|source| source.layer.as_str()).collect();
+    let drawn: BTreeSet<(&str, usize)> = sources.map(|source| (source.block.as_str(), source.line)).collect();
     let layers = list(layers.into_iter().map(|layer| format!("\"{}\"", cut(layer))));
-    Ok(Section {
-        role: tool.role,
-        profile,
-        ends,
-        made_of: format!("{} of layer {layers}", count_entities(drawn.len())),
-    })
+    let made_of = format!("{} of layer {layers}", count_entities(drawn.len()));
+    Ok(Section { role: tool.role, profile, ends, made_of })
 }
 
 /// Chain from the axis outward; with both ends equally far, the one nearer to the sheet is the inner end.
@@ -114,7 +106,7 @@ fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Resul
         return Ok(if b.x > a.x { chain } else { chain.reversed() });
     }
     let ahead = if heading == Heading::Down { a.y - b.y } else { b.y - a.y };
-    let is_wall = chain.pieces.iter().all(|(piece, _)| piece.sample(8).iter().all(|p| (p.x - a.x).abs() <= frame.join));
+    let is_wall = chain.pieces().all(|piece| piece.sample(8).iter().all(|p| (p.x - a.x).abs() <= frame.join));
     if is_wall || ahead.abs() <= frame.join {
         let place = frame.place(a);
         let what = format!(

@@ -13,11 +13,13 @@
 
 use super::ImportError;
 use super::chain::Chain;
+use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
 use super::options::Heading;
-use crate::geometry::{Arc, Bounds, Piece, Point};
+use crate::geometry::{Arc, Piece, Point};
 use crate::model::Role;
+use std::rc::Rc;
 
 /// Least distance of the middles of tools above each other, over the height of the lower one \[–\].
 const APART: f64 = 0.1;
@@ -29,14 +31,10 @@ pub(super) fn is_outline(chain: &Chain) -> bool {
 
 /// Direction of the punch from places: punch and holder are behind the sheet, the die is ahead of it.
 pub(super) fn heading(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
-    let bounds = |chain: &Chain| {
-        let pieces: Vec<Piece> = chain.pieces.iter().map(|(piece, _)| *piece).collect();
-        Bounds::around(&pieces).expect("a chain has pieces")
-    };
     let dies = chains.iter().filter(|(tool, _)| tool.role == Role::Die);
     let mut pairs = dies.flat_map(|(die, of_die)| {
         let others = chains.iter().filter(|(tool, _)| tool.role != Role::Die && tool.operation == die.operation);
-        others.map(move |(tool, chain)| (tool, bounds(chain), bounds(of_die)))
+        others.map(move |(tool, chain)| (tool, chain.bounds(), of_die.bounds()))
     });
     pairs.find_map(|(tool, other, die)| {
         let rise = 0.5 * (other.low.y + other.high.y - die.low.y - die.high.y);
@@ -50,13 +48,7 @@ pub(super) fn heading(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
 type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
 /// Side of an outline towards the sheet, as an open line.
-pub(super) fn sheet_side(
-    tool: ToolId,
-    chain: Chain,
-    heading: Heading,
-    frame: &Frame,
-    notes: &mut Vec<String>,
-) -> Result<Chain, ImportError> {
+pub(super) fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
     // Larger where nearer to the sheet.
     let height = |p: Point| if (tool.role == Role::Die) == (heading == Heading::Down) { p.y } else { -p.y };
     let back_inner: Measure = &|p| [-height(p), -p.x];
@@ -86,27 +78,27 @@ pub(super) fn sheet_side(
         let what = format!("no side of the {tool}'s outline meets the sheet: it would begin and end at {a}");
         return Err(ImportError::new(what, "draw the side that meets the sheet as an open line"));
     }
-    notes.push(format!("the {tool} is drawn all round: the side towards the sheet is read, from {a} to {b}"));
+    frame.note(format!("the {tool} is drawn all round: the side towards the sheet is read, from {a} to {b}"));
     Ok(side)
 }
 
 /// Twice the enclosed area, positive if counter-clockwise \[mm²\]; chords of arcs keep its sign.
 fn area(chain: &Chain) -> f64 {
-    let points: Vec<Point> = chain.pieces.iter().flat_map(|(piece, _)| piece.sample(8)).collect();
+    let points: Vec<Point> = chain.pieces().flat_map(|piece| piece.sample(8)).collect();
     points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp(b)).sum()
 }
 
 /// Pieces before and after the point with the largest first measure, and within `join` of it the largest second one.
-fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, usize)>; 2] {
-    let pieces = chain.pieces.iter().enumerate();
-    let points: Vec<(usize, Point)> = pieces.flat_map(|(i, (piece, _))| corners(piece).map(move |p| (i, p))).collect();
+fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2] {
+    let pieces = chain.pieces().enumerate();
+    let points: Vec<(usize, Point)> = pieces.flat_map(|(i, piece)| corners(piece).map(move |p| (i, p))).collect();
     let most = points.iter().map(|(_, p)| by(*p)[0]).fold(f64::NEG_INFINITY, f64::max);
     let first = points.into_iter().filter(|(_, p)| by(*p)[0] >= most - join);
     let (i, at) = first.max_by(|a, b| by(a.1)[1].total_cmp(&by(b.1)[1])).expect("a chain has pieces");
-    let (piece, stroke) = chain.pieces[i];
-    let [a, b] = halves(&piece, at, join).map(|half| half.map(|piece| (piece, stroke)));
-    let before = chain.pieces[..i].iter().copied().chain(a).collect();
-    [before, b.into_iter().chain(chain.pieces[i + 1..].iter().copied()).collect()]
+    let (piece, source) = &chain.pieces[i];
+    let [a, b] = halves(piece, at, join).map(|half| half.map(|piece| (piece, source.clone())));
+    let before = chain.pieces[..i].iter().cloned().chain(a).collect();
+    [before, b.into_iter().chain(chain.pieces[i + 1..].iter().cloned()).collect()]
 }
 
 /// Ends of a piece, and the points of an arc where it is parallel to x or y.

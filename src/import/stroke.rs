@@ -2,11 +2,12 @@
 
 use super::ImportError;
 use super::blocks::Placed;
-use super::dxf::{MOST, Place, Source, Vertex};
+use super::chain::Chain;
+use super::dxf::{MOST, Place, Vertex};
 use super::frame::Frame;
 use super::layers::{Layers, ToolId};
 use super::spline;
-use crate::geometry::{Bounds, Piece, Point};
+use crate::geometry::{Piece, Point};
 use crate::units::{Dimensioned, Kind, Length, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -26,31 +27,6 @@ const CLOSED: i64 = 1;
 const MESH: i64 = 16 | 64;
 const OFF_THE_CURVE: i64 = 16;
 
-/// Entity, or its part on one side of the axis.
-#[derive(Clone, Debug)]
-pub(super) struct Stroke {
-    pub pieces: Vec<Piece>,
-    pub source: Source,
-}
-
-impl Stroke {
-    pub fn first(&self) -> Point {
-        self.pieces[0].first()
-    }
-
-    pub fn last(&self) -> Point {
-        self.pieces[self.pieces.len() - 1].last()
-    }
-
-    pub fn bounds(&self) -> Bounds {
-        Bounds::around(&self.pieces).expect("a stroke has pieces")
-    }
-
-    pub fn reversed(&self) -> Self {
-        Self { pieces: self.pieces.iter().rev().map(Piece::reversed).collect(), source: self.source.clone() }
-    }
-}
-
 /// Strokes of a tool.
 ///
 /// # Errors
@@ -60,8 +36,7 @@ pub(super) fn strokes(
     layers: &Layers,
     tool: ToolId,
     frame: &Frame,
-    notes: &mut Vec<String>,
-) -> Result<Vec<Stroke>, ImportError> {
+) -> Result<Vec<Chain>, ImportError> {
     let is_ours = |placed: &&Placed| !placed.source.on_paper && layers.get(&placed.source.layer) == Some(&tool);
     let (curves, others): (Vec<&Placed>, Vec<&Placed>) =
         entities.iter().filter(is_ours).partition(|placed| placed.entity.is_curve());
@@ -79,16 +54,16 @@ pub(super) fn strokes(
     }
     if !annotations.is_empty() {
         let annotations: Vec<String> = annotations.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        notes.push(format!("left out of the {tool}'s layer: {}", annotations.join(", ")));
+        frame.note(format!("left out of the {tool}'s layer: {}", annotations.join(", ")));
     }
     let splines = curves.iter().filter(|placed| placed.source.kind == "SPLINE").count();
     if splines > 0 {
         let within = format!("within {} mm", rounded(frame.tolerance));
-        notes.push(format!("SPLINE in the {tool}'s line ({splines}) is followed by tangent arcs {within}"));
+        frame.note(format!("SPLINE in the {tool}'s line ({splines}) is followed by tangent arcs {within}"));
     }
     let (mut strokes, mut count) = (Vec::new(), 0);
     for placed in curves {
-        let (source, pieces) = (placed.source.clone(), Pen { placed, frame }.pieces()?);
+        let (source, pieces) = (&placed.source, Pen { placed, frame }.pieces()?);
         count += pieces.len();
         if count > MOST {
             let what = format!("the {tool} is drawn in more than {MOST} lines and arcs, {source} among them");
@@ -96,7 +71,7 @@ pub(super) fn strokes(
                         larger --tolerance";
             return Err(source.error(what, help));
         }
-        strokes.push(Stroke { pieces, source });
+        strokes.push(Chain::stroke(pieces, source));
     }
     Ok(strokes)
 }

@@ -198,7 +198,7 @@ fn summary(view: &StageView, assessment: &Assessment) -> String {
     };
     let worst = assessment.worst();
     if !worst.is_open() {
-        let margin = Amount::strain(worst.margin()).to(Digits::Decimals(3));
+        let margin = Amount::ratio(worst.margin()).to(Digits::Decimals(3));
         let (s0, share) = (Amount::place(worst.s0), percent(worst.ratio()));
         text += &format!(
             " Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit."

@@ -120,9 +120,9 @@ impl<'a> StageView<'a> {
     pub fn half(&self, amount: Amount) -> Option<f64> {
         let is_computed = matches!(amount.digits, Digits::Decimals(_) | Digits::Significant(_));
         let is_same = |own: &&Amount| {
-            own.unit == amount.unit && (own.value - amount.value).abs() <= SAME * own.value.abs() && own.bar().is_some()
+            own.unit == amount.unit && (own.value - amount.value).abs() <= SAME * own.value.abs() && own.bar.is_some()
         };
-        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar()
+        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar
     }
 
     /// Same view for a page that has all captions above its pictures.

@@ -54,7 +54,9 @@ fn changes(view: &StageView) -> Option<Markup> {
         let text = |value: Option<f64>, shows_bar: bool| match (value.map(amount), bar) {
             (None, _) => "none".to_owned(),
             (Some(amount), Some(bar)) if shows_bar => amount.with_bar(bar).parts().0,
-            (Some(amount), Some(bar)) => amount.within_bar(bar).parts().0,
+            (Some(amount), Some(bar)) => {
+                amount.with_bar(bar).parts().0.split(" ± ").next().unwrap_or_default().to_owned()
+            }
             (Some(amount), None) => amount.parts().0,
         };
         let [before, after, by] = [text(change.before, false), text(change.after, true), text(change.change(), false)];

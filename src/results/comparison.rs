@@ -10,7 +10,7 @@ use crate::case::comparison::{Against, BandSpec, ComparedQuantity as Q, CurveSpe
 use crate::case::{Case, Solution};
 use crate::numerics::interpolated;
 use crate::table::{Column, Csv, Record, Unit};
-use crate::units::four_digits;
+use crate::units::{Amount, Digits};
 use std::path::Path;
 
 /// Reference below which no relative difference is taken \[mm, N, N/mm\]: nobody measures so finely.
@@ -268,6 +268,10 @@ fn held_at_ends(rising: &[(f64, f64)], x: f64) -> Option<f64> {
 /// Least and largest of some values; `None` without values.
 fn interval(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     values.into_iter().map(|v| [v, v]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+fn four_digits(value: f64) -> String {
+    Amount::number(value).to(Digits::Significant(4)).to_string()
 }
 
 /// Index of the largest value; `None` if it is the last, which may rise further.

@@ -220,7 +220,7 @@ impl ErrorBars {
             (Some(red), _) => (Light::Red, "red at", red),
             (None, amber) => (Light::Amber, "the limit of", amber?),
         };
-        let limit = amount.of(limit).to(Digits::Given(3));
+        let limit = amount.with_value(limit).to(Digits::Given(3));
         (light > finding.light).then(|| format!("with its error bar it reaches {at} {limit}"))
     }
 
@@ -290,7 +290,7 @@ pub(super) fn files(results: &Results) -> Files {
     rows.extend(bars.numbers.iter().map(|own| {
         let [origin, key, unit] = own.name().map(str::to_owned);
         let half = own.half().map_or_else(String::new, number);
-        [origin, key, unit, String::new(), number(own.quantity.value()), half, own.made_of()]
+        [origin, key, unit, String::new(), number(own.quantity.amount.value), half, own.made_of()]
     }));
     let force = results.solution.case.model().extent().force_unit();
     for (key, unit, band) in [("punch_force", force, &bars.load), ("thickness", Unit::Mm, &bars.thickness)] {

@@ -154,7 +154,7 @@ impl SideBySide {
                 let difference = first.filter(|_| i > 0).zip(own).map(|(first, own)| {
                     let change = own.value - first.value;
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                    let open = first.bar().unwrap_or(0.0) + own.bar().unwrap_or(0.0);
+                    let open = first.bar.unwrap_or(0.0) + own.bar.unwrap_or(0.0);
                     let is_beyond = change.abs() > SAME * first.value.abs() && change.abs() > open;
                     (Amount::new(change, first.unit, first.digits).into(), if is_beyond { "yes" } else { "no" })
                 });

@@ -139,7 +139,7 @@ impl Comparison {
         let place = runs.response(&self.quantity)?;
         let (unit, given) = (runs.responses[place].quantity.amount.unit, self.limit);
         let symbol = match unit {
-            Unit::None => "",
+            Unit::None | Unit::Thicknesses => "",
             Unit::Degree => "deg",
             unit => unit.symbol(),
         };

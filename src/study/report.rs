@@ -87,7 +87,7 @@ impl Serialize for Cell {
         let Self::Amount(amount) = self else { return serializer.collect_str(self) };
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("value", &rounded(amount.value))?;
-        if let Some(error) = amount.bar() {
+        if let Some(error) = amount.bar {
             map.serialize_entry("error", &rounded(error))?;
         }
         map.serialize_entry("unit", amount.unit.spelled())?;

@@ -133,7 +133,7 @@ pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number],
     let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, None, &findings);
     let own = |response: &Number| outcome.numbers.iter().find(|number| number.is(response));
-    run.numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |own| rounded(own.quantity.value()))).collect();
+    run.numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |own| rounded(own.quantity.amount.value))).collect();
     if !run.errors.is_empty() {
         let bars = quick(solution, &Silent(watch)).bars;
         let half = |r: &Number| bars.number(r.origin, r.quantity.key)?.half();

@@ -48,7 +48,7 @@ impl RunTable {
     }
 
     pub(super) fn display(&self, place: usize, value: f64) -> String {
-        self.responses[place].quantity.amount.of(value).to_string()
+        self.responses[place].quantity.amount.with_value(value).to_string()
     }
 
     /// Labels of the red rows of a run, else of the amber ones.

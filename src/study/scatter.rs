@@ -169,7 +169,7 @@ impl Scatter {
             let number = &runs.responses[spread.response].quantity;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
             if quantiles[0] != quantiles[2] {
-                let [low, median, high] = quantiles.map(|value| number.amount.of(value).into());
+                let [low, median, high] = quantiles.map(|value| number.amount.with_value(value).into());
                 numbers.rows.push(vec![number.label.into(), low, median, high, self.influences(&spread.correlations)]);
             }
         }

@@ -230,7 +230,7 @@ impl LimitSearch {
         for (place, response) in runs.responses.iter().enumerate() {
             if response.origin == Origin::Answer || limits.iter().any(|(limited, _)| *limited == place) {
                 let value = |run: &Run| Some(run.numbers[place]).filter(|value| value.is_finite());
-                let amount = |value| response.quantity.amount.of(value).into();
+                let amount = |value| response.quantity.amount.with_value(value).into();
                 rows.push(row(response.quantity.label, &|run| value(run).map_or("–".into(), amount)));
             }
         }

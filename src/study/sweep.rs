@@ -192,7 +192,7 @@ impl Sweep {
         for response in charts::deciding(runs, 4) {
             let number = &runs.responses[response].quantity;
             for s in self.sensitivities(runs, response) {
-                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.of(value)));
+                let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.with_value(value)));
                 let ends = s.extremes().into_iter().flatten();
                 let ends = ends.flat_map(|end| [amount(end.number), axis.labels[end.place].clone().into()]);
                 let first = [number.label.into(), axis.drawn.label.clone().into(), amount(s.own)];

@@ -104,7 +104,7 @@ fn scale(value: &mut Value, factor: f64) -> usize {
         Value::InlineTable(table) => table.iter_mut().map(|(_, value)| scale(value, factor)).sum(),
         Value::Array(array) => array.iter_mut().map(|item| scale(item, factor)).sum(),
         Value::String(text) => {
-            let is_stress = parse(text.value()).is_ok_and(|x| x.dimension == Stress::KIND.dimension);
+            let is_stress = parse(text.value()).is_ok_and(|x| x.dimension == Stress::KIND.dimension());
             let Some((number, unit)) = split_number(text.value()).filter(|_| is_stress) else { return 0 };
             *value = format!("{} {unit}", significant(number * factor, 12)).into();
             1

@@ -1,6 +1,6 @@
 //! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers.
 
-use super::{Unit, UnitError};
+use super::Unit;
 use csv::StringRecord;
 
 /// Most rows: a hundred times what a drawn curve needs.
@@ -94,7 +94,7 @@ impl Csv {
     ///
     /// # Errors
     /// If it ends in no known unit.
-    pub fn unit(&self, column: usize) -> Result<(Unit, f64), UnitError> {
+    pub fn unit(&self, column: usize) -> Result<(Unit, f64), String> {
         Unit::of_header(self.header.fields.get(column).unwrap_or(""))
     }
 }

@@ -1,75 +1,48 @@
 //! Sheet gauges: numbers that stand for a thickness, another one for each metal.
 
-use super::error::QuantityError;
-use super::unit::INCH;
-use std::ops::RangeInclusive;
+use super::QuantityError;
+use super::dimension::INCH;
 
-/// Gauges that are understood: from the heaviest that is called sheet to the thinnest of the table.
-pub(super) const GAUGES: RangeInclusive<usize> = 3..=30;
-/// Words for a gauge without a metal.
-const BARE: [&str; 3] = ["ga", "gauge", "gage"];
+/// Heaviest gauge that is called sheet.
+const HEAVIEST: usize = 3;
 
-/// Weight that a sheet of uncoated steel of each of [`GAUGES`] is called by \[oz/ft²\].
-const STEEL_OUNCES: [f64; 28] = [
-    160.0, 150.0, 140.0, 130.0, 120.0, 110.0, 100.0, 90.0, 80.0, 70.0, 60.0, 50.0, 45.0, 40.0, 36.0, 32.0, 28.0, 24.0,
-    22.0, 20.0, 18.0, 16.0, 14.0, 12.0, 11.0, 10.0, 9.0, 8.0,
-];
-/// Weight of steel an inch thick, by which the gauge's weight becomes a thickness \[oz/ft²/in\]: 41.82 lb/ft²/in.
-const STEEL_INCH: f64 = 16.0 * 41.82;
-
-/// Thickness of uncoated steel by the US Manufacturers' Standard Gauge \[mm\]: 20 is 0.0359 in.
+/// Thickness of uncoated steel by the US Manufacturers' Standard Gauge, from the heaviest on \[in\].
 ///
-/// Source: the weights and 41.82 lb/ft² per inch as handbooks quote them; the standard itself not read. Printed tables round
-/// to 0.0001 in, so does this. Galvanised and stainless sheet have gauges of their own.
-fn steel(gauge: usize) -> f64 {
-    let inches = STEEL_OUNCES[gauge - GAUGES.start()] / STEEL_INCH;
-    (1e4 * inches).round() / 1e4 * INCH
-}
+/// Source: printed tables, which follow from weights per square foot at 41.82 lb/ft² per inch; the standard not read.
+/// Galvanised and stainless sheet have gauges of their own.
+const STEEL: [f64; 28] = [
+    0.2391, 0.2242, 0.2092, 0.1943, 0.1793, 0.1644, 0.1495, 0.1345, 0.1196, 0.1046, 0.0897, 0.0747, 0.0673, 0.0598,
+    0.0538, 0.0478, 0.0418, 0.0359, 0.0329, 0.0299, 0.0269, 0.0239, 0.0209, 0.0179, 0.0164, 0.0149, 0.0135, 0.0120,
+];
 
-/// Thickness of aluminium by Brown & Sharpe's gauge, which is the American wire gauge \[mm\]: 20 is 0.0320 in.
+/// Thickness of aluminium by Brown & Sharpe's gauge, which is the American wire gauge \[in\]: 20 is 0.0320 in.
 ///
 /// 0.005 in · 92^((36 − gauge)/39). Source: ASTM B258 (not read; the formula is in common use). Rounded as printed tables
 /// are, to 0.0001 in.
 fn aluminium(gauge: usize) -> f64 {
-    let inches = 0.005 * 92_f64.powf((36.0 - gauge as f64) / 39.0);
-    (1e4 * inches).round() / 1e4 * INCH
+    (1e4 * 0.005 * 92_f64.powf((36.0 - gauge as f64) / 39.0)).round() / 1e4
 }
 
 /// Thickness of a number before a word for a gauge \[mm\]; `None` for other words.
-pub(super) fn thickness(found: &str, number: f64, word: &str) -> Option<Result<f64, QuantityError>> {
-    let of: Option<fn(usize) -> f64> = match word {
-        "ga_steel" => Some(steel),
-        "ga_al" => Some(aluminium),
-        word if BARE.contains(&word) => None,
-        _ => return None,
-    };
-    let Some(gauge) = Some(number as usize).filter(|n| *n as f64 == number && GAUGES.contains(n)) else {
-        let (from, to) = (GAUGES.start(), GAUGES.end());
-        let help = format!("gauges are whole numbers from {from} to {to}; else write the thickness in mm or in");
-        return Some(Err(QuantityError::new(format!("{found:?} is no gauge of sheet"), help)));
-    };
-    Some(of.map(|of| of(gauge)).ok_or_else(|| {
-        let (steel, aluminium) = (steel(gauge), aluminium(gauge));
-        QuantityError::new(
-            format!("{found:?} is {steel:.3} mm of steel and {aluminium:.3} mm of aluminium"),
-            format!("write \"{gauge} ga_steel\" (Manufacturers' Standard Gauge) or \"{gauge} ga_al\" (Brown & Sharpe)"),
-        )
-    }))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: thicknesses as handbooks print them [in], which round to 0.0001 in.
-    #[test]
-    fn gauges_are_those_of_printed_tables() {
-        let printed = [(3, 0.2391), (10, 0.1345), (14, 0.0747), (16, 0.0598), (18, 0.0478), (20, 0.0359), (30, 0.0120)];
-        for (gauge, inches) in printed {
-            assert!((steel(gauge) / INCH - inches).abs() < 1e-9, "{gauge}: {}", steel(gauge) / INCH);
-        }
-        for (gauge, inches) in [(10, 0.1019), (16, 0.0508), (18, 0.0403), (20, 0.0320), (24, 0.0201), (30, 0.0100)] {
-            assert!((aluminium(gauge) / INCH - inches).abs() < 1e-9, "{gauge}: {}", aluminium(gauge) / INCH);
-        }
+pub(super) fn thickness(text: &str, number: f64, word: &str) -> Option<Result<f64, QuantityError>> {
+    if !["ga_steel", "ga_al", "ga", "gauge", "gage"].contains(&word) {
+        return None;
     }
+    let gauge = number as usize;
+    let steel = gauge.checked_sub(HEAVIEST).and_then(|i| STEEL.get(i)).filter(|_| gauge as f64 == number);
+    let Some(steel) = steel.map(|inches| inches * INCH) else {
+        let thinnest = HEAVIEST + STEEL.len() - 1;
+        let help =
+            format!("gauges are whole numbers from {HEAVIEST} to {thinnest}; else write the thickness in mm or in");
+        return Some(Err(QuantityError::new(format!("{text:?} is no gauge of sheet"), help)));
+    };
+    let aluminium = aluminium(gauge) * INCH;
+    Some(match word {
+        "ga_steel" => Ok(steel),
+        "ga_al" => Ok(aluminium),
+        _ => Err(QuantityError::new(
+            format!("{text:?} is {steel:.3} mm of steel and {aluminium:.3} mm of aluminium"),
+            format!("write \"{gauge} ga_steel\" (Manufacturers' Standard Gauge) or \"{gauge} ga_al\" (Brown & Sharpe)"),
+        )),
+    })
 }

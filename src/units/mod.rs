@@ -1,4 +1,4 @@
-//! Text with a unit → checked number in solver units (mm, N, s, MPa, K, rad).
+//! Text with a unit → checked number in solver units (mm, N, s, MPa, K, rad), and result numbers as text.
 //!
 //! A case file writes `"0.035 in"` or `"5.4 tonf_uk/in^2"`; the solver sees mm and MPa. The types here cannot hold a
 //! wrong value: [`Length`] is a length, [`Positive<Length>`] is above zero, [`Fraction`] lies in 0..=1, and all are
@@ -12,12 +12,9 @@
 //! ```
 
 mod amount;
-mod dimensioned;
+mod dimension;
 mod display;
-mod error;
 mod gauge;
-mod header;
-mod kind;
 mod number;
 mod parse;
 mod quantity;
@@ -26,19 +23,17 @@ mod types;
 mod unit;
 
 pub use amount::{Amount, Digits};
-pub use dimensioned::{As, Dimensioned, Plain};
-pub use display::{DisplayScope, DisplaySettings, DisplayUnit};
-pub use error::QuantityError;
-pub use header::{Unit, UnitError};
-pub use kind::Kind;
-pub use number::{four_digits, joined, mm, rounded, significant, trimmed, without_zeros};
-pub use parse::{Parsed, parse, thicknesses};
+pub use dimension::{Dimension, ZERO_CELSIUS};
+pub use display::{DisplaySettings, DisplayUnit};
+pub use number::{joined, mm, rounded, significant, trimmed, without_zeros};
+pub use parse::{Parsed, QuantityError, parse, thicknesses};
 pub use quantity::{ErrorBar, Limits, Quantity, Sense};
+
 pub use spelling::closest;
 pub(crate) use spelling::did_you_mean;
 pub use types::{
-    Angle, Conductivity, Density, Energy, Force, Fraction, HeatTransfer, Length, LineForce, NonNegative, Number,
-    PerKelvin, Positive, Ratio, SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
+    Angle, As, Conductivity, Density, Dimensioned, Energy, Force, Fraction, HeatTransfer, Kind, Length, LineForce,
+    NonNegative, Number, PerKelvin, Plain, Positive, Ratio, SpecificHeat, Speed, StrainRate, Stress, StressRate,
+    Temperature, Time, UpToOne,
 };
-pub(crate) use unit::factor;
-pub use unit::{Dimension, ZERO_CELSIUS};
+pub use unit::Unit;

@@ -1,4 +1,4 @@
-//! Numbers as text: each way of writing one, once.
+//! Numbers as text.
 
 /// Nine significant digits: more than anyone measures, and no binary noise at the end (31.4 mm, not
 /// 31.400000000000002 mm).
@@ -27,21 +27,6 @@ pub fn mm(length: f64) -> String {
 /// A decimal number without zeros at the end of its decimals.
 pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
-}
-
-/// A number for readers: four significant digits, all digits of larger whole parts; a dash for what is no number.
-pub fn four_digits(value: f64) -> String {
-    let magnitude = value.abs();
-    if !value.is_finite() {
-        "–".to_owned()
-    } else if magnitude == 0.0 {
-        "0".to_owned()
-    } else if magnitude < 1e-3 {
-        format!("{value:.2e}")
-    } else {
-        let decimals = (3 - magnitude.log10().floor() as i32).clamp(0, 4) as usize;
-        format!("{value:.decimals$}")
-    }
 }
 
 /// Joins the parts that are not empty.

@@ -2,9 +2,8 @@
 
 use super::{Amount, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::fmt;
 
-/// Named result with its unit, error bar, limits and place. Displays as `0.61 ± 0.01 mm`.
+/// Named result with its unit, error bar, limits and place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// Name in files: `thinnest`.
@@ -73,17 +72,6 @@ impl Quantity {
             _ => self.amount,
         };
         Self { amount, error, ..self }
-    }
-
-    /// Value, in its unit.
-    pub fn value(&self) -> f64 {
-        self.amount.value
-    }
-}
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.amount.fmt(f)
     }
 }
 

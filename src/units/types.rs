@@ -1,26 +1,155 @@
-//! The quantities of a case, each a type of its own.
+//! Numbers of known dimension and range: as text, in case files, and in their JSON schema.
 
-use super::dimensioned::{Dimensioned, implement};
-use super::error::QuantityError;
-use super::kind::Kind;
-use super::unit::{ANGLE, FORCE, LENGTH, MASS, NONE, POWER, STRESS, TEMPERATURE, TIME};
+use super::dimension::Dimension;
+use super::{QuantityError, parse};
+use schemars::JsonSchema;
+use serde::Serializer;
+use serde::de::{self, Deserialize, Deserializer, Visitor};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// Number whose dimension and range have been checked.
+pub trait Dimensioned: Copy {
+    /// Name, unit and range.
+    const KIND: &'static Kind;
+
+    /// Bounds of the type for schemas: JSON-schema keywords with their values.
+    const BOUNDS: &'static [(&'static str, f64)] = &[];
+
+    /// Checks a number given in solver units.
+    ///
+    /// # Errors
+    /// When it is not finite or out of range; `found` is quoted in the message.
+    fn checked(value: f64, found: &str) -> Result<Self, QuantityError>;
+
+    /// Number in the solver's unit ([`Kind::unit`]).
+    fn value(self) -> f64;
+}
+
+/// Name, unit and range of a type of quantity.
+#[derive(Debug, PartialEq)]
+pub struct Kind {
+    /// With its article, as in "a length".
+    pub name: &'static str,
+    /// The solver's unit; empty for a plain number.
+    pub unit: &'static str,
+    /// Largest magnitude that makes sense, in `unit`; beyond it a unit is wrong.
+    pub largest: f64,
+    /// Examples of texts.
+    pub examples: &'static [&'static str],
+}
+
+impl Kind {
+    /// Dimension of the unit.
+    pub fn dimension(&self) -> Dimension {
+        Dimension::of_unit(self.unit)
+    }
+
+    /// Name and unit: `length, mm`.
+    pub(crate) fn measured(&self) -> String {
+        let name = self.name.split_once(' ').map_or(self.name, |(_, name)| name);
+        format!("{name}, {}", self.unit)
+    }
+
+    /// The examples, quoted where the case file wants quotes.
+    fn written(&self) -> String {
+        let quoted = |text: &&str| if self.unit.is_empty() { (*text).into() } else { format!("{text:?}") };
+        self.examples.iter().map(quoted).collect::<Vec<_>>().join(" or ")
+    }
+
+    /// Error of a bare number; it likely means the solver's unit, degrees, or a share in place of a percentage.
+    fn missing_unit(&self, found: &str) -> QuantityError {
+        let is_unusual = self.unit == "rad" || self.unit.contains('K') || self.unit.contains("s^2");
+        let usual = self.examples[0].split_once(' ').filter(|_| is_unusual).map_or(self.unit, |(_, unit)| unit);
+        let number = match found.parse::<f64>() {
+            Ok(share) if self.unit == "%" && share < 1.0 => ((1e6 * share).round() / 1e4).to_string(),
+            _ => found.to_owned(),
+        };
+        let help = format!("write \"{number} {usual}\"; {} may also be written {}", self.name, self.written());
+        QuantityError::new(format!("{found} needs a unit"), help)
+    }
+}
+
+/// Reads text as a quantity: number, unit, dimension, range.
+fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
+    let (kind, found) = (Q::KIND, text.trim());
+    let parsed = parse(text)?;
+    // A bare 8 would be 800 %.
+    let is_bare_share = kind.unit == "%" && !parsed.has_unit;
+    if parsed.dimension == kind.dimension() && !is_bare_share {
+        return Q::checked(parsed.value, found);
+    }
+    Err(match parsed.has_unit {
+        true => QuantityError::new(
+            format!("{found:?} is {}, wanted {}", parsed.dimension.describe(), kind.name),
+            format!("write for example {}", kind.written()),
+        ),
+        false => kind.missing_unit(found),
+    })
+}
+
+/// `FromStr`, `Deserialize` and `JsonSchema` of a quantity type.
+macro_rules! implement {
+    ([$($generic:tt)*] $type:ty) => {
+        impl<$($generic)*> std::str::FromStr for $type {
+            type Err = QuantityError;
+
+            fn from_str(text: &str) -> Result<Self, Self::Err> {
+                read(text)
+            }
+        }
+
+        impl<'de, $($generic)*> Deserialize<'de> for $type {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                from.deserialize_any(Written(PhantomData))
+            }
+        }
+
+        impl<$($generic)*> JsonSchema for $type {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                Self::KIND.name.into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                let Kind { name, unit, examples, .. } = Self::KIND;
+                let note = format!("{name} with its unit; solved in {unit}");
+                let mut schema = match *unit {
+                    "" => schemars::json_schema!({ "type": "number" }),
+                    _ => schemars::json_schema!({
+                        "type": "string", "description": note, "examples": examples, "x-quantity": Self::KIND.measured()
+                    }),
+                };
+                for (keyword, bound) in Self::BOUNDS {
+                    schema.insert((*keyword).into(), (*bound).into());
+                }
+                schema
+            }
+        }
+    };
+}
 
 macro_rules! quantities {
-    ($($(#[$doc:meta])* $type:ident = $kind:expr;)*) => {$(
-        $(#[$doc])*
+    ($($type:ident: $name:literal, $unit:literal, $largest:literal, $examples:expr;)*) => {
+        pub(super) const KINDS: &[&Kind] = &[$($type::KIND),*];
+        $(
+        #[doc = concat!("Number in the solver's unit that is ", $name, ": `", $unit, "`.")]
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $type(f64);
 
         impl Dimensioned for $type {
-            const KIND: &'static Kind = &$kind;
+            const KIND: &'static Kind = &Kind { name: $name, unit: $unit, largest: $largest, examples: &$examples };
 
             fn checked(value: f64, found: &str) -> Result<Self, QuantityError> {
-                let kind = Self::KIND;
-                if value.is_finite() && value.abs() <= kind.largest {
-                    Ok(Self(value))
-                } else {
-                    Err(QuantityError::too_large(found, kind))
+                let Kind { name, unit, largest, .. } = Self::KIND;
+                if value.is_finite() && value.abs() <= *largest {
+                    return Ok(Self(value));
                 }
+                let help = format!("its magnitude must be at most {largest} {unit}: check the unit");
+                Err(QuantityError::new(format!("{found} is out of range for {name}"), help))
             }
 
             fn value(self) -> f64 {
@@ -28,96 +157,49 @@ macro_rules! quantities {
             }
         }
         implement!([] $type);
-    )*};
+        )*
+    };
 }
 
+// A thermal conductivity in N/(s K) is one in W/(m K), a heat transfer in N/(mm s K) one in kW/(m² K).
 quantities! {
-    /// Signed length \[mm\].
-    Length = Kind { name: "a length", dimension: LENGTH, unit: "mm", examples: &["0.9 mm", "0.035 in"], largest: 1e5 };
-    /// Stress \[MPa\].
-    Stress = Kind {
-        name: "a stress", dimension: STRESS, unit: "MPa", examples: &["210 GPa", "5.4 tonf_uk/in^2"], largest: 1e7,
-    };
-    /// Force \[N\].
-    Force = Kind { name: "a force", dimension: FORCE, unit: "N", examples: &["80 kN", "5000 N"], largest: 1e9 };
-    /// Force per length of depth \[N/mm\].
-    LineForce = Kind {
-        name: "a force per length", dimension: FORCE.over(LENGTH), unit: "N/mm",
-        examples: &["1300 N/mm", "1300 kN/m"], largest: 1e7,
-    };
-    /// Angle \[rad\].
-    Angle = Kind { name: "an angle", dimension: ANGLE, unit: "rad", examples: &["90 deg", "1.57 rad"], largest: 100.0 };
-    /// Time \[s\].
-    Time = Kind { name: "a time", dimension: TIME, unit: "s", examples: &["2 s", "30 ms"], largest: 1e9 };
-    /// Speed \[mm/s\].
-    Speed = Kind {
-        name: "a speed", dimension: LENGTH.over(TIME), unit: "mm/s", examples: &["1 mm/s", "0.2 m/s"], largest: 1e6,
-    };
-    /// Strain rate \[1/s\].
-    StrainRate = Kind {
-        name: "a strain rate", dimension: NONE.over(TIME), unit: "/s", examples: &["0.001 /s", "40 /s"], largest: 1e9,
-    };
-    /// Temperature above absolute zero \[K\]; it may be written in °C.
-    Temperature = Kind {
-        name: "a temperature", dimension: TEMPERATURE, unit: "K", examples: &["20 °C", "493 K"], largest: 1e4,
-    };
-    /// Share per kelvin \[1/K\].
-    PerKelvin = Kind {
-        name: "a share per kelvin", dimension: NONE.over(TEMPERATURE), unit: "/K", examples: &["0.003 /K"], largest: 1.0,
-    };
-    /// Density \[t/mm³\].
-    Density = Kind {
-        name: "a density", dimension: MASS.over(LENGTH).over(LENGTH).over(LENGTH), unit: "N s^2/mm^4",
-        examples: &["2700 kg/m^3", "7.85 g/cm^3"], largest: 1e-7,
-    };
-    /// Specific heat \[mJ/(t K)\].
-    SpecificHeat = Kind {
-        name: "a specific heat", dimension: POWER.times(TIME, 1).over(MASS).over(TEMPERATURE), unit: "mm^2/s^2/K",
-        examples: &["900 J/kg/K", "0.46 kJ/kg/K"], largest: 1e11,
-    };
-    /// Thermal conductivity \[N/(s K)\], which is W/(m K).
-    Conductivity = Kind {
-        name: "a thermal conductivity", dimension: POWER.over(LENGTH).over(TEMPERATURE), unit: "N/s/K",
-        examples: &["130 W/m/K"], largest: 1e4,
-    };
-    /// Heat-transfer coefficient \[N/(mm s K)\], which is kW/(m² K).
-    HeatTransfer = Kind {
-        name: "a heat-transfer coefficient", dimension: POWER.over(LENGTH).over(LENGTH).over(TEMPERATURE),
-        unit: "N/mm/s/K", examples: &["1.4 kW/m^2/K", "1400 W/m^2/K"], largest: 1e4,
-    };
-    /// Energy, or energy per mole \[N mm\].
-    Energy = Kind {
-        name: "an energy", dimension: POWER.times(TIME, 1), unit: "N mm", examples: &["150 kJ/mol"], largest: 1e12,
-    };
-    /// Rise of a pressure with time \[MPa/s\].
-    StressRate = Kind {
-        name: "a pressure per time", dimension: STRESS.over(TIME), unit: "MPa/s", examples: &["0.01 MPa/s", "0.5 MPa/min"],
-        largest: 1e9,
-    };
-    /// Relative number, written in percent \[–\].
-    Ratio = Kind { name: "a percentage", dimension: NONE, unit: "%", examples: &["5 %", "2.5 %"], largest: 1e3 };
-    /// Plain number \[–\], written without quotes.
-    Number = Kind { name: "a plain number", dimension: NONE, unit: "", examples: &["0.1"], largest: 1e12 };
+    Length: "a length", "mm", 1e5, ["0.9 mm", "0.035 in"];
+    Stress: "a stress", "MPa", 1e7, ["210 GPa", "5.4 tonf_uk/in^2"];
+    Force: "a force", "N", 1e9, ["80 kN", "5000 N"];
+    LineForce: "a force per length", "N/mm", 1e7, ["1300 N/mm", "1300 kN/m"];
+    Angle: "an angle", "rad", 100.0, ["90 deg", "1.57 rad"];
+    Time: "a time", "s", 1e9, ["2 s", "30 ms"];
+    Speed: "a speed", "mm/s", 1e6, ["1 mm/s", "0.2 m/s"];
+    StrainRate: "a strain rate", "/s", 1e9, ["0.001 /s", "40 /s"];
+    Temperature: "a temperature", "K", 1e4, ["20 °C", "493 K"];
+    PerKelvin: "a share per kelvin", "/K", 1.0, ["0.003 /K"];
+    Density: "a density", "N s^2/mm^4", 1e-7, ["2700 kg/m^3", "7.85 g/cm^3"];
+    SpecificHeat: "a specific heat", "mm^2/s^2/K", 1e11, ["900 J/kg/K", "0.46 kJ/kg/K"];
+    Conductivity: "a thermal conductivity", "N/s/K", 1e4, ["130 W/m/K"];
+    HeatTransfer: "a heat-transfer coefficient", "N/mm/s/K", 1e4, ["1.4 kW/m^2/K", "1400 W/m^2/K"];
+    Energy: "an energy", "N mm", 1e12, ["150 kJ/mol"];
+    StressRate: "a pressure per time", "MPa/s", 1e9, ["0.01 MPa/s", "0.5 MPa/min"];
+    Ratio: "a percentage", "%", 1e3, ["5 %", "2.5 %"];
+    Number: "a plain number", "", 1e12, ["0.1"];
 }
 
-macro_rules! bounds {
-    ($($(#[$doc:meta])* $type:ident: $ok:expr, $error:literal, $keyword:literal;)*) => {$(
+macro_rules! bounded {
+    ($($(#[$doc:meta])* $type:ident: $is_outside:expr, $must:literal, $help:literal, $bounds:expr;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $type<Q>(Q);
 
         impl<Q: Dimensioned> Dimensioned for $type<Q> {
             const KIND: &'static Kind = Q::KIND;
-            const BOUND: &'static [(&'static str, f64)] = &[($keyword, 0.0)];
+            const BOUNDS: &'static [(&'static str, f64)] = &$bounds;
 
             fn checked(value: f64, found: &str) -> Result<Self, QuantityError> {
-                let inner = Q::checked(value, found)?;
-                let ok: fn(f64) -> bool = $ok;
-                if ok(value) {
-                    Ok(Self(inner))
-                } else {
-                    Err(QuantityError::wrong_sign($error, found, Q::KIND))
+                let is_outside: fn(f64) -> bool = $is_outside;
+                if is_outside(value) {
+                    let help = format!($help, Q::KIND.written());
+                    return Err(QuantityError::new(format!("must {}, found {found}", $must), help));
                 }
+                Q::checked(value, found).map(Self)
             }
 
             fn value(self) -> f64 {
@@ -128,31 +210,120 @@ macro_rules! bounds {
     )*};
 }
 
-bounds! {
+bounded! {
     /// Quantity above zero.
-    Positive: |value| value > 0.0, "be positive", "exclusiveMinimum";
+    Positive: |value| value <= 0.0, "be positive", "write for example {}", [("exclusiveMinimum", 0.0)];
     /// Quantity of zero or above.
-    NonNegative: |value| value >= 0.0, "not be negative", "minimum";
+    NonNegative: |value| value < 0.0, "not be negative", "write for example {}", [("minimum", 0.0)];
+    /// Quantity in 0..=1.
+    UpToOne: |value| !(0.0..=1.0).contains(&value), "lie between 0 and 1", "it is a fraction, such as {}",
+        [("minimum", 0.0), ("maximum", 1.0)];
 }
 
 /// Plain number in 0..=1.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Fraction(f64);
+pub type Fraction = UpToOne<Number>;
 
-impl Dimensioned for Fraction {
-    const KIND: &'static Kind = Number::KIND;
-    const BOUND: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", 1.0)];
+/// Reader of a quantity in a case file: text with a unit, or a plain number if the quantity has none.
+struct Written<Q>(PhantomData<Q>);
 
-    fn checked(value: f64, found: &str) -> Result<Self, QuantityError> {
-        if (0.0..=1.0).contains(&value) {
-            Ok(Self(value))
-        } else {
-            Err(QuantityError::new(format!("must lie between 0 and 1, found {found}"), "it is a fraction, such as 0.1"))
+impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
+    type Value = Q;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let unit = if Q::KIND.unit.is_empty() { "" } else { " with its unit" };
+        write!(f, "{}{unit}, such as {}", Q::KIND.name, Q::KIND.written())
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Q, E> {
+        if Q::KIND.unit.is_empty() {
+            return Err(E::invalid_type(de::Unexpected::Str(text), &self));
+        }
+        read(text).map_err(E::custom)
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Q, E> {
+        self.visit_f64(value as f64)
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Q, E> {
+        let found = format!("{value:?}");
+        let found = found.strip_suffix(".0").unwrap_or(&found);
+        match Q::KIND.unit {
+            "" => Q::checked(value, found).map_err(E::custom),
+            _ => Err(E::custom(Q::KIND.missing_unit(found))),
         }
     }
+}
 
-    fn value(self) -> f64 {
-        self.0
+/// Reads a plain number in the solver's unit as a quantity is written, for fields of solver types:
+/// `#[serde(with = "As::<Positive<Stress>>")] k: f64`; an `Option<f64>` as an `Option` of a quantity.
+pub struct As<Q>(PhantomData<Q>);
+
+/// Quantity, or one that may be left out.
+pub trait Plain {
+    /// `f64` or `Option<f64>`.
+    type Number: Copy + Into<Option<f64>>;
+
+    /// The solver's unit.
+    const UNIT: &'static str;
+
+    /// Number in the solver's unit.
+    fn plain(self) -> Self::Number;
+}
+
+impl<Q: Dimensioned> Plain for Q {
+    type Number = f64;
+    const UNIT: &'static str = Q::KIND.unit;
+
+    fn plain(self) -> f64 {
+        self.value()
     }
 }
-implement!([] Fraction);
+
+impl<Q: Dimensioned> Plain for Option<Q> {
+    type Number = Option<f64>;
+    const UNIT: &'static str = Q::KIND.unit;
+
+    fn plain(self) -> Option<f64> {
+        self.map(Q::value)
+    }
+}
+
+impl<Q: Plain> As<Q> {
+    /// Reads the number.
+    ///
+    /// # Errors
+    /// When it is not such a quantity.
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Q::Number, D::Error>
+    where
+        Q: Deserialize<'de>,
+    {
+        Q::deserialize(from).map(Q::plain)
+    }
+
+    /// Writes the number with its unit.
+    ///
+    /// # Errors
+    /// Errors of the serializer.
+    pub fn serialize<S: Serializer>(number: &Q::Number, to: S) -> Result<S::Ok, S::Error> {
+        match ((*number).into(), Q::UNIT) {
+            (None, _) => to.serialize_none(),
+            (Some(number), "") => to.serialize_f64(number),
+            (Some(number), unit) => to.collect_str(&format_args!("{number} {unit}")),
+        }
+    }
+}
+
+impl<Q: JsonSchema> JsonSchema for As<Q> {
+    fn inline_schema() -> bool {
+        Q::inline_schema()
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        Q::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        Q::json_schema(generator)
+    }
+}

@@ -1,184 +1,94 @@
-//! Units and their dimensions.
+//! Units of the solver's numbers, as they are spelled at the end of headers and drawn on axes.
 
-/// Exponents of length, force, time, angle and temperature. An angle is a dimension, so that degrees are no plain number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Dimension([i32; 5]);
+use super::parse;
+use super::types::KINDS;
 
-pub(super) const NONE: Dimension = Dimension([0; 5]);
-pub(super) const LENGTH: Dimension = Dimension([1, 0, 0, 0, 0]);
-pub(super) const FORCE: Dimension = Dimension([0, 1, 0, 0, 0]);
-pub(super) const TIME: Dimension = Dimension([0, 0, 1, 0, 0]);
-pub(super) const ANGLE: Dimension = Dimension([0, 0, 0, 1, 0]);
-pub(super) const TEMPERATURE: Dimension = Dimension([0, 0, 0, 0, 1]);
-pub(super) const MASS: Dimension = FORCE.times(TIME, 2).over(LENGTH);
-pub(super) const POWER: Dimension = FORCE.times(LENGTH, 1).over(TIME);
-pub(super) const STRESS: Dimension = FORCE.over(LENGTH).over(LENGTH);
-
-impl Dimension {
-    /// Dimension of a quotient.
-    pub(super) const fn over(self, by: Self) -> Self {
-        self.times(by, -1)
-    }
-
-    /// Dimension of `self` times `other` to a power; saturates far beyond anything physical.
-    pub(super) const fn times(self, other: Self, power: i32) -> Self {
-        let mut sum = self.0;
-        let mut i = 0;
-        while i < sum.len() {
-            sum[i] = sum[i].saturating_add(other.0[i].saturating_mul(power));
-            i += 1;
+macro_rules! units {
+    ($($unit:ident: $symbol:literal, $spellings:literal;)*) => {
+        /// Unit of the solver: mm, N, s, MPa and what follows from them.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Unit {
+            $(#[doc = concat!("Symbol `", $symbol, "`.")] $unit,)*
         }
-        Self(sum)
+
+        /// Units with their symbols on axes and their spellings at the end of headers: the solver's first, then others.
+        const UNITS: &[(Unit, &str, &str)] = &[$((Unit::$unit, $symbol, $spellings)),*];
+    };
+}
+
+units! {
+    None: "–", "";
+    Percent: "%", "percent";
+    Thicknesses: "t", "";
+    Mm: "mm", "mm um cm m in";
+    Mm2: "mm²", "";
+    Mm3: "mm³", "";
+    N: "N", "N kN MN lbf tonf tonf_us tonf_uk";
+    NPerMm: "N/mm", "N_per_mm N_per_m kN_per_mm kN_per_m";
+    MPa: "MPa", "MPa kPa GPa";
+    Second: "s", "s ms";
+    Minute: "min", "min";
+    PerSecond: "1/s", "1_per_s";
+    Joule: "J", "J mJ";
+    JoulePerMm: "J/mm", "J_per_mm mJ_per_mm";
+    Degree: "°", "deg";
+    Celsius: "°C", "C";
+}
+
+/// Every spelling with its unit.
+fn spellings() -> impl Iterator<Item = (&'static str, Unit)> {
+    UNITS.iter().flat_map(|(unit, _, spellings)| spellings.split_whitespace().map(|spelling| (spelling, *unit)))
+}
+
+impl Unit {
+    /// Symbol on an axis.
+    pub fn symbol(self) -> &'static str {
+        UNITS[self as usize].1
     }
 
-    /// Name such as "a length", otherwise the exponents.
-    pub fn describe(self) -> String {
-        const NAMED: [(Dimension, &str); 15] = [
-            (NONE, "a plain number"),
-            (LENGTH, "a length"),
-            (FORCE, "a force"),
-            (TIME, "a time"),
-            (ANGLE, "an angle"),
-            (TEMPERATURE, "a temperature"),
-            (STRESS, "a stress"),
-            (FORCE.over(LENGTH), "a force per length"),
-            (LENGTH.over(TIME), "a speed"),
-            (NONE.over(TIME), "a strain rate"),
-            (LENGTH.times(LENGTH, 1), "an area"),
-            (FORCE.times(LENGTH, 1), "a moment or an energy"),
-            (MASS, "a mass"),
-            (POWER, "a power"),
-            (MASS.over(LENGTH).over(LENGTH).over(LENGTH), "a density"),
-        ];
-        if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| *dimension == self) {
-            return (*name).into();
-        }
-        let powers = ["length", "force", "time", "angle", "temperature"].iter().zip(self.0).filter(|(_, n)| *n != 0);
-        let powers: Vec<String> =
-            powers.map(|(name, n)| if n == 1 { (*name).into() } else { format!("{name}^{n}") }).collect();
-        format!("of dimension {}", powers.join(" "))
+    /// Spelling at the end of a header; empty for plain numbers.
+    pub fn spelled(self) -> &'static str {
+        UNITS[self as usize].2.split(' ').next().unwrap_or_default()
     }
-}
 
-/// A unit: name, factor to solver units, dimension.
-pub(super) struct Unit(pub &'static str, pub f64, pub Dimension);
+    /// Largest magnitude that makes sense of a measured value: that of case files.
+    pub fn largest(self) -> f64 {
+        KINDS.iter().find(|kind| kind.unit == self.symbol()).map_or(1e12, |kind| kind.largest)
+    }
 
-/// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
-pub(super) const LBF: f64 = 4.448_221_615_260_5;
-pub(super) const INCH: f64 = 25.4;
+    /// Key with the unit at its end.
+    pub fn keyed(self, key: &str) -> String {
+        [key, self.spelled()].join("_").trim_end_matches('_').to_owned()
+    }
 
-/// Every unit that may be written.
-pub(super) const UNITS: [Unit; 43] = [
-    Unit("mm", 1.0, LENGTH),
-    Unit("cm", 10.0, LENGTH),
-    Unit("m", 1000.0, LENGTH),
-    Unit("um", 1e-3, LENGTH),
-    Unit("in", INCH, LENGTH),
-    Unit("inch", INCH, LENGTH),
-    Unit("inches", INCH, LENGTH),
-    Unit("\"", INCH, LENGTH),
-    Unit("″", INCH, LENGTH),
-    Unit("mil", 1e-3 * INCH, LENGTH),
-    Unit("ft", 304.8, LENGTH),
-    Unit("N", 1.0, FORCE),
-    Unit("kN", 1e3, FORCE),
-    Unit("MN", 1e6, FORCE),
-    Unit("lbf", LBF, FORCE),
-    Unit("kgf", 9.806_65, FORCE),
-    Unit("kp", 9.806_65, FORCE),
-    Unit("tonf", 9_806.65, FORCE), // metric: the ratings of presses mostly are
-    Unit("tonf_us", 2000.0 * LBF, FORCE),
-    Unit("tonf_uk", 2240.0 * LBF, FORCE),
-    Unit("Pa", 1e-6, STRESS),
-    Unit("kPa", 1e-3, STRESS),
-    Unit("bar", 0.1, STRESS),
-    Unit("MPa", 1.0, STRESS),
-    Unit("GPa", 1e3, STRESS),
-    Unit("psi", LBF / (INCH * INCH), STRESS),
-    Unit("ksi", 1e3 * LBF / (INCH * INCH), STRESS),
-    Unit("s", 1.0, TIME),
-    Unit("ms", 1e-3, TIME),
-    Unit("min", 60.0, TIME),
-    Unit("h", 3600.0, TIME),
-    Unit("rad", 1.0, ANGLE),
-    Unit("deg", std::f64::consts::PI / 180.0, ANGLE),
-    Unit("K", 1.0, TEMPERATURE),
-    Unit("kg", 1e-3, MASS), // 1 kg = 1 N s²/m
-    Unit("g", 1e-6, MASS),
-    Unit("mJ", 1.0, FORCE.times(LENGTH, 1)),
-    Unit("J", 1e3, FORCE.times(LENGTH, 1)),
-    Unit("kJ", 1e6, FORCE.times(LENGTH, 1)),
-    Unit("W", 1e3, POWER),
-    Unit("kW", 1e6, POWER),
-    Unit("mol", 1.0, NONE),
-    Unit("%", 0.01, NONE),
-];
-
-/// Other names of units in lower case, without the plural's s.
-const OTHER_NAMES: [(&str, &str); 18] = [
-    ("in", "inch inche in"),
-    ("mm", "millimetre millimeter mm"),
-    ("cm", "centimetre centimeter"),
-    ("m", "metre meter"),
-    ("um", "micron µm μm"),
-    ("N", "newton"),
-    ("kN", "kilonewton"),
-    ("lbf", "lb"),
-    ("tonf", "ton tonne t_f tf tonf_metric"),
-    ("tonf_us", "ton tonf_short"),
-    ("tonf_uk", "ton tonf_long"),
-    ("Pa", "pascal"),
-    ("s", "sec second"),
-    ("deg", "degree °"),
-    ("K", "kelvin"),
-    (CELSIUS, "c ºc celsiu"),
-    ("J", "joule"),
-    ("W", "watt"),
-];
-
-/// Degrees of temperature: the one unit that does not start at zero, and so stands alone.
-pub(super) const CELSIUS: &str = "°C";
-/// 0 °C \[K\].
-pub const ZERO_CELSIUS: f64 = 273.15;
-
-/// Units that a word or its plural may stand for: several for a ton.
-pub(super) fn meant(word: &str) -> Vec<&'static str> {
-    let word = word.to_lowercase();
-    let one = word.strip_suffix('s').unwrap_or(&word);
-    let is_one = |names: &str| names.split(' ').any(|name| name == word || name == one);
-    OTHER_NAMES.iter().filter(|(_, names)| is_one(names)).map(|(unit, _)| *unit).collect()
-}
-
-/// Unit in an error message: a ton with its force, because there are three.
-pub(super) fn display_name(name: &str) -> String {
-    let tons = [("tonf", "metric"), ("tonf_us", "short"), ("tonf_uk", "long")];
-    let of = tons.iter().find(|(ton, _)| *ton == name).zip(find(name));
-    of.map_or(format!("`{name}`"), |((_, which), unit)| format!("`{name}` ({which}, {:.3} kN)", 1e-3 * unit.1))
-}
-
-/// The unit of that name.
-pub(super) fn find(name: &str) -> Option<&'static Unit> {
-    UNITS.iter().find(|unit| unit.0 == name)
-}
-
-/// Solver units in one of that name: 25.4 for `in`.
-pub(crate) fn factor(name: &str) -> Option<f64> {
-    find(name).map(|unit| unit.1)
+    /// Solver's unit that a header ends in, and the factor that converts its values to it.
+    ///
+    /// # Errors
+    /// When the header ends in no known unit.
+    pub fn of_header(header: &str) -> Result<(Self, f64), String> {
+        let ends = |(spelling, _): &(&str, Unit)| header.strip_suffix(spelling).is_some_and(|rest| rest.ends_with('_'));
+        let longest = spellings().filter(ends).max_by_key(|(spelling, _)| spelling.len());
+        let (spelling, unit) = longest.ok_or_else(|| {
+            let known = spellings().map(|(spelling, _)| spelling).collect::<Vec<_>>().join(", ");
+            format!("column `{header}` must end in a unit, as in `travel_mm` or `punch_force_kN`; known units: {known}")
+        })?;
+        let size = |name: &str| parse(&format!("1 {}", name.replace("_per_", "/"))).map_or(1.0, |parsed| parsed.value);
+        Ok((unit, if spelling == unit.spelled() { 1.0 } else { size(spelling) / size(unit.spelled()) }))
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::UNITS;
-    use crate::units::parse;
-    use proptest::prelude::*;
+    use super::*;
 
-    proptest! {
-        #[test]
-        fn every_unit_scales_by_its_factor(x in -1e3..1e3f64, i in 0..UNITS.len()) {
-            let unit = &UNITS[i];
-            let parsed = parse(&format!("{x} {}", unit.0)).unwrap();
-            prop_assert_eq!(parsed.value, x * unit.1);
-            prop_assert_eq!(parsed.dimension, unit.2);
+    /// Trust: factors by hand, with the exact definitions of inch and pound-force.
+    #[test]
+    fn every_spelling_is_read_back_in_the_solvers_unit() {
+        for (spelling, unit) in spellings() {
+            assert_eq!(Unit::of_header(&format!("some_thing_{spelling}")).map(|found| found.0), Ok(unit), "{spelling}");
+        }
+        for (header, factor) in [("x_in", 25.4), ("x_lbf", 4.448_221_615_260_5), ("x_kN_per_m", 1.0)] {
+            assert_eq!(Unit::of_header(header).map(|found| found.1), Ok(factor), "{header}");
         }
     }
 }

@@ -51,7 +51,7 @@ fn holder(inner: f64, face: f64, end: f64) -> Vec<Piece> {
 /// Every piece with both ends, and an arc with centre, radius and sense, is the one expected (1e-6 mm: drawings are written
 /// with 16 digits, and joints of round-off are closed).
 fn assert_is(sections: &Sections, role: Role, expected: &[Piece], drawing: &str) {
-    let found = &sections.tool(role).unwrap_or_else(|| panic!("{drawing}: no {}", role.name())).profile;
+    let found = &sections.first.tool(role).unwrap_or_else(|| panic!("{drawing}: no {}", role.name())).profile;
     assert_eq!(found.pieces().len(), expected.len(), "{drawing}: {found:?}");
     for (a, b) in found.pieces().iter().zip(expected) {
         let off = (a.first() - b.first()).norm().max((a.last() - b.last()).norm());
@@ -70,7 +70,7 @@ fn assert_is(sections: &Sections, role: Role, expected: &[Piece], drawing: &str)
 /// Trust: the programs drew these shapes (write.py, write.mjs), which are stated here anew as a tool maker would.
 #[test]
 fn drawings_give_the_profiles_that_were_drawn() {
-    let mm = Options { unit: Some(DrawingUnit::Mm), ..Options::default() };
+    let mm = Options { unit: Some(DrawingUnit::MM), ..Options::default() };
     let header = Options::default();
     let axis = |at: f64| Options { axis: Some(at), ..Options::default() };
     let quickstart = (punch(24.0, 6.0, -20.0, -200.0), die(90.0, 31.25, 6.0, 0.5, 120.0), holder(32.0, -10.0, -40.0));
@@ -104,7 +104,7 @@ fn drawings_give_the_profiles_that_were_drawn() {
         assert_is(&found, Role::Die, die, drawing);
         match holder {
             Some(holder) => assert_is(&found, Role::Holder, holder, drawing),
-            None => assert!(found.tool(Role::Holder).is_none(), "{drawing}"),
+            None => assert!(found.first.tool(Role::Holder).is_none(), "{drawing}"),
         }
     }
     let whole = sections("faulty/whole_off_the_axis.dxf", &axis(30.0));
@@ -144,7 +144,7 @@ fn splines_are_followed_within_their_tolerance() {
         let options = Options { tolerance, ..Options::default() };
         let near = tolerance + 1e-9;
         let found = sections("ezdxf_splines.dxf", &options);
-        let pieces = found.tool(Role::Punch).unwrap().profile.pieces();
+        let pieces = found.first.tool(Role::Punch).unwrap().profile.pieces();
         let (circle, free): (Vec<Piece>, Vec<Piece>) = pieces.iter().partition(|piece| piece.last().y > -25.0 - 1e-9);
         // A quarter of a circle as a rational spline, centre 25 mm behind its lowest point.
         assert!(along(&circle).all(|p| ((p - Point::new(0.0, -25.0)).norm() - 25.0).abs() < near));
@@ -157,7 +157,7 @@ fn splines_are_followed_within_their_tolerance() {
         let turns = free.vertices().map(|v| v.turn.abs()).fold(0.0, f64::max);
         assert!(turns < 1e-6, "the arcs go on from each other: {turns}");
 
-        let die = &found.tool(Role::Die).unwrap().profile;
+        let die = &found.first.tool(Role::Die).unwrap().profile;
         let control = [[80.0, -1.0], [60.0, -1.0], [40.0, -1.0], [30.0, -6.0], [29.0, -16.0], [29.0, -60.0]];
         let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0];
         for j in 0..600 {
@@ -170,7 +170,7 @@ fn splines_are_followed_within_their_tolerance() {
 
         // y = x²/10 in cm up to x = 2, and a wall. Vertical distances are up to 8 % longer on its slope of 0.4.
         let parabola = sections("tarikjabiri_spline_cm.dxf", &options);
-        let pieces = parabola.tool(Role::Punch).unwrap().profile.pieces();
+        let pieces = parabola.first.tool(Role::Punch).unwrap().profile.pieces();
         let (wall, curve) = pieces.split_last().unwrap();
         assert!(along(curve).all(|p| (p.y + p.x * p.x / 100.0).abs() < 1.08 * near));
         assert!((wall.first() - Point::new(20.0, -4.0)).norm() < 1e-6);
@@ -354,7 +354,7 @@ fn long_drawings_are_read_or_refused_by_their_number() {
     let left: Vec<[f64; 2]> = right.iter().map(|[x, y]| [-x, *y]).collect();
     let entities = lines("punch", &right) + &lines("punch", &left) + &lines("punch", &right);
     let found = read(drawing(&entities).as_bytes(), &Options::default()).unwrap();
-    assert_eq!(found.tool(Role::Punch).unwrap().profile.pieces().len(), 1_600);
+    assert_eq!(found.first.tool(Role::Punch).unwrap().profile.pieces().len(), 1_600);
     assert!(found.notes.iter().filter(|note| note.contains("it repeats LINE")).count() == 1_600);
     let apart: String = right.chunks_exact(2).map(|pair| lines("punch", pair)).collect();
     let error = read(drawing(&apart).as_bytes(), &Options::default()).unwrap_err().to_string();
@@ -386,13 +386,13 @@ fn groups_that_are_no_shape_are_passed_over_and_damage_is_named_by_its_line() {
             b => b,
         })
         .collect();
-    assert!(read(&bytes, &Options::default()).unwrap().tools[0].made_of.contains("punch Für 5 €"));
+    assert!(read(&bytes, &Options::default()).unwrap().first.tools[0].made_of.contains("punch Für 5 €"));
 }
 
 /// Trust: each option is the remedy that the message on its drawing names.
 #[test]
 fn options_are_the_remedies_of_faulty_drawings() {
-    let plain = Options { unit: Some(DrawingUnit::Mm), ..Options::default() };
+    let plain = Options { unit: Some(DrawingUnit::MM), ..Options::default() };
     let punch = vec![("punch_and_die".to_owned(), Some(Role::Punch))];
     sections("faulty/no_units.dxf", &plain);
     sections("faulty/gap.dxf", &Options { join: 0.3, ..Options::default() });
@@ -412,7 +412,7 @@ fn blocks_that_would_fill_the_memory_are_refused() {
             "0\nSECTION\n2\nBLOCKS\n{blocks}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n{insert}0\nENDSEC\n0\nEOF\n"
         );
         let error = read(text.as_bytes(), &Options::default());
-        let mm = Options { unit: Some(stampflow::import::DrawingUnit::Mm), ..Options::default() };
+        let mm = Options { unit: Some(stampflow::import::DrawingUnit::MM), ..Options::default() };
         assert!(error.is_err(), "no unit");
         let error = read(text.as_bytes(), &mm).unwrap_err().to_string();
         assert!(error.contains("with its blocks the drawing has more than 200000 entities"), "{error}");
@@ -424,7 +424,7 @@ fn blocks_that_would_fill_the_memory_are_refused() {
 fn layers_with_numbers_are_stages() {
     let found = sections("ezdxf_operations.dxf", &Options::default());
     let [later] = &found.later[..] else { panic!("one later stage") };
-    assert_eq!((found.number, later.number, later.name().as_str()), (Some(20), Some(30), "OP30"));
+    assert_eq!((found.first.number, later.number, later.name().as_str()), (Some(20), Some(30), "OP30"));
     let pieces = later.tool(Role::Punch).unwrap().profile.pieces();
     for (a, b) in pieces.iter().zip(&punch(24.0, 6.0, 0.0, -160.0)) {
         assert!((a.first() - b.first()).norm() < 1e-6 && (a.last() - b.last()).norm() < 1e-6, "{a:?} {b:?}");
@@ -451,7 +451,7 @@ fn x_zero_is_an_axis_only_where_it_is_given() {
         [(with_line, Options::default()), (drawing.clone(), Options { axis: Some(0.0), ..Options::default() })]
     {
         let ring = read(text.as_bytes(), &options).unwrap();
-        let pieces = ring.tool(Role::Punch).unwrap().profile.pieces();
+        let pieces = ring.first.tool(Role::Punch).unwrap().profile.pieces();
         let inner = pieces.iter().flat_map(|piece| [piece.first().x, piece.last().x]).fold(f64::INFINITY, f64::min);
         assert!((inner - 100.0).abs() < 1e-6, "{inner}");
     }
@@ -473,9 +473,9 @@ fn layers_are_understood_in_three_languages() {
             text = text.replace(&format!("\n{layer}\n"), &format!("\n{word}\n"));
         }
         let found = read(text.as_bytes(), &Options::default()).unwrap();
-        for (a, b) in found.tools.iter().zip(&same.tools) {
+        for (a, b) in found.first.tools.iter().zip(&same.first.tools) {
             assert_eq!((a.role, &a.profile), (b.role, &b.profile), "{words:?}");
         }
-        assert_eq!(found.tools.len(), 3);
+        assert_eq!(found.first.tools.len(), 3);
     }
 }

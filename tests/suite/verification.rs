@@ -19,12 +19,12 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
     let checked = check(shipped_case("woo_hemispherical", &[]));
     for number in &checked.full.numbers {
         let (Some(half), Some(truth)) = (number.half(), checked.truth(number)) else { continue };
-        let (key, value) = (number.quantity.key, number.quantity.value());
+        let (key, value) = (number.quantity.key, number.quantity.amount.value);
         let error = (truth - value).abs();
         assert!(error <= half, "{key}: {error} is beyond {half}");
     }
     for (origin, key) in [(Origin::Answer, "punch_force"), (Origin::Part, "half_travel_force")] {
-        let value = checked.full.number(origin, key).expect("a force").quantity.value();
+        let value = checked.full.number(origin, key).expect("a force").quantity.amount.value;
         assert!(half(&checked.full, origin, key) < 0.02 * value, "{key}");
     }
 }
@@ -38,7 +38,7 @@ fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     for of in both {
         let numbers = checked.iter().flat_map(|one| one.with_truth(of(one)));
         let is_inside =
-            |(number, truth): (&Number, f64)| Some((truth - number.quantity.value()).abs() <= number.half()?);
+            |(number, truth): (&Number, f64)| Some((truth - number.quantity.amount.value).abs() <= number.half()?);
         let inside: Vec<bool> = numbers.filter_map(is_inside).collect();
         let share = inside.iter().filter(|is_inside| **is_inside).count() as f64 / inside.len() as f64;
         assert!(inside.len() > 30 && share >= 0.9, "{share} of {}", inside.len());

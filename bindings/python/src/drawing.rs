@@ -55,7 +55,7 @@ pub fn from_drawing(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<(S
         ends: tool.ends.clone(),
     };
     let later = imported.sections.later.iter().map(|later| &later.tools);
-    let operations = std::iter::once(&imported.sections.tools).chain(later);
+    let operations = std::iter::once(&imported.sections.first.tools).chain(later);
     let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
     let notes = imported.notes;
     let drawn = picture(&sketch(name, import.geometry, &operations, notes.clone()))?;

@@ -129,7 +129,7 @@ impl Solution {
                 number.label,
                 amount.value,
                 amount.unit.symbol(),
-                amount.bar(),
+                amount.bar,
                 number.to_string(),
             )
         });

@@ -17,7 +17,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     lines.push(match material.elastic {
         Some(Elastic { young, poisson }) => {
             let poisson = format!("Poisson's ratio {}", Amount::number(poisson));
-            number("Young's modulus", Amount::new(young, Unit::MPa, Digits::Converted(3)), poisson)
+            number("Young's modulus", Amount::new(young, Unit::MPa, Digits::Significant(3)), poisson)
         }
         None => line("elasticity", "none given", "the flow law needs none"),
     });
@@ -41,7 +41,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
         Grading::Uniform => format!("elements, each {size} wide"),
         Grading::Radii | Grading::Divided { .. } => format!("elements, {size} on average, finer at the tools' radii"),
     };
-    lines.push(number("mesh", Amount::count(model.blank.elements), spread));
+    lines.push(number("mesh", Amount::count(model.blank.elements as f64), spread));
     let matrix = match settings.iteration {
         Iteration::PrimalDual => "primal-dual Newton",
         Iteration::Newton => "Newton",

@@ -184,7 +184,7 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     }
 
     fn read<E: Error>(text: &str) -> Result<Self, E> {
-        match parse(text).is_ok_and(|parsed| parsed.dimension == P::KIND.dimension) {
+        match parse(text).is_ok_and(|parsed| parsed.dimension == P::KIND.dimension()) {
             true => NonNegative::deserialize(text.into_deserializer()).map(Self::PerDepth),
             false => NonNegative::deserialize(text.into_deserializer()).map(Self::InAll),
         }

@@ -1,13 +1,13 @@
 //! Comparisons in words, as tables and as pictures.
 
-use super::{Band, Compared, Comparison, Point, Verdict};
+use super::{Band, Compared, Comparison, Point, Verdict, four_digits};
 use crate::case::comparison::{Against, ComparedQuantity as Q, Source};
 use crate::plot::StageView;
 use crate::plot::chart::Chart;
 use crate::plot::comparison::{band_panel, curve_panels};
 use crate::results::{Files, Format, Results, csv};
 use crate::table::{Column, Table, Unit};
-use crate::units::{Amount, Digits, four_digits, joined, rounded, without_zeros};
+use crate::units::{Amount, Digits, joined, rounded, without_zeros};
 
 /// Beginning of the names of files.
 pub(in crate::results) const PREFIX: &str = "compare_";

@@ -149,14 +149,14 @@ impl Lines<'_> {
         if let Some(assessment) = view.forming_limit() {
             if let Some(curve) = &model.forming_limit {
                 self.plain("forming_limit", "Forming limit", curve.name);
-                let least = Amount::strain(curve.plane_strain());
+                let least = Amount::ratio(curve.plane_strain());
                 self.number("forming_limit_plane_strain", "  at plane strain, true strain", least);
             }
             if assessment.open().is_some() {
                 self.plain("forming_limit_unjudged", "  ends before the most strained place", true);
             }
             let worst = assessment.worst();
-            self.number("forming_margin", "  least margin in major true strain", Amount::strain(worst.margin()));
+            self.number("forming_margin", "  least margin in major true strain", Amount::ratio(worst.margin()));
             self.number("forming_ratio", "  major strain over the limit there", Amount::share(worst.ratio()));
             self.number("forming_margin_s0", "  at s0, its initial distance", Amount::place(worst.s0));
             self.plain("forming_margin_path_crooked", "  its path is not straight", worst.is_crooked());
@@ -181,7 +181,7 @@ impl Lines<'_> {
     /// Work, heat, and what the balance misses.
     fn energy(&mut self) {
         let Self { model, run, last, .. } = *self;
-        let energy = |energy| Amount::energy(energy, model.extent().energy_unit());
+        let energy = |energy| Amount::force(energy, model.extent().energy_unit());
         let work = last.work.without_round_off().scaled(JOULES);
         let given_back = work.external < 0.0;
         if given_back {
@@ -270,7 +270,7 @@ impl Lines<'_> {
         let (steps, effort) = (&run.steps, &run.effort);
         self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
         self.plain("flips", "Contacts that came or went", steps.iter().map(|s| s.contact_changes).sum::<usize>());
-        let strain = Amount::strain(self.largest(|s| s.strain_increment));
+        let strain = Amount::ratio(self.largest(|s| s.strain_increment));
         self.number("strain_increment", "Largest strain of one step", strain);
         self.plain("mesh", "Mesh", mesh(model));
         if model.blank.theory == Theory::Selective {

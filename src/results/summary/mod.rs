@@ -159,7 +159,7 @@ impl Serialize for Summary {
             match value {
                 Value::Number(amount) => {
                     map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?;
-                    if let Some(bar) = amount.bar() {
+                    if let Some(bar) = amount.bar {
                         map.serialize_entry(&amount.unit.keyed(&format!("{key}_error_bar")), &rounded(bar))?;
                     }
                 }

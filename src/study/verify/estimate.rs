@@ -59,7 +59,7 @@ pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
 
 /// Number with its error bar from all refined runs, solved to a tolerance.
 pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) -> Number {
-    let value = number.quantity.value();
+    let value = number.quantity.amount.value;
     let mut contributions = Vec::new();
     for (direction, runs) in directions {
         let Some(finer) = runs.iter().map(|run| run.value(number)).collect::<Option<Vec<f64>>>() else {
@@ -67,7 +67,7 @@ pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) ->
         };
         let levels = [vec![value], finer].concat();
         if let Some(i) = jump(number, &levels) {
-            let [from, to] = [levels[i - 1], levels[i]].map(|level| number.quantity.amount.of(level));
+            let [from, to] = [levels[i - 1], levels[i]].map(|level| number.quantity.amount.with_value(level));
             return number
                 .without_bar(&format!("jumps from {from} to {to} with {}", direction.text(runs[i - 1].times)));
         }

@@ -175,7 +175,7 @@ impl Verification {
         let header = BEGINNING.split(',').map(str::to_owned).chain(names).collect();
         let rows = self.bars.numbers.iter().map(|own| {
             let values =
-                [Some(own.quantity.value()), own.half()].into_iter().chain(runs.iter().map(|run| run.value(own)));
+                [Some(own.quantity.amount.value), own.half()].into_iter().chain(runs.iter().map(|run| run.value(own)));
             let cells = values.map(|value| value.map_or_else(String::new, number));
             own.name().into_iter().map(str::to_owned).chain(cells).collect::<Vec<_>>()
         });

@@ -103,7 +103,7 @@ impl Outcome {
     pub fn value(&self, number: &Number) -> Option<f64> {
         let own = self.numbers.iter().find(|own| own.is(number))?;
         let there = number.s0.filter(|_| !self.used.is_empty()).map(|place| interpolated(&self.used, place));
-        Some(there.unwrap_or(own.quantity.value()))
+        Some(there.unwrap_or(own.quantity.amount.value))
     }
 
     /// True if it came to another end than the verified run, for a reason of the part's.
@@ -135,7 +135,7 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
     let answer = answer.iter().filter(|number| !is_input(number.key));
     let answer = answer.map(|n| Number::new(Origin::Answer, Quantity::new(n.key, n.label, n.amount)));
     let all = answer.chain(part).chain(judged);
-    all.filter(|number| number.quantity.value().is_finite()).collect()
+    all.filter(|number| number.quantity.amount.value.is_finite()).collect()
 }
 
 /// Travel of the largest force, force at half travel, travel of a run that ended early, the thinnest and thickest places, and

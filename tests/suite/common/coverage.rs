@@ -45,7 +45,7 @@ pub fn check(case: Case) -> Checked {
 impl Checked {
     /// The run as it is, and the deviations of all finer runs from it summed; `None` where one ended otherwise.
     pub fn truth(&self, number: &Number) -> Option<f64> {
-        let own = number.quantity.value();
+        let own = number.quantity.amount.value;
         let base = &self.outcomes[0];
         let deviations = self.finest.iter().map(|run| {
             let value = run.value(number).filter(|_| run.end.is_like(&base.end));
