@@ -42,7 +42,14 @@ pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], entities: &[Placed], frame
     let (x, why) = match &lines[..] {
         [(x, source)] => (*x, format!("where {source} is a centre line")),
         _ if alike => (middle, "on both sides of which the tools are alike".to_owned()),
-        _ => (inner_end(&punch, bounds(Role::Die)), "where the punch ends".to_owned()),
+        _ => {
+            // The end away from the die, or nearer to x = 0 without a die.
+            let inward = match bounds(Role::Die) {
+                Some(die) => die.low.x + die.high.x > punch.low.x + punch.high.x,
+                None => punch.low.x.abs() < punch.high.x.abs(),
+            };
+            (if inward { punch.low.x } else { punch.high.x }, "where the punch ends".to_owned())
+        }
     };
     let what = if is_ring {
         format!("no tool comes to x = 0, the axis: the punch is {} away and would be a ring", frame.along(distance))
@@ -54,22 +61,10 @@ pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], entities: &[Placed], frame
     Err(ImportError::new(format!("{what}: is the axis at x = {x}, {why}?"), help))
 }
 
-/// End of a punch away from the die, or nearer to x = 0 without a die \[mm\].
-fn inner_end(punch: &Bounds, die: Option<Bounds>) -> f64 {
-    let inward = match die {
-        Some(die) => die.low.x + die.high.x > punch.low.x + punch.high.x,
-        None => punch.low.x.abs() < punch.high.x.abs(),
-    };
-    if inward { punch.low.x } else { punch.high.x }
-}
-
 fn are_alike(pieces: &[Piece], middle: f64, join: f64) -> bool {
     let ends: Vec<Point> = pieces.iter().flat_map(|piece| [piece.first(), piece.last()]).collect();
-    let has_image = |p: &Point| {
-        let image = Point::new(2.0 * middle - p.x, p.y);
-        ends.iter().any(|end| (end - image).norm() <= join)
-    };
-    ends.iter().all(has_image)
+    let mut images = ends.iter().map(|p| Point::new(2.0 * middle - p.x, p.y));
+    images.all(|image| ends.iter().any(|end| (end - image).norm() <= join))
 }
 
 /// Vertical centre lines: x from the assumed axis \[mm\] and source.

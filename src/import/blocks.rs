@@ -30,14 +30,6 @@ pub(super) struct Placement {
     shift: Point,
 }
 
-pub(super) struct Similarity {
-    pub scale: f64,
-    /// \[rad\]
-    pub rotation: f64,
-    /// −1 for a mirror image in the x axis, taken before the rotation, else 1.
-    pub sense: f64,
-}
-
 impl Placement {
     fn after(&self, inner: &Self) -> Self {
         Self { matrix: self.matrix * inner.matrix, shift: self.at(inner.shift) }
@@ -47,16 +39,17 @@ impl Placement {
         self.matrix * p + self.shift
     }
 
+    /// −1 for a mirror image in the x axis, taken before the rotation, else 1.
     pub fn sense(&self) -> f64 {
         self.matrix.determinant().signum()
     }
 
-    /// `None` for a map that makes ellipses of circles.
-    pub fn similarity(&self) -> Option<Similarity> {
+    /// Scale and rotation \[rad\]; `None` for a map that makes ellipses of circles.
+    pub fn similarity(&self) -> Option<(f64, f64)> {
         let (x, y) = (self.matrix.column(0), self.matrix.column(1));
         let scale = x.norm();
         let round = (y.norm() - scale).abs() <= 1e-9 * scale && x.dot(&y).abs() <= 1e-9 * scale * scale;
-        round.then(|| Similarity { scale, rotation: x.y.atan2(x.x), sense: self.sense() })
+        round.then(|| (scale, x.y.atan2(x.x)))
     }
 }
 

@@ -72,18 +72,17 @@ pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<C
         return Err(strokes[ends[0].0].source(0).error(what, help));
     }
     touching(&strokes, tool, frame)?;
-    let lines = walk(strokes.len(), &corners);
-    if let Some((line, _)) = lines.iter().find(|(_, is_closed)| *is_closed).filter(|_| lines.len() > 1) {
-        let stroke = &strokes[line[0].0];
-        let (source, place, count) = (stroke.source(0), frame.place(stroke.first()), lines.len());
+    let mut lines = lines(&strokes, &corners);
+    if let Some(line) = lines.iter().find(|line| line.is_closed).filter(|_| lines.len() > 1) {
+        let (source, place, count) = (line.source(0), frame.place(line.first()), lines.len());
         let what = format!("the {tool}'s line is {count} lines, one of them closed: {source} at {place}");
         let help = "which one meets the sheet cannot be told: leave only that, an open line or one outline";
         return Err(source.error(what, help));
     }
-    let [(line, is_closed)] = &lines[..] else { return Err(gap(&strokes, &lines, tool, frame)) };
-    let stroke = |(i, last): &End| if *last { strokes[*i].clone().reversed() } else { strokes[*i].clone() };
-    let pieces = line.iter().flat_map(|end| stroke(end).pieces).collect();
-    let mut chain = Chain { pieces, is_closed: *is_closed };
+    if lines.len() > 1 {
+        return Err(gap(&lines, tool, frame));
+    }
+    let mut chain = lines.remove(0);
     let widest = close_joints(&mut chain);
     if widest > 1e-6 {
         frame.note(format!("ends of the {tool}'s line that were up to {widest:.2e} mm apart are joined"));
@@ -158,48 +157,38 @@ fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result<(), Import
     Ok(())
 }
 
-/// Lines of strokes, each stroke with the end that it is entered by, and whether the line is closed.
-type Line = (Vec<End>, bool);
-
-fn walk(count: usize, corners: &[(Point, Vec<End>)]) -> Vec<Line> {
-    let mut done = vec![false; count];
-    let mut lines = Vec::new();
-    // The corner of either end of each stroke.
-    let mut corner = vec![[0; 2]; count];
-    for (k, (i, last)) in corners.iter().enumerate().flat_map(|(k, (_, ends))| ends.iter().map(move |end| (k, *end))) {
-        corner[i][usize::from(last)] = k;
-    }
-    // A line without a free end is closed, wherever one begins.
+/// Lines of strokes that meet at corners: open ones from their free ends, then closed ones.
+fn lines(strokes: &[Chain], corners: &[(Point, Vec<End>)]) -> Vec<Chain> {
+    let (mut done, mut lines) = (vec![false; strokes.len()], Vec::new());
     let free = corners.iter().filter(|(_, ends)| ends.len() == 1).map(|(_, ends)| (ends[0], false));
-    for (start, is_closed) in free.chain((0..count).map(|i| ((i, false), true))) {
+    for (start, is_closed) in free.chain((0..strokes.len()).map(|i| ((i, false), true))) {
+        let mut line = Chain { pieces: Vec::new(), is_closed };
         let mut next = Some(start).filter(|(i, _)| !done[*i]);
-        let mut line = Vec::new();
         while let Some((i, last)) = next {
             done[i] = true;
-            line.push((i, last));
-            let (_, there) = &corners[corner[i][usize::from(!last)]];
-            next = there.iter().copied().find(|end| !done[end.0]);
+            let stroke = strokes[i].clone();
+            line.pieces.extend(if last { stroke.reversed() } else { stroke }.pieces);
+            let corner = corners.iter().find(|(_, ends)| ends.contains(&(i, !last)));
+            next = corner.and_then(|(_, ends)| ends.iter().copied().find(|end| !done[end.0]));
         }
-        if !line.is_empty() {
-            lines.push((line, is_closed));
-        }
+        lines.push(line);
     }
+    lines.retain(|line| !line.pieces.is_empty());
     lines
 }
 
 /// Error of the two ends of different lines that come closest.
-fn gap(strokes: &[Chain], lines: &[Line], tool: ToolId, frame: &Frame) -> ImportError {
-    let point = |(i, last): End| (if last { strokes[i].last() } else { strokes[i].first() }, strokes[i].source(0));
-    let line_ends = |(number, (line, _)): (usize, &Line)| {
-        let (i, last) = line[line.len() - 1];
-        [line[0], (i, !last)].map(|end| (number, point(end)))
+fn gap(lines: &[Chain], tool: ToolId, frame: &Frame) -> ImportError {
+    let ends = |line: usize| {
+        let chain = &lines[line];
+        [(line, chain.first(), chain.source(0)), (line, chain.last(), chain.source(chain.pieces.len() - 1))]
     };
-    let ends: Vec<_> = lines.iter().enumerate().flat_map(line_ends).collect();
-    let pairs = ends.iter().flat_map(|b| ends.iter().filter(move |a| a.0 < b.0).map(move |a| (a.1, b.1)));
-    let distances = pairs.map(|(a, b)| ((b.0 - a.0).norm(), a, b));
-    let closest = distances.min_by(|a, b| a.0.total_cmp(&b.0)).expect("there is more than one line");
-    let (distance, (a, from_a), (b, from_b)) = closest;
-    let (a, b, size) = (frame.place(a), frame.place(b), significant(distance, 4));
+    let ends: Vec<_> = (0..lines.len()).flat_map(ends).collect();
+    let pairs =
+        ends.iter().flat_map(|b| ends.iter().filter(move |a| a.0 < b.0).map(move |a| ((b.1 - a.1).norm(), a, b)));
+    let closest = pairs.min_by(|a, b| a.0.total_cmp(&b.0)).expect("there is more than one line");
+    let (distance, (_, a, from_a), (_, b, from_b)) = closest;
+    let (a, b, size) = (frame.place(*a), frame.place(*b), significant(distance, 4));
     let what = format!("the {tool}'s line has a gap of {size} mm: {from_a} ends at {a} and {from_b} at {b}");
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
     from_a.error(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))

@@ -21,10 +21,7 @@ const POINTS: usize = 1_000_000;
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
 
 /// Code page 1252 from 0x80 to 0x9F; other characters are those of Unicode.
-const WINDOWS: [char; 32] = [
-    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
-    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
-];
+const WINDOWS: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
 
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
@@ -132,10 +129,11 @@ impl Entity {
             if *code == begin {
                 vertices.push(Vertex::default());
             }
-            match (vertices.last_mut(), code) {
-                (Some(vertex), 10 | 20 | 30) => vertex.at[*code as usize / 10 - 1] = *number,
-                (Some(vertex), 42) => vertex.bulge = *number,
-                (Some(vertex), 70) => vertex.flags = *number as i64,
+            let Some(vertex) = vertices.last_mut() else { continue };
+            match code {
+                10 | 20 | 30 => vertex.at[*code as usize / 10 - 1] = *number,
+                42 => vertex.bulge = *number,
+                70 => vertex.flags = *number as i64,
                 _ => {}
             }
         }
@@ -184,7 +182,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
         return Err(ImportError::new(what, help));
     }
     let windows = |byte: &u8| match byte {
-        0x80..=0x9f => WINDOWS[usize::from(byte - 0x80)],
+        0x80..=0x9f => WINDOWS.chars().nth(usize::from(byte - 0x80)).unwrap_or_default(),
         _ => char::from(*byte),
     };
     Ok(match std::str::from_utf8(bytes) {

@@ -43,22 +43,18 @@ pub(super) fn heading(
             return Err(ImportError::new(what, help));
         }
         (None, Some((tool, heading)), None) => (*heading, format!("by the {tool}'s wall")),
-        (None, None, _) => by_place(chains)?,
+        (None, None, _) => match (outline::heading(chains), chains.iter().find(|(_, chain)| is_outline(chain))) {
+            (Some(heading), _) => heading,
+            (None, None) => (Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()),
+            (None, Some((tool, chain))) => {
+                let source = chain.source(0);
+                let what = format!("which side of the {tool}'s outline meets the sheet cannot be told: {source}");
+                return Err(source.error(what, "say --punch-moves down or up, or draw only that side, as an open line"));
+            }
+        },
     };
     frame.note(format!("the punch moves {} in the drawing ({why})", heading.name()));
     Ok(heading)
-}
-
-fn by_place(chains: &[(ToolId, Chain)]) -> Result<(Heading, String), ImportError> {
-    if let Some(heading) = outline::heading(chains) {
-        return Ok(heading);
-    }
-    let Some((tool, chain)) = chains.iter().find(|(_, chain)| is_outline(chain)) else {
-        return Ok((Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()));
-    };
-    let source = chain.source(0);
-    let what = format!("which side of the {tool}'s outline meets the sheet cannot be told: {source}");
-    Err(source.error(what, "say --punch-moves down or up, or draw only that side, as an open line"))
 }
 
 /// Section of a tool: z along the punch travel, the sheet on its left.

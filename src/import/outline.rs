@@ -12,12 +12,12 @@
 //! Of a body that is drawn as far as the axis, the inner end is where its face meets the axis.
 
 use super::ImportError;
-use super::chain::Chain;
+use super::chain::{Chain, with_ends};
 use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
 use super::options::Heading;
-use crate::geometry::{Arc, Piece, Point};
+use crate::geometry::{Piece, Point};
 use crate::model::Role;
 use std::rc::Rc;
 
@@ -115,10 +115,8 @@ fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
     if (at - piece.first()).norm() <= join {
         return [None, Some(*piece)];
     }
-    let Piece::Arc(arc) = piece else { return [Some(*piece), None] };
-    if (at - piece.last()).norm() <= join {
+    if matches!(piece, Piece::Segment(_)) || (at - piece.last()).norm() <= join {
         return [Some(*piece), None];
     }
-    let part = |from, to| Some(Piece::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0));
-    [part(piece.first(), at), part(at, piece.last())]
+    [Some(with_ends(piece, piece.first(), at)), Some(with_ends(piece, at, piece.last()))]
 }

@@ -3,7 +3,7 @@
 //! # References
 //! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
 
-use super::dxf::MOST;
+use super::dxf::{Entity, MOST};
 use crate::geometry::{Piece, Point, biarc, turn};
 use nalgebra::Vector3;
 
@@ -29,33 +29,30 @@ struct Curve {
     degree: usize,
     knots: Vec<f64>,
     control: Vec<Vector3<f64>>,
+    /// \[mm\]
+    tolerance: f64,
 }
 
 /// Arcs within `tolerance` of a spline through control points \[mm\], with its ends and tangents.
 ///
 /// # Errors
 /// The reason, as the end of a sentence.
-pub(super) fn pieces(
-    degree: f64,
-    knots: Vec<f64>,
-    weights: &[f64],
-    control: &[Point],
-    tolerance: f64,
-) -> Result<Vec<Piece>, String> {
-    let curve = Curve::new(degree as usize, knots, weights, control)?;
+pub(super) fn pieces(entity: &Entity, control: &[Point], tolerance: f64) -> Result<Vec<Piece>, String> {
+    let curve = Curve::new(entity, control, tolerance)?;
     let mut pieces = Vec::new();
     for span in curve.degree..curve.control.len() {
         let [from, to] = [curve.knots[span], curve.knots[span + 1]];
         // More than a tool may have is refused, whatever follows.
         if to > from && pieces.len() <= MOST {
-            curve.arcs(span, [from, to], tolerance, DEEPEST, &mut pieces)?;
+            pieces.extend(curve.arcs(span, [from, to], DEEPEST)?);
         }
     }
     if pieces.is_empty() { Err("has no length".to_owned()) } else { Ok(pieces) }
 }
 
 impl Curve {
-    fn new(degree: usize, knots: Vec<f64>, weights: &[f64], control: &[Point]) -> Result<Self, String> {
+    fn new(entity: &Entity, control: &[Point], tolerance: f64) -> Result<Self, String> {
+        let (degree, knots, weights) = (entity.number(71, 1.0) as usize, entity.numbers(40), entity.numbers(41));
         if control.is_empty() {
             return Err("has fit points only, and what runs between them is not in the file".to_owned());
         }
@@ -76,7 +73,7 @@ impl Curve {
         }
         let weight = |i: usize| weights.get(i).copied().unwrap_or(1.0);
         let control = control.iter().enumerate().map(|(i, p)| weight(i) * Vector3::new(p.x, p.y, 1.0)).collect();
-        Ok(Self { degree, knots, control })
+        Ok(Self { degree, knots, control, tolerance })
     }
 
     /// Point and derivative at a parameter of a span.
@@ -98,19 +95,12 @@ impl Curve {
         (point, (rate.xy() - rate.z * point) / d[p].z)
     }
 
-    fn arcs(
-        &self,
-        span: usize,
-        [from, to]: [f64; 2],
-        tolerance: f64,
-        halvings: usize,
-        pieces: &mut Vec<Piece>,
-    ) -> Result<(), String> {
+    fn arcs(&self, span: usize, [from, to]: [f64; 2], halvings: usize) -> Result<Vec<Piece>, String> {
         let u = |f: f64| from + f * (to - from);
         let ((a, along_a), (b, along_b)) = (self.at(span, from), self.at(span, to));
         let points: Vec<Point> = (1..POINTS).map(|i| self.at(span, u(i as f64 / POINTS as f64)).0).collect();
         if points.iter().all(|p| (p - a).norm() < COINCIDENT) && (b - a).norm() < COINCIDENT {
-            return Ok(());
+            return Ok(Vec::new());
         }
         // Where control points coincide the curve starts with no speed, towards the next point.
         let ta = along_a.try_normalize(COINCIDENT).unwrap_or_else(|| (points[0] - a).normalize());
@@ -119,18 +109,16 @@ impl Curve {
             let arcs = biarc(a, ta, b, tb);
             let away =
                 |p: &Point| arcs.iter().map(|arc| (arc.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
-            if points.iter().all(|p| away(p) <= BETWEEN * tolerance) {
-                pieces.extend(arcs);
-                return Ok(());
+            if points.iter().all(|p| away(p) <= BETWEEN * self.tolerance) {
+                return Ok(arcs);
             }
         }
         if halvings == 0 {
-            return Err(format!(
-                "has a place near ({:.4}, {:.4}) mm where it turns too sharply to be followed",
-                a.x, a.y
-            ));
+            let (x, y) = (a.x, a.y);
+            return Err(format!("has a place near ({x:.4}, {y:.4}) mm where it turns too sharply to be followed"));
         }
-        self.arcs(span, [from, u(0.5)], tolerance, halvings - 1, pieces)?;
-        self.arcs(span, [u(0.5), to], tolerance, halvings - 1, pieces)
+        let mut pieces = self.arcs(span, [from, u(0.5)], halvings - 1)?;
+        pieces.extend(self.arcs(span, [u(0.5), to], halvings - 1)?);
+        Ok(pieces)
     }
 }

@@ -3,14 +3,15 @@
 use super::ImportError;
 use super::blocks::Placed;
 use super::chain::Chain;
-use super::dxf::{MOST, Place, Vertex};
+use super::dxf::{MOST, Place};
 use super::frame::Frame;
 use super::layers::{Layers, ToolId};
 use super::spline;
 use crate::geometry::{Piece, Point};
-use crate::units::{Dimensioned, Kind, Length, rounded};
+use crate::units::{Dimensioned, Length, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
+use std::fmt;
 
 /// Kinds of annotations, which are no part of an outline.
 const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER TOLERANCE HATCH POINT ATTDEF XLINE RAY VIEWPORT \
@@ -81,57 +82,43 @@ struct Pen<'a> {
     frame: &'a Frame,
 }
 
-type Pieces = Result<Vec<Piece>, ImportError>;
-
 impl Pen<'_> {
-    fn pieces(&self) -> Pieces {
+    fn pieces(&self) -> Result<Vec<Piece>, ImportError> {
         let entity = self.placed.entity;
         match entity.source.kind.as_str() {
-            "LINE" => {
-                let ends = [entity.point(10), entity.point(11)];
-                self.flat(ends.iter())?;
-                self.polyline(&self.points(1.0, ends.iter())?, &[0.0])
-            }
-            "ARC" => self.arc(),
+            "LINE" => self.polyline(&self.points(1.0, &[entity.point(10), entity.point(11)])?, &[0.0]),
+            "ARC" => Ok(vec![self.arc()?]),
             "SPLINE" => {
                 let control: Vec<Place> = entity.vertices().iter().map(|vertex| vertex.at).collect();
-                self.flat(control.iter())?;
-                let control = self.points(1.0, control.iter())?;
-                let (degree, knots, weights) = (entity.number(71, 1.0), entity.numbers(40), entity.numbers(41));
-                spline::pieces(degree, knots, &weights, &control, self.frame.tolerance).map_err(|what| self.error(what))
+                let control = self.points(1.0, &control)?;
+                spline::pieces(entity, &control, self.frame.tolerance).map_err(|what| self.error(what))
             }
             _ => self.vertices(),
         }
     }
 
-    fn error(&self, what: String) -> ImportError {
+    fn error(&self, what: impl fmt::Display) -> ImportError {
         let source = &self.placed.source;
         source.error(format!("{source} {what}"), "correct it in the drawing, or redraw it")
     }
 
-    /// Points in mm; `side` is −1 in a coordinate system seen from behind.
-    fn points<'p>(&self, side: f64, places: impl Iterator<Item = &'p Place>) -> Result<Vec<Point>, ImportError> {
+    /// Points in mm, of one z; `side` is −1 in a coordinate system seen from behind.
+    fn points(&self, side: f64, places: &[Place]) -> Result<Vec<Point>, ImportError> {
+        let heights = places.iter().map(|[.., z]| *z);
+        let (low, high) = (heights.clone().fold(f64::INFINITY, f64::min), heights.fold(f64::NEG_INFINITY, f64::max));
+        if high - low > SHORTEST {
+            return Err(self.error(format!("leaves the x-y plane: its z goes from {low} to {high} drawing units")));
+        }
         let point = |[x, y, _]: &Place| {
             let placed = self.placed.placement.at(Point::new(side * x, *y));
-            let point = self.frame.point(placed);
-            let Kind { largest, .. } = Length::KIND;
-            if point.iter().all(|c| c.abs() <= *largest) {
+            let (point, largest) = (self.frame.point(placed), Length::KIND.largest);
+            if point.iter().all(|c| c.abs() <= largest) {
                 return Ok(point);
             }
             let [x, y] = placed.into();
             Err(self.error(format!("reaches x = {x}, y = {y}, beyond {largest} mm: is the unit right?")))
         };
-        places.map(point).collect()
-    }
-
-    fn flat<'p>(&self, places: impl Iterator<Item = &'p Place>) -> Result<(), ImportError> {
-        let (low, high) =
-            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), [.., z]| (low.min(*z), high.max(*z)));
-        if high - low > SHORTEST {
-            let what = format!("leaves the x-y plane: its z goes from {low} to {high} drawing units");
-            return Err(self.error(what));
-        }
-        Ok(())
+        places.iter().map(point).collect()
     }
 
     /// +1 in the drawing's plane, −1 seen from behind.
@@ -143,12 +130,12 @@ impl Pen<'_> {
         Ok(z.signum())
     }
 
-    fn arc(&self) -> Pieces {
+    fn arc(&self) -> Result<Piece, ImportError> {
         let (side, entity) = (self.side()?, self.placed.entity);
-        let center = self.points(side, [entity.point(10)].iter())?[0];
-        let similarity = self.placed.placement.similarity().ok_or_else(|| self.elliptic())?;
+        let center = self.points(side, &[entity.point(10)])?[0];
+        let (scale, rotation) = self.similarity()?;
         let drawn_radius = entity.number(40, 0.0);
-        let radius = self.frame.length(similarity.scale * drawn_radius);
+        let radius = self.frame.length(scale * drawn_radius);
         let [start, end] = [entity.number(50, 0.0), entity.number(51, 360.0)].map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
         let place = self.frame.place(center);
@@ -159,44 +146,45 @@ impl Pen<'_> {
             return Err(self.error(format!("is a whole circle about {place}")));
         }
         let (start, sweep) = if side > 0.0 { (start, sweep) } else { (PI - start, -sweep) };
-        let start = similarity.rotation + similarity.sense * start;
-        Ok(vec![Piece::arc(center, radius, start, similarity.sense * sweep)])
+        let sense = self.placed.placement.sense();
+        Ok(Piece::arc(center, radius, rotation + sense * start, sense * sweep))
     }
 
-    fn elliptic(&self) -> ImportError {
-        self.error("is an arc in a block that is placed with different scales along x and y".to_owned())
+    /// Scale and rotation \[rad\] of the placement, which has to leave circles round.
+    fn similarity(&self) -> Result<(f64, f64), ImportError> {
+        let elliptic = "is an arc in a block that is placed with different scales along x and y";
+        self.placed.placement.similarity().ok_or_else(|| self.error(elliptic))
     }
 
     /// Lines and arcs of an LWPOLYLINE, or of a POLYLINE, which may be a mesh or have vertices off the curve.
-    fn vertices(&self) -> Pieces {
-        let (entity, placement) = (self.placed.entity, &self.placed.placement);
+    fn vertices(&self) -> Result<Vec<Piece>, ImportError> {
+        let entity = self.placed.entity;
         let (flags, mut vertices) = (entity.number(70, 0.0) as i64, entity.vertices());
         if entity.source.kind == "POLYLINE" {
             if flags & MESH != 0 {
-                return Err(self.error("is a mesh, not a line".to_owned()));
+                return Err(self.error("is a mesh, not a line"));
             }
             vertices.retain(|vertex| vertex.flags & OFF_THE_CURVE == 0);
-            self.flat(vertices.iter().map(|vertex| &vertex.at))?;
         }
         let side = self.side()?;
-        let mut points = self.points(side, vertices.iter().map(|Vertex { at, .. }| at))?;
-        let bulges: Vec<f64> = vertices.iter().map(|vertex| side * placement.sense() * vertex.bulge).collect();
-        if bulges.iter().any(|bulge| bulge.abs() >= STRAIGHT) && placement.similarity().is_none() {
-            return Err(self.elliptic());
+        let mut points = self.points(side, &vertices.iter().map(|vertex| vertex.at).collect::<Vec<_>>())?;
+        let sense = side * self.placed.placement.sense();
+        let bulges: Vec<f64> = vertices.iter().map(|vertex| sense * vertex.bulge).collect();
+        if bulges.iter().any(|bulge| bulge.abs() >= STRAIGHT) {
+            self.similarity()?;
         }
         points.extend(points.first().copied().filter(|_| flags & CLOSED != 0));
         self.polyline(&points, &bulges)
     }
 
     /// Lines and arcs through points; a bulge is that of the arc to the next point.
-    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Pieces {
+    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>, ImportError> {
         // Repeated points, which CAD programs leave behind, are one.
         let distinct = points.windows(2).zip(bulges).filter(|(pair, _)| (pair[1] - pair[0]).norm() > SHORTEST);
         let pieces: Vec<Piece> = distinct.map(|(pair, bulge)| bulged(pair[0], pair[1], *bulge)).collect();
         if pieces.is_empty() {
-            let at =
-                points.first().map_or(String::new(), |p| format!(": it begins and ends at {}", self.frame.place(*p)));
-            return Err(self.error(format!("has no length{at}")));
+            let at = points.first().map(|p| format!(": it begins and ends at {}", self.frame.place(*p)));
+            return Err(self.error(format!("has no length{}", at.unwrap_or_default())));
         }
         Ok(pieces)
     }

@@ -78,7 +78,9 @@ impl Axis {
 
     /// Axis in the display unit of values up to `largest`, and the conversion to it; `None` if it was converted before.
     pub fn displayed(self, largest: f64) -> (Self, Option<DisplayUnit>) {
-        let Some(to) = self.solver_unit.map(|unit| DisplaySettings::current().unit(unit, largest)) else { return (self, None) };
+        let Some(to) = self.solver_unit.map(|unit| DisplaySettings::current().unit(unit, largest)) else {
+            return (self, None);
+        };
         let unit = if to.symbol.is_empty() { self.unit } else { to.symbol.to_owned() };
         (Self { unit, solver_unit: None, ..self }, Some(to))
     }

@@ -37,55 +37,52 @@ impl Dimension {
     }
 }
 
-/// Names of a unit, factor to solver units, dimension, and words in lower case, without a plural's s, that may mean it.
-pub(super) struct NamedUnit(&'static str, pub f64, pub Dimension, &'static str);
-
 /// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
 pub(super) const LBF: f64 = 4.448_221_615_260_5;
 pub(super) const INCH: f64 = 25.4;
 
-const UNITS: [NamedUnit; 39] = [
-    NamedUnit("mm", 1.0, LENGTH, "mm millimetre millimeter"),
-    NamedUnit("cm", 10.0, LENGTH, "centimetre centimeter"),
-    NamedUnit("m", 1000.0, LENGTH, "metre meter"),
-    NamedUnit("um", 1e-3, LENGTH, "micron µm μm"),
-    NamedUnit("in inch inches \" ″", INCH, LENGTH, "in inch inche"),
-    NamedUnit("mil", 1e-3 * INCH, LENGTH, ""),
-    NamedUnit("ft", 304.8, LENGTH, ""),
-    NamedUnit("N", 1.0, FORCE, "newton"),
-    NamedUnit("kN", 1e3, FORCE, "kilonewton"),
-    NamedUnit("MN", 1e6, FORCE, ""),
-    NamedUnit("lbf", LBF, FORCE, "lb"),
-    NamedUnit("kgf", 9.806_65, FORCE, ""),
-    NamedUnit("kp", 9.806_65, FORCE, ""),
+/// Names of units with their factors to solver units.
+const UNITS: &[(Dimension, &[(&str, f64)])] = &[
+    (
+        LENGTH,
+        &[("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("um", 1e-3), ("in", INCH), ("mil", 1e-3 * INCH), ("ft", 304.8)],
+    ),
+    (LENGTH, &[("inch", INCH), ("inches", INCH), ("\"", INCH), ("″", INCH)]),
+    (FORCE, &[("N", 1.0), ("kN", 1e3), ("MN", 1e6), ("lbf", LBF), ("kgf", 9.806_65), ("kp", 9.806_65)]),
     // The ratings of presses mostly are metric.
-    NamedUnit("tonf", 9_806.65, FORCE, "ton tonne t_f tf tonf_metric"),
-    NamedUnit("tonf_us", 2000.0 * LBF, FORCE, "ton tonf_short"),
-    NamedUnit("tonf_uk", 2240.0 * LBF, FORCE, "ton tonf_long"),
-    NamedUnit("Pa", 1e-6, STRESS, "pascal"),
-    NamedUnit("kPa", 1e-3, STRESS, ""),
-    NamedUnit("bar", 0.1, STRESS, ""),
-    NamedUnit("MPa", 1.0, STRESS, ""),
-    NamedUnit("GPa", 1e3, STRESS, ""),
-    NamedUnit("psi", LBF / (INCH * INCH), STRESS, ""),
-    NamedUnit("ksi", 1e3 * LBF / (INCH * INCH), STRESS, ""),
-    NamedUnit("s", 1.0, TIME, "sec second"),
-    NamedUnit("ms", 1e-3, TIME, ""),
-    NamedUnit("min", 60.0, TIME, ""),
-    NamedUnit("h", 3600.0, TIME, ""),
-    NamedUnit("rad", 1.0, ANGLE, ""),
-    NamedUnit("deg", std::f64::consts::PI / 180.0, ANGLE, "degree °"),
-    NamedUnit("K", 1.0, TEMPERATURE, "kelvin"),
+    (FORCE, &[("tonf", 9_806.65), ("tonf_us", 2000.0 * LBF), ("tonf_uk", 2240.0 * LBF)]),
+    (STRESS, &[("Pa", 1e-6), ("kPa", 1e-3), ("bar", 0.1), ("MPa", 1.0), ("GPa", 1e3)]),
+    (STRESS, &[("psi", LBF / (INCH * INCH)), ("ksi", 1e3 * LBF / (INCH * INCH))]),
+    (TIME, &[("s", 1.0), ("ms", 1e-3), ("min", 60.0), ("h", 3600.0)]),
+    (ANGLE, &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)]),
+    (TEMPERATURE, &[("K", 1.0)]),
     // 1 kg = 1 N s²/m
-    NamedUnit("kg", 1e-3, MASS, ""),
-    NamedUnit("g", 1e-6, MASS, ""),
-    NamedUnit("mJ", 1.0, ENERGY, ""),
-    NamedUnit("J", 1e3, ENERGY, "joule"),
-    NamedUnit("kJ", 1e6, ENERGY, ""),
-    NamedUnit("W", 1e3, POWER, "watt"),
-    NamedUnit("kW", 1e6, POWER, ""),
-    NamedUnit("mol", 1.0, NONE, ""),
-    NamedUnit("%", 0.01, NONE, ""),
+    (MASS, &[("kg", 1e-3), ("g", 1e-6)]),
+    (ENERGY, &[("mJ", 1.0), ("J", 1e3), ("kJ", 1e6)]),
+    (POWER, &[("W", 1e3), ("kW", 1e6)]),
+    (NONE, &[("mol", 1.0), ("%", 0.01)]),
+];
+
+/// Other names of units in lower case, without the plural's s.
+const OTHER_NAMES: [(&str, &str); 18] = [
+    ("in", "inch inche in"),
+    ("mm", "millimetre millimeter mm"),
+    ("cm", "centimetre centimeter"),
+    ("m", "metre meter"),
+    ("um", "micron µm μm"),
+    ("N", "newton"),
+    ("kN", "kilonewton"),
+    ("lbf", "lb"),
+    ("tonf", "ton tonne t_f tf tonf_metric"),
+    ("tonf_us", "ton tonf_short"),
+    ("tonf_uk", "ton tonf_long"),
+    ("Pa", "pascal"),
+    ("s", "sec second"),
+    ("deg", "degree °"),
+    ("K", "kelvin"),
+    (CELSIUS, "c ºc celsiu"),
+    ("J", "joule"),
+    ("W", "watt"),
 ];
 
 /// Degrees of temperature, the only unit that does not start at zero, are read by themselves.
@@ -93,24 +90,14 @@ pub(super) const CELSIUS: &str = "°C";
 /// 0 °C \[K\].
 pub const ZERO_CELSIUS: f64 = 273.15;
 
-impl NamedUnit {
-    fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
-        self.0.split(' ')
-    }
-
-    /// Name in an error message: a ton with its force, because there are three.
-    fn suggestion(&self) -> String {
-        let name = self.names().next().unwrap_or_default();
-        match self.3.rsplit_once("tonf_") {
-            Some((_, which)) => format!("`{name}` ({which}, {:.3} kN)", 1e-3 * self.1),
-            None => format!("`{name}`"),
-        }
-    }
+fn names() -> impl Iterator<Item = &'static str> {
+    UNITS.iter().flat_map(|(_, units)| units.iter().map(|(name, _)| *name))
 }
 
-/// Unit of that name.
-pub(super) fn find(name: &str) -> Option<&'static NamedUnit> {
-    UNITS.iter().find(|unit| unit.names().any(|own| own == name))
+/// Factor to solver units and dimension of the unit of that name.
+pub(super) fn find(name: &str) -> Option<(f64, Dimension)> {
+    let factor = |units: &[(&str, f64)]| units.iter().find(|(own, _)| *own == name).map(|(_, factor)| *factor);
+    UNITS.iter().find_map(|(dimension, units)| Some((factor(units)?, *dimension)))
 }
 
 /// Remedy for a word that is no unit: those that it or its singular may mean, then those spelled alike, then all.
@@ -118,19 +105,19 @@ pub(super) fn did_you_mean(word: &str) -> String {
     let lower = word.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
     let is_meant = |words: &str| words.split(' ').any(|word| word == lower || word == singular);
-    let mut likely: Vec<String> = UNITS.iter().filter(|unit| is_meant(unit.3)).map(NamedUnit::suggestion).collect();
-    if is_meant("c ºc celsiu") {
-        likely.push(format!("`{CELSIUS}`"));
-    }
+    let mut likely: Vec<&str> =
+        OTHER_NAMES.iter().filter(|(_, words)| is_meant(words)).map(|(name, _)| *name).collect();
     if likely.is_empty() {
-        let alike = closest(word, UNITS.iter().flat_map(NamedUnit::names));
-        likely = alike.into_iter().filter_map(find).map(NamedUnit::suggestion).collect();
+        likely = closest(word, names());
     }
+    // A ton with its force, because there are three.
+    let tons = [("tonf", "metric"), ("tonf_us", "short"), ("tonf_uk", "long")];
+    let suggestion = |name: &&str| match tons.iter().find(|(ton, _)| ton == name).zip(find(name)) {
+        Some(((_, which), (newtons, _))) => format!("`{name}` ({which}, {:.3} kN)", 1e-3 * newtons),
+        None => format!("`{name}`"),
+    };
     match likely.is_empty() {
-        true => format!(
-            "known units: {}",
-            UNITS.iter().filter_map(|unit| unit.names().next()).collect::<Vec<_>>().join(", ")
-        ),
-        false => format!("did you mean {}?", likely.join(" or ")),
+        true => format!("known units: {}", names().collect::<Vec<_>>().join(", ")),
+        false => format!("did you mean {}?", likely.iter().map(suggestion).collect::<Vec<_>>().join(" or ")),
     }
 }

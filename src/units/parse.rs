@@ -6,9 +6,6 @@ use super::gauge;
 /// Symbol of sheet thicknesses: "6 t".
 const THICKNESSES: &str = "t";
 
-/// Longest text of a number [characters].
-const LONGEST: usize = 400;
-
 /// Number in solver units, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parsed {
@@ -66,7 +63,7 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         }
         THICKNESSES => {
             let help = format!(
-                "t is thicknesses of the sheet here: write {value} tonf (tonnes-force) or {:.0} kN, a length with its unit",
+                "t is thicknesses of the sheet here: write {value} tonf (tonnes-force) or {:.0} kN; or write a length, such as \"6 mm\"",
                 9.806_65 * value
             );
             return Err(QuantityError::new(format!("{text:?} are thicknesses of the sheet"), help));
@@ -88,12 +85,12 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         if name.is_empty() {
             return Err(malformed(rest));
         }
-        let unit = dimension::find(name).ok_or_else(|| {
+        let (factor, dimension) = dimension::find(name).ok_or_else(|| {
             QuantityError::new(format!("unknown unit `{name}` in {text:?}"), dimension::did_you_mean(name))
         })?;
         let (power, after) = split_power(after).ok_or_else(|| malformed(after))?;
-        parsed.value *= unit.1.powi(sign * power);
-        parsed.dimension = parsed.dimension.times(unit.2, sign * power);
+        parsed.value *= factor.powi(sign * power);
+        parsed.dimension = parsed.dimension.times(dimension, sign * power);
         rest = after.trim_start();
     }
     Ok(parsed)
@@ -101,7 +98,7 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
 
 /// Splits the longest leading decimal number off.
 fn split_number(text: &str) -> Option<(f64, &str)> {
-    let characters = text.char_indices().take(LONGEST);
+    let characters = text.char_indices().take(400);
     let ends =
         characters.take_while(|(_, c)| c.is_ascii_digit() || "+-−.eE".contains(*c)).map(|(i, c)| i + c.len_utf8());
     let ends: Vec<usize> = ends.collect();

@@ -9,8 +9,8 @@ pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a 
         _ => 6,
     };
     let half_edits = |other: &str| {
-        let edits = strsim::levenshtein(&word.to_ascii_lowercase(), &other.to_ascii_lowercase());
-        2 * edits + usize::from(edits == 0 && word != other)
+        let in_lower_case = strsim::levenshtein(&word.to_ascii_lowercase(), &other.to_ascii_lowercase());
+        strsim::levenshtein(&word, other) + in_lower_case
     };
     let near = known.map(|known| (half_edits(known), known));
     let mut near: Vec<_> = near.filter(|(d, k)| *d <= allowed && *d < 2 * k.chars().count()).collect();
