@@ -72,7 +72,7 @@ pub(super) fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &F
     };
     let [before, _] = split(&chain, end, frame.join);
     let pieces = if before.is_empty() { chain.pieces.clone() } else { before };
-    let side = Chain { pieces, is_closed: false, ..chain };
+    let side = Chain { pieces, is_closed: false };
     let (a, b) = (frame.place(side.first()), frame.place(side.last()));
     if (side.first() - side.last()).norm() <= frame.join {
         let what = format!("no side of the {tool}'s outline meets the sheet: it would begin and end at {a}");
