@@ -110,14 +110,6 @@ fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -
     (update, Tangent { own, ..Tangent::default() })
 }
 
-/// Back-stresses in the return: C̄, η, and their derivatives by Δp, the latter's being β.
-struct Shifted {
-    modulus: f64,
-    modulus_slope: f64,
-    eta: Triple,
-    recovered: Triple,
-}
-
 /// Yielding point at its Δp.
 struct Return {
     increment: f64,
@@ -189,21 +181,21 @@ impl ElastoplasticLaw<'_> {
         point.surroundings.held(yielding.times(softening * (1.0 + point.dilation)), increment)
     }
 
-    /// Back-stresses after Δp.
-    fn shifted(&self, increment: f64, tried: Triple, point: &Carried) -> Shifted {
-        let mut shifted = Shifted { modulus: 0.0, modulus_slope: 0.0, eta: tried, recovered: [0.0; 3] };
+    /// C̄ and its derivative by Δp, η and β, its derivative, after Δp.
+    fn shifted(&self, increment: f64, tried: Triple, point: &Carried) -> ([f64; 2], Triple, Triple) {
+        let ([mut modulus, mut modulus_slope], mut eta, mut recovered) = ([0.0; 2], tried, [0.0; 3]);
         let volume = 1.0 + point.dilation;
         for (law, back) in self.kinematic.iter().flatten().zip(&point.back) {
             let theta = 1.0 / (1.0 + law.dynamic_recovery * increment);
             let (left, slope) = (volume * theta, volume * law.dynamic_recovery * theta * theta);
-            shifted.modulus += law.modulus * left;
-            shifted.modulus_slope -= law.modulus * slope;
+            modulus += law.modulus * left;
+            modulus_slope -= law.modulus * slope;
             for j in 0..3 {
-                shifted.eta[j] -= left * back[j];
-                shifted.recovered[j] += slope * back[j];
+                eta[j] -= left * back[j];
+                recovered[j] += slope * back[j];
             }
         }
-        shifted
+        ([modulus, modulus_slope], eta, recovered)
     }
 
     /// Δp from n·g = 1 by Newton's method on 1 − 1/√(n·g), which is all but straight, between bounds that close in.
@@ -211,7 +203,7 @@ impl ElastoplasticLaw<'_> {
     /// `None` if the point does not yield; `guess` is a Δp that may come close, or 0.
     fn return_mapping(&self, hardening: &Hardening, point: &Carried, tried: Triple, guess: f64) -> Option<Return> {
         let Operators { stiffness, compliance, quadratic, hosford } = &self.operators;
-        let start = self.shifted(0.0, tried, point).eta;
+        let start = self.shifted(0.0, tried, point).1;
         let size = match hosford {
             Some(hosford) => hosford.equivalent_stress(start),
             None => dot(start, times(*quadratic, start)).sqrt(),
@@ -225,7 +217,7 @@ impl ElastoplasticLaw<'_> {
         let (mut ratio, last) = (None, if hosford.is_some() { CLOSE } else { LAST });
         for round in 0.. {
             let radius = self.radius(hardening, point, x);
-            let Shifted { modulus, modulus_slope, eta, recovered } = self.shifted(x, tried, point);
+            let ([modulus, modulus_slope], eta, recovered) = self.shifted(x, tried, point);
             let (m, measure_slope) = (radius.stress + x * modulus, radius.slope + modulus + x * modulus_slope);
             let curvature = match hosford {
                 Some(hosford) => self.operators.curvature(hosford, eta, m, x, &mut ratio),

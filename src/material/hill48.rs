@@ -58,12 +58,10 @@ impl Hill48 {
     }
 
     /// A Δε.
-    #[inline]
     pub fn apply(&self, e: Triple) -> Triple {
         [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], SHEAR * e[2]]
     }
 
-    #[inline]
     fn matrix(&self) -> Symmetric {
         [self.direct, self.coupled, self.direct, 0.0, 0.0, SHEAR]
     }
@@ -73,7 +71,6 @@ impl Hill48 {
         self.square(s).sqrt()
     }
 
-    #[inline]
     fn square(&self, s: Triple) -> f64 {
         s[0] * s[0] - 2.0 * self.coupling * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
     }

@@ -55,12 +55,15 @@ pub struct Material {
 impl Material {
     /// The flow stress as a formula, the yield condition where it is not Huber-Mises', and the voids where there are any.
     pub fn describe(&self) -> String {
-        let rate = self.rate.map_or(String::new(), |rate| format!(" times {rate}"));
-        let thermal = self.thermal.map_or(String::new(), |thermal| format!(" times {thermal}"));
-        let criterion = self.yield_criterion;
-        let criterion = if criterion == YieldCriterion::default() { String::new() } else { format!("; {criterion}") };
-        let gtn = self.gtn.map_or(String::new(), |gtn| format!("; {gtn}"));
-        format!("{}{rate}{thermal}{criterion}{gtn}", self.hardening)
+        let rate = self.rate.map(|rate| format!(" times {rate}"));
+        let thermal = self.thermal.map(|thermal| format!(" times {thermal}"));
+        let criterion = Some(self.yield_criterion).filter(|criterion| *criterion != YieldCriterion::default());
+        let criterion = criterion.map(|criterion| format!("; {criterion}"));
+        let gtn = self.gtn.map(|gtn| format!("; {gtn}"));
+        [rate, thermal, criterion, gtn]
+            .into_iter()
+            .flatten()
+            .fold(self.hardening.to_string(), |text, more| text + &more)
     }
 
     /// An isotropic, rate-free sheet that does not feel its temperature.

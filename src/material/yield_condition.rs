@@ -1,5 +1,7 @@
 //! Strain increments, stresses and matrices of a thickness point, and the yield conditions that relate them.
 
+use nalgebra::{Matrix3, Vector3};
+
 /// Shear correction factor of the Mindlin shell \[–\].
 pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 
@@ -15,7 +17,6 @@ pub type Layer = [f64; 5];
 /// Lower triangle of a symmetric 3 × 3 matrix: ss, sθ, θθ, sγ, θγ, γγ.
 pub type Symmetric = [f64; 6];
 
-#[inline]
 pub(super) fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -125,15 +126,10 @@ pub trait YieldCondition {
     }
 }
 
-/// wᵀ A⁻¹ w of a positive definite A, by its factors L D Lᵀ.
+/// wᵀ A⁻¹ w of a positive definite A.
 fn inverse_square([ss, st, tt, sg, tg, gg]: Symmetric, w: Triple) -> f64 {
-    let (l_ts, l_gs) = (st / ss, sg / ss);
-    let d_t = tt - l_ts * st;
-    let l_gt = (tg - l_gs * st) / d_t;
-    let d_g = gg - l_gs * sg - l_gt * l_gt * d_t;
-    let y = w[1] - l_ts * w[0];
-    let z = w[2] - l_gs * w[0] - l_gt * y;
-    w[0] * w[0] / ss + y * y / d_t + z * z / d_g
+    let (matrix, w) = (Matrix3::new(ss, st, sg, st, tt, tg, sg, tg, gg), Vector3::from(w));
+    matrix.cholesky().map_or(f64::INFINITY, |factors| w.dot(&factors.solve(&w)))
 }
 
 /// Central differences ∂f_i/∂x_j with the step `h`.

@@ -13,12 +13,10 @@ pub(super) const CLOSE: f64 = 1e-8;
 /// Symmetric matrix of the plane and the transverse shear: ss, sθ, θθ, γγ.
 pub(super) type Orthotropic = [f64; 4];
 
-#[inline]
 pub(super) fn times([ss, st, tt, gg]: Orthotropic, [s, t, g]: Triple) -> Triple {
     [ss * s + st * t, st * s + tt * t, gg * g]
 }
 
-#[inline]
 pub(super) fn inverse([ss, st, tt, gg]: Orthotropic) -> Orthotropic {
     let determinant = ss * tt - st * st;
     [tt / determinant, -st / determinant, ss / determinant, 1.0 / gg]
@@ -51,7 +49,6 @@ impl Operators {
     }
 
     /// m D⁻¹ + Δp P.
-    #[inline]
     pub(super) fn flexibility(&self, m: f64, increment: f64, p: Orthotropic) -> Orthotropic {
         std::array::from_fn(|j| m * self.compliance[j] + increment * p[j])
     }
@@ -59,7 +56,6 @@ impl Operators {
     /// P at n = S D⁻¹ η by Newton's method for the ratio x of n, which rises with that of η from −1 to 1.
     ///
     /// `near` is a ratio close to the root, and becomes the root.
-    #[inline(never)]
     pub(super) fn curvature(
         &self,
         hosford: &Hosford,

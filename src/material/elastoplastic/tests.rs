@@ -107,20 +107,19 @@ fn return_finds_the_surface_from_everywhere() {
             for i in 0..180 {
                 let angle = std::f64::consts::TAU * f64::from(i) / 180.0;
                 let e = [size * angle.cos(), size * angle.sin(), shear];
-                for guess in [0.0, 1e-5, 10.0] {
-                    let mut trial = Trial { increment: guess, ..Trial::default() };
-                    let (answer, _) = law.respond(&point, &mut trial, e, [0.0; 2]);
-                    if answer.increment == 0.0 {
+                for increment in [0.0, 1e-5, 10.0] {
+                    let mut trial = Trial { increment, ..Trial::default() };
+                    let (update, _) = law.respond(&point, &mut trial, e, [0.0; 2]);
+                    if update.increment == 0.0 {
                         continue;
                     }
-                    let radius = law.radius(hardening, &point, answer.increment).stress;
-                    assert_relative_eq!(condition.equivalent_stress(answer.stress), radius, max_relative = 1e-9);
-                    let normal = flow_direction(&condition, answer.stress);
-                    let left: Triple = std::array::from_fn(|j| e[j] - answer.increment * normal[j]);
+                    let radius = law.radius(hardening, &point, update.increment).stress;
+                    assert_relative_eq!(condition.equivalent_stress(update.stress), radius, max_relative = 1e-9);
+                    let normal = flow_direction(&condition, update.stress);
+                    let left = each(|j| e[j] - update.increment * normal[j]);
                     let stress = elastic.respond(&point, &mut Trial::default(), left, [0.0; 2]).0.stress;
-                    for j in 0..3 {
-                        assert!((stress[j] - answer.stress[j]).abs() < 1e-9 * STEEL.young * answer.increment.max(1e-3));
-                    }
+                    let wrong = each(|j| (stress[j] - update.stress[j]).abs());
+                    assert!(wrong.iter().all(|wrong| *wrong < 1e-9 * STEEL.young * update.increment.max(1e-3)));
                 }
             }
         }

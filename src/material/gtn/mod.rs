@@ -103,14 +103,8 @@ impl Gtn {
 
     /// Growth, nucleation and coalescence with numbers in common use: for tests.
     pub fn example() -> Self {
-        Self {
-            q1: 1.5,
-            q2: 1.0,
-            q3: 2.25,
-            initial: 0.01,
-            nucleation: Some(Nucleation::example()),
-            coalescence: Some(Coalescence::example()),
-        }
+        let (nucleation, coalescence) = (Some(Nucleation::example()), Some(Coalescence::example()));
+        Self { q1: 1.5, q2: 1.0, q3: 2.25, initial: 0.01, nucleation, coalescence }
     }
 
     /// Checks the parameters against each other, once after they were read; q₃ that was not given becomes q₁².
@@ -118,12 +112,10 @@ impl Gtn {
     /// # Errors
     /// When they do not go together.
     pub fn prepare(&mut self) -> Result<(), LawError> {
-        let Self { initial, q1, q2, .. } = *self;
-        if self.q3 == 0.0 {
-            self.q3 = q1 * q1;
-        }
-        let q3 = self.q3;
+        let Self { initial, q1, q2, q3, .. } = *self;
         let square = q1 * q1;
+        let q3 = if q3 == 0.0 { square } else { q3 };
+        self.q3 = q3;
         for (key, value, least, most) in [("q1", q1, 0.5, 5.0), ("q2", q2, 0.1, 5.0), ("q3", q3, 0.1, 25.0)] {
             require_range([key; 2], value, [least, most], "1.5, 1 and 2.25 are usual")?;
         }
@@ -162,12 +154,9 @@ impl Gtn {
     /// f* \[–\], at most short of fracture.
     pub fn effective(&self, f: f64) -> f64 {
         let ultimate = self.ultimate();
-        let effective = match self.coalescence {
-            Some(c) if f > c.critical => {
-                c.critical + (ultimate - c.critical) / (c.fracture - c.critical) * (f - c.critical)
-            }
-            _ => f,
-        };
+        let steeper =
+            |c: Coalescence| c.critical + (ultimate - c.critical) / (c.fracture - c.critical) * (f - c.critical);
+        let effective = self.coalescence.filter(|c| f > c.critical).map_or(f, steeper);
         effective.min(LARGEST * ultimate)
     }
 

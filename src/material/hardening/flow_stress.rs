@@ -38,7 +38,6 @@ impl FlowStress {
 const CHORD_UP_TO: f64 = 1e-6;
 
 /// ε^n and its derivative, finite at ε = 0.
-#[inline]
 pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
     if strain > CHORD_UP_TO {
         let value = strain.powf(n);
@@ -49,7 +48,6 @@ pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
 }
 
 /// σ = k (offset + ε)^n and its slope.
-#[inline]
 pub(super) fn offset_power(k: f64, offset: f64, n: f64, strain: f64) -> FlowStress {
     let total = strain + offset;
     let stress = k * total.powf(n);
@@ -57,7 +55,6 @@ pub(super) fn offset_power(k: f64, offset: f64, n: f64, strain: f64) -> FlowStre
 }
 
 /// σ = σ_s − (σ_s − σ₀) exp(−rate x) and its slope, where x is a power of the strain and x' its derivative.
-#[inline]
 pub(super) fn saturating(initial: f64, saturation: f64, rate: f64, (x, slope): (f64, f64)) -> FlowStress {
     let rest = (saturation - initial) * (-rate * x).exp();
     FlowStress { stress: saturation - rest, slope: rest * rate * slope }

@@ -8,7 +8,7 @@ parameters! {
     /// Valid for metals whose hardening comes to an end at large strains, such as aluminium and deep-drawing steel; just beyond
     /// yield its slope is infinite for an exponent below 1, a chord over 1e-6 takes its place.
     /// Source: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98 (not read; the form is in common use).
-    pub struct HockettSherby {
+    pub struct HockettSherby as HardeningLaw {
         /// σ₀ at the start of yield \[MPa\].
         initial: Positive<Stress> = "130 MPa",
         /// σ_s at large strains \[MPa\].
@@ -19,8 +19,6 @@ parameters! {
         exponent: Fraction = 0.75,
     }
 }
-
-constructor!(HockettSherby { initial, saturation, rate, exponent });
 
 impl HardeningLaw for HockettSherby {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {

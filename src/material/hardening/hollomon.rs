@@ -62,8 +62,8 @@ impl HardeningLaw for Hollomon {
                 start
             }
             (None, None) => {
-                let message = "k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from";
                 let help = "add offset = 0.001 to the law, or young = \"210 GPa\" and poisson = 0.3 to [material]";
+                let message = "k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from";
                 return Err(LawError::new(message, help));
             }
         };

@@ -32,30 +32,25 @@ struct Isotherm {
 }
 
 impl Isotherms {
-    /// Curves at rising temperatures \[K\].
-    fn new(curves: [(f64, Monotone); 2]) -> Result<Self, LawError> {
-        let curves = curves.map(|(temperature, curve)| Isotherm { temperature, points: vec![], curve });
-        let mut law = Self { curves: curves.into(), extrapolation: Extrapolation::Slope };
-        law.prepare(None).map(|()| law)
+    pub(super) fn temperatures(&self) -> [f64; 2] {
+        [self.curves[0].temperature, self.curves[self.curves.len() - 1].temperature]
     }
 
-    fn range(&self) -> [f64; 2] {
-        [self.curves[0].temperature, self.curves[self.curves.len() - 1].temperature]
+    pub(super) fn valid_up_to(&self) -> f64 {
+        self.curves.iter().map(|isotherm| isotherm.curve.last_strain()).fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Example for Isotherms {
     fn example() -> Self {
-        Self::new([(293.15, Monotone::example(1.0)), (503.15, Monotone::example(0.6))]).expect("valid")
+        let curve = |temperature, factor| Isotherm { temperature, points: vec![], curve: Monotone::example(factor) };
+        Self { curves: vec![curve(293.15, 1.0), curve(503.15, 0.6)], extrapolation: Extrapolation::Slope }
     }
 }
 
 impl HardeningLaw for Isotherms {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         for (i, isotherm) in self.curves.iter_mut().enumerate() {
-            if isotherm.curve != Monotone::default() {
-                continue;
-            }
             let points = std::mem::take(&mut isotherm.points);
             isotherm.curve = curve(points, self.extrapolation).map_err(|error| {
                 let key = if error.key.is_empty() { "points" } else { &error.key };
@@ -76,7 +71,7 @@ impl HardeningLaw for Isotherms {
     }
 
     fn formula(&self) -> String {
-        let [cold, hot] = self.range().map(|t| rounded(t - ZERO_CELSIUS));
+        let [cold, hot] = self.temperatures().map(|t| rounded(t - ZERO_CELSIUS));
         let (n, coldest) = (self.curves.len(), &self.curves[0].curve);
         format!("{n} hardening curves from {cold} to {hot} °C, the coldest a {coldest}")
     }
@@ -90,24 +85,15 @@ impl HardeningLaw for Isotherms {
         let x = (temperature - before.temperature) / (after.temperature - before.temperature);
         before.curve.at(strain).towards(after.curve.at(strain), x)
     }
-
-    fn valid_up_to(&self) -> Option<f64> {
-        Some(self.curves.iter().map(|isotherm| isotherm.curve.last_strain()).fold(f64::INFINITY, f64::min))
-    }
-
-    fn temperatures(&self) -> Option<[f64; 2]> {
-        Some(self.range())
-    }
 }
 
 /// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
 #[cfg(test)]
 #[test]
 fn isotherms_are_interpolated_and_held() {
-    let law = |hot: f64| Isotherms::new([(300.0, Monotone::example(1.0)), (hot, Monotone::example(0.6))]);
-    assert!(law(300.0).is_err());
-    let stress = |t: f64| law(400.0).expect("valid").at_temperature(0.07, t).stress;
+    let law = Isotherms::example();
+    let stress = |t: f64| law.at_temperature(0.07, t).stress;
     let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07).stress);
-    approx::assert_relative_eq!(stress(350.0), 0.5 * (cold + hot), max_relative = 1e-14);
-    assert_eq!([stress(200.0), stress(500.0)], [cold, hot]);
+    approx::assert_relative_eq!(stress(398.15), 0.5 * (cold + hot), max_relative = 1e-14);
+    assert_eq!([stress(200.0), stress(600.0)], [cold, hot]);
 }

@@ -7,7 +7,7 @@ parameters! {
     ///
     /// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
     /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-    pub struct Ludwik {
+    pub struct Ludwik as HardeningLaw {
         /// Yield stress σ₀ \[MPa\].
         initial: Positive<Stress> = "150 MPa",
         /// K, the hardening at a strain of 1 \[MPa\].
@@ -16,8 +16,6 @@ parameters! {
         n: Fraction = 0.5,
     }
 }
-
-constructor!(Ludwik { initial, k, n });
 
 impl HardeningLaw for Ludwik {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {

@@ -26,15 +26,6 @@ family! {
     pub enum Hardening: HardeningLaw, named in HardeningTable as "Hardening";
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
     fn at_temperature(strain: f64, temperature: f64) -> FlowStress;
-    {
-        fn valid_up_to(&self) -> Option<f64> {
-            None
-        }
-
-        fn temperatures(&self) -> Option<[f64; 2]> {
-            None
-        }
-    }
     swift: Swift,
     hollomon: Hollomon,
     ludwik: Ludwik,
@@ -54,11 +45,15 @@ impl Hardening {
 
     /// Largest strain the law was given for, where it says so (tables) \[–\].
     pub fn valid_up_to(&self) -> Option<f64> {
-        self.law().valid_up_to()
+        match self {
+            Self::Table(law) => Some(law.curve.last_strain()),
+            Self::Isotherms(law) => Some(law.valid_up_to()),
+            _ => None,
+        }
     }
 
     /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
     pub fn temperatures(&self) -> Option<[f64; 2]> {
-        self.law().temperatures()
+        if let Self::Isotherms(law) = self { Some(law.temperatures()) } else { None }
     }
 }

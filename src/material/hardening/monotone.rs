@@ -52,9 +52,6 @@ impl Monotone {
         require(&key(0, 0), strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
         for i in 0..strain.len() {
             let last = i.max(1) - 1;
-            require(&key(1, i), stress[i] > 0.0 && stress[i].is_finite(), || {
-                format!("point {}: the stress must be positive, found {} MPa", i + 1, stress[i])
-            })?;
             require(&key(0, i), i == 0 || strain[i] > strain[last], || {
                 format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[last])
             })?;
@@ -114,11 +111,9 @@ impl Monotone {
 
 /// Checks that there are two points at least, as many strains as stresses.
 pub(super) fn two_points(strains: usize, stresses: usize) -> Result<(), LawError> {
-    require("", strains == stresses && strains >= 2, || {
-        format!(
-            "needs at least two points, each with a strain and a stress; found {strains} strains and {stresses} stresses"
-        )
-    })
+    let needs = "needs at least two points, each with a strain and a stress";
+    let enough = strains == stresses && strains >= 2;
+    require("", enough, || format!("{needs}; found {strains} strains and {stresses} stresses"))
 }
 
 /// The stresses of points with scatter, put on the parabolas of their surroundings; they do not fall.
@@ -126,8 +121,8 @@ fn smoothed(strain: &[f64], stress: &[f64]) -> Vec<f64> {
     let mut last = 0.0;
     let at = |i: usize| {
         let reach = (NEAR[0] * strain[i]).min(NEAR[1]);
-        let near =
-            strain.partition_point(|s| *s < strain[i] - reach)..strain.partition_point(|s| *s <= strain[i] + reach);
+        let [from, to] = [strain[i] - reach, strain[i] + reach];
+        let near = strain.partition_point(|s| *s < from)..strain.partition_point(|s| *s <= to);
         if near.len() < FIT {
             return stress[i];
         }

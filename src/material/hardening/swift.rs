@@ -7,7 +7,7 @@ parameters! {
     ///
     /// Valid up to large strains for most steels; it hardens without end.
     /// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
-    pub struct Swift {
+    pub struct Swift as HardeningLaw {
         /// K, the stress at a total strain of 1 \[MPa\].
         k: Positive<Stress> = "520 MPa",
         /// Hardening exponent, 0 to 1.
@@ -16,8 +16,6 @@ parameters! {
         offset: Positive<Number> = 0.005,
     }
 }
-
-constructor!(Swift { k, n, offset });
 
 impl HardeningLaw for Swift {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {

@@ -5,6 +5,7 @@ use crate::material::law::prelude::*;
 /// Pairs of strain and stress, as a case has them.
 pub(super) type Points = Vec<(NonNegative<Number>, Positive<Stress>)>;
 
+const FORMS: &str = "write points = [[0, \"150 MPa\"], [0.1, \"290 MPa\"]], or both strain = [..] and stress = [..]";
 /// Most points.
 const MOST: usize = 1000;
 
@@ -59,23 +60,15 @@ impl Example for Table {
 
 impl HardeningLaw for Table {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
-        if self.curve != Monotone::default() {
-            return Ok(());
-        }
         self.curve = match (self.points.take(), self.strain.take(), self.stress.take()) {
             (Some(points), None, None) => curve(points, self.extrapolation)?,
             (None, Some(strain), Some(stress)) => {
                 few("strain", strain.len(), MOST)?;
                 few("stress", stress.len(), MOST)?;
                 let strain = strain.into_iter().map(Dimensioned::value).collect();
-                let stress = stress.into_iter().map(Dimensioned::value).collect();
-                Self::new(strain, stress, self.extrapolation)?.curve
+                Self::new(strain, stress.into_iter().map(Dimensioned::value).collect(), self.extrapolation)?.curve
             }
-            _ => {
-                let help =
-                    "write points = [[0, \"150 MPa\"], [0.1, \"290 MPa\"]], or both strain = [..] and stress = [..]";
-                return Err(LawError::new("needs `points`, or `strain` and `stress`", help));
-            }
+            _ => return Err(LawError::new("needs `points`, or `strain` and `stress`", FORMS)),
         };
         Ok(())
     }
@@ -86,10 +79,6 @@ impl HardeningLaw for Table {
 
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         self.curve.at(strain)
-    }
-
-    fn valid_up_to(&self) -> Option<f64> {
-        Some(self.curve.last_strain())
     }
 }
 

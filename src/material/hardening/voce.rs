@@ -7,7 +7,7 @@ parameters! {
     ///
     /// Valid for metals whose hardening comes to an end, such as aluminium.
     /// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
-    pub struct Voce {
+    pub struct Voce as HardeningLaw {
         /// Yield stress σ₀ \[MPa\].
         initial: Positive<Stress> = "125 MPa",
         /// Stress σ_s that hardening comes to \[MPa\].
@@ -18,8 +18,6 @@ parameters! {
         exponent: Fraction = 1.0; default 1.0,
     }
 }
-
-constructor!(Voce { initial, saturation, rate, exponent });
 
 impl HardeningLaw for Voce {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {

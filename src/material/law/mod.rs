@@ -4,15 +4,13 @@
 //! with units and described in the JSON schema. It joins its `family!` by two lines: `mod swift;` and `swift: Swift`.
 //! Whatever must hold for all of them is tested over the family's `examples()`.
 
-mod family;
-mod parameters;
+mod macros;
 
 use crate::units::Dimensioned;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 
-pub(crate) use family::family;
-pub(crate) use parameters::parameters;
+pub(crate) use macros::{family, parameters};
 
 /// Why a set of parameters is not a law.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -46,7 +44,7 @@ pub(crate) fn read<'a, Q: Dimensioned + Deserialize<'a>>(example: impl IntoDeser
 /// Imports of a law's file.
 pub(crate) mod prelude {
     pub use super::LawError;
-    pub(crate) use super::{Example, constructor, parameters, require, require_or, require_range};
+    pub(crate) use super::{Example, parameters, require, require_or, require_range};
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};
 
@@ -55,23 +53,6 @@ pub(crate) mod prelude {
         1.0
     }
 }
-
-/// Gives a law its `new`, by its parameters in the solver's units.
-macro_rules! constructor {
-    ($law:ident { $($parameter:ident),+ }) => {
-        impl $law {
-            /// Law with these parameters, in MPa and 1.
-            ///
-            /// # Errors
-            /// When they do not go together.
-            pub fn new($($parameter: f64),+) -> Result<Self, LawError> {
-                let mut law = Self { $($parameter),+ };
-                law.prepare(None).map(|()| law)
-            }
-        }
-    };
-}
-pub(crate) use constructor;
 
 /// An error at `key` unless `ok`.
 pub(crate) fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {

@@ -14,11 +14,6 @@ family! {
     pub enum Rate: RateLaw, named in RateTable as "Rate";
     /// g \[–\] and dg/dε̄̇ \[s\] at the equivalent strain rate `rate` > 0 \[1/s\].
     fn at(rate: f64) -> ValueAndSlope;
-    {
-        fn is_superplastic(&self) -> bool {
-            false
-        }
-    }
     power: PowerRate,
     cowper_symonds: CowperSymonds,
     johnson_cook: JohnsonCook,
@@ -27,6 +22,6 @@ family! {
 impl Rate {
     /// Whether the sheet resists necking by its rate alone: a power of 0.3 or more, as superplastic alloys have.
     pub fn is_superplastic(&self) -> bool {
-        self.law().is_superplastic()
+        matches!(self, Self::PowerRate(law) if law.exponent >= 0.3)
     }
 }

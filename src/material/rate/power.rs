@@ -25,8 +25,4 @@ impl RateLaw for PowerRate {
         let value = (rate / self.reference).powf(self.exponent);
         ValueAndSlope { value, slope: self.exponent * value / rate }
     }
-
-    fn is_superplastic(&self) -> bool {
-        self.exponent >= 0.3
-    }
 }
