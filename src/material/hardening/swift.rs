@@ -21,8 +21,8 @@ impl HardeningLaw for Swift {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         let Self { k, n, offset } = *self;
         require("k", k > 0.0 && k.is_finite(), || format!("k must be positive, found {k} MPa"))?;
-        require_range(["n"; 2], n, [0.0, 1.0], "0.1 to 0.3 is usual")?;
-        require_range(["offset"; 2], offset, [1e-6, 1.0], "1e-4 to 1e-2 is usual")
+        require_range(["n"; 2], n, [0.0, 1.0], "check the constants and their units")?;
+        require_range(["offset"; 2], offset, [1e-6, 1.0], "check the constants and their units")
     }
 
     fn formula(&self) -> String {
