@@ -45,7 +45,7 @@ const CHECKS: [Check; 4] = [
         limit: 0.05,
         of: |stage| {
             let bends = stage.model.mode != Mode::Flow && stage.model.release.is_none();
-            Some(moment_error(stage.frames.last().filter(|_| bends)?)?.share)
+            moment_error(stage.frames.last().filter(|_| bends)?)
         },
     },
 ];

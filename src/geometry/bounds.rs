@@ -40,22 +40,3 @@ impl Piece {
         poles.into_iter().filter(|pole| arc.faces(*pole)).fold(ends, Bounds::with)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        /// Trust: brute force; chords of at most 2π/400 rad leave the arc by 3e-5 of its radius.
-        #[test]
-        fn an_arc_fills_its_box(start in -7.0..7.0_f64, sweep in -6.2..6.2_f64, radius in 0.1..100.0_f64) {
-            prop_assume!(sweep.abs() > 0.01);
-            let piece = Piece::arc(Point::new(3.0, -2.0), radius, start, sweep);
-            let (found, points) = (piece.bounds(), piece.sample(400));
-            prop_assert!(points.iter().all(|p| !found.is_beyond(*p, 1e-9 * radius)));
-            let needed = points.iter().fold(Bounds { low: points[0], high: points[0] }, |b, p| b.with(*p));
-            prop_assert!((needed.low - found.low).amax().max((needed.high - found.high).amax()) < 1e-3 * radius);
-        }
-    }
-}

@@ -7,50 +7,41 @@ use super::{Piece, Point, Profile};
 /// Reason why a line does not become a die.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CavityError {
-    /// The line does not come up to the face.
-    #[error("the cavity begins {below:.4} mm below the die's face")]
-    Below {
-        /// Depth of its first point below the face \[mm\].
-        below: f64,
-    },
-    /// The line does not go down below the face.
-    #[error("the cavity ends {above:.4} mm above the die's face")]
-    Above {
-        /// Height of its last point above the face \[mm\].
-        above: f64,
-    },
-    /// The corner does not fit.
-    #[error("a shoulder of {shoulder:.4} mm finds no room between the face and the wall of the cavity")]
-    Shoulder {
-        /// Radius of the shoulder \[mm\].
-        shoulder: f64,
-    },
+    /// Depth of the line's first point below the face \[mm\].
+    #[error("the cavity begins {0:.4} mm below the die's face")]
+    Below(f64),
+    /// Height of the line's last point above the face \[mm\].
+    #[error("the cavity ends {0:.4} mm above the die's face")]
+    Above(f64),
+    /// Radius of a shoulder that does not fit \[mm\].
+    #[error("a shoulder of {0:.4} mm finds no room between the face and the wall of the cavity")]
+    Shoulder(f64),
 }
 
 impl Profile {
-    /// Die with this line as its cavity, walked from the axis outward: the line down to the height `face`, a corner of the radius
-    /// `shoulder`, and the face out to `reach` \[mm\]. The result is walked inward, the sheet (below) on its left.
+    /// Die with this line as its cavity, drawn from the axis outward: down to the height `face`, a corner of the radius `shoulder`
+    /// and the face out to `reach` \[mm\]; the result is drawn inward.
     ///
     /// # Errors
-    /// When the line does not lead from above the face to below it, or the shoulder finds no place.
+    /// When the line does not cross the face, or the shoulder has no room.
     pub fn cavity(&self, face: f64, shoulder: f64, reach: f64) -> Result<Self, CavityError> {
         if self.first().y <= face {
-            return Err(CavityError::Below { below: face - self.first().y });
+            return Err(CavityError::Below(face - self.first().y));
         }
         let plane = Piece::line(Point::new(reach, face), Point::new(0.0, face));
         let crossing = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty());
         let Some(crossed) = crossing else {
-            return Err(CavityError::Above { above: self.last().y - face });
+            return Err(CavityError::Above(self.last().y - face));
         };
         // The shoulder may use up the pieces next to the face.
         let corner = self.pieces()[..=crossed].iter().rev().enumerate().find_map(|(back, piece)| {
             let corner = parallel_arc(&plane, &piece.reversed(), -shoulder)?;
             (corner.sweep < 0.0).then_some((crossed - back, corner))
         });
-        let Some((last, corner)) = corner else { return Err(CavityError::Shoulder { shoulder }) };
+        let Some((last, corner)) = corner else { return Err(CavityError::Shoulder(shoulder)) };
         let mut pieces = vec![Piece::line(Point::new(reach, face), corner.at(0.0)), Piece::Arc(corner)];
         pieces.extend(self.pieces()[last].reversed().split(corner.at(1.0))[1]);
         pieces.extend(self.pieces()[..last].iter().rev().map(Piece::reversed));
-        Self::new(pieces).map_err(|_| CavityError::Shoulder { shoulder })
+        Self::new(pieces).map_err(|_| CavityError::Shoulder(shoulder))
     }
 }

@@ -138,34 +138,27 @@ mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-    fn line(x: [f64; 4]) -> Piece {
-        Piece::line(Point::new(x[0], x[1]), Point::new(x[2], x[3]))
-    }
-
-    fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
-        Piece::arc(center.into(), radius, start, sweep)
-    }
-
     /// Trust: hand calculation.
     #[test]
     fn pieces_meet_where_geometry_says() {
-        let close = |a: &Piece, b: &Piece, wanted: &[[f64; 2]]| {
-            let found = common(a, b);
-            assert_eq!(found.is_empty(), wanted.is_empty(), "{a:?} {b:?} {found:?}");
-            for w in wanted {
-                assert!(found.iter().any(|p| (p - Point::new(w[0], w[1])).norm() < 1e-9), "{w:?} not in {found:?}");
-            }
-        };
-        close(&line([0.0, 0.0, 2.0, 2.0]), &line([0.0, 2.0, 2.0, 0.0]), &[[1.0, 1.0]]);
-        close(&line([0.0, 0.0, 0.9, 0.9]), &line([0.0, 2.0, 2.0, 0.0]), &[]);
-        close(&line([0.0, 0.0, 2.0, 0.0]), &line([1.0, 0.0, 3.0, 0.0]), &[[1.0, 0.0], [2.0, 0.0]]);
-        close(&line([0.0, 0.0, 2.0, 0.0]), &line([1.0, 1e-3, 3.0, 1e-3]), &[]);
-        let upper = arc([0.0, 0.0], 5.0, 0.0, std::f64::consts::PI);
-        close(&line([-6.0, 3.0, 6.0, 3.0]), &upper, &[[4.0, 3.0], [-4.0, 3.0]]);
-        close(&line([-6.0, -3.0, 6.0, -3.0]), &upper, &[]);
-        close(&line([-6.0, 5.0, 6.0, 5.0]), &upper, &[[0.0, 5.0]]);
-        close(&arc([6.0, 0.0], 5.0, FRAC_PI_2, FRAC_PI_2), &upper, &[[3.0, 4.0]]);
-        close(&arc([0.0, 0.0], 5.0, FRAC_PI_4, FRAC_PI_4), &upper, &[[0.0, 5.0]]);
-        close(&arc([0.0, 0.0], 4.0, FRAC_PI_4, FRAC_PI_4), &upper, &[]);
+        let line = |x: [f64; 4]| Piece::line(Point::new(x[0], x[1]), Point::new(x[2], x[3]));
+        let arc = |x: f64, radius, start, sweep| Piece::arc(Point::new(x, 0.0), radius, start, sweep);
+        let upper = arc(0.0, 5.0, 0.0, PI);
+        for (a, b, wanted) in [
+            (line([0.0, 0.0, 2.0, 2.0]), line([0.0, 2.0, 2.0, 0.0]), &[[1.0, 1.0]][..]),
+            (line([0.0, 0.0, 0.9, 0.9]), line([0.0, 2.0, 2.0, 0.0]), &[]),
+            (line([0.0, 0.0, 2.0, 0.0]), line([1.0, 0.0, 3.0, 0.0]), &[[1.0, 0.0], [2.0, 0.0]]),
+            (line([0.0, 0.0, 2.0, 0.0]), line([1.0, 1e-3, 3.0, 1e-3]), &[]),
+            (line([-6.0, 3.0, 6.0, 3.0]), upper, &[[4.0, 3.0], [-4.0, 3.0]]),
+            (line([-6.0, -3.0, 6.0, -3.0]), upper, &[]),
+            (line([-6.0, 5.0, 6.0, 5.0]), upper, &[[0.0, 5.0]]),
+            (arc(6.0, 5.0, FRAC_PI_2, FRAC_PI_2), upper, &[[3.0, 4.0]]),
+            (arc(0.0, 5.0, FRAC_PI_4, FRAC_PI_4), upper, &[[0.0, 5.0]]),
+            (arc(0.0, 4.0, FRAC_PI_4, FRAC_PI_4), upper, &[]),
+        ] {
+            let found = common(&a, &b);
+            let is_found = |w: &[f64; 2]| found.iter().any(|p| (p - Point::from(*w)).norm() < 1e-9);
+            assert!(found.is_empty() == wanted.is_empty() && wanted.iter().all(is_found), "{a:?} {b:?} {found:?}");
+        }
     }
 }

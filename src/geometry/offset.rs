@@ -26,21 +26,11 @@ pub enum OffsetError {
     },
 }
 
-impl OffsetError {
-    /// Position \[mm\].
-    pub fn at(&self) -> Point {
-        match self {
-            Self::TooTight { at, .. } | Self::Crosses { at } => *at,
-        }
-    }
-}
-
 impl Profile {
-    /// Line at the distance `by` > 0 \[mm\] on the left: convex arcs grow, hollow arcs shrink, a sharp convex corner or a tip on the
-    /// axis becomes an arc of radius `by`.
+    /// Line at the distance `by` > 0 \[mm\] on the left; a sharp convex corner or a tip on the axis becomes an arc of this radius.
     ///
     /// # Errors
-    /// When a hollow is narrower than `by`: an arc of a smaller radius, a sharp vertex, or walls that face each other.
+    /// When a hollow is narrower than `by`.
     pub fn offset(&self, by: f64) -> Result<Self, OffsetError> {
         let mut moved = Vec::new();
         for piece in self.pieces() {

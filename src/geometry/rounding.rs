@@ -1,5 +1,4 @@
-//! Rounding of chains of chords: each chord is replaced by one or two arcs that share tangents with the neighbours, because a
-//! node that slides over bare chords feels every vertex.
+//! Rounding of chains of chords by arcs with common tangents: a node that slides over bare chords feels every vertex.
 //!
 //! # References
 //! The idea of interpolating vertex normals for tool contact: D. M. Neto, M. C. Oliveira, L. F. Menezes, J. L. Alves,

@@ -18,11 +18,7 @@ fn arc(center: (f64, f64), radius: f64, start: f64, sweep: f64) -> Piece {
 impl Profile {
     /// Punch with a spherical (plane strain: cylindrical) nose of `radius` \[mm\] and a straight wall.
     pub fn hemispherical_punch(radius: f64, sheet_thickness: f64) -> Self {
-        let top = -0.5 * sheet_thickness;
-        Self::connected([
-            arc((0.0, top - radius), radius, FRAC_PI_2, -FRAC_PI_2),
-            line((radius, top - radius), (radius, top - radius - REACH * radius)),
-        ])
+        Self::flat_punch(radius, radius, sheet_thickness)
     }
 
     /// Flat punch of `radius` (plane strain: half-width) with a corner of `nose` radius \[mm\].

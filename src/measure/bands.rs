@@ -1,7 +1,6 @@
 //! Bands of a formed part as a die designer names them: bottom, punch radius, wall, die radius, flange.
 //!
-//! They follow the pieces of the tools that the sheet lies against. Free stretches take their name from both sides: wall between
-//! punch and die, unsupported beside a dome, else what the nearest piece makes.
+//! They follow the pieces of the tools that the sheet lies against; free stretches take their name from both sides.
 //!
 //! ```text
 //!   bottom     punch radius     wall      die radius     flange
@@ -159,15 +158,13 @@ struct NodeContact<'a> {
     band: Band,
 }
 
-impl NodeContact<'_> {
-    fn is_punch(&self) -> bool {
-        self.tool.role == Role::Punch
-    }
+fn is_punch(contact: &NodeContact) -> bool {
+    contact.tool.role == Role::Punch
 }
 
 /// Band of each node by the frame in which the tools formed it; `None` if neither punch nor gas did.
 fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
-    let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(NodeContact::is_punch);
+    let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(is_punch);
     let (mut frame, mut contacts) = (last, contacts(&stage.model, last));
     if let Some(start) = stage.start.as_ref().filter(|_| stage.model.release.is_some() || !punched(&contacts)) {
         let at_start = self::contacts(&stage.model, start);
@@ -175,7 +172,6 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
             (frame, contacts) = (start, at_start);
         }
     }
-    // Without a punch or a gas that made the part, contact says nothing of its bands.
     let formed = punched(&contacts) || !stage.model.gas.is_empty() && contacts.iter().any(Option::is_some);
     formed.then(|| node_bands(stage.model.geometry, frame, &contacts))
 }
@@ -221,9 +217,9 @@ fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: 
         of_piece(geometry, touch.tool, touch.tool.profile.closest(at).piece, at)
     };
     match (inner, outer) {
-        (Some(inner), Some(outer)) if inner.is_punch() == outer.is_punch() => along(inner),
-        (Some(inner), None) if !inner.is_punch() => along(inner),
-        (None, Some(outer)) if outer.is_punch() => along(outer),
+        (Some(inner), Some(outer)) if is_punch(inner) == is_punch(outer) => along(inner),
+        (Some(inner), None) if !is_punch(inner) => along(inner),
+        (None, Some(outer)) if is_punch(outer) => along(outer),
         (None, _) => Band::Dome,
         (Some(NodeContact { band: Band::Dome, .. }), _) => Band::Unsupported,
         _ => Band::Wall,

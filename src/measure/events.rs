@@ -1,8 +1,7 @@
 //! Events that explain kinks and jumps of a load curve.
 //!
-//! Events are found in the records of accepted steps, exact to one step of the travel; the forming limit and the leaving of a
-//! tool are known more finely. A contact that lasts from the start, or that is found again before the sheet has gone a
-//! thickness away, is no event.
+//! Events are exact to one step of the travel; the forming limit and the leaving of a tool are known more finely. A contact that
+//! lasts from the start, or comes back before the sheet has gone a thickness away, is no event.
 
 use crate::forming_limit;
 use crate::model::{Edge, Motion, Role};

@@ -1,10 +1,9 @@
 //! Measurements on the formed sheet: angles of wall and flange, curl of the wall, height and edge, named places.
 //!
 //! # Legs
-//! A **leg** is a stretch of the meridian between two bends, or a bend and the free edge, with at most a quarter of their
-//! curvature; a bend turns the sheet by ten degrees or more, or by 2.5° as the half of one on the axis. The **wall** is the
-//! steepest leg behind a bend that made the sheet descend; the **flange** is the outermost leg, behind a bend that brought it
-//! back. A line and a circle are fitted to a leg without a tenth of its length at both ends.
+//! A **leg** is a stretch of the meridian between bends, or a bend and the free edge, with at most a quarter of their curvature.
+//! The **wall** is the steepest leg behind a bend that made the sheet descend; the **flange** is the outermost leg, behind a bend
+//! that brought it back. A line and a circle are fitted to a leg without a tenth of its length at both ends.
 //!
 //! # Angles
 //! ```text
@@ -15,8 +14,7 @@
 //!   │        \________  flange         θ₂ = 90° + α − β, between wall and flange
 //!   │                                  2α   opening angle, between the two walls of the whole strip
 //! ```
-//! θ₁, θ₂ and the radius ρ of the side-wall curl are those of Numisheet '93, 2-D draw bending, but from all points of the wall; the
-//! opening angle is that of Numisheet 2002, benchmark B, unconstrained cylindrical bending.
+//! θ₁, θ₂ and the radius ρ of the side-wall curl: Numisheet '93, 2-D draw bending; opening angle: Numisheet 2002, benchmark B.
 
 mod bands;
 mod events;
@@ -28,8 +26,8 @@ mod shape_measure;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
-pub use moment::{MomentError, moment_error};
-pub use ring::{CutRing, Ring, RingTest};
+pub use moment::moment_error;
+pub use ring::{CutRing, Ring};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
 use crate::solver::solution::Frame;
@@ -88,14 +86,10 @@ impl Leg {
         })
     }
 
-    /// Sag of the fitted circle, κ L²/8 \[mm\], with the sign of the curvature.
-    pub fn sag(&self) -> f64 {
-        0.125 * self.curvature * self.length * self.length
-    }
-
     /// Radius of the fitted circle \[mm\], with the sign of the curvature; infinite for a straight leg.
     pub fn radius(&self) -> f64 {
-        if self.sag().abs() > STRAIGHT * self.thickness { 1.0 / self.curvature } else { f64::INFINITY }
+        let sag = 0.125 * self.curvature * self.length * self.length;
+        if sag.abs() > STRAIGHT * self.thickness { 1.0 / self.curvature } else { f64::INFINITY }
     }
 }
 
@@ -103,10 +97,7 @@ impl Shape {
     /// Measures a frame.
     pub fn of(frame: &Frame) -> Self {
         let meridian = Meridian::of(frame);
-        let leg = |find: fn(&Meridian) -> Option<Range<usize>>| {
-            let meridian = meridian.as_ref()?;
-            Leg::of(meridian, find(meridian)?)
-        };
+        let leg = |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Leg::of(meridian, find(meridian)?));
         let ends = frame.nodes.first().zip(frame.nodes.last());
         Self {
             wall: leg(wall),

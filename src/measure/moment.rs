@@ -3,29 +3,18 @@
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord};
 
-/// Estimated quadrature error of a moment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MomentError {
-    /// Error over the largest moment of the sheet \[–\].
-    pub share: f64,
-    /// Initial distance of the place from the axis \[mm\].
-    pub s0: f64,
-}
-
-/// Estimates the largest quadrature error of the meridional moment through the thickness.
+/// Estimates the largest quadrature error of the meridional moment through the thickness, over its largest value \[–\].
 ///
 /// The rule Σ w ζ σ is compared with the exact integral of a stress that is linear between the points: with kinks of the stress
 /// both miss the moment by as much; with a smooth stress the estimate is too large. `None` without a moment.
-pub fn moment_error(frame: &Frame) -> Option<MomentError> {
+pub fn moment_error(frame: &Frame) -> Option<f64> {
     let layers = &frame.through.layers;
     let sections = || frame.elements.iter().zip(frame.through.elements());
     let by_rule = |thickness: f64, points| moment(thickness, layers, points, |point| point.stress_meridional);
     let largest = sections().map(|(e, points)| by_rule(e.thickness, points).abs()).fold(0.0, f64::max);
-    let errors = sections().map(|(e, points)| MomentError {
-        share: (by_rule(e.thickness, points) - linear(e.thickness, layers, points)).abs() / largest,
-        s0: e.s0,
-    });
-    errors.filter(|error| error.share.is_finite()).max_by(|a, b| a.share.total_cmp(&b.share))
+    let difference = |thickness: f64, points| by_rule(thickness, points) - linear(thickness, layers, points);
+    let errors = sections().map(|(e, points)| difference(e.thickness, points).abs() / largest);
+    errors.filter(|error| error.is_finite()).max_by(f64::total_cmp)
 }
 
 /// ∫ σ ζ dζ by the rule, ζ from the mid-surface towards the punch's face \[N\].

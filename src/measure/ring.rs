@@ -17,11 +17,9 @@
 //!   E′ = E (1 − ν² F)/(1 − ν²),   M = M_hoop − ν F M_meridional
 //! ```
 //!
-//! The second term is the cutting of the ring: its edges lose their meridional moment and ν times as much hoop moment.
-//!
 //! # References
 //! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
-//! derived here); S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114, for the shell equation.
+//! derived here); shell equation: S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114.
 
 use super::moment::moment;
 use super::part_height;
@@ -50,17 +48,6 @@ pub struct Ring {
     #[serde(with = "As::<Positive<Length>>")]
     #[schemars(example = "5 mm")]
     pub height: f64,
-}
-
-/// Openings of rings of one wall.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RingTest {
-    /// Requested ring.
-    pub ring: Ring,
-    /// Opening of the requested ring \[mm\].
-    pub opening: f64,
-    /// Lower edges and openings of rings of the same height \[mm\], rising, with the requested one.
-    pub places: Vec<(f64, f64)>,
 }
 
 /// Cut ring before slitting: means over its height.
@@ -143,15 +130,15 @@ impl Ring {
         Some(self.cut(frame)?.opening(elastic))
     }
 
-    /// Openings of this ring and of rings all along the wall; `None` where it has none itself.
-    pub fn test(self, stages: &[StageSolution]) -> Option<RingTest> {
-        let opening = self.opening(stages)?;
+    /// Opening of this ring, and lower edges and openings of this and others all along the wall \[mm\].
+    pub fn openings(self, stages: &[StageSolution]) -> Option<(f64, Vec<(f64, f64)>)> {
+        let own = self.opening(stages)?;
         let height = part_height(released(stages)?.0)?;
         let others = (0..=PLACES).map(|i| height * f64::from(i) / f64::from(PLACES));
         let along = others.filter_map(|from| Some((from, Self { from, ..self }.opening(stages)?)));
-        let mut places: Vec<(f64, f64)> = along.chain([(self.from, opening)]).collect();
-        places.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Some(RingTest { ring: self, opening, places })
+        let mut openings: Vec<(f64, f64)> = along.chain([(self.from, own)]).collect();
+        openings.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Some((own, openings))
     }
 }
 

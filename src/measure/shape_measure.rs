@@ -70,8 +70,7 @@ impl ShapeMeasure {
     /// Formats a difference of values: `+7.9°`.
     pub fn signed_text(&self, difference: f64) -> String {
         let by = self.text(difference);
-        let is_more = difference > 0.0 && by != self.text(0.0);
-        if is_more { format!("+{by}") } else { by }
+        if difference > 0.0 && by != self.text(0.0) { format!("+{by}") } else { by }
     }
 }
 
@@ -103,12 +102,8 @@ impl fmt::Display for Change {
 
 /// All measures that one of the two shapes has; the curl of a wall where it is curled.
 pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
-    let all = SHAPE_MEASURES.iter().map(|quantity| {
-        let of = quantity.of;
-        Change { quantity, before: of(before), after: of(after) }
-    });
-    let is_there = |value: Option<f64>| value.is_some_and(f64::is_finite);
-    all.filter(|change| is_there(change.before) || is_there(change.after)).collect()
+    let all = SHAPE_MEASURES.iter().map(|of| Change { quantity: of, before: (of.of)(before), after: (of.of)(after) });
+    all.filter(|change| [change.before, change.after].into_iter().flatten().any(f64::is_finite)).collect()
 }
 
 #[cfg(test)]
@@ -117,13 +112,10 @@ mod tests {
 
     #[test]
     fn values_have_the_digits_that_a_mesh_supports() {
-        let angle = Change { quantity: &WALL_ANGLE, before: Some(-0.311), after: Some(8.234) };
-        assert_eq!(angle.to_string(), "-0.3° → 8.2°");
-        assert_eq!(angle.quantity.signed_text(angle.change().expect("both")), "+8.5°");
-        assert_eq!(angle.quantity.signed_text(0.04), "0.0°");
-        let curl = Change { quantity: &CURL_RADIUS, before: Some(f64::INFINITY), after: Some(223.6) };
-        assert_eq!((curl.to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
-        let inward = Change { before: None, after: Some(-150.0), ..curl };
-        assert_eq!(inward.to_string(), "none → 150 mm inward");
+        let text = |quantity: &'static ShapeMeasure, before, after| Change { quantity, before, after }.to_string();
+        assert_eq!(text(&WALL_ANGLE, Some(-0.311), Some(8.234)), "-0.3° → 8.2°");
+        assert_eq!([8.545, 0.04].map(|by| WALL_ANGLE.signed_text(by)), ["+8.5°", "0.0°"]);
+        assert_eq!(text(&CURL_RADIUS, Some(f64::INFINITY), Some(223.6)), "straight → 224 mm");
+        assert_eq!(text(&CURL_RADIUS, None, Some(-150.0)), "none → 150 mm inward");
     }
 }

@@ -1,6 +1,6 @@
 //! A value that changes along the run.
 
-/// The value between points of rising x, of which there is one at least; before the first and behind the last that of the end.
+/// Interpolates linearly between points of rising x, of which there is at least one; constant beyond the ends.
 pub fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
     let after = points.partition_point(|p| p.0 < x);
     if after == 0 {
@@ -11,7 +11,7 @@ pub fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
     v0 + (v1 - v0) * (x - x0) / (x1 - x0)
 }
 
-/// A value over the punch travel or the time: straight between its points, held before the first and after the last.
+/// A value over the punch travel or the time: linear between its points, constant beyond the ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PiecewiseLinear {
     points: Vec<(f64, f64)>,

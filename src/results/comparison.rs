@@ -88,8 +88,11 @@ impl Solution {
     /// Comparisons with the results of the first stage and with the ring of the last.
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
         let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
-        let ring = self.case.springback.ring.and_then(|ring| ring.test(&self.stages));
-        comparisons(&self.case, &Computed { ring: ring.as_ref(), ..Computed::of(first) })
+        let ring = self.case.springback.ring.and_then(|ring| ring.openings(&self.stages));
+        comparisons(
+            &self.case,
+            &Computed { ring: ring.as_ref().map(|(own, all)| (*own, &all[..])), ..Computed::of(first) },
+        )
     }
 }
 
@@ -249,7 +252,7 @@ impl Reference<'_> {
             Q::Thickness => interval(all()),
             Q::PeakForce => interval(all().reduce(f64::max)),
             Q::PeakTravel => interval(peak(&x.values).map(|at| y.values[at])),
-            Q::RingOpening => interval(computed.ring.map(|test| test.opening)),
+            Q::RingOpening => interval(computed.ring.map(|(opening, _)| opening)),
             _ => interval(all().next_back()),
         };
         // A run may end at its peak.

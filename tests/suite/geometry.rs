@@ -409,8 +409,8 @@ fn a_shoulder_may_run_into_an_arc() {
 #[test]
 fn lines_that_are_no_cavity_are_refused() {
     let short = Profile::new(vec![Piece::Segment(Segment::new(Point::new(0.0, 9.0), Point::new(20.0, 2.0)))]).unwrap();
-    assert_eq!(short.cavity(0.5, 6.0, 500.0), Err(CavityError::Above { above: 1.5 }));
-    assert_eq!(short.cavity(10.0, 6.0, 500.0), Err(CavityError::Below { below: 1.0 }));
+    assert_eq!(short.cavity(0.5, 6.0, 500.0), Err(CavityError::Above(1.5)));
+    assert_eq!(short.cavity(10.0, 6.0, 500.0), Err(CavityError::Below(1.0)));
     assert!(matches!(short.cavity(4.0, 200.0, 500.0), Err(CavityError::Shoulder { .. })));
 }
 

@@ -255,7 +255,7 @@ fn the_moments_error_is_estimated_for_elastic_cores() {
             let points = frame.through.layers.iter().zip(&frame.through.points);
             let found: f64 = points.map(|(layer, point)| layer.weight * layer.xi * point.stress_meridional).sum();
             errors += ((found - exact) / found).powi(2);
-            estimates += moment_error(&frame).expect("a moment").share.powi(2);
+            estimates += moment_error(&frame).expect("a moment").powi(2);
         }
         let ratio = (estimates / errors).sqrt();
         assert!((0.2..5.0).contains(&ratio), "{n} layers: {ratio}");
@@ -265,7 +265,7 @@ fn the_moments_error_is_estimated_for_elastic_cores() {
 #[test]
 fn an_elastic_section_has_no_error_and_a_membrane_no_moment() {
     let elastic = moment_error(&section(5, |xi| 200.0 * xi + 30.0)).expect("a moment");
-    assert!(elastic.share < 1e-14 && elastic.s0 == 10.5);
+    assert!(elastic < 1e-14);
     assert_eq!(moment_error(&section(1, |_| 200.0)), None);
     assert_eq!(moment_error(&section(5, |_| 0.0)), None);
 }

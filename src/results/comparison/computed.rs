@@ -3,7 +3,6 @@
 use super::{CompareError, Point, Reference};
 use crate::case::comparison::{ComparedQuantity as Q, CurveSpec};
 use crate::forming_limit::Paths;
-use crate::measure::RingTest;
 use crate::model::{Extent, Model};
 use crate::results::tables::edge_diameter;
 use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
@@ -26,8 +25,8 @@ pub struct Computed<'a> {
     pub paths: Option<&'a Paths>,
     /// True if the stage came to its end.
     pub complete: bool,
-    /// Test of the ring that is cut from the part.
-    pub ring: Option<&'a RingTest>,
+    /// Opening of the ring that is cut from the part, and lower edges and openings of rings along its wall \[mm\].
+    pub ring: Option<(f64, &'a [(f64, f64)])>,
 }
 
 impl<'a> Computed<'a> {
@@ -70,8 +69,7 @@ impl<'a> Computed<'a> {
             Q::Thinnest => over_travel(step(step::THINNEST)),
             Q::EdgeDiameter => over_travel(edge_diameter(self.extent.geometry(), self.length, self.steps)),
             Q::RingOpening => {
-                let places = self.ring.map_or(&[][..], |test| &test.places);
-                let (from, openings) = places.iter().copied().unzip();
+                let (from, openings) = self.ring.map_or(&[][..], |(_, all)| all).iter().copied().unzip();
                 let from = Column::new("ring_from", "Lower edge of the ring over the bottom", Unit::Mm, from);
                 (from, Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, openings))
             }

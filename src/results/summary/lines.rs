@@ -213,7 +213,7 @@ impl Lines<'_> {
         let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
         if let Some(error) = bent.and_then(moment_error) {
             let label = "Bending moment missed by the layers, estimated";
-            self.number("moment_error", label, Amount::share(error.share));
+            self.number("moment_error", label, Amount::share(error));
         }
         if model.material.gtn.is_some() {
             self.number("porosity", "Largest porosity", Amount::share(last.porosity));
