@@ -64,6 +64,11 @@ impl Profile {
         })
     }
 
+    /// Smallest r of the chain \[mm\].
+    pub fn least_r(&self) -> f64 {
+        self.polyline(0.01).iter().map(|p| p.x).fold(f64::INFINITY, f64::min)
+    }
+
     /// Smallest distance to another profile when this one is moved by `shift` \[mm\], negative when they overlap, and its place;
     /// arcs are sampled every 0.02 rad.
     pub fn distance_to(&self, other: &Self, shift: Point) -> (f64, Point) {

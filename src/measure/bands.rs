@@ -1,6 +1,5 @@
-//! Bands of a formed part as a die designer names them: bottom, punch radius, wall, die radius, flange.
-//!
-//! They follow the pieces of the tools that the sheet lies against; free stretches take their name from both sides.
+//! Bands of a formed part as a die designer names them, by the pieces of the tools that the sheet lies against; free stretches
+//! take their name from both sides.
 //!
 //! ```text
 //!   bottom     punch radius     wall      die radius     flange

@@ -117,9 +117,8 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
     }
     let limit = stage.model.forming_limit.as_ref();
     let reached = limit.and_then(|curve| forming_limit::assess(curve, &stage.paths)?.reached);
-    found.extend(
-        reached.map(|reached| Event { time: reached.time, ..between(steps, EventKind::LimitReached, reached.travel) }),
-    );
+    let at_limit = |travel| between(steps, EventKind::LimitReached, travel);
+    found.extend(reached.map(|first| Event { time: first.time, ..at_limit(first.travel) }));
     found.sort_by(|a, b| a.travel.total_cmp(&b.travel).then(a.time.total_cmp(&b.time)));
     found
 }

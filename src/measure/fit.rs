@@ -3,7 +3,6 @@
 use crate::geometry::Point;
 use nalgebra::{Matrix3, Vector3};
 
-#[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
     /// Middle of the line, and its direction from the first point to the last.
     pub(super) middle: Point,

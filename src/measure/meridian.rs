@@ -51,9 +51,11 @@ impl Meridian {
         if steps.len() < 2 || !steps.iter().all(is_line) {
             return None;
         }
+        let mut along = vec![0.0];
         let mut slope: Vec<f64> = Vec::with_capacity(steps.len());
         let mut before = Point::new(1.0, 0.0);
         for step in &steps {
+            along.push(along[along.len() - 1] + step.norm());
             slope.push(slope.last().unwrap_or(&0.0) + turn(before, *step));
             before = *step;
         }
@@ -61,7 +63,6 @@ impl Meridian {
         if !(thickness > 0.0 && thickness.is_finite()) {
             return None;
         }
-        let along = super::along(frame);
         let curvature = curvature(&along, &slope, thickness);
         Some(Self { points, up, along, slope, curvature, thickness })
     }
@@ -71,8 +72,8 @@ impl Meridian {
     pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
         let sharpest = self.sharpest();
         let length = self.along[self.along.len() - 1];
-        let levels = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
-        levels.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
+        let looks = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
+        looks.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
     }
 
     /// Legs between bends of at least this curvature \[1/mm\], without their ends.
@@ -123,8 +124,8 @@ impl Meridian {
 
     /// Descent of a stretch over its length \[–\]: 1 upright.
     pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
-        let chord = self.points[nodes.end - 1] - self.points[nodes.start];
-        -chord.y / chord.norm()
+        let way = self.points[nodes.end - 1] - self.points[nodes.start];
+        -way.y / way.norm()
     }
 
     /// Largest absolute curvature \[1/mm\].

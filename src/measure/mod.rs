@@ -37,7 +37,6 @@ use std::ops::Range;
 
 /// Largest sag of a straight leg over the thickness \[–\]: on 1 mm the thinnest leaf of a usual feeler gauge.
 const STRAIGHT: f64 = 0.05;
-
 /// Least curvature of a die radius over that of the sharpest bend \[–\].
 const SHARP: f64 = 0.1;
 
@@ -164,6 +163,9 @@ pub fn thickest(frame: &Frame) -> Option<(f64, f64)> {
     Some((thickest.thickness, thickest.s0))
 }
 
+/// Name of the place in the flange.
+pub const FLANGE: &str = "Flange";
+
 /// Named place of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -171,11 +173,6 @@ pub struct Place {
     pub name: &'static str,
     /// Index of the element, from the axis outward.
     pub element: usize,
-}
-
-impl Place {
-    /// Name of the place in the flange.
-    pub const FLANGE: &str = "Flange";
 }
 
 /// Places from the axis outward: middle, punch radius, wall, die radius and flange where the sheet has them; else middle, half-way
@@ -204,7 +201,7 @@ pub fn places(frame: &Frame) -> Vec<Place> {
         nodes.push(("Die radius", sharpest(from..to, 1.0).filter(sharp)));
     }
     if let Some(flange) = &flange {
-        nodes.push((Place::FLANGE, Some(middle(flange))));
+        nodes.push((FLANGE, Some(middle(flange))));
     }
     if nodes.len() == 1 {
         nodes.push(("Half-way", Some(meridian.node_at(0.5 * meridian.along[last]))));

@@ -33,7 +33,6 @@ use std::f64::consts::TAU;
 const UPRIGHT: f64 = 0.866;
 /// Round-off of a ring's height \[–\].
 const ROUND_OFF: f64 = 1e-9;
-
 const PLACES: u32 = 100;
 
 /// Ring of the wall of a cup that stands on its bottom.
@@ -112,8 +111,8 @@ impl Ring {
             // layers run towards the punch's face, inside of a wall that goes away from its bottom
             let outward = along.signum();
             let moment = |stress: fn(&PointRecord) -> f64| outward * moment(element.thickness, layers, points, stress);
-            let moments = [moment(|point| point.stress_hoop), moment(|point| point.stress_meridional)];
-            let values = [1.0, element.r, element.thickness, moments[0], moments[1]];
+            let (hoop, meridional) = (moment(|point| point.stress_hoop), moment(|point| point.stress_meridional));
+            let values = [1.0, element.r, element.thickness, hoop, meridional];
             sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += share * value);
         }
         let [height, sums @ ..] = sums;

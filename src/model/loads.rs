@@ -104,12 +104,8 @@ impl RateControl {
     /// Largest pressure at the end of a step of `dt` \[s\] from `before` \[MPa\], and its cap; `None` without a cap.
     pub fn cap(&self, before: f64, dt: f64) -> Option<(f64, PressureCap)> {
         let risen = before + self.max_rise * dt;
-        let (cap, which) = if self.max_pressure <= risen {
-            (self.max_pressure, PressureCap::Largest)
-        } else {
-            (risen, PressureCap::Rise)
-        };
-        cap.is_finite().then_some((cap, which))
+        let which = if self.max_pressure <= risen { PressureCap::Largest } else { PressureCap::Rise };
+        Some((self.max_pressure.min(risen), which)).filter(|(cap, _)| cap.is_finite())
     }
 }
 

@@ -19,7 +19,7 @@ pub use error::ModelError;
 pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
-pub use mode::{Mode, Release, ReleaseStiffness};
+pub use mode::{Mode, ReleaseStiffness};
 pub use settings::{ContactMethod, Norm, Settings, StopRules};
 pub use stage::{Beginning, Stage};
 pub use tools::{Motion, Press, Role, Tool};
@@ -75,7 +75,7 @@ pub struct Model {
     /// Constitutive mode.
     pub mode: Mode,
     /// Release of the tools; `None` while they act.
-    pub release: Option<Release>,
+    pub release: Option<ReleaseStiffness>,
     /// Forming limit curve; with one, strain paths are kept.
     pub forming_limit: Option<Curve>,
 }

@@ -29,14 +29,7 @@ pub enum Mode {
     Elastic,
 }
 
-/// Release of the tools: contact forces become external loads that fade to zero over the run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Release {
-    /// Stiffness of the iterations.
-    pub stiffness: ReleaseStiffness,
-}
-
-/// Stiffness of the iterations of a release.
+/// Release of the tools, whose contact forces become external loads that fade to zero over the run: stiffness of its iterations.
 // Sosnowski (1994), equations 10 to 13.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]

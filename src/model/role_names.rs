@@ -83,7 +83,7 @@ mod tests {
 
     /// Trust: the words of the trade, written out by hand.
     #[test]
-    fn a_word_means_its_tool_in_three_languages() {
+    fn words_and_texts_name_their_tools_in_three_languages() {
         for (words, role) in [
             ("punch, PUNCH, Stempel, Ziehstempel, draw punch, Poinçon, poinc\u{327}on", Some(Punch)),
             ("die, matrix, draw ring, draw_die, Matrize, Ziehring, matrice", Some(Die)),
@@ -92,10 +92,6 @@ mod tests {
         ] {
             words.split(", ").for_each(|word| assert_eq!(Role::from_word(word), role, "{word}"));
         }
-    }
-
-    #[test]
-    fn a_text_names_the_tools_whose_words_it_holds() {
         for (texts, roles) in [
             ("OP20_PUNCH, upper punch, OP10 - Ziehstempel unten", &[Punch][..]),
             ("LowerDie2, lowerdie", &[Die]),

@@ -12,7 +12,7 @@ type Shared = SVector<f64, MAX_SHARED>;
 /// [ H  C ] [ x ]   [ f ]      H: one 3×3 block a node on three diagonals, not symmetric
 /// [ R  D ] [ y ] = [ g ]      C, R, D: columns, rows and corner of the shared unknowns y
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct System {
     /// Blocks of H left of the diagonal, of node i with node i − 1; the first is not used.
     pub lower: Vec<Matrix3<f64>>,

@@ -2,7 +2,7 @@
 
 use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
-use crate::measure::{Place, places};
+use crate::measure::{FLANGE, Place, places};
 use crate::plot::Axis;
 use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::Unit;
@@ -48,7 +48,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
     });
     let points = format!("{} thickness points.", layers.len());
-    let flange = places.iter().any(|place| place.name == Place::FLANGE);
+    let flange = places.iter().any(|place| place.name == FLANGE);
     let face = flange.then(|| "In the flange the punch's face is the holder's.".to_owned());
     Some(view.chart("stress through the thickness", panels.collect(), [Some(points), face].into_iter().flatten()))
 }

@@ -1,7 +1,5 @@
-//! Closing of the holder on the die before the punch moves, where they cannot both lie on the flat sheet: a drawn bead, a cone, a
-//! curved face.
-//!
-//! The holder goes towards the die until it has the force of the start of the draw or, at a fixed gap, until it stands there.
+//! Closing of the holder before the punch moves, where holder and die cannot both lie on the flat sheet: up to the force of the
+//! start of the draw or the fixed gap.
 
 use super::{Observer, distance_blocks, run_from};
 use crate::geometry::Point;

@@ -156,8 +156,7 @@ fn mark_steady(step: &Step, evaluation: &Evaluation, next: &mut State) {
 /// t = t₀ exp(−ε_s − ε_θ + ln J),   ln J = (1 − 2ν)(τ_s + τ_θ)/E, the mean through the thickness
 /// ```
 ///
-/// Within a step t goes with the ln J of its start, and the virtual work of contact leaves δ ln J out. The pressure of tools,
-/// 3(1 − 2ν) p/2E, is neglected. A sheet formed by the flow law takes the volume of its stress in the first elastic step.
+/// Within a step t goes with the ln J of its start; the pressure of tools, 3(1 − 2ν) p/2E, is neglected.
 fn correct_elastic_volume(elastic: Elastic, step: &Step, evaluation: &Evaluation, next: &mut State) {
     for (e, updates) in evaluation.updates.rows().enumerate() {
         let points = updates.iter().zip(&step.context.rule);

@@ -43,32 +43,12 @@ mod tests {
     use crate::geometry::{Arc, Piece};
     use approx::assert_relative_eq;
 
-    const T: f64 = 1.0;
-
-    fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
-        Piece::line(from.into(), to.into())
-    }
-
-    fn height(holder: Vec<Piece>, die: &Profile) -> f64 {
-        travel_until(&Profile::new(holder).expect("a chain"), die, APART * T)
-    }
-
-    /// Trust: plain subtraction where flat lies under flat; nothing of a sleeve within the throat comes near the wall.
-    #[test]
-    fn a_flat_holder_stands_half_a_thickness_off_the_face_and_a_narrow_sleeve_goes_through() {
-        let die = Profile::die(31.0, 6.0, T);
-        for inner in [31.5, 34.0, 40.0] {
-            assert_relative_eq!(height(Profile::holder(inner, T).pieces().to_vec(), &die), 0.5 * T, epsilon = 1e-9);
-        }
-        let [a, b, c, d] = [[15.0, -100.0], [15.0, -0.5], [20.0, -0.5], [20.0, -100.0]];
-        assert!(height(vec![line(a, b), line(b, c), line(c, d)], &die) > 100.0);
-    }
-
     /// Trust: the centres of two rounds half a thickness apart are their radii and that half apart, here 5.8 of it across.
     /// Measured at points 0.02 rad apart: within 6 × 0.02²/8 mm.
     #[test]
     fn a_sleeve_that_meets_the_shoulder_alone_comes_further() {
-        let (nose, shoulder, across, throat, top) = (6.0, 6.8, 5.8, 31.5, -0.5 * T);
+        let (nose, shoulder, across, throat, top) = (6.0, 6.8, 5.8, 31.5, -0.5);
+        let line = |from: [f64; 2], to: [f64; 2]| Piece::line(from.into(), to.into());
         let flat = throat + shoulder - across;
         let center = Point::new(flat, top - nose);
         let sleeve = vec![
@@ -77,8 +57,9 @@ mod tests {
             Piece::Arc(Arc::between(center + Point::new(0.0, nose), center + Point::new(nose, 0.0), center, false).0),
             line([flat + nose, top - nose], [flat + nose, -100.0]),
         ];
-        let centers = (nose + shoulder + 0.5 * T).powi(2) - across * across;
-        let rise = height(sleeve, &Profile::die(throat, shoulder, T));
-        assert_relative_eq!(rise, nose + shoulder + T - centers.sqrt(), epsilon = 1e-3);
+        let centers = (nose + shoulder + 0.5_f64).powi(2) - across * across;
+        let sleeve = Profile::new(sleeve).expect("a chain");
+        let rise = travel_until(&sleeve, &Profile::die(throat, shoulder, 1.0), 0.5);
+        assert_relative_eq!(rise, nose + shoulder + 1.0 - centers.sqrt(), epsilon = 1e-3);
     }
 }

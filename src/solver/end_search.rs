@@ -1,8 +1,7 @@
 //! Root search for the instant at which a run ends.
 //!
-//! The excess over the rule that ends the run is negative at the last accepted state. A step that goes beyond is repeated up
-//! to the root of the line between both ends; where one side is hit twice running, the excess of the other counts half
-//! (Illinois variant of regula falsi).
+//! A step that goes beyond is repeated up to the root of the line between the excesses at both ends; where one side is hit twice
+//! running, the excess of the other counts half (Illinois variant of regula falsi).
 //!
 //! # References
 //! M. Dowell, P. Jarratt, BIT 11 (1971) 168–174 (not read).

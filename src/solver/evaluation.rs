@@ -90,6 +90,7 @@ pub(super) struct HeldRate {
 }
 
 /// Evaluation of a trial; allocated once for a run.
+#[derive(Default)]
 pub(super) struct Evaluation {
     /// H with −r on its right-hand side.
     pub system: System,
@@ -145,14 +146,9 @@ impl Evaluation {
             contact_sums: vec![(Vector3::zeros(), Matrix3::zeros()); state.contact_points()],
             contacts: Grid::new(context.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); context.tools.len()],
-            active_contacts: 0,
             bead_force: vec![BeadForce::default(); context.model.beads.len()],
             gas_force: vec![Point::zeros(); n],
-            held_rate: HeldRate::default(),
-            block_force: 0.0,
-            edge_reaction: Vector3::zeros(),
-            residual_norm: 0.0,
-            worst_node: 0,
+            ..Self::default()
         };
         let references: Vec<Reference> = references(context.model, state, &state.bends).collect();
         let areas: Vec<f64> = references.iter().flat_map(Reference::contact_areas).collect();

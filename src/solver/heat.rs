@@ -4,9 +4,8 @@
 //! ρ c V (T′ − T) = β W + Δt Σ h A (T_tool − T′) + Δt Σ (k S/l) (T′_next − T′)
 //! ```
 //!
-//! with an element's plastic work W, the area A that a tool touches, and the section S and distance l towards its
-//! neighbours: backward Euler on finite volumes. The temperature is uniform through the thickness. The equilibrium of a step
-//! uses the extrapolated temperature, at the smaller of the last two rates where they agree in sign.
+//! with an element's plastic work W, the area A that a tool touches, and the section S and distance l towards its neighbours:
+//! backward Euler on finite volumes, uniform through the thickness. Equilibrium uses the extrapolated temperature.
 //!
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).

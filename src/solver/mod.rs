@@ -63,7 +63,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut run = StageSolution {
         start: Some(state.frame(model)),
         paths: state.paths(model),
-        ..StageSolution::unsolved(model.clone())
+        ..StageSolution::unsolved(model.clone(), Stop::FullTravel)
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut budget = Budget::new(model);

@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 const FADE: f64 = 3.0;
 
 /// Share of the force on a sheet that reaches so far beyond \[mm\], and its slope \[1/mm\].
-fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
+pub fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
     let share = beyond / (FADE * thickness);
     ValueAndSlope {
         value: share.clamp(0.0, 1.0),
@@ -38,11 +38,6 @@ impl Grip {
         let weights = stations(bends[bends.len() - 1])[1].shape;
         let outermost = weights[0] * a[0] + weights[1] * b[0];
         Self { width: outermost - inner - displacement.x, weights }
-    }
-
-    /// Share of the force that still acts \[–\], and its slope by the width \[1/mm\].
-    pub fn share(&self, thickness: f64) -> ValueAndSlope {
-        fading(self.width, thickness)
     }
 }
 

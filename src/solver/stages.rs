@@ -25,7 +25,7 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
             break;
         }
         if let Err(error) = stage.check(solutions.last().map(|before| &before.model)) {
-            solutions.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
+            solutions.push(StageSolution::unsolved(stage.model.clone(), Stop::Refused(error)));
             break;
         }
         observer.stage(stage);
@@ -43,7 +43,7 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
 /// Solves a model from the flat blank; one that [`Model::check`] refuses ends with [`Stop::Refused`].
 pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     if let Err(error) = model.check() {
-        return StageSolution::refused(model.clone(), Stop::Refused(error));
+        return StageSolution::unsolved(model.clone(), Stop::Refused(error));
     }
     from_flat(model, observer)
 }
@@ -80,8 +80,7 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
 
 /// First state of a stage, from the last `state` of a stage with the model `before`.
 ///
-/// The sheet keeps nodes, thickness, strains, stress and temperature but for trimming and annealing; time and travel restart,
-/// velocities scale with the speed as a guess; tools that stay keep position and pressure, gases their pressure.
+/// Time and travel restart, velocities scale with the speed; tools that stay keep position and pressure, gases their pressure.
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
@@ -128,18 +127,15 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
 fn trim(state: &mut State, radius: f64) {
     let inside = state.nodes.windows(2).rposition(|w| 0.5 * (w[0][0] + w[1][0]) <= radius).map_or(0, |e| e + 1);
     let elements = inside.max(LEAST_ELEMENTS).min(state.thickness.len());
-    [&mut state.nodes, &mut state.velocity, &mut state.end_velocity]
-        .into_iter()
-        .for_each(|per_node| per_node.truncate(elements + 1));
-    state.s0.truncate(elements + 1);
+    fn cut<T, const N: usize>(values: [&mut Vec<T>; N], length: usize) {
+        values.into_iter().for_each(|values| values.truncate(length));
+    }
+    cut([&mut state.nodes, &mut state.velocity, &mut state.end_velocity], elements + 1);
+    cut([&mut state.s0], elements + 1);
     let State { thickness, volume, dilation, dilation_rate, temperature, .. } = state;
-    [thickness, volume, dilation, dilation_rate, temperature]
-        .into_iter()
-        .for_each(|per_element| per_element.truncate(elements));
-    [&mut state.bends, &mut state.steady].into_iter().for_each(|per_element| per_element.truncate(elements));
-    [&mut state.membrane, &mut state.temperature_rates]
-        .into_iter()
-        .for_each(|per_element| per_element.truncate(elements));
+    cut([thickness, volume, dilation, dilation_rate, temperature], elements);
+    cut([&mut state.bends, &mut state.steady], elements);
+    cut([&mut state.membrane, &mut state.temperature_rates], elements);
     state.points.truncate_rows(elements);
     [&mut state.pressure, &mut state.shift]
         .into_iter()

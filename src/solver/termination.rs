@@ -62,8 +62,7 @@ impl Termination {
         let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
         let throat = model.tool_index(Role::Die).map(|die| {
             let profile = &model.tools[die].profile;
-            let points = profile.polyline(0.01);
-            let radius = points.iter().map(|p| p.x).fold(f64::INFINITY, f64::min);
+            let (points, radius) = (profile.polyline(0.01), profile.least_r());
             let lowest =
                 |within: f64| points.iter().filter(|p| p.x <= within).map(|p| p.y).fold(f64::INFINITY, f64::min);
             let end = lowest(radius + ROUND_OFF * model.blank.thickness);

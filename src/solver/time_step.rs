@@ -1,7 +1,6 @@
 //! Time step control.
 //!
-//! The iterations, contact changes, strain increment and closing gaps of a step decide the length of the next, in process time
-//! ([`Model::process_time`]). Steps land on frames, the closing of the tools and changes of speed.
+//! Iterations, contact changes, strain increment and closing gaps of a step decide the length of the next, in process time.
 
 use super::converged::Converged;
 use super::corrector::patience;

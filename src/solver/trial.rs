@@ -56,7 +56,7 @@ impl Trial {
     /// Allocates for a run that begins with `state`.
     pub fn new(context: &RunContext, state: &State) -> Self {
         let (model, n) = (context.model, state.nodes.len());
-        let constant = model.release.is_some_and(|release| release.stiffness == ReleaseStiffness::Constant);
+        let constant = model.release == Some(ReleaseStiffness::Constant);
         let elastoplastic = if model.mode == Mode::Flow { 0 } else { state.thickness.len() };
         Self {
             moves: vec![[0.0; 3]; n],

@@ -7,9 +7,7 @@ use proptest::prelude::*;
 use stampflow::case::files::{Disk, FileError, Files, Memory};
 use stampflow::case::{self, Case};
 use stampflow::geometry::Point;
-use stampflow::model::{
-    Edge, Extent, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory, ThicknessRule,
-};
+use stampflow::model::{Edge, Extent, Grading, Mode, Motion, Press, ReleaseStiffness, Role, Theory, ThicknessRule};
 use std::fs::{self, File};
 use std::path::Path;
 
@@ -286,7 +284,7 @@ release = "constant"
     assert_ne!(redraw.model.tools[0].profile, stages[0].model.tools[0].profile);
     assert_eq!(redraw.model.tools[0].friction, 0.08.into());
 
-    assert_eq!(stages[4].model.release, Some(Release { stiffness: ReleaseStiffness::Constant }));
+    assert_eq!(stages[4].model.release, Some(ReleaseStiffness::Constant));
     assert_eq!(stages[4].model.mode, Mode::Elastic);
     assert!(stages[4].model.tools.iter().all(|tool| tool.motion == Motion::Fixed));
     assert_eq!((stages[4].model.travel, stages[4].model.duration), (0.0, 1.0));

@@ -7,8 +7,8 @@ use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Elastic, Gtn, Hill48, Rate};
 use stampflow::model::{
-    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl, Release, Role,
-    Stage, Theory, ToolHeat,
+    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl, Role, Stage,
+    Theory, ToolHeat,
 };
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::solver::solution::Stop;
@@ -216,7 +216,7 @@ fn what_does_not_go_together_is_refused() {
         ("elastic voids", |m| (m.mode, m.material.gtn) = (Mode::ElastoViscoplastic, Some(Gtn::example()))),
         ("elastic selection", |m| (m.mode, m.blank.theory) = (Mode::ElastoViscoplastic, Theory::Selective)),
         ("a membrane of three points", |m| m.blank.theory = Theory::Membrane),
-        ("a release that cannot spring back", |m| m.release = Some(Release::default())),
+        ("a release that cannot spring back", |m| m.release = Some(Default::default())),
         ("heat to a tool that is not there", |m| m.tools.retain(|tool| tool.role != Role::Punch)),
         ("nothing that acts", |m| {
             m.tools.clear();

@@ -32,7 +32,7 @@ impl Observer for OfStep {
 }
 
 fn quickstart(step: usize, matrices: &[Iteration], tolerance: Option<f64>) -> Trace {
-    let request = TraceRequest { step, matrices: matrices.to_vec(), tolerance, ..TraceRequest::default() };
+    let request = TraceRequest { stage: 1, step, matrices: matrices.to_vec(), tolerance };
     trace(&shipped_case("quickstart", &[]).stages, &request, &mut ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -43,7 +43,8 @@ fn a_step_is_repeated_as_the_run_took_it() {
         let case = shipped_case(case, &[]);
         let mut seen = OfStep { step, kept: Vec::new(), is_over: false };
         stampflow::solve(&case.stages, &mut seen);
-        let traced = trace(&case.stages, &TraceRequest { step, ..TraceRequest::default() }, &mut ()).expect("a step");
+        let request = TraceRequest { stage: 1, step, matrices: vec![], tolerance: None };
+        let traced = trace(&case.stages, &request, &mut ()).expect("a step");
         let [history] = traced.histories.as_slice() else { panic!("one history") };
         assert!(history.end.is_some() && traced.record.step == step, "{} {step}", case.name);
         // The tries of a step that was halved first come before it.

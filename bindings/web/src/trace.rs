@@ -15,7 +15,7 @@ const MATRICES: [(Iteration, &str); 3] =
 /// Iterations of a step with each matrix, and where its power goes.
 pub fn step(case: &Case, step: usize) -> Result<Value, Failure> {
     let matrices = MATRICES.map(|(matrix, _)| matrix).to_vec();
-    let request = TraceRequest { step, matrices, ..TraceRequest::default() };
+    let request = TraceRequest { stage: 1, step, matrices, tolerance: None };
     let traced = trace(&case.stages, &request, &mut ())
         .map_err(|none| Failure { what: none.to_string(), ..Failure::default() })?;
     let (record, power) = (&traced.record, &traced.record.power);

@@ -7,7 +7,7 @@ use super::{holder, limits, material};
 use crate::case::file::{self, CaseFile, Given, ToolKeys};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
-use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, StopRules, Tool};
+use crate::model::{Beginning, Mode, Model, Motion, Press, Role, Stage, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, rounded};
 
@@ -230,7 +230,7 @@ impl StageContext<'_> {
 
     /// Sets release and mode; the flow law's sheet springs back elastically.
     fn release(&self, model: &mut Model) -> Result<(), CaseError> {
-        model.release = self.written.release.and_then(|release| release.0).map(|stiffness| Release { stiffness });
+        model.release = self.written.release.and_then(|release| release.0);
         let released = model.release.is_some();
         if let Some(tool) = self.tools.keys().find(|tool| released && path_of(tool).is_some()) {
             let help = "drop `move` and `aside`, or the release";

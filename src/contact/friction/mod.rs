@@ -93,7 +93,6 @@ impl Friction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
     use proptest::prelude::*;
 
     proptest! {
@@ -123,24 +122,6 @@ mod tests {
                 let most = (law.largest_coefficient() + viscous) * pressure;
                 prop_assert!(drag.value.abs() <= most * (1.0 + 1e-12), "{name}");
             }
-        }
-    }
-
-    /// Trust: the published forms themselves, where the regularisation is full (slip ≫ s₀: φ = 1 to 5e-9).
-    #[test]
-    fn sliding_values_are_the_published_ones() {
-        let laws: std::collections::HashMap<_, _> = Friction::examples().into_iter().collect();
-        for (law, pressure, stress, accuracy) in [
-            ("coulomb", 20.0, 2.4, 1e-8),
-            // Below 1 % of the reference pressure the coefficient levels off; at 4 times it that counts 1e-6.
-            ("pressure_dependent", 20.0, 0.12 * 4.0_f64.powf(-0.1) * 20.0, 1e-6),
-            ("stribeck", 20.0, (0.05 + 0.1 * (-0.25_f64).exp() + 0.0005) * 20.0, 1e-8),
-            // Far above and far below the transition: the limit m k, and Coulomb.
-            ("tresca", 6000.0, 30.0, 1e-8),
-            ("tresca", 1e-3, 0.1e-3, 1e-8),
-        ] {
-            let at = Sliding { pressure, slip: 1.0, scale: 1e-4, duration: 0.2, shear_yield: 150.0 };
-            assert_relative_eq!(laws[law].at(&at).value, stress, max_relative = accuracy);
         }
     }
 }

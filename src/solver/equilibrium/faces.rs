@@ -95,7 +95,7 @@ fn limit(geometry: Geometry, thickness: f64, by: By) -> f64 {
 /// tube. The mesh's share is (h/R)²/8 = 7e-6.
 #[test]
 fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
-    for slender in [0.02, 0.05, 0.1, 0.2] {
+    for slender in [0.02, 0.05, 0.1, 0.2, 1.0 / 3.0] {
         for (geometry, factor) in [(Geometry::Axisymmetric, 2.0), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt())] {
             let exact = factor * YIELD * f64::ln((1.0 + 0.5 * slender) / (1.0 - 0.5 * slender));
             for by in [By::Contact, By::Gas] {
@@ -104,23 +104,6 @@ fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
                 assert!(error.abs() < bound, "{geometry:?}, t/R {slender}: {error:.2e} of at most {bound:.2e}");
             }
         }
-    }
-}
-
-/// Trust: the integral through the thickness of a strip that is stretched over a cylinder, dσ_r/dr = (σ_θ − σ_r)/r with
-/// σ_θ − σ_r = 2σ₀/√3: its tension is a p with p = (2/√3) σ₀ ln(b/a).
-#[test]
-fn a_strip_over_a_cylinder_carries_the_tension_of_the_integral_within_a_hundredth() {
-    for ratio in [3.0, 5.0, 10.0, 30.0] {
-        let thickness = RADIUS / ratio;
-        let (a, b) = (RADIUS - 0.5 * thickness, RADIUS + 0.5 * thickness);
-        let (mut tension, layers) = (0.0, 10_000);
-        for k in 0..layers {
-            let r = a + (b - a) * (k as f64 + 0.5) / layers as f64;
-            tension += 2.0 / 3f64.sqrt() * YIELD * (1.0 - f64::ln(b / r)) * (b - a) / layers as f64;
-        }
-        let found = limit(Geometry::PlaneStrain, thickness, By::Contact) * a;
-        assert!((found / tension - 1.0).abs() < 0.01, "R/t {ratio}: {found} for {tension}");
     }
 }
 

@@ -172,24 +172,3 @@ fn compare(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
         }
     }
 }
-
-/// Trust: the gap that the forces themselves see, where every point is measured because it could be near.
-#[test]
-fn a_gap_far_away_is_the_one_that_contact_would_see() {
-    let model = model(Geometry::Axisymmetric, Theory::Bending);
-    let state = formed(&model);
-    let gaps = |far: f64, measure: fn(&Step, &mut Trial, &mut Evaluation)| {
-        with_step(&model, &state, (0.05, false), |step, trial, evaluation| {
-            let largest = step.half_thickness_difference.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
-            assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
-            trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
-            assert!(evaluate(step, trial, &NEWTON, evaluation));
-            measure(step, trial, evaluation);
-            evaluation.contacts.iter().map(|contact| contact.gap).collect::<Vec<_>>()
-        })
-    };
-    let (near, far) = (gaps(f64::NEG_INFINITY, |_, _, _| {}), gaps(f64::INFINITY, contact::measure_far));
-    for (near, far) in near.iter().zip(&far) {
-        assert!((near - far).abs() < 1e-12, "{near} {far}");
-    }
-}

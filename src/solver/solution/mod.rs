@@ -12,7 +12,7 @@ pub use step_record::StepRecord;
 pub use stop::Stop;
 
 use crate::forming_limit::Paths;
-use crate::model::{Iteration, Model, mesh};
+use crate::model::{Iteration, Model};
 use crate::solver::Start;
 use crate::solver::state::State;
 
@@ -104,14 +104,8 @@ impl StageSolution {
         self.steps.iter().map(|step| step.work.external.abs()).fold(0.0, f64::max)
     }
 
-    /// Empty results of a stage that has not begun.
-    pub fn unsolved(model: Model) -> Self {
-        let end = State::flat(&model, mesh::nodes(&model));
-        Self { end, ..Self::refused(model, Stop::FullTravel) }
-    }
-
-    /// Empty results of a stage that was not tried, without a state.
-    pub fn refused(model: Model, stop: Stop) -> Self {
+    /// Empty results of a stage that has not begun, without a state.
+    pub fn unsolved(model: Model, stop: Stop) -> Self {
         Self {
             start: None,
             steps: Vec::new(),

@@ -1,9 +1,7 @@
 //! Averages along the meridian over a length of about a thickness.
 //!
-//! A sheet bent under tension thins, and its bending moment falls with the square of the thickness; where hardening does not
-//! make up for that, a shell without a length scale bends on in single elements and neighbours thin in turn. A real section
-//! cannot be weaker than the sheet within about a thickness of it, so an element's section has the mean thickness of its
-//! neighbourhood. Longer elements stand for themselves.
+//! A sheet bent under tension thins, and its moment falls with the square of the thickness: without a length scale single
+//! elements bend on and neighbours thin in turn. So an element's section has the mean thickness of its neighbourhood.
 
 use super::State;
 use crate::model::Model;

@@ -11,7 +11,7 @@ use super::bead;
 use super::sheet::STABILISATION;
 use crate::model::{Motion, Role};
 use crate::solver::evaluation::Evaluation;
-use crate::solver::restraints::Grip;
+use crate::solver::restraints::{Grip, fading};
 use crate::solver::state::waiting_displacement;
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
@@ -39,7 +39,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
             force -= closing;
         }
         let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, &step.bends);
-        let share = grip.share(model.blank.thickness);
+        let share = fading(grip.width, model.blank.thickness);
         system.corner[(k, k)] += share.value * springs;
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
             system.rows[i][k].x -= share.slope * weight * force;

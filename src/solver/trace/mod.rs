@@ -22,12 +22,6 @@ pub struct TraceRequest {
     pub tolerance: Option<f64>,
 }
 
-impl Default for TraceRequest {
-    fn default() -> Self {
-        Self { stage: 1, step: 1, matrices: Vec::new(), tolerance: None }
-    }
-}
-
 /// Iterations of one step with each requested matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
@@ -80,15 +74,9 @@ impl IterationHistory {
 /// Reason why a step cannot be traced.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoSuchStep {
-    /// Requested stage of a case with so many stages.
-    #[error("there is no stage {0}: the case has {1}, counted from 1")]
-    Stage(usize, usize),
-    /// Requested step of a stage with so many steps.
-    #[error("there is no step {0}: the run has {1}, counted from 1")]
-    Step(usize, usize),
-    /// Requested stage of a run that ends in an earlier one.
-    #[error("stage {0} is not reached: the run ends in stage {1}")]
-    NotReached(usize, usize),
+    /// Missing stage or step.
+    #[error("{0}")]
+    Missing(String),
     /// The observer ended the run before the step.
     #[error("interrupted before the step")]
     Interrupted,
@@ -101,7 +89,8 @@ pub enum NoSuchStep {
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
     let &TraceRequest { stage, step, .. } = request;
     if stage == 0 || stage > stages.len() {
-        return Err(NoSuchStep::Stage(stage, stages.len()));
+        let have = stages.len();
+        return Err(NoSuchStep::Missing(format!("there is no stage {stage}: the case has {have}, counted from 1")));
     }
     let mut replay = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
     let solutions = solve(stages, &mut replay);
@@ -109,8 +98,12 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
         let interrupted = |run: &StageSolution| matches!(run.stop, Stop::Interrupted { .. });
         return Err(match solutions.get(stage - 1) {
             _ if solutions.iter().take(stage).any(interrupted) => NoSuchStep::Interrupted,
-            Some(run) => NoSuchStep::Step(step, run.steps.len()),
-            None => NoSuchStep::NotReached(stage, solutions.len()),
+            Some(StageSolution { steps, .. }) => {
+                NoSuchStep::Missing(format!("there is no step {step}: the run has {}, counted from 1", steps.len()))
+            }
+            None => {
+                NoSuchStep::Missing(format!("stage {stage} is not reached: the run ends in stage {}", solutions.len()))
+            }
         });
     };
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);

@@ -7,7 +7,7 @@ use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Elastic, Hardening};
 use stampflow::model::{
-    Beginning, Edge, Face, Gas, Geometry, Grading, Mode, Model, Motion, Release, ReleaseStiffness, Role, Stage, Tool,
+    Beginning, Edge, Face, Gas, Geometry, Grading, Mode, Model, Motion, ReleaseStiffness, Role, Stage, Tool,
 };
 use stampflow::numerics::PiecewiseLinear;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -219,7 +219,7 @@ fn let_go(rng: &mut Rng, before: &Model) -> Stage {
     for tool in &mut model.tools {
         tool.motion = Motion::Fixed;
     }
-    model.release = Some(Release { stiffness: ReleaseStiffness::Updated });
+    model.release = Some(ReleaseStiffness::Updated);
     let trim = rng.bool().then(|| cut(rng, before));
     Stage { name: "release".into(), begin: Beginning { trim, ..Beginning::default() }, model }
 }
