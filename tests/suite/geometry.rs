@@ -340,8 +340,9 @@ fn narrow_hollows_are_refused_with_their_place() {
     let points: Vec<Point> = slot.iter().map(|p| Point::new(p[0], p[1])).collect();
     let rounded = Profile::new(fillet(&points, &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0]).unwrap()).unwrap();
     let error = rounded.offset(1.2).unwrap_err();
-    assert!(matches!(error, OffsetError::TooTight { radius, .. } if (radius - 1.0).abs() < 1e-9), "{error}");
-    assert!((error.at() - Point::new(10.3, -7.7)).norm() < 0.1, "{error}");
+    let OffsetError::TooTight { radius, at } = error else { panic!("{error}") };
+    assert!((radius - 1.0).abs() < 1e-9, "{error}");
+    assert!((at - Point::new(10.3, -7.7)).norm() < 0.1, "{error}");
     let soft = Profile::new(fillet(&points, &[0.0, 1.0, 1.5, 1.5, 1.0, 0.0]).unwrap()).unwrap();
     assert!(soft.offset(1.2).is_ok());
     let sharp = chain(&slot).offset(1.2).unwrap_err();
