@@ -35,7 +35,7 @@ mod verify;
 
 use anyhow::{Result, bail, ensure};
 use bug::caught;
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
 use options::{Common, ErrorBars, Json, Overrides, PictureOptions, Suggested, Threads};
@@ -57,7 +57,7 @@ Examples:
   stampflow check cup.toml
   stampflow run cup.toml
 
-`-h` prints the short help of a verb, `--help` all of it.
+`--help` of a verb prints what is used most, `--help-all` everything.
 
 Exit codes:
   0    done
@@ -69,11 +69,17 @@ Exit codes:
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, max_term_width = 80, after_help = HELP)]
+#[command(version, arg_required_else_help = true, disable_help_flag = true, max_term_width = 80, after_help = HELP)]
 pub struct Args {
     /// Units of texts: si or us (in, US tonf, ksi); files for programs stay in si
-    #[arg(long, global = true, value_name = "SYSTEM", default_value = "si", value_parser = options::units)]
+    #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", value_parser = options::units)]
     units: DisplaySettings,
+    /// Print what is used most
+    #[arg(short, long, global = true, display_order = 900, action = ArgAction::HelpShort)]
+    help: (),
+    /// Print every option
+    #[arg(long, global = true, display_order = 900, action = ArgAction::HelpLong)]
+    help_all: (),
     #[command(subcommand)]
     verb: Verb,
 }
