@@ -1,10 +1,9 @@
-//! Verdict in one sentence, with the numbers of the part.
+//! Verdict in one sentence, its failure modes, and the numbers of the part.
 
 use super::forming_limit;
 use super::key_number::numbers;
-use super::tear::{Tear, place, tear, thinnest};
-use super::thinning;
-use super::{FailureMode, Finding, Light, judgements};
+use super::tear::{self, Tear, place, tear, thinnest};
+use super::{Finding, Light, judgements};
 use crate::case::Case;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, Quantity, joined};
@@ -88,14 +87,71 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
         (None, None) if limit_is_amber && limit_used > Some(forming_limit::CAREFUL) => {
             joined(["it comes near to tearing".into(), at], " ")
         }
-        (None, None) if is("thinning", Light::Amber) && thinning > thinning::CAREFUL => {
+        (None, None) if is("thinning", Light::Amber) && thinning > tear::CAREFUL => {
             let limit = match limit_used {
                 Some(used) => format!("the forming limit is used to {}", Amount::share(used)),
                 None => "no forming limit is given".into(),
             };
-            format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(thinning::CAREFUL))
+            format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(tear::CAREFUL))
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
         _ => "it does not tear, and nothing speaks against it".into(),
+    }
+}
+
+/// Failure mode of a part or a design; the order is that of importance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FailureMode {
+    /// The sheet tears or necks.
+    Tears,
+    /// The flange wrinkles.
+    Wrinkles,
+    /// The press lacks force or energy.
+    Press,
+    /// Any other red finding.
+    Other,
+    /// No result: invalid case, no equilibrium, or interrupted.
+    NoResult,
+}
+
+impl FailureMode {
+    /// All modes, in their order.
+    pub const ALL: [Self; 5] = [Self::Tears, Self::Wrinkles, Self::Press, Self::Other, Self::NoResult];
+
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        ["tears", "wrinkles", "press", "other", "no_answer"][self as usize]
+    }
+
+    /// Mode of a name in files.
+    pub fn from_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|mode| mode.key() == key)
+    }
+
+    /// Name in text.
+    pub fn label(self) -> &'static str {
+        ["tears", "wrinkles", "press too small", "refused otherwise", "no result"][self as usize]
+    }
+
+    /// All modes of a solved case, the most important first; empty if the part is sound.
+    pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
+        use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
+        let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
+        if !stop.is_complete() && !stop.is_physical() {
+            return vec![Self::NoResult];
+        }
+        let is_tear = matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. });
+        let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
+        let mode = |key| match key {
+            "stop" if is_tear => Self::Tears,
+            "thinning" | "localisation" | "forming_limit" | "bottom_tearing" => Self::Tears,
+            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
+            "press_force" | "energy" => Self::Press,
+            _ => Self::Other,
+        };
+        let mut modes: Vec<Self> = red.map(mode).collect();
+        modes.sort_unstable();
+        modes.dedup();
+        modes
     }
 }

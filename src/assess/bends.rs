@@ -1,8 +1,8 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
 use super::bottom_tearing::nose;
-use super::{Finding, run::Run};
-use crate::assess::design::{SHARP, THIN, bent_strength};
+use super::design::{SHARP, THIN, bent_strength};
+use super::{Finding, Run};
 use crate::geometry::{Arc, CORNER, Point};
 use crate::model::tool_sizes::extent;
 use crate::model::{Model, Role, Theory, Tool};
@@ -19,11 +19,9 @@ pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
         Theory::Bending | Theory::Selective => "beyond thin-shell theory",
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
-    (smallest.radius < THIN * model.blank.thickness).then(|| {
-        let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));
-        let warning = Finding::warning("tool_radius", "Tool radius", text).number(Amount::thicknesses(ratio));
-        warning.at_least(format!("{} at least", Amount::given_thicknesses(THIN)), THIN, None)
-    })
+    let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));
+    let warning = Finding::warning("tool_radius", "Tool radius", text).number(Amount::thicknesses(ratio));
+    warning.at_least(format!("{} at least", Amount::given_thicknesses(THIN)), THIN, None).if_beyond()
 }
 
 pub(super) fn radius(run: &Run) -> Option<Finding> {

@@ -1,8 +1,7 @@
 //! Tearing of a cup's bottom: punch force against the strength of the wall.
 
-use super::run::{Run, at_event};
-use super::{Finding, thinning};
-use crate::assess::estimate::{draw_ratio, tensile_strength};
+use super::estimate::{draw_ratio, tensile_strength};
+use super::{Finding, Run, at_event, tear};
 use crate::geometry::Arc;
 use crate::model::{Edge, Geometry, Role, Tool};
 use crate::solver::solution::{StageSolution, StepRecord};
@@ -22,11 +21,10 @@ const NEAR: f64 = 0.9;
 /// # References
 /// 4ming, Forming handbook, "Tearing force", equations 1 and 2 (4ming.de/en/forming-handbook/tearing-force):
 /// F_BR = π (d₁ + s₀) s₀ R_m a_R with a_R = 1 … 1.6. The works that it quotes were not read.
-pub(super) fn judge(run: &Run) -> Option<Finding> {
-    let forces = run.stages.iter().enumerate().filter_map(|(i, solved)| Some((i, forces(solved, i)?)));
-    let ratio = |(_, (peak, tears)): &(usize, (&StepRecord, f64))| peak.punch_force / tears;
-    let (i, (peak, tears)) = forces.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let (stage, factor) = (&run.stages[i], peak.punch_force / tears);
+pub(super) fn judge<'a>(run: &Run<'a>) -> Option<Finding> {
+    let share = |(peak, tears): (&'a StepRecord, f64)| (peak.punch_force / tears, (peak, tears));
+    let (i, factor, (peak, tears)) = run.peak(|i, stage| forces(stage, i).map(share))?;
+    let stage = &run.stages[i];
     let force = format!("punch force up to {}", Amount::force(peak.punch_force, Unit::N));
     let force = joined([force, at_event(stage, peak)], " ");
     let [near, least, most] = [NEAR, FACTORS[0], FACTORS[1]].map(Amount::given_share);
@@ -39,7 +37,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         .number(Amount::share(factor))
         .at_most(limit, 100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
         .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
-        .advice(thinning::advice(run, stage, NoseEnd::of(stage)?.radius))
+        .advice(tear::advice(run, stage, NoseEnd::of(stage)?.radius))
         .into()
 }
 

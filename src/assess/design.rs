@@ -79,13 +79,13 @@ impl Picked {
     }
 
     /// Number that the user has given.
-    pub fn given(value: f64) -> Self {
+    pub fn input(value: f64) -> Self {
         Self { value, why: String::new() }
     }
 
     /// Number that the user has given, or that a rule picks.
-    pub fn or(given: Option<f64>, rule: impl FnOnce() -> Self) -> Self {
-        given.map_or_else(rule, Self::given)
+    pub fn or(input: Option<f64>, rule: impl FnOnce() -> Self) -> Self {
+        input.map_or_else(rule, Self::input)
     }
 
     /// True if the user has given it.

@@ -91,7 +91,7 @@ impl Serialize for Finding {
         if let Some(limits) = self.limits() {
             map.serialize_entry("limits", &limits)?;
         }
-        map.serialize_entry("found", &self.found())?;
+        map.serialize_entry("found", &self.statement())?;
         map.serialize_entry("limit", &self.limit)?;
         map.serialize_entry("source", &self.source)?;
         map.serialize_entry("advice", &self.advice)?;
@@ -167,14 +167,17 @@ impl Finding {
         // Also what is not a number is beyond a limit.
         let is_kept = |limit: f64| if limits.sense == Sense::AtMost { value <= limit } else { value >= limit };
         quantity.limits = Some(limits);
-        if self.kind == Kind::Judgement {
-            self.light = match limits {
-                Limits { amber: Some(amber), .. } if is_kept(amber) => Light::Green,
-                Limits { red: Some(red), .. } if !is_kept(red) => Light::Red,
-                _ => Light::Amber,
-            };
-        }
+        self.light = match limits {
+            Limits { amber: Some(amber), .. } if is_kept(amber) => Light::Green,
+            Limits { red: Some(red), .. } if !is_kept(red) => Light::Red,
+            _ => Light::Amber,
+        };
         self.limit(limit)
+    }
+
+    /// Drops a warning whose number keeps its limit.
+    pub(super) fn if_beyond(self) -> Option<Self> {
+        (self.light > Light::Green).then_some(self)
     }
 
     pub(super) fn limit(self, limit: impl Into<String>) -> Self {
@@ -194,7 +197,7 @@ impl Finding {
     }
 
     /// Sentence with the number, and its error bar if there is one.
-    pub fn found(&self) -> String {
+    pub fn statement(&self) -> String {
         match &self.quantity {
             Some(number) if self.text.contains(PLACEHOLDER) => {
                 self.text.replacen(PLACEHOLDER, &number.amount.to_string(), 1)
@@ -218,7 +221,7 @@ impl Finding {
 
     /// Sentence, and for a warning the change to make.
     pub fn sentence(&self) -> String {
-        joined([self.found(), self.advice.clone()], ": ")
+        joined([self.statement(), self.advice.clone()], ": ")
     }
 }
 
@@ -246,21 +249,14 @@ pub fn headline(findings: &[Finding]) -> String {
     joined([Light::Red, Light::Amber, Light::Grey, Light::Green].map(part), ", ")
 }
 
-/// Rows of the verdict by light, grouped by advice.
-pub fn by_advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<Vec<&Finding>> {
+/// Rows of the verdict of a light, grouped by advice.
+pub fn by_advice(findings: &[Finding], light: Light) -> Vec<Vec<&Finding>> {
     let mut groups: Vec<Vec<&Finding>> = Vec::new();
-    for finding in judgements(findings).filter(|f| is(f.light)) {
+    for finding in judgements(findings).filter(|finding| finding.light == light) {
         match groups.iter_mut().find(|group| group[0].advice == finding.advice) {
             Some(group) => group.push(finding),
             None => groups.push(vec![finding]),
         }
     }
     groups
-}
-
-/// Labels and advice of rows of the verdict by light, grouped by advice.
-pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
-    let groups = by_advice(findings, is).into_iter().filter(|group| !group[0].advice.is_empty());
-    let labels = |group: &[&Finding]| joined(group.iter().map(|finding| finding.label.into()), ", ");
-    groups.map(|group| (labels(&group), group[0].advice.as_str())).collect()
 }

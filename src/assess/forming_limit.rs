@@ -1,7 +1,7 @@
 //! Distance to the forming limit.
 
-use super::{Finding, Light, run::Run, thinning};
-use crate::assess::design::THIN;
+use super::design::THIN;
+use super::{Finding, Light, Run, tear};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
 use crate::solver::solution::StageSolution;
@@ -16,6 +16,7 @@ const BENT: f64 = 0.5;
 pub(super) struct Nearest<'a> {
     /// Name of the curve.
     pub name: &'static str,
+    pub index: usize,
     pub stage: &'a StageSolution,
     pub assessment: Assessment,
 }
@@ -23,9 +24,9 @@ pub(super) struct Nearest<'a> {
 impl<'a> Nearest<'a> {
     /// `None` without a forming limit.
     pub fn of(stages: &'a [StageSolution]) -> Option<Self> {
-        let all = stages.iter().filter_map(|stage| {
+        let all = stages.iter().enumerate().filter_map(|(index, stage)| {
             let curve = stage.model.forming_limit.as_ref()?;
-            Some(Self { name: curve.name, stage, assessment: assess(curve, &stage.paths)? })
+            Some(Self { name: curve.name, index, stage, assessment: assess(curve, &stage.paths)? })
         });
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {
@@ -60,7 +61,7 @@ fn judged(text: impl Into<String>) -> Finding {
 }
 
 pub(super) fn margin(run: &Run) -> Option<Finding> {
-    let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
+    let Some(Nearest { name, stage, assessment, .. }) = &run.nearest else { return Some(missing()) };
     if let (Some(open), None) = (assessment.open(), assessment.reached) {
         return Some(unjudged(name, open));
     }
@@ -95,7 +96,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
                 None => Light::Amber,
             })
             .source("the case's curve; the share is a declared rule of thumb")
-            .advice(thinning::advice(run, stage, worst.s0)),
+            .advice(tear::advice(run, stage, worst.s0)),
     )
 }
 

@@ -1,8 +1,7 @@
 //! Material data: sheet, tensile strength, range of the hardening law.
 
-use super::run::{Run, largest};
-use super::{Finding, Light};
-use crate::assess::estimate::tensile_strength;
+use super::estimate::tensile_strength;
+use super::{Finding, Light, Run, largest};
 use crate::case::Case;
 use crate::model::Model;
 use crate::solver::solution::StageSolution;
@@ -69,10 +68,10 @@ pub(super) fn strength(model: &Model) -> Option<Finding> {
 }
 
 pub(super) fn short(model: &Model) -> Option<Finding> {
-    let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
+    let strain = model.material.hardening.valid_up_to()?;
     let text = "the hardening table ends at a strain of {}; beyond it the law is extrapolated";
     let warning = Finding::warning("short_table", "Hardening law", text).number(Amount::number(strain));
-    Some(warning.at_least(format!("{} at least", Amount::number(FAR)), FAR, None))
+    warning.at_least(format!("{} at least", Amount::number(FAR)), FAR, None).if_beyond()
 }
 
 /// Largest equivalent strain of a stage \[–\].
@@ -83,28 +82,30 @@ fn reached(stage: &StageSolution) -> f64 {
 pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let material = &run.stages.last()?.model.material;
     let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
-    let range = material.measured_up_to();
     let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}").source(OWN);
     let judged = judged.number(Amount::ratio(strain));
-    let Some(end) = range else {
-        let judged = judged.light(Light::Grey).limit("a formula: the range of its fit is not in the case");
-        return Some(judged.advice("write the range of the fit as [material] fitted_up_to"));
-    };
     let ends = if material.fitted_up_to.is_some() { "it is fitted up to" } else { "its table ends at" };
-    let judged = judged.at_most(format!("{ends} {}", Amount::number(end)), end, None);
-    Some(judged.advice("add points at larger strains, from a bulge test"))
+    Some(match material.measured_up_to() {
+        None => judged
+            .light(Light::Grey)
+            .limit("a formula: the range of its fit is not in the case")
+            .advice("write the range of the fit as [material] fitted_up_to"),
+        Some(end) => judged
+            .at_most(format!("{ends} {}", Amount::number(end)), end, None)
+            .advice("add points at larger strains, from a bulge test"),
+    })
 }
 
 pub(super) fn extrapolated(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
     let strain = reached(stage);
     let material = &stage.model.material;
-    let end = material.measured_up_to().filter(|end| strain > *end)?;
+    let end = material.measured_up_to()?;
     let to = Amount::number(end);
     let range = if material.fitted_up_to.is_some() { "law is fitted up to" } else { "table ends at" };
     let text = format!("the hardening {range} a strain of {to}; the run extrapolates it to {{}}");
     let warning = Finding::warning("extrapolated", "Hardening law", text).number(Amount::ratio(strain));
-    Some(warning.at_most(to, end, None).source(OWN))
+    warning.at_most(to, end, None).source(OWN).if_beyond()
 }
 
 pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
@@ -112,15 +113,16 @@ pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
     let [cold, hot] = stage.model.material.hardening.temperatures()?;
     let hottest = largest(stage, |step| step.hottest);
     let coldest = stage.steps.iter().map(|step| step.coldest).fold(f64::INFINITY, f64::min);
-    (coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH).then(|| {
-        let [cold, hot, coldest, hottest] = [cold, hot, coldest, hottest].map(|kelvin| kelvin - ZERO_CELSIUS);
-        let limit = format!("{} to {}", Amount::temperature(cold), Amount::temperature(hot));
-        let text =
-            format!("hardening is given from {limit}; the sheet reaches {{}}, where the outermost curve is used");
-        let warning = Finding::warning("temperature_range", "Hardening law", text).source(OWN);
-        match hottest > hot {
-            true => warning.number(Amount::temperature(hottest)).at_most(limit, hot, None),
-            false => warning.number(Amount::temperature(coldest)).at_least(limit, cold, None),
-        }
+    if coldest >= cold - NEAR_ENOUGH && hottest <= hot + NEAR_ENOUGH {
+        return None;
+    }
+    let [cold, hot, coldest, hottest] =
+        [cold, hot, coldest, hottest].map(|kelvin| Amount::temperature(kelvin - ZERO_CELSIUS));
+    let limit = format!("{cold} to {hot}");
+    let text = format!("hardening is given from {limit}; the sheet reaches {{}}, where the outermost curve is used");
+    let warning = Finding::warning("temperature_range", "Hardening law", text).source(OWN);
+    Some(match hottest.value > hot.value {
+        true => warning.number(hottest).at_most(limit, hot.value, None),
+        false => warning.number(coldest).at_least(limit, cold.value, None),
     })
 }

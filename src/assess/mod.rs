@@ -7,32 +7,25 @@ mod answer;
 mod bends;
 mod bottom_tearing;
 pub mod check;
-mod clearance;
-mod closing;
 pub mod design;
 mod draw;
 pub mod estimate;
-mod failure_mode;
 mod finding;
 mod forming_limit;
-mod friction;
 mod holder;
 mod key_number;
 mod material;
 mod press;
-mod run;
 pub mod size;
 mod solution_quality;
 mod springback;
 mod stop;
 mod tear;
-mod thinning;
-mod wrinkling;
+mod tools;
 mod yield_condition;
 
-pub use answer::Answer;
-pub use failure_mode::FailureMode;
-pub use finding::{Finding, Kind, Light, When, advice, by_advice, headline, judgements, sentences};
+pub use answer::{Answer, FailureMode};
+pub use finding::{Finding, Kind, Light, When, by_advice, headline, judgements, sentences};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
 pub use key_number::largest_force;
@@ -40,10 +33,10 @@ pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
 use crate::case::Case;
+use crate::measure::events;
 use crate::model::{Model, Tool};
-use crate::solver::solution::StageSolution;
+use crate::solver::solution::{StageSolution, StepRecord};
 use forming_limit::Nearest;
-use run::Run;
 
 /// Findings on a case, in the order of output.
 const ON_CASE: [fn(&Case) -> Option<Finding>; 2] = [material::mixed, material::thickness];
@@ -51,11 +44,11 @@ const ON_CASE: [fn(&Case) -> Option<Finding>; 2] = [material::mixed, material::t
 /// Findings on the first stage.
 const ON_MODEL: [fn(&Model) -> Option<Finding>; 10] = [
     material::strength,
-    closing::closes,
-    closing::bead,
+    holder::closes,
+    holder::bead,
     holder::idle,
     holder::crushing,
-    clearance::narrow,
+    tools::narrow,
     solution_quality::mesh,
     draw::ratio,
     draw::blank_area,
@@ -64,43 +57,43 @@ const ON_MODEL: [fn(&Model) -> Option<Finding>; 10] = [
 
 /// Findings on each tool of the first stage.
 const ON_TOOL: [fn(&Model, &Tool) -> Option<Finding>; 4] =
-    [bends::tool_radius, friction::dry, bends::sharp_corner, solution_quality::line_end];
+    [bends::tool_radius, tools::dry_friction, bends::sharp_corner, solution_quality::line_end];
 
 /// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
 const ON_RUN: [fn(&Run) -> Option<Finding>; 22] = [
     stop::judge,
-    thinning::judge,
-    thinning::localisation,
+    tear::thinning,
+    tear::localisation,
     forming_limit::margin,
     forming_limit::paths,
     bottom_tearing::judge,
     draw::redraw,
-    wrinkling::judge,
-    wrinkling::wall,
+    draw::wrinkling,
+    draw::wall_wrinkles,
     press::force,
     press::energy,
     holder::judge,
-    clearance::judge,
-    clearance::ironing,
+    tools::clearance,
+    tools::ironing,
     springback::judge,
     draw::ears,
     bends::radius,
     bends::strength,
     yield_condition::judge,
     material::hardening,
-    friction::judge,
+    tools::friction,
     solution_quality::judge,
 ];
 
 /// Findings on each solved stage, in the order of output.
 const ON_STAGE: [fn(&StageSolution) -> Option<Finding>; 11] = [
     draw::trim,
-    thinning::neck_seen,
+    tear::neck_seen,
     solution_quality::poor,
     material::extrapolated,
     material::temperature,
     stop::contact_share,
-    closing::stays_open,
+    holder::stays_open,
     holder::lifted,
     holder::rests,
     holder::lost,
@@ -120,17 +113,18 @@ pub fn before(case: &Case) -> Vec<Finding> {
 
 /// Verdict on a solved case, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    on_run(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: false })
+    on_run(case, stages, false)
 }
 
 /// Like [`after`] for one of many runs; no finding solves the case a second time.
 pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    on_run(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: true })
+    on_run(case, stages, true)
 }
 
-fn on_run(run: &Run) -> Vec<Finding> {
-    let of_stages = run.stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
-    ON_RUN.iter().filter_map(|find| find(run)).chain(of_stages).collect()
+fn on_run(case: &Case, stages: &[StageSolution], is_one_of_many: bool) -> Vec<Finding> {
+    let run = Run { case, stages, nearest: Nearest::of(stages), is_one_of_many };
+    let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
+    ON_RUN.iter().filter_map(|find| find(&run)).chain(of_stages).collect()
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first stage, also the warnings before the
@@ -152,4 +146,54 @@ pub fn warnings(stage: &StageSolution) -> Vec<String> {
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
     let findings = ON_STAGE.iter().filter_map(|find| find(stage));
     findings.map(|finding| Finding { stage: Some(i), ..finding }).collect()
+}
+
+/// Solved case, as findings see it.
+struct Run<'a> {
+    case: &'a Case,
+    stages: &'a [StageSolution],
+    /// The stage that comes nearest to its forming limit.
+    nearest: Option<Nearest<'a>>,
+    /// Whether it is one of many runs, in which no finding may solve the case a second time.
+    is_one_of_many: bool,
+}
+
+impl<'a> Run<'a> {
+    /// Text with the number of its stage, counted from 0, if there are several.
+    fn of_stage(&self, text: String, i: usize) -> String {
+        if self.stages.len() > 1 { format!("{text}, stage {}", i + 1) } else { text }
+    }
+
+    fn steps(&self) -> impl Iterator<Item = &StepRecord> {
+        self.stages.iter().flat_map(|stage| &stage.steps)
+    }
+
+    /// Largest of a figure over all stages, or 0; `None` without a step.
+    fn largest(&self, value: impl Fn(&StepRecord) -> f64) -> Option<f64> {
+        self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
+    }
+
+    /// Stage with the largest of a figure: its number, the figure, and what belongs to it.
+    fn peak<T>(&self, figure: impl Fn(usize, &'a StageSolution) -> Option<(f64, T)>) -> Option<(usize, f64, T)> {
+        let all = self.stages.iter().enumerate();
+        let figures = all.filter_map(|(i, stage)| figure(i, stage).map(|(value, with)| (i, value, with)));
+        figures.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+/// Stages that form the sheet, with their numbers.
+fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
+    stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
+}
+
+/// Event of a stage in the step of a peak load: `(rim meets the die)`.
+fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
+    let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
+    let here = events(stage).into_iter().find(|event| event.travel > begins && event.travel <= peak.travel);
+    here.map_or_else(String::new, |event| format!("({})", event.kind.label()))
+}
+
+/// Largest of a figure over a stage, or 0.
+fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
+    stage.steps.iter().map(value).fold(0.0, f64::max)
 }

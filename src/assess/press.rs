@@ -1,7 +1,6 @@
 //! Press: force and energy against its ratings.
 
-use super::run::{Run, at_event};
-use super::{Finding, Light};
+use super::{Finding, Light, Run, at_event, formed};
 use crate::model::{Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
@@ -22,11 +21,8 @@ pub(super) struct Load<'a> {
 impl<'a> Load<'a> {
     /// Largest over all stages; `None` if no punch presses.
     pub fn largest(stages: &'a [StageSolution]) -> Option<Self> {
-        let formed = stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
-        let pressed = |step: &&StepRecord| step.punch_force > 0.0;
-        let loads =
-            formed.flat_map(|(stage, on)| on.steps.iter().filter(pressed).map(move |step| Self { stage, on, step }));
-        loads.max_by(|a, b| a.force().total_cmp(&b.force()))
+        let steps = formed(stages).flat_map(|(stage, on)| on.steps.iter().map(move |step| Self { stage, on, step }));
+        steps.filter(|load| load.step.punch_force > 0.0).max_by(|a, b| a.force().total_cmp(&b.force()))
     }
 
     /// Force of a holder that is pressed, with what its distance blocks bear \[N, or N/mm\].
@@ -68,9 +64,9 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
 
 pub(super) fn energy(run: &Run) -> Option<Finding> {
     let unit = run.stages.first()?.model.extent().energy_unit();
-    let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
-    let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
-    let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let work = |step: &StepRecord| (JOULES * step.work.external, ());
+    let forms = |stage: &StageSolution| stage.model.release.is_none();
+    let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
     let text = run.of_stage(format!("{{}}{}", per_depth(unit)), i);
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
     Some(rated("energy", "Energy", text, Amount::force(work, unit), rating))

@@ -1,8 +1,6 @@
 //! Quality of the numerical solution: energy balance, nearly rigid zones, penetration, bending moments, mesh.
 
-use super::Finding;
-use super::run::{Run, largest};
-use crate::assess::estimate;
+use super::{Finding, Run, estimate, largest};
 use crate::measure::moment_error;
 use crate::model::{ContactMethod, Mode, Model, Role, Settings, Tool};
 use crate::solver::solution::{StageSolution, StepRecord};
@@ -79,16 +77,13 @@ fn missing_work(run: &Run) -> f64 {
 
 /// Numerical error of a stage above its limit; the augmented Lagrangian should leave no penetration.
 pub(super) fn poor(stage: &StageSolution) -> Option<Finding> {
-    let poor = CHECKS.iter().take(3).find_map(|check| {
-        let share = (check.of)(stage).filter(|share| *share > check.limit)?;
-        Some((check, share, check.limit))
-    });
-    let left = || {
-        let deepest = largest(stage, |step| step.penetration);
-        let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
-        (augmented && deepest > 1.01 * Settings::PENETRATION).then_some((&CHECKS[2], deepest, Settings::PENETRATION))
-    };
-    let (check, share, limit) = poor.or_else(left)?;
+    let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
+    let left = augmented.then_some((&CHECKS[2], 1.01 * Settings::PENETRATION, Settings::PENETRATION));
+    let limits = CHECKS[..3].iter().map(|check| (check, check.limit, check.limit)).chain(left);
+    let (check, share, limit) = limits.into_iter().find_map(|(check, from, limit)| {
+        let share = (check.of)(stage).filter(|share| *share > from)?;
+        Some((check, share, limit))
+    })?;
     let warning = Finding::warning("solution_quality", "Solution quality", check.text).share(share, limit);
     Some(warning.source(ACCURACY).advice(check.advice))
 }
@@ -119,8 +114,7 @@ pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
         Mode::Elastic => "{} of the sheet would yield again as the tools are taken away, which elasticity leaves out",
         _ => "{} of the sheet yields again as the tools are taken away",
     };
-    let share = volume / total;
-    (share > LEAST).then(|| Finding::warning("yields_again", "Unloading", text).share(share, LEAST))
+    Finding::warning("yields_again", "Unloading", text).share(volume / total, LEAST).if_beyond()
 }
 
 /// Elements per 90° below which the load oscillates as nodes pass a corner, and the advised number \[–\].

@@ -1,6 +1,6 @@
 //! Spring-back against tolerances, and its compensation.
 
-use super::{Finding, Light, run::Run};
+use super::{Finding, Light, Run};
 use crate::case::Springback;
 use crate::geometry::Piece;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, ShapeMeasure, WALL_ANGLE, changes};

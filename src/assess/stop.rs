@@ -1,6 +1,6 @@
 //! End of the run.
 
-use super::{Finding, Light, run::Run, thinning};
+use super::{Finding, Light, Run, tear};
 use crate::model::Role;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, joined};
@@ -40,7 +40,7 @@ fn advice(run: &Run, last: &StageSolution) -> String {
         Stop::Interrupted { .. } => "let it run to its end",
         Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => {
-            return thinning::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
+            return tear::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
         }
         Stop::PressureMaximum { .. } => {
             "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"

@@ -1,11 +1,100 @@
-//! Location of a tear, in numbers and words.
+//! Thinning, necks and tears: their light, their place and their instant.
 
+use super::bottom_tearing::NoseEnd;
 use super::forming_limit::Nearest;
-use super::thinning::torn;
-use crate::measure::place_on_part;
-use crate::model::Geometry;
+use super::{Finding, Light, Run, draw};
+use crate::measure::{Band, place_on_part};
+use crate::model::{Edge, Geometry, Role};
+use crate::solver::solution::neck::{Neck, neck};
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, joined};
+
+/// Thinning from which a designer looks twice \[–\].
+pub(super) const CAREFUL: f64 = 0.20;
+/// Thinning that is refused unless a forming limit is kept \[–\].
+const REFUSED: f64 = 0.30;
+/// Thickness over the initial one below which a sheet that is not superplastic has torn \[–\].
+const TORN: f64 = 0.5;
+const NECK_LIMIT: &str = "no place thins alone";
+const NECK_SOURCE: &str = "the solver's watch for necks; declared thresholds";
+
+/// Remedies against thinning at a place, initially `s0` from the axis \[mm\]. Over a round punch friction spares the pole;
+/// at a nose everything that lets the flange come helps, unless the flange may wrinkle.
+pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
+    let model = &stage.model;
+    if model.tool(Role::Punch).is_none() {
+        return "a smaller height, a larger die shoulder or a thicker sheet".into();
+    }
+    if model.blank.edge == Edge::Clamped {
+        return "a shorter travel, larger radii, or an edge that is let in".into();
+    }
+    let on_dome = || place_on_part(stage, s0).is_some_and(|place| matches!(place.band, Band::Dome | Band::Unsupported));
+    let is_round = model.geometry == Geometry::Axisymmetric && (on_dome() || NoseEnd::of(stage).is_none());
+    let holder = model.tool(Role::Holder).is_some() && !draw::needs_holding(run);
+    if is_round {
+        let force = if holder { "less holder force, " } else { "" };
+        return format!("a smaller blank, {force}less friction at die and holder but more at the punch (no oil there)");
+    }
+    let force = if holder { "holder force or " } else { "" };
+    format!("a larger punch nose or die shoulder, a smaller blank, less {force}friction at die and holder")
+}
+
+/// Largest thinning of the last stage. A forming limit that is kept, or a superplastic metal, allows more.
+pub(super) fn thinning(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?.steps.last()?;
+    let model = run.case.model();
+    let thinning = 1.0 - last.thinnest / model.blank.thickness;
+    let allowed = run.nearest.as_ref().is_some_and(Nearest::is_kept)
+        || model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
+    let limit = match allowed {
+        true => format!("below {careful}"),
+        false => format!("below {careful}, at most {refused} unless a forming limit is kept"),
+    };
+    let text = format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0));
+    Finding::judged("thinning", "Thinning", text)
+        .number(Amount::share(thinning))
+        .at_most(limit, 100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
+        .advice(advice(run, run.stages.last()?, last.thinnest_s0))
+        .into()
+}
+
+pub(super) fn localisation(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
+    let thinnest = last.steps.last()?.thinnest_s0;
+    let judged = |light, text: String| Finding::judged("localisation", "Neck", text).light(light);
+    let finding = match (&last.stop, neck_seen(last)) {
+        (stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }), _) => {
+            judged(Light::Red, format!("it ended the run: {}", stop.kind()))
+        }
+        (_, Some(seen)) => Finding { quantity: seen.quantity, ..judged(Light::Red, seen.text) },
+        (_, None) => judged(Light::Green, "none".into()),
+    };
+    Some(finding.limit(NECK_LIMIT).source(NECK_SOURCE).advice(advice(run, last, thinnest)))
+}
+
+/// Neck, or a sheet too thin to be whole, in a stage that did not end by it.
+pub(super) fn neck_seen(stage: &StageSolution) -> Option<Finding> {
+    stage.steps.last()?;
+    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+        return None;
+    }
+    let neck = torn(stage)?;
+    let s0 = Amount::place(neck.s0);
+    let text = match neck.stands_out {
+        true => format!("it necks at s0 = {s0}, down to {{}} of the thickness; what follows depends on the mesh"),
+        false => format!("the sheet is down to {{}} of its thickness at s0 = {s0}: it has torn before"),
+    };
+    let warning = Finding::warning("neck", "Neck", text).number(Amount::share(neck.share));
+    Some(warning.limit(NECK_LIMIT).source(NECK_SOURCE))
+}
+
+/// Thinnest place of a stage that has taken a step, if it is a neck or too thin to be whole.
+pub(super) fn torn(stage: &StageSolution) -> Option<Neck> {
+    let neck = neck(&stage.model, &stage.end, None);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
+}
 
 pub(super) struct Tear<'a> {
     stage: usize,
@@ -18,16 +107,10 @@ pub(super) struct Tear<'a> {
 
 /// Tear where the forming limit is first reached, else where the run ended by one.
 pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
-    if let Some((on, reached)) =
-        Nearest::of(stages).and_then(|nearest| Some((nearest.stage, nearest.assessment.reached?)))
-    {
-        let stage = stages.iter().position(|stage| std::ptr::eq(stage, on))?;
-        return Some(Tear {
-            stage,
-            on,
-            travel: (on.model.travel > 0.0).then_some(reached.travel),
-            s0: Some(reached.s0),
-        });
+    let nearest = Nearest::of(stages);
+    if let Some((nearest, reached)) = nearest.and_then(|nearest| nearest.assessment.reached.map(|it| (nearest, it))) {
+        let travel = (nearest.stage.model.travel > 0.0).then_some(reached.travel);
+        return Some(Tear { stage: nearest.index, on: nearest.stage, travel, s0: Some(reached.s0) });
     }
     stages.iter().enumerate().find_map(|(stage, on)| {
         let (travel, s0) = match on.stop {

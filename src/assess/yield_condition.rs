@@ -2,7 +2,7 @@
 
 use super::forming_limit::other_condition;
 use super::tear::tear_sentence;
-use super::{Finding, run::Run};
+use super::{Finding, Run};
 use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};

@@ -2,7 +2,7 @@
 
 use super::*;
 use stampflow::assess::check::{self, Check};
-use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
+use stampflow::assess::{Finding, Kind, Light, by_advice, headline, judgements, sentences};
 
 options! {
     /// Explain a case; with --run solve it and give a verdict
@@ -48,11 +48,15 @@ fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> ScreenText {
     let rows = judgements(findings).map(|finding| {
         let limit = format!("{} ({})", finding.limit, finding.source);
         let light = Cell::Light(finding.light, String::new());
-        [finding.label.into(), light, finding.found().into(), limit.into()]
+        [finding.label.into(), light, finding.statement().into(), limit.into()]
     });
-    let unchecked = advice(findings, |light| light == Light::Grey);
+    let mut unchecked = by_advice(findings, Light::Grey);
+    unchecked.retain(|group| !group[0].advice.is_empty());
     let title = if unchecked.is_empty() { "" } else { "\nNot checked\n" };
-    let unchecked = unchecked.into_iter().map(|(labels, advice)| format!("  - {labels}: {advice}\n"));
+    let unchecked = unchecked.into_iter().map(|group| {
+        let labels: Vec<_> = group.iter().map(|finding| finding.label).collect();
+        format!("  - {}: {}\n", labels.join(", "), group[0].advice)
+    });
     let end = format!("\n{}\n{title}{}", headline(findings), unchecked.collect::<String>());
     let meaning = report.map_or_else(ScreenText::default, |report| wrapped(format!("{report}\n")));
     let headers = ["Verdict", "Light", "Found", "Limit (source)"];

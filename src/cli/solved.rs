@@ -86,11 +86,11 @@ impl Solved {
 /// Red rows, then amber ones; advice stands once under the rows that it is good for.
 fn judged(findings: &[Finding]) -> ScreenText {
     let mut lines: Vec<[Cell; 3]> = Vec::new();
-    for alike in [Light::Red, Light::Amber].iter().flat_map(|light| by_advice(findings, |is| is == *light)) {
+    for alike in [Light::Red, Light::Amber].iter().flat_map(|light| by_advice(findings, *light)) {
         lines.extend(alike.iter().map(|finding| {
             // Words have no limit.
             let limit = finding.value().map_or(String::new(), |_| format!("; limit: {}", finding.limit));
-            [Cell::Light(finding.light, String::new()), finding.label.into(), (finding.found() + &limit).into()]
+            [Cell::Light(finding.light, String::new()), finding.label.into(), (finding.statement() + &limit).into()]
         }));
         let advice = Some(&alike[0].advice).filter(|advice| !advice.is_empty());
         lines.extend(advice.map(|advice| ["", "→ change", advice].map(Cell::from)));

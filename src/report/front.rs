@@ -54,7 +54,7 @@ pub(super) fn content(report: &Report) -> Markup {
 }
 
 fn issue_of(issue: &Finding, advice: &str) -> Markup {
-    let found = issue.found();
+    let found = issue.statement();
     let (found, limit) = (brief(&found), brief(&issue.limit));
     html! {
         li {

@@ -23,7 +23,7 @@ pub(super) fn verdict(report: &Report) -> Section {
         ..Row::from([
             word(finding.light),
             finding.label.to_string(),
-            finding.found(),
+            finding.statement(),
             format!("{} ({})", finding.limit, finding.source),
             finding.advice.to_string(),
         ])

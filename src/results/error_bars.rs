@@ -195,7 +195,7 @@ impl ErrorBars {
             let bar = self.number(Origin::Verdict, finding.key).and_then(Number::half);
             let number =
                 finding.quantity.as_ref().zip(bar).map(|(number, bar)| number.amount.with_bar(bar).to_string());
-            Some(format!("{}: {}, {clause}", finding.label, number.unwrap_or_else(|| finding.found())))
+            Some(format!("{}: {}, {clause}", finding.label, number.unwrap_or_else(|| finding.statement())))
         });
         moved.collect()
     }

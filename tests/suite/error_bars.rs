@@ -26,8 +26,8 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     assert_eq!(force(&near, None).1.light, Light::Green);
     let (answer, row) = force(&near, Some(&found));
     assert_eq!(row.light, Light::Amber, "{row:?}");
-    assert!(row.found().starts_with("with its error bar it reaches the limit of"), "{row:?}");
-    assert!(row.found().contains('±') && !row.advice.is_empty(), "{row:?}");
+    assert!(row.statement().starts_with("with its error bar it reaches the limit of"), "{row:?}");
+    assert!(row.statement().contains('±') && !row.advice.is_empty(), "{row:?}");
     assert!(answer.sentence.to_string().contains("Press force"), "{answer:?}");
     let far = rated(0.7);
     assert_eq!(force(&far, Some(&quick(&far, &()).bars)).1.light, Light::Green);

@@ -109,7 +109,7 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
     let found = verdict(&solution);
     assert_eq!((found.light, found.value()), (Light::Amber, Some(after)), "{found:?}");
     let each = format!("each wall opens by {:.1}°", after - before);
-    assert!(found.found().ends_with(&each), "{found:?}");
+    assert!(found.statement().ends_with(&each), "{found:?}");
     assert!(found.limit.to_string().starts_with("0.0° ± ") && found.limit.to_string().ends_with("of the punch's wall"));
     let advice = found.advice.to_string();
     assert!(advice.contains("cannot bend past upright") && !advice.contains("over-bent by"), "{advice}");
@@ -118,7 +118,7 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
     solution.case.springback.tolerance = Some(2.0 * after);
     let both = verdict(&solution);
     assert_eq!((both.light, both.value()), (Light::Amber, Some(2.0 * after)), "{both:?}");
-    assert!(both.found().ends_with(&each), "{both:?}");
+    assert!(both.statement().ends_with(&each), "{both:?}");
     // A part that is wanted open leaves room to over-bend.
     solution.case.springback.angle = Some(4.0 * after);
     let open = verdict(&solution);

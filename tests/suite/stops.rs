@@ -17,7 +17,7 @@ fn stop(geometry: &str, blank: &str, tools: &str) -> Stop {
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
     let stop = stages.into_iter().next_back().expect("one stage").stop;
     assert_eq!(run.advice.is_empty(), stop.is_complete(), "{run:?}");
-    assert!(stop.is_complete() || (stop.is_physical() && run.found().contains(stop.kind())), "{run:?}");
+    assert!(stop.is_complete() || (stop.is_physical() && run.statement().contains(stop.kind())), "{run:?}");
     stop
 }
 
@@ -105,7 +105,7 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
     );
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
-    assert!(run.found().contains("creeping") && !run.advice.is_empty(), "{run:?}");
+    assert!(run.statement().contains("creeping") && !run.advice.is_empty(), "{run:?}");
     assert!(!stages[0].stop.is_complete() && !stages[0].stop.is_physical());
 }
 
@@ -144,7 +144,7 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
         "{}",
         stage.stop
     );
-    assert!(judged.light == Light::Green && judged.found().contains("strip it off the punch"), "{judged:?}");
+    assert!(judged.light == Light::Green && judged.statement().contains("strip it off the punch"), "{judged:?}");
     let rim = stage.end.nodes.last().expect("a rim");
     // The shoulder of 6 mm begins half a thickness above the sheet's middle. Found to a thousandth of a step of 0.6 mm.
     let end = 0.5 + 6.0 + 1.0;
@@ -161,5 +161,5 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     assert_eq!(judged.light, Light::Amber, "{judged:?}");
     let (short, judged) = through("tools.punch.travel=30 mm");
     assert_eq!((&short.stop, judged.light), (&Stop::FullTravel, Light::Amber));
-    assert!(judged.found().contains("not through the die"), "{judged:?}");
+    assert!(judged.statement().contains("not through the die"), "{judged:?}");
 }

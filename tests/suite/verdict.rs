@@ -17,7 +17,7 @@ fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
     let mut findings = assess::after(case, passes);
     for finding in findings.iter().chain(&assess::before(case)) {
         let has_limit = finding.kind != Kind::Judgement || !finding.limit.is_empty();
-        assert!(has_limit && !finding.found().is_empty() && !finding.source.is_empty(), "{finding:?}");
+        assert!(has_limit && !finding.statement().is_empty() && !finding.source.is_empty(), "{finding:?}");
         assert!(![finding.key, finding.label].contains(&""), "{finding:?}");
         let row = finding.kind == Kind::Judgement;
         assert!(!row || (finding.light != Light::Green) != finding.advice.is_empty(), "{finding:?}");
@@ -137,7 +137,7 @@ fn later_draws_are_judged_too() {
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
     assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
     let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
-    assert!(of("bottom_tearing").found().ends_with("stage 2"), "{:?}", of("bottom_tearing"));
+    assert!(of("bottom_tearing").statement().ends_with("stage 2"), "{:?}", of("bottom_tearing"));
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let peak = passes[1].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
     // The strength is right to 1e-6, the radius exact.
@@ -165,7 +165,7 @@ fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
     let found = judged(&[&nose(6.0), "tools.die.shoulder=1.9 mm"]);
     let row = found.iter().find(|f| f.key == "bent_strength").expect("a row");
     assert_eq!(row.light, Light::Red);
-    assert!(row.found().contains("die's shoulder of 1.9 mm"), "{row:?}");
+    assert!(row.statement().contains("die's shoulder of 1.9 mm"), "{row:?}");
     // A coarse mesh does not follow the nose, and its bends alone would be none to speak of.
     let found = judged(&[&nose(1.9), "blank.elements=12", "blank.grading=uniform"]);
     assert_eq!(light(&found, "bent_strength"), Light::Red, "{found:?}");

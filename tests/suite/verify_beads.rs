@@ -113,7 +113,7 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     assert!(found.iter().all(|finding| finding.key != "holder_open"));
     assert!(found.iter().any(|finding| finding.key == "holder" && finding.light == Light::Green));
 
-    let said: Vec<String> = assess::before(&case).iter().map(|finding| finding.found()).collect();
+    let said: Vec<String> = assess::before(&case).iter().map(|finding| finding.statement()).collect();
     let offer = said.iter().find(|text| text.contains("[[tools.beads]]")).expect("the line is offered");
     let lines = offer.split("[[tools.beads]] ").nth(1).and_then(|rest| rest.split(" (").next()).expect("its keys");
     let line = format!("[[tools.beads]]\n{}", lines.replace(", ", "\n"));
@@ -138,7 +138,7 @@ fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
     assert!(open.sentence().to_string().contains("[[tools.beads]] at = \"58.0 mm\""), "{open:?}");
     for key in ["holder", "wrinkling"] {
         let row = found.iter().find(|finding| finding.key == key).expect(key);
-        assert!(row.light == Light::Grey && row.found().contains("open by"), "{row:?}");
+        assert!(row.light == Light::Grey && row.statement().contains("open by"), "{row:?}");
     }
 }
 

@@ -303,5 +303,5 @@ force = "2166 N"
     assert!(last.ironing_friction < last.ironing_force && last.ironing_force < last.punch_force, "{last:?}");
     let findings = assess::after(&case, &[run]);
     let ironing = findings.iter().find(|finding| finding.key == "ironing").expect("a judgement");
-    assert!(ironing.light == Light::Amber && ironing.found().contains("wall ironed by"), "{ironing:?}");
+    assert!(ironing.light == Light::Amber && ironing.statement().contains("wall ironed by"), "{ironing:?}");
 }

@@ -38,14 +38,14 @@ fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
         assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
         let end = other.stages[0].steps.last().expect("steps");
         let thinning = format!("{:.0}", 100.0 * (1.0 - end.thinnest / other.case.model().blank.thickness));
-        let said = doubted.found();
+        let said = doubted.statement();
         assert!(said.contains(&format!("it thins by {thinning}")) && said.contains("no tear is seen"), "{said}");
         assert!(
             doubted.advice.to_string().contains("yield_condition = { hosford = { crystal = \"fcc\" } }"),
             "{doubted:?}"
         );
         let held = row(&found, "forming_limit");
-        assert!(held.light == Light::Amber && held.found().starts_with("not judged"), "{held:?}");
+        assert!(held.light == Light::Amber && held.statement().starts_with("not judged"), "{held:?}");
         assert_eq!(row(&found, "thinning").light, Light::Red, "the rule of thumb stays");
         assert!(Answer::of(&solution.case, &solution.stages, &found).light == Light::Red);
     }

@@ -42,6 +42,6 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("diameter", plain(2.0 * opening), "");
     sizes.set("pressure", format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);
-    sizes.lengths([("blank", &blank), ("throat", &Picked::given(opening)), ("shoulder", &shoulder)]);
+    sizes.lengths([("blank", &blank), ("throat", &Picked::input(opening)), ("shoulder", &shoulder)]);
     Ok(sizes)
 }

@@ -72,7 +72,7 @@ pub(super) fn declared_trim() -> Picked {
 /// A case that does not run to its end keeps the declared trim.
 fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     if let Some(trim) = inputs.number("trim") {
-        return with_trim(inputs, sheet, Picked::given(trim));
+        return with_trim(inputs, sheet, Picked::input(trim));
     }
     let mut trim = declared_trim();
     for _ in 0..RUNS {
@@ -101,7 +101,7 @@ fn with_trim(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Values, Cas
     sizes.set("wall_height", plain(cup.height), "");
     sizes.set("warning", warning(ratio), "");
     sizes.set("diameter", plain(2.0 * cup.radius), "");
-    sizes.lengths([("blank", &blank), ("radius", &Picked::given(cup.radius)), ("nose", &cup.nose)]);
+    sizes.lengths([("blank", &blank), ("radius", &Picked::input(cup.radius)), ("nose", &cup.nose)]);
     sizes.lengths([("travel", &rules::drawn_travel(cup.height, shoulder.value, t))]);
     sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
     sizes.holder(Geometry::Axisymmetric, flat, &round_pressure(inputs, sheet, ratio, cup.radius, flat))?;

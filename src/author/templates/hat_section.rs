@@ -48,7 +48,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     sizes.set("width", plain(2.0 * half_width), "");
     let release = if springback.is_some() { " and then let go." } else { ". For its spring-back give --springback." };
     sizes.set("release", release, "");
-    sizes.lengths([("blank", &blank), ("half_width", &Picked::given(half_width)), ("nose", &nose)]);
+    sizes.lengths([("blank", &blank), ("half_width", &Picked::input(half_width)), ("nose", &nose)]);
     sizes.lengths([("travel", &Picked::by(height, "the depth that is wanted"))]);
     sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
     depth.into_iter().for_each(|depth| sizes.set("depth", mm(depth), ""));

@@ -41,7 +41,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("warning", warning(ratio), "");
     sizes.set("diameter", plain(2.0 * radius), "");
-    sizes.lengths([("blank", &blank), ("radius", &Picked::given(radius))]);
+    sizes.lengths([("blank", &blank), ("radius", &Picked::input(radius))]);
     sizes.lengths([("travel", &Picked::by(height, "the depth that is wanted"))]);
     sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
     let pressure = round_pressure(inputs, sheet, blank.value / radius, radius, flat);

@@ -82,7 +82,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     ]);
     sizes.lengths([("travel", &rules::drawn_travel(first_height, shoulder.value, t))]);
     sizes.holder(Geometry::Axisymmetric, flat, &pressure)?;
-    let [radius, nose] = [cup.radius, cup.nose.value].map(Picked::given);
+    let [radius, nose] = [cup.radius, cup.nose.value].map(Picked::input);
     // The rim has thickened twice and is shorter than by its area: drawn on, it would leave the die.
     let travel =
         Picked::by(REDRAWN * (cup.height - t), "nine tenths of the height: the rest stays on the die (declared)");

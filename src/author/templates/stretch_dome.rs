@@ -28,7 +28,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let mut sizes = sheet.values(false);
     sizes.elements(blank.value, shoulder.value, 1);
     sizes.set("diameter", plain(2.0 * radius), "");
-    sizes.lengths([("blank", &blank), ("radius", &Picked::given(radius)), ("travel", &travel)]);
+    sizes.lengths([("blank", &blank), ("radius", &Picked::input(radius)), ("travel", &travel)]);
     sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
     Ok(sizes)
 }

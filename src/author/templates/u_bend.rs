@@ -35,7 +35,7 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let mut sizes = sheet.values(true);
     sizes.elements(blank.value, shoulder.value.min(nose.value), 1);
     sizes.set("width", plain(2.0 * half_width), "");
-    sizes.lengths([("blank", &blank), ("half_width", &Picked::given(half_width)), ("nose", &nose)]);
+    sizes.lengths([("blank", &blank), ("half_width", &Picked::input(half_width)), ("nose", &nose)]);
     sizes.lengths([("travel", &rules::upright_travel(nose.value, shoulder.value, t))]);
     sizes.lengths([("throat", &throat), ("shoulder", &shoulder)]);
     Ok(sizes)

@@ -92,6 +92,6 @@ fn a_light_is_green_only_where_its_whole_bar_is() {
         let row = Finding::warning("forming_limit", "Forming limit", "{} at 7.0 mm");
         let quantity = Some(Quantity { limits, ..number });
         let finding = bars.weigh(vec![Finding { light, kind: Kind::Judgement, quantity, ..row }]).remove(0);
-        assert_eq!((finding.light, finding.found().as_str()), expected);
+        assert_eq!((finding.light, finding.statement().as_str()), expected);
     }
 }

@@ -1,18 +1,54 @@
-//! Clearance between punch and die, and ironing.
+//! Friction, clearance between punch and die, and ironing.
 
 use super::bottom_tearing::NoseEnd;
-use super::{Finding, Light, run::Run};
-use crate::assess::design::IRONING_LIMIT;
-use crate::assess::estimate;
-use crate::model::Model;
+use super::design::IRONING_LIMIT;
+use super::{Finding, Light, Run, estimate};
+use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
+use std::ops::RangeInclusive;
 
+/// Coefficients of sheet on tools \[–\]: from the best of lubricants to dry steel on steel.
+const USUAL: RangeInclusive<f64> = 0.01..=0.3;
+/// Change of a coefficient that is advised to be tried \[–\].
+const TRIED: f64 = 0.02;
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
 /// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
 const IRONED: f64 = 0.01;
+
+pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
+    let (friction, dry) = (tool.friction.largest_coefficient(), *USUAL.end());
+    if matches!(tool.friction, Friction::Tresca(_)) {
+        return None;
+    }
+    let limit = Amount::number(dry);
+    let text = format!("the {}'s friction of {{}} is above that of dry steel, {limit}", tool.role.name());
+    let warning = Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction));
+    warning.at_most(format!("{limit} at most"), dry, None).if_beyond()
+}
+
+/// Amber unless the case names the source of its friction, and the coefficients are those of sheet metal.
+pub(super) fn friction(run: &Run) -> Option<Finding> {
+    let coefficients = || run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient());
+    let most = coefficients().reduce(f64::max)?;
+    let (light, text) = match &run.case.sources.friction {
+        _ if !coefficients().all(|mu| USUAL.contains(&mu)) => {
+            (Light::Amber, "{} at most, outside the range of sheet on tools".to_owned())
+        }
+        Some(source) => (Light::Green, format!("{{}} at most: {source}")),
+        None => (Light::Amber, "you assumed {} at most".to_owned()),
+    };
+    let [least, dry, low, high] =
+        [*USUAL.start(), *USUAL.end(), (most - TRIED).max(0.0), most + TRIED].map(Amount::number);
+    Finding::judged("friction", "Friction", text)
+        .number(Amount::number(most))
+        .at_most(format!("a measured or cited number, {least} to {dry}"), *USUAL.end(), None)
+        .light(light)
+        .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]"))
+        .into()
+}
 
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
@@ -26,21 +62,18 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
 }
 
 /// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
-pub(super) fn judge(run: &Run) -> Option<Finding> {
+pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
     let upright = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
-    let limit = match upright {
-        true => format!("one thickness at least, {} at most beside a straight wall", Amount::given_thicknesses(WIDE)),
-        false => "one thickness at least".into(),
-    };
+    let most = format!(", {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
+    let limit = format!("one thickness at least{}", if upright { most.as_str() } else { "" });
     let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
         .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
     let judged = match gap > WIDE {
         true => judged.at_most(limit, if upright { WIDE } else { f64::INFINITY }, None),
-        false => judged.at_least(limit, 1.0, None),
+        false => judged.at_least(limit, 1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
     };
-    let judged = judged.light(if gap < LEAST || upright && gap > WIDE { Light::Amber } else { Light::Green });
     Some(judged.advice(match gap < LEAST {
         true => "a larger throat, a smaller punch or a shorter travel",
         false => "a smaller throat: the wall leans, and puckers",
