@@ -143,12 +143,8 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
 /// ΔL(α) = Σ ℓ {exp[−(m_α − m̄) ε_θ] − 1},   m = r/(1 + r),   r_α = r(α + 90°)      over parts with ε_θ < 0
 /// ```
 ///
-/// `parts` has the length ℓ \[mm\] and the logarithmic hoop strain ε_θ of each, as computed with r̄. An estimate: the yield
-/// stress by direction has a share in ears as large, and tension makes them smaller.
-///
-/// # References
-/// The part of the r-values in: J. W. Yoon, R. E. Dick, F. Barlat, Int. J. Plasticity 27 (2011) 1165–1184 (abstract read;
-/// derived here).
+/// `parts` has the length ℓ \[mm\] and the logarithmic hoop strain ε_θ of each, as computed with r̄. Source: J. W. Yoon,
+/// R. E. Dick, F. Barlat, Int. J. Plasticity 27 (2011) 1165–1184 (abstract read; derived here).
 fn rim_heights(r: &RValues, parts: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 3] {
     let share = |r: f64| r / (1.0 + r);
     let mean = share(r.mean());
