@@ -1,5 +1,6 @@
 //! Numbers that a part is known by.
 
+use super::formed;
 use super::press::{Load, RESERVE};
 use super::tear::{place, thinnest};
 use crate::case::Case;
@@ -34,11 +35,6 @@ fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<Quantity> 
     let after = if is_torn { "after the tear".into() } else { String::new() };
     let about = joined([about, place(stages, s0), after], ", ");
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(thickness)).at(about))
-}
-
-/// Stages that form the sheet, with their numbers.
-fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
-    stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
 }
 
 /// Step of the largest value, and the number of its stage.

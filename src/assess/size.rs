@@ -13,9 +13,9 @@ use std::ops::RangeInclusive;
 /// Widths of blanks \[mm\].
 pub const WIDTHS: RangeInclusive<f64> = 1.0..=3000.0;
 /// Thickness of the thinnest foil that is formed \[mm\].
-pub const THINNEST: f64 = 0.01;
+const THINNEST: f64 = 0.01;
 /// Width of a blank over its thickness \[–\].
-pub const SLENDER: f64 = 3000.0;
+const SLENDER: f64 = 3000.0;
 /// Draw ratio from which on the blank's radius may be its diameter \[–\]: half of it is still drawn, and the whole is beyond
 /// what one draw of any sheet reaches.
 const TWICE: f64 = 1.2 * LIMITING_RATIO;

@@ -57,10 +57,6 @@ pub struct Reached {
     pub travel: f64,
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
-    /// Its minor strain after the step \[–\].
-    pub minor: f64,
-    /// Its major strain after the step \[–\].
-    pub major: f64,
 }
 
 /// Assessment of a run by a forming limit.
@@ -126,21 +122,20 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
 fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Reached> {
     let at = |i: usize| {
         let [a, b] = paths.instants[i].strains[element];
-        let (minor, major) = (a.min(b), a.max(b));
-        (minor, major, curve.major_at(minor) - major)
+        (a.min(b), curve.major_at(a.min(b)) - a.max(b))
     };
-    let i = (0..paths.instants.len()).find(|&i| at(i).2 <= 0.0 && curve.knows(at(i).0))?;
-    let (minor, major, after) = at(i);
+    let i = (0..paths.instants.len()).find(|&i| at(i).1 <= 0.0 && curve.knows(at(i).0))?;
+    let after = at(i).1;
     let now = &paths.instants[i];
     let (time, travel) = match i.checked_sub(1) {
         None => (now.time, now.travel),
         Some(last) => {
-            let (margin, before) = (at(last).2, &paths.instants[last]);
+            let (margin, before) = (at(last).1, &paths.instants[last]);
             let share = margin / (margin - after);
             (before.time + share * (now.time - before.time), before.travel + share * (now.travel - before.travel))
         }
     };
-    Some(Reached { time, travel, s0, minor, major })
+    Some(Reached { time, travel, s0 })
 }
 
 fn crookedness(path: &[[f64; 2]]) -> f64 {

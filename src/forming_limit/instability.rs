@@ -1,4 +1,4 @@
-//! Maximum force: the common ground of the closed forms.
+//! Maximum force: Hill's localised and Swift's diffuse necking.
 //!
 //! A sheet that is strained in proportion is stable while its hardening outruns its loss of section,
 //!
@@ -8,8 +8,8 @@
 //!
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
-use super::Sheet;
 use super::plane::Plane;
+use super::{Curve, Kind, Sheet};
 use crate::material::FlowStress;
 use crate::material::law::LawError;
 use crate::numerics::bisect;
@@ -28,7 +28,7 @@ pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
 }
 
 /// Bracket of the hardening curve in the search of one limit, for the next.
-pub(super) struct Hardened<'a> {
+struct Hardened<'a> {
     sheet: &'a Sheet<'a>,
     /// Exponent of a power law in place of the sheet's own \[–\].
     n: Option<f64>,
@@ -37,12 +37,12 @@ pub(super) struct Hardened<'a> {
 }
 
 impl<'a> Hardened<'a> {
-    pub fn new(sheet: &'a Sheet<'a>, n: Option<f64>) -> Self {
+    fn new(sheet: &'a Sheet<'a>, n: Option<f64>) -> Self {
         Self { sheet, n, steps: Vec::new() }
     }
 
     /// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
-    pub fn limit(&mut self, loss: f64) -> Result<f64, LawError> {
+    fn limit(&mut self, loss: f64) -> Result<f64, LawError> {
         if let Some(n) = self.n {
             return Ok(power_law(n, 0.0, loss));
         }
@@ -98,9 +98,76 @@ pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<I
     drawn.chain((1..=right).map(move |i| i as f64 / right as f64))
 }
 
-/// The words for n, and for a law's own hardening.
-pub(super) fn hardening_note(n: Option<f64>) -> String {
-    n.map_or("the hardening law of the sheet".into(), |n| {
+/// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
+///
+/// For a power law ε₁ + ε₂ = n. With β > 0 no line of the sheet keeps its length: there the curve goes on as
+/// [`Swift`]'s, which meets it in plane strain.
+///
+/// # References
+/// R. Hill, On discontinuous plastic states, with special reference to localized necking in thin sheets, J. Mech. Phys.
+/// Solids 1 (1952) 19–30 (not read; derived here from the load normal to the neck). That both together are a usual pair:
+/// W. Bleck et al., J. Mater. Process. Technol. 83 (1998) 223–230 (abstract read).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hill {
+    /// Exponent of a power law in place of the sheet's own \[–\].
+    pub n: Option<f64>,
+}
+
+impl Hill {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
+        let what = "Hill's localised necking on the left, Swift's diffuse necking on the right,";
+        curve(Kind::Hill(*self), self.n, sheet, what, |path| match path.strain {
+            [_, minor] if minor > 0.0 => diffuse(path),
+            [major, minor] => major + minor,
+        })
+    }
+}
+
+/// Swift's diffuse necking: both forces are at their maxima, dσ₁ = σ₁ dε₁ and dσ₂ = σ₂ dε₂, so that
+///
+/// ```text
+/// σ_y'/σ_y = s₁ (dε₁/dε̄)² + s₂ (dε₂/dε̄)²       s = σ/σ_y
+/// ```
+///
+/// For a power law of the isotropic sheet ε₁ = n in tension, in plane strain and in equi-biaxial stretching: a lower bound.
+///
+/// # References
+/// H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18 (not read; derived here from the
+/// two forces).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swift {
+    /// Exponent of a power law in place of the sheet's own \[–\].
+    pub n: Option<f64>,
+}
+
+impl Swift {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
+        curve(Kind::Swift(*self), self.n, sheet, "Swift's diffuse necking", diffuse)
+    }
+}
+
+/// Loss of section by Swift's two forces \[–\].
+fn diffuse(Proportional { strain: [e1, e2], stress: [s1, s2] }: &Proportional) -> f64 {
+    s1 * e1 * e1 + s2 * e2 * e2
+}
+
+/// Curve where hardening no longer outruns the loss H of a path.
+fn curve(
+    kind: Kind,
+    n: Option<f64>,
+    sheet: &Sheet,
+    what: &str,
+    loss: impl Fn(&Proportional) -> f64,
+) -> Result<Curve, LawError> {
+    let (plane, mut hardened) = (Plane::of(sheet.material), Hardened::new(sheet, n));
+    let point = |beta: f64| {
+        let path = Proportional::new(plane, beta);
+        let strain = hardened.limit(loss(&path))?;
+        Ok([path.strain[1] * strain, path.strain[0] * strain])
+    };
+    let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;
+    let law = n.map_or("the hardening law of the sheet".into(), |n| {
         format!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
-    })
+    });
+    Curve::new(kind, sheet, points, vec![format!("Forming limit: {what} by {law}.")])
 }

@@ -11,23 +11,19 @@
 //! One curve, one file; a new one is a file here and a line in [`Kind`].
 
 mod assess;
-mod hill;
 mod instability;
 mod keeler_brazier;
 mod marciniak_kuczynski;
 mod paths;
 mod plane;
 mod points;
-mod swift;
 
 pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
-pub use hill::Hill;
-pub use instability::{power_law, uniform_strain};
+pub use instability::{Hill, Swift, power_law, uniform_strain};
 pub use keeler_brazier::KeelerBrazier;
 pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};
 pub use paths::{Instant, Paths};
 pub use points::{Points, Strain};
-pub use swift::Swift;
 
 use plane::Plane;
 

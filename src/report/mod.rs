@@ -7,7 +7,6 @@ mod page;
 mod results;
 mod sections;
 mod sizes;
-mod sketch;
 
 pub use sizes::dimensions;
 

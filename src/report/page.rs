@@ -1,6 +1,6 @@
 //! HTML of the report: pictures and style inside, nothing fetched from elsewhere; a browser prints it on A4 pages.
 
-use super::{PROGRAM, Report, front, results, sections, sketch};
+use super::{PROGRAM, Report, front, results, sections, sizes};
 use crate::assess::Light;
 use crate::plot::{Chart, svg};
 use crate::results::REPORT_MARKER;
@@ -46,7 +46,7 @@ impl Report<'_> {
         let block = self.title_block.entries().chain([("Case", self.solution.case.name.as_str())]);
         let mut sections = vec![sections::verdict(self)];
         sections.extend(sections::error_bars(self));
-        sections.extend(sketch::sections(self));
+        sections.extend(sizes::sections(self));
         sections.push(sections::inputs(self));
         sections.extend(results::sections(self));
         sections.extend(self.versus.map(sections::versus));

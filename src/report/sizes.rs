@@ -1,11 +1,14 @@
-//! Dimensions of a section, and the places where they are drawn.
+//! Section at the start with its dimensions, of every stage that brings tools of its own.
 
+use super::Report;
+use super::page::{Section, figure, table};
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::plot::{Dimension, Mark};
-use crate::solver::solution::Frame;
+use crate::plot::{Dimension, Mark, dimensioned};
+use crate::solver::solution::{Frame, StageSolution};
 use crate::units::Amount;
+use maud::html;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;
@@ -123,4 +126,34 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
         }
         Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
+}
+
+/// One section per stage with tools that no stage before it had.
+pub(super) fn sections(report: &Report) -> Vec<Section> {
+    let (case, stages) = (&report.solution.case, &report.solution.stages);
+    let mut sections = vec![section("Section".to_owned(), case.model(), None, &report.dimensions)];
+    for (i, stage) in stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage)) {
+        let start = stage.start.as_ref();
+        let heading = report.stage(i) + "section";
+        sections.push(section(heading, &stage.model, start, &dimensions(&stage.model, start)));
+    }
+    sections
+}
+
+fn brings_tools(before: &[StageSolution], stage: &StageSolution) -> bool {
+    let known = |tool: &Tool| before.iter().flat_map(|stage| &stage.model.tools).any(|t| t.profile == tool.profile);
+    stage.model.release.is_none() && stage.model.tools.iter().any(|tool| !known(tool))
+}
+
+fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
+    let rows = dimensions.iter().map(|dimension| {
+        let (value, unit) = dimension.amount.parts();
+        [dimension.name.clone(), value, unit.to_owned()]
+    });
+    let chart = dimensioned(format!("{heading} at the start"), model, start, dimensions);
+    let content = html! {
+        (figure(&chart, "the section at the start with its dimensions"))
+        (table(&["Dimension", "Value", "Unit"], rows))
+    };
+    Section::new(heading, content)
 }
