@@ -1,11 +1,15 @@
-//! Comparisons that a case requests: reference curves, point by point, and bands that values without places span.
+//! `[[compare]]`: comparisons with reference curves, point by point, and with bands that values without places span.
 
+use super::file::{CaseFile, Named};
+use super::files::{self, FileError};
+use super::{CaseError, source};
 use crate::table::Csv;
+use crate::units::{Dimensioned, Number, Positive, Ratio};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// File of a folder that names the sources of the others, one table per file name.
 pub const SOURCES: &str = "sources.toml";
@@ -204,4 +208,136 @@ impl fmt::Display for Source {
         }
         f.write_str(")")
     }
+}
+
+/// One comparison with a reference: a curve (`x`, `y`, `tolerance`) or a band (`band`), depending on the quantity.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] }))]
+pub struct Compare {
+    /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
+    #[schemars(example = "woo_load_travel.csv")]
+    reference: String,
+    /// Compared quantity.
+    #[schemars(example = &"punch_force")]
+    quantity: ComparedQuantity,
+    /// Column of the CSV along which to compare with a curve.
+    #[schemars(example = &"travel_mm")]
+    x: Option<String>,
+    /// Column of the CSV that is compared with a curve. Forces of a plane section are of both halves: per mm of depth, N_per_mm,
+    /// or in all if blank.depth is given; a published curve of one half is doubled in the file, with a word on it.
+    #[schemars(example = &"punch_force_N")]
+    y: Option<String>,
+    /// Part of the curve that is compared, in units of the x column; default all of it.
+    range: Option<[Number; 2]>,
+    /// Accepted relative difference from a curve.
+    #[schemars(example = "5 %")]
+    tolerance: Option<Positive<Ratio>>,
+    /// Columns of the CSV whose values, all rows of them, span the band.
+    #[schemars(example = &("diameter_x_mm", "diameter_y_mm"))]
+    band: Option<Vec<String>>,
+    /// Column of the CSV with each row's error of measurement, which widens the band.
+    #[schemars(example = &"error_mm")]
+    error: Option<String>,
+    /// Reason of the tolerance, or of a difference.
+    #[schemars(example = "reading error of the published graph")]
+    reason: String,
+    /// True if the file may be missing: drop the CSV into `reference_data` to see the overlay.
+    #[serde(default)]
+    optional: bool,
+    /// True if the difference is shown without failing a validation, because the input is not that of the reference.
+    #[serde(default)]
+    demonstration: bool,
+}
+
+const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
+
+pub(super) fn specs(file: &CaseFile, source: &source::Source) -> Result<Vec<Spec>, CaseError> {
+    let limited = file.forming_limit.is_some();
+    file.compare.iter().enumerate().map(|(i, compare)| compare.spec(&format!("compare.{i}"), limited, source)).collect()
+}
+
+fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<Source>, CaseError> {
+    let sources = path.with_file_name(SOURCES);
+    let unreadable = |why: &str| {
+        let what = format!("cannot read {}: {why}", sources.display());
+        source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")
+    };
+    let text = match source.folder.files.text(&sources, files::CSV) {
+        Err(FileError::Missing) => return Ok(None),
+        text => text.map_err(|error| unreadable(&error.to_string()))?,
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Source::of(&name, &text).map_err(|error| unreadable(error.message()))
+}
+
+impl Compare {
+    /// Comparison of the table `path` with its reference; `limited` if the case has a forming limit.
+    fn spec(&self, path: &str, limited: bool, source: &source::Source) -> Result<Spec, CaseError> {
+        let Self { reference, quantity, reason, optional, demonstration, .. } = self.clone();
+        let key = format!("{path}.reference");
+        let folder = source.folder.path;
+        let [first, second] = [folder.join("../reference_data").join(&reference), folder.join(&reference)];
+        let named = Named { file: &reference, what: "reference", example: EXAMPLE, key: &key };
+        let read = named.first(&[&first, &second], source)?;
+        let what = format!("the reference file \"{reference}\" is not there");
+        let help = format!("put it at {} or {}, or set optional = true", first.display(), second.display());
+        source.require(read.is_some() || optional, &key, what, help)?;
+        let (key_of_reason, help) = (format!("{path}.reason"), "say what the difference may come from");
+        source.require(!reason.trim().is_empty(), &key_of_reason, "a comparison needs its reason", help)?;
+        let what = "strain paths are kept of a case with a forming limit, and this one has none";
+        let help = "add [forming_limit] with hill = true, or points";
+        let known = limited || quantity != ComparedQuantity::StrainPath;
+        source.require(known, &format!("{path}.quantity"), what, help)?;
+        let against = if quantity.is_curve() { self.curve(path, source)? } else { self.band(path, source)? };
+        let Some((file, lines, csv)) = read else {
+            return Ok(Spec { reference: first, data: None, against, reason, optional, demonstration });
+        };
+        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
+        }
+        let data = Some(Data { csv, source: provenance(file, &key, source)? });
+        Ok(Spec { reference: file.to_owned(), data, against, reason, optional, demonstration })
+    }
+
+    fn curve(&self, path: &str, source: &source::Source) -> Result<Against, CaseError> {
+        let Self { quantity, x, y, range, tolerance, .. } = self.clone();
+        let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
+        check_keys(path, &["band", "error"], &["x", "y", "tolerance"], &help, source)?;
+        let range = range.map(|[from, to]| (from.value(), to.value()));
+        if let Some((from, to)) = range {
+            let what = format!("`range` must rise, found {from} to {to}");
+            source.require(from < to, &format!("{path}.range"), what, format!("write range = [{to}, {from}]"))?;
+        }
+        let (x, y, tolerance) = (x.unwrap_or_default(), y.unwrap_or_default(), tolerance.map_or(0.0, |t| t.value()));
+        Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
+    }
+
+    fn band(&self, path: &str, source: &source::Source) -> Result<Against, CaseError> {
+        let Self { quantity, band, error, .. } = self.clone();
+        let help = format!(
+            "`{}` is compared with the band that values span: give `band` the columns that hold them, as in \
+             band = [\"low_mm\", \"high_mm\"]",
+            quantity.name()
+        );
+        check_keys(path, &["x", "y", "range", "tolerance"], &["band"], &help, source)?;
+        let columns = band.unwrap_or_default();
+        source.require(!columns.is_empty(), &format!("{path}.band"), "`band` names no column", &help)?;
+        Ok(Against::Band(BandSpec { quantity, columns, error }))
+    }
+}
+
+fn check_keys(
+    table: &str,
+    foreign: &[&str],
+    needed: &[&str],
+    help: &str,
+    source: &source::Source,
+) -> Result<(), CaseError> {
+    source.refuse(table, foreign, "does not apply here", help)?;
+    let written = source.written(table, needed);
+    let missing = needed.iter().find(|key| !written.contains(key));
+    let what = format!("`{}` is missing in {table}", missing.unwrap_or(&""));
+    source.require(missing.is_none(), table, what, help)
 }

@@ -8,7 +8,6 @@ use miette::NamedSource;
 use std::sync::Arc;
 use toml::de::Error;
 
-/// Error of a text that is not TOML.
 pub(super) fn not_toml(error: &Error, text: &str, shown: Arc<NamedSource<String>>) -> CaseError {
     let span = error.span().unwrap_or(0..0);
     let what = error.message().lines().collect::<Vec<_>>().join("; ");
@@ -55,7 +54,6 @@ fn unquoted_number(line: &str, at: usize) -> Option<String> {
     }
 }
 
-/// Error of TOML that is not a case file.
 pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
     let span = error.span().unwrap_or(0..0);
     let path = source.path_at(&span).unwrap_or_default();

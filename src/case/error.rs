@@ -113,7 +113,10 @@ impl CaseError {
     }
 
     fn drawn(&self, colours: bool) -> String {
-        if let Some((line, column)) = self.position().filter(|(line, _)| self.is_long_around(*line)) {
+        // The neighbours of a line are shown with it.
+        let around = |line: usize| self.source_code.inner().lines().skip(line.saturating_sub(2)).take(3);
+        let is_long = |line: usize| around(line).any(|text| text.len() > LONGEST_LINE);
+        if let Some((line, column)) = self.position().filter(|(line, _)| is_long(*line)) {
             let what = format!("{}: {} (line {line}, column {column})", self.source_code.name(), self.what);
             return Self { what, span: None, ..self.clone() }.drawn(colours);
         }
@@ -123,14 +126,8 @@ impl CaseError {
         handler.render_report(&mut text, self).expect("writing to a string does not fail");
         text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
     }
-
-    /// True if the line or its neighbours, which are shown with it, are too long to be read.
-    fn is_long_around(&self, line: usize) -> bool {
-        self.source_code.inner().lines().skip(line.saturating_sub(2)).take(3).any(|text| text.len() > LONGEST_LINE)
-    }
 }
 
-/// The text, its middle left out when it is long.
 fn shortened(text: &str) -> String {
     let length = text.chars().count();
     if length <= 2 * LONGEST {

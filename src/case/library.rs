@@ -1,19 +1,18 @@
 //! Built-in materials: one file of `library/` each, every number with its source.
 
 mod entries;
-mod lookup;
 
-pub use entries::{Class, StandsFor};
+pub use entries::{Class, StandsFor, ThicknessStandard};
 
-use super::file::{self, Anisotropy, CaseFile};
+use super::file::{self, CaseFile};
 use super::files::{Disk, Folder};
 use super::sources::{Sheets, Sources, Thickness};
-use super::{CaseError, build, source::Source};
+use super::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Mode;
-use entries::{EntryFile, TEXTS, read};
+use entries::{EntryFile, TEXTS, find, read};
 use std::path::Path;
 
 /// Plastic strain of the proof stress \[–\].
@@ -103,14 +102,14 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// When there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
-    let sheet = lookup::find(name).map_err(|[what, help]| CaseError::bare(what, help))?;
+    let sheet = find(name).map_err(|[what, help]| CaseError::bare(what, help))?;
     entry(sheet.name, sheet.text)
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, CaseError> {
     let Some(written) = file.material.name.clone() else { return Ok(Sources::default()) };
-    let known = lookup::find(&written).map_err(|[what, help]| source.error("material.name", what, help))?;
+    let known = find(&written).map_err(|[what, help]| source.error("material.name", what, help))?;
     let (name, elastoplastic) = (known.name, known.file.elastoplastic());
     let EntryFile { material: sheet, thickness, forming_limit, .. } = known.file;
     let origin = sheet.source.clone().unwrap_or_default();
@@ -153,15 +152,14 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let file = read(name, text)?;
+    let file: EntryFile = read(name, text)?;
     let source = Source::parse(name, text, Folder { files: &Disk, path: Path::new("") })?;
-    let material = build::material(&file.material, &source)?;
-    let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &source)).transpose()?;
+    let material = file.material.model(&source)?;
+    let elastoplastic = file.elastoplastic().map(|shifting| shifting.model(&source)).transpose()?;
     let EntryFile { title, grade, licence, thickness, stands_for, scatter, mut notes, .. } = file;
-    let r_values = file.material.anisotropy.and_then(Anisotropy::directions);
-    notes.extend(r_values.map(build::mean_of));
-    let sheet = Sheet { material: &material, thickness: 1.0, temperature: ROOM_TEMPERATURE };
-    let measured_limit = file.forming_limit.map(|limit| build::measured(&limit, &sheet, &source)).transpose()?;
+    let measured_limit = file.forming_limit.map(|limit| limit.curve(&material, 1.0, None, &source)).transpose()?;
+    file.material.r_values(&source);
+    notes.extend(source.take_notes());
     Ok(Entry {
         name,
         title,

@@ -1,4 +1,4 @@
-//! Case files: TOML → [`CaseFile`] (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
+//! Case files: TOML → [`file::CaseFile`] (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
 //!
 //! This is the only place that knows TOML. Twelve lines are enough for a cup that runs:
 //!
@@ -23,33 +23,32 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
-mod build;
 pub mod comparison;
 mod complaint;
 mod error;
-pub mod file;
+pub(crate) mod file;
 pub mod files;
 pub mod library;
 mod overrides;
-mod read;
 mod schema;
-mod solution;
 mod source;
 mod sources;
-pub mod thickness_tolerance;
-mod written;
 
 pub use error::CaseError;
-pub use file::{CaseFile, Springback, TitleBlock};
-pub use read::{load, parse, parse_with};
+pub use file::{Press, Springback, TitleBlock};
 pub(crate) use schema::{definition, whole};
 pub use schema::{keys, schema};
-pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::material::RValues;
 use crate::model::{Model, Stage};
-use std::path::PathBuf;
+use crate::solver::solution::StageSolution;
+use crate::solver::{Observer, solve};
+use files::{Disk, FileError, Files, Folder, Noted};
+use source::Source;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,16 +81,39 @@ pub struct Case {
     pub derived: Vec<String>,
 }
 
-/// Rating of the press; `None` if the case has none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Press {
-    /// Largest force, of the whole section as [`Extent`](crate::model::Extent) has it \[N, or N/mm of depth\].
-    pub force: Option<f64>,
-    /// Work of one stroke \[mJ\].
-    pub energy: Option<f64>,
+/// A solved case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Solved case.
+    pub case: Case,
+    /// The stages that were run, in order: up to the first that did not come to its end.
+    pub stages: Vec<StageSolution>,
+    /// Time that the solution took, by the clock of whoever has one.
+    pub wall: Option<Duration>,
+}
+
+impl Solution {
+    /// True if every stage was run and came to its end.
+    pub fn is_complete(&self) -> bool {
+        self.stages.len() == self.case.stages.len() && self.stages.iter().all(|stage| stage.stop.is_complete())
+    }
 }
 
 impl Case {
+    /// Reads a case file as it stands.
+    ///
+    /// # Errors
+    /// Those of [`load`].
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, CaseError> {
+        load(path, &[])
+    }
+
+    /// Runs the stages after one another, each on the sheet that the one before left.
+    pub fn solve(self, observer: &mut dyn Observer) -> Solution {
+        let stages = solve(&self.stages, observer);
+        Solution { case: self, stages, wall: None }
+    }
+
     /// The stage that begins with the flat blank.
     pub fn first(&self) -> &Stage {
         &self.stages[0]
@@ -111,4 +133,80 @@ impl Case {
     pub fn stage_names(&self) -> impl Iterator<Item = &str> {
         self.stages.iter().map(|stage| stage.name.as_str())
     }
+
+    /// Label of stage `i`, counted from 0, in folders and headings: `1-draw`; `None` in a case of one stage.
+    pub fn stage_label(&self, i: usize) -> Option<String> {
+        let name = self.stage_names().nth(i).filter(|_| self.stages.len() > 1)?;
+        Some(format!("{}-{name}", i + 1))
+    }
+}
+
+/// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
+///
+/// # Errors
+/// When the file cannot be read, or as [`parse`].
+pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
+    let path = path.as_ref();
+    let files: &dyn Files = &Disk;
+    let text = files.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
+    parse(&text, &path.to_string_lossy(), overrides)
+}
+
+/// Reads a case from text; `name` is the path that messages show and that reference curves, profiles and temperatures are
+/// looked up from, on the disk.
+///
+/// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
+/// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
+pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    parse_with(text, name, overrides, &Disk)
+}
+
+/// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
+///
+/// ```
+/// # use stampflow::{case, case::files::Memory};
+/// let mut files = Memory::default();
+/// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
+/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);
+/// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
+/// assert_eq!(case.model().heat.as_ref().unwrap().initial.at(40.0), 423.15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Those of [`parse`].
+pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
+    let path = PathBuf::from(name);
+    if text.len() > files::CASE {
+        return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
+    }
+    let reads = Noted { files, paths: RefCell::new(vec![path.clone()]) };
+    let text = overrides::apply(text, overrides)?;
+    let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
+    let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
+    let source = Source::parse(&shown, &text, folder)?;
+    let mut file = source.read()?;
+    sources::forget_replaced(&mut file, overrides);
+    let taken = library::complete(&mut file, &source)?;
+    sources::limit_of_another_sheet(&file, overrides).into_iter().for_each(|note| source.note(note));
+    let stages = file.stages(&source)?;
+    let r_values = file.material.r_values(&source);
+    Ok(Case {
+        name: path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned()),
+        compare: comparison::specs(&file, &source)?,
+        press: file.press_rating(&source)?,
+        springback: file.springback_tolerances(&source)?,
+        sources: sources::sources(&file, taken, &source)?,
+        text: text.clone(),
+        overrides: overrides.to_vec(),
+        stages,
+        title_block: file.report,
+        r_values,
+        derived: source.take_notes(),
+        inputs: reads.paths.take(),
+        path,
+    })
 }

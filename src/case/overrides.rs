@@ -1,7 +1,7 @@
-//! `KEY=VALUE` from the command line, written into the text before it is read.
+//! Values in the text of a case: `KEY=VALUE` of the command line is written into it before it is read, studies read them.
 
-use super::CaseError;
 use super::source::is_radius_and_diameter;
+use super::{Case, CaseError, library};
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
@@ -54,7 +54,7 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
 
 /// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
 /// tool.
-pub(super) fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
+fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = if path.trim() == "friction" { "tools.*.friction" } else { path };
     let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };
@@ -113,4 +113,45 @@ fn set(item: &mut Item, key: &str, mut value: Value) -> Option<()> {
     }
     table.insert(key, Item::Value(value));
     Some(())
+}
+
+impl Case {
+    /// Values in its text at a dotted path of keys, each with its path: `friction` is that of every tool. A key of the
+    /// material is looked up in the library too, if the case takes its sheet from there.
+    pub fn written(&self, key: &str) -> Vec<(String, String)> {
+        let Ok(own) = self.text.parse::<DocumentMut>() else { return Vec::new() };
+        let library = self.sheet().and_then(|sheet| sheet.text.parse::<DocumentMut>().ok());
+        let value = |path: &str| at(&own, path).or_else(|| at(library.as_ref()?, path))?.as_value().map(plain);
+        let paths = spread(&own, &format!("{key}="));
+        let paths = paths.iter().map(|path| path.trim_end_matches('=').to_owned());
+        paths.filter_map(|path| value(&path).map(|value| (path, value))).collect()
+    }
+
+    /// Its hardening law as a value that `material.hardening` may be set to; `None` where the text has none.
+    pub fn hardening(&self) -> Option<Value> {
+        let law = |text: &str| {
+            let case = text.parse::<toml::Table>().ok()?;
+            case.get("material")?.get("hardening")?.to_string().parse().ok()
+        };
+        law(&self.text).or_else(|| law(self.sheet()?.text))
+    }
+
+    /// The sheet of the library that it names.
+    pub fn sheet(&self) -> Option<library::Entry> {
+        let document = self.text.parse::<DocumentMut>().ok()?;
+        let material = document.get("material")?;
+        let name = material.as_str().or_else(|| material.get("name")?.as_str())?;
+        library::material(name).ok()
+    }
+}
+
+fn at<'a>(document: &'a DocumentMut, path: &str) -> Option<&'a Item> {
+    path.split('.').map(str::trim).try_fold(document.as_item(), |item, key| match key.parse::<usize>() {
+        Ok(index) if !item.is_table_like() => item.get(index),
+        _ => item.get(key),
+    })
+}
+
+fn plain(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.clone().decorated("", "").to_string().trim().to_owned(), str::to_owned)
 }

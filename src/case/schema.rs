@@ -1,6 +1,6 @@
 //! JSON schema of case files, for editors, the key reference and the examples in messages.
 
-use super::CaseFile;
+use super::file::CaseFile;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -16,7 +16,6 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
 }
 
-/// Schema as a JSON value.
 pub(crate) fn whole() -> &'static Value {
     &SCHEMA
 }
@@ -32,17 +31,14 @@ pub(super) fn example(path: &str) -> Option<String> {
     Some(format!("{} = {}", path.rsplit('.').next()?, property.get("examples")?.get(0)?))
 }
 
-/// True if the part of a path counts the entries of a list.
 pub(super) fn is_index(name: &str) -> bool {
     name.parse::<usize>().is_ok()
 }
 
-/// Returns the named definition that a node refers to.
 fn reference(node: &Value) -> Option<&'static Value> {
     Some(definition(node.get("$ref")?.as_str()?.rsplit('/').next()?))
 }
 
-/// Returns the alternatives of a node.
 fn alternatives(node: &Value) -> impl Iterator<Item = &Value> {
     node.get("anyOf").and_then(Value::as_array).into_iter().flatten()
 }

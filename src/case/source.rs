@@ -2,7 +2,7 @@
 
 use super::files::Folder;
 use super::schema::example;
-use super::{CaseError, CaseFile, complaint};
+use super::{CaseError, complaint, file::CaseFile};
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::Deserialize;
@@ -28,12 +28,11 @@ const LISTS: [(&str, usize); 8] = [
 const TITLE: usize = 200;
 const TEXT: usize = 1000;
 
-/// Parsed TOML text of a case.
-pub(super) struct Source<'t> {
+pub struct Source<'t> {
     shown: Arc<NamedSource<String>>,
     text: &'t str,
     tree: Spanned<DeTable<'t>>,
-    /// Base folder of the files that the case names.
+    root: DeValue<'t>,
     pub folder: Folder<'t>,
     notes: RefCell<Vec<String>>,
     /// Index and name of the later stage to which `tools.…` refers.
@@ -41,19 +40,19 @@ pub(super) struct Source<'t> {
 }
 
 impl<'t> Source<'t> {
-    /// Parses the text as TOML.
     pub fn parse(name: &str, text: &'t str, folder: Folder<'t>) -> Result<Self, CaseError> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
         match DeTable::parse(text) {
             Ok(mut tree) => {
                 resolve_thicknesses(tree.get_mut());
-                Ok(Self { shown, text, tree, folder, notes: RefCell::default(), stage: RefCell::default() })
+                let (root, notes, stage) =
+                    (DeValue::Table(tree.get_ref().clone()), RefCell::default(), RefCell::default());
+                Ok(Self { shown, text, tree, root, folder, notes, stage })
             }
             Err(error) => Err(complaint::not_toml(&error, text, shown)),
         }
     }
 
-    /// Deserializes the keys, each in its own type.
     pub fn read(&self) -> Result<CaseFile, CaseError> {
         if self.tree.get_ref().is_empty() {
             let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
@@ -63,34 +62,24 @@ impl<'t> Source<'t> {
         }
         let file = CaseFile::deserialize(Deserializer::from(self.tree.clone()));
         let file = file.map_err(|error| complaint::wrong_key(&error, self))?;
-        self.check_lengths("", &DeValue::Table(self.tree.get_ref().clone()))?;
+        self.check_lengths("", &self.root)?;
         Ok(file)
     }
 
-    /// Refuses lists and texts that are longer than any case needs.
     fn check_lengths(&self, path: &str, value: &DeValue) -> Result<(), CaseError> {
         let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
-        match value {
-            DeValue::Table(table) => {
-                table.iter().try_for_each(|(key, value)| self.check_lengths(&deeper(key.get_ref()), value.get_ref()))
-            }
-            DeValue::Array(list) => {
-                let most = LISTS.iter().find(|(key, _)| path.ends_with(key)).map_or(usize::MAX, |(_, most)| *most);
-                let what = format!("`{path}` has {} entries, more than {most}", list.len());
-                self.require(list.len() <= most, &deeper(&most.to_string()), what, "leave out what is not needed")?;
-                let mut entries = list.iter().enumerate();
-                entries.try_for_each(|(i, value)| self.check_lengths(&deeper(&i.to_string()), value.get_ref()))
-            }
-            DeValue::String(text) => {
-                let (length, most) = (text.chars().count(), if path == "title" { TITLE } else { TEXT });
-                let what = format!("`{path}` has {length} characters, more than {most}");
-                self.require(length <= most, path, what, "plots and messages repeat it: keep it short")
-            }
-            _ => Ok(()),
+        if let DeValue::Array(list) = value {
+            let most = LISTS.iter().find(|(key, _)| path.ends_with(key)).map_or(usize::MAX, |(_, most)| *most);
+            let what = format!("`{path}` has {} entries, more than {most}", list.len());
+            self.require(list.len() <= most, &deeper(&most.to_string()), what, "leave out what is not needed")?;
+        } else if let DeValue::String(text) = value {
+            let (length, most) = (text.chars().count(), if path == "title" { TITLE } else { TEXT });
+            let what = format!("`{path}` has {length} characters, more than {most}");
+            self.require(length <= most, path, what, "plots and messages repeat it: keep it short")?;
         }
+        entries(value).into_iter().try_for_each(|(key, _, value)| self.check_lengths(&deeper(&key), value.get_ref()))
     }
 
-    /// Adds a note on what was assumed or changed.
     pub fn note(&self, note: impl Into<String>) {
         let note = match &*self.stage.borrow() {
             Some((_, name)) => format!("stage {name}: {}", note.into()),
@@ -99,7 +88,6 @@ impl<'t> Source<'t> {
         self.notes.borrow_mut().push(note);
     }
 
-    /// Runs a function whose notes are dropped.
     pub fn silently<T>(&self, run: impl FnOnce() -> T) -> T {
         let before = self.notes.borrow().len();
         let result = run();
@@ -107,7 +95,6 @@ impl<'t> Source<'t> {
         result
     }
 
-    /// Removes and returns the notes.
     pub fn take_notes(&self) -> Vec<String> {
         self.notes.take()
     }
@@ -137,7 +124,6 @@ impl<'t> Source<'t> {
         self.error_at(span, what.into(), label, help.into())
     }
 
-    /// Returns [`error`](Self::error) unless `ok`.
     pub fn require(
         &self,
         ok: bool,
@@ -180,58 +166,52 @@ impl<'t> Source<'t> {
         self.error(table, format!("`{key}` is missing in {name}"), help)
     }
 
-    /// Error at a range of bytes.
     pub fn error_at(&self, span: Range<usize>, what: String, label: String, help: String) -> CaseError {
         CaseError::at(self.shown.clone(), span, what, label, help)
     }
 
-    /// True if the key is in the text.
     pub fn has(&self, path: &str) -> bool {
         self.locate(&self.whole(path)).1
     }
 
     /// Span of the deepest written part of a path, and whether the whole path was written.
     fn locate(&self, path: &str) -> (Range<usize>, bool) {
-        let (mut span, mut here) = (0..0, None);
+        let (mut span, mut here) = (0..0, &self.root);
         for segment in path.split('.') {
-            let table = here.map_or(Some(self.tree.get_ref()), DeValue::as_table);
-            let array = here.and_then(DeValue::as_array).zip(segment.parse::<usize>().ok());
-            let entry = table.and_then(|table| table.get_key_value(segment)).map(|(key, value)| (key.span(), value));
-            let entry = entry.or_else(|| array.and_then(|(array, i)| array.get(i)).map(|value| (value.span(), value)));
-            let Some((key, value)) = entry else { return (span, false) };
+            let entry = entries(here).into_iter().find(|(name, ..)| name == segment);
+            let Some((_, key, value)) = entry else { return (span, false) };
             // A table or a long array is shown by its key, so that the message stays short.
             let one_line = !self.text[value.span()].contains('\n');
             span = if one_line && !value.span().is_empty() { value.span() } else { key };
-            here = Some(value.get_ref());
+            here = value.get_ref();
         }
         (span, true)
     }
 
     /// Key path whose key or value has exactly this span; `None` for the whole file.
     pub fn path_at(&self, span: &Range<usize>) -> Option<String> {
-        path_in_table(self.tree.get_ref(), span)
+        path_at(&self.root, span)
     }
 }
 
-fn path_in_table(table: &DeTable, span: &Range<usize>) -> Option<String> {
-    table.iter().find_map(|(key, value)| {
-        let name = key.get_ref();
-        if key.span() == *span { Some(name.to_string()) } else { path_in_value(name, value, span) }
-    })
-}
-
-fn path_in_value(name: &str, value: &Spanned<DeValue>, span: &Range<usize>) -> Option<String> {
-    if value.span() == *span {
-        return Some(name.to_owned());
-    }
-    let rest = match value.get_ref() {
-        DeValue::Table(table) => path_in_table(table, span),
-        DeValue::Array(entries) => {
-            entries.iter().enumerate().find_map(|(i, entry)| path_in_value(&i.to_string(), entry, span))
+/// Name, span of the key and value of each entry of a table or array; an array's keys are its values.
+fn entries<'a>(value: &'a DeValue<'a>) -> Vec<(String, Range<usize>, &'a Spanned<DeValue<'a>>)> {
+    match value {
+        DeValue::Table(table) => {
+            table.iter().map(|(key, value)| (key.get_ref().to_string(), key.span(), value)).collect()
         }
-        _ => None,
-    };
-    Some(format!("{name}.{}", rest?))
+        DeValue::Array(list) => {
+            list.iter().enumerate().map(|(i, value)| (i.to_string(), value.span(), value)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn path_at(value: &DeValue, span: &Range<usize>) -> Option<String> {
+    entries(value).into_iter().find_map(|(name, key, value)| match key == *span || value.span() == *span {
+        true => Some(name),
+        false => Some(format!("{name}.{}", path_at(value.get_ref(), span)?)),
+    })
 }
 
 /// Keys of lengths from the axis, each with the key of its diameter.

@@ -63,7 +63,6 @@ impl Thickness {
     }
 }
 
-/// The keys that overrides set.
 fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
     overrides.iter().filter_map(|written| written.split_once('=')).map(|(path, _)| path.trim())
 }
@@ -87,10 +86,6 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
     forget(&mut file.material.source, "material.source", |path| path.split('.').next() == Some("material"));
 }
 
-/// Sources of a case whose named material is completed, with what that brought.
-///
-/// # Errors
-/// When a source is written and says nothing.
 pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Result<Sources, CaseError> {
     let (friction, material) = (file.friction.source.clone(), file.material.source.clone());
     for (given, path) in [(&friction, "friction.source"), (&material, "material.source")] {

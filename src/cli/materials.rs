@@ -124,7 +124,7 @@ fn properties(entry: &Entry) -> Vec<(&'static str, String)> {
 /// Scatter of a class of sheets.
 fn scatter(class: &Class) -> String {
     let strength = class.strength().map(|[low, high]| format!("Rm {low} to {high} MPa ({})", class.source));
-    let thickness = class.thickness.map(|standard| format!("thickness by {}", standard.source()));
+    let thickness = class.thickness().map(|standard| format!("thickness by {}", standard.source));
     strength.into_iter().chain(thickness).collect::<Vec<_>>().join("; ")
 }
 

@@ -235,10 +235,10 @@ fn default_scatter(case: &Case) -> (Vec<String>, Vec<String>) {
         return (vary, notes);
     };
     let thickness = case.model().blank.thickness;
-    if let Some((standard, tolerance)) = class.thickness.and_then(|by| Some((by, by.tolerance(thickness)?))) {
+    if let Some((tolerance, source)) = class.thickness().and_then(|by| Some((by.tolerance(thickness)?, by.source))) {
         let deviation = tolerance / THICKNESS_DEVIATIONS;
         vary.push(format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in ± {tolerance} mm"));
-        let (tolerance, source) = (Amount::size(tolerance), standard.source());
+        let tolerance = Amount::size(tolerance);
         notes.push(format!("Thickness: normal, tolerance {tolerance} at three standard deviations; {source}."));
     }
     if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {

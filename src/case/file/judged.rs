@@ -1,9 +1,11 @@
-//! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`, `[[compare]]`.
+//! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`.
 
-use super::HolderForce;
-use crate::case::comparison::ComparedQuantity;
+use super::CaseFile;
+use super::values::HolderForce;
+use crate::case::{CaseError, source::Source};
 use crate::measure::Ring;
-use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Number, Positive, Ratio};
+use crate::model::{Extent, Geometry};
+use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Positive};
 use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -11,13 +13,23 @@ use serde::{Deserialize, Deserializer};
 /// Rating of the press, as on its data sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Press {
+#[schemars(rename = "Press")]
+pub struct WrittenPress {
     /// Largest force; in plane strain per mm of depth of the whole section, or in all if blank.depth is given.
     #[schemars(example = "1000 kN")]
-    pub force: Option<HolderForce>,
+    force: Option<HolderForce>,
     /// Work of one stroke; in plane strain only with blank.depth.
     #[schemars(example = "20 kJ")]
-    pub energy: Option<Positive<Energy>>,
+    energy: Option<Positive<Energy>>,
+}
+
+/// Rating of the press; `None` if the case has none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Press {
+    /// Largest force, of the whole section as [`Extent`] has it \[N, or N/mm of depth\].
+    pub force: Option<f64>,
+    /// Work of one stroke \[mJ\].
+    pub energy: Option<f64>,
 }
 
 /// Title block of a report; only given entries are shown.
@@ -45,7 +57,6 @@ pub struct TitleBlock {
     pub date: Option<String>,
 }
 
-/// Deserializes text, or a TOML date as text.
 fn text_or_date<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
     match toml::Value::deserialize(from)? {
         toml::Value::String(text) => Ok(Some(text)),
@@ -113,47 +124,47 @@ impl Springback {
     }
 }
 
-/// Deserializes an angle in degrees.
 fn degrees<'de, Q: Dimensioned + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     Ok(Option::<Q>::deserialize(from)?.map(|angle| angle.value().to_degrees()))
 }
 
-/// One comparison with a reference: a curve (`x`, `y`, `tolerance`) or a band (`band`), depending on the quantity.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] }))]
-pub struct Compare {
-    /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
-    #[schemars(example = "woo_load_travel.csv")]
-    pub reference: String,
-    /// Compared quantity.
-    #[schemars(example = &"punch_force")]
-    pub quantity: ComparedQuantity,
-    /// Column of the CSV along which to compare with a curve.
-    #[schemars(example = &"travel_mm")]
-    pub x: Option<String>,
-    /// Column of the CSV that is compared with a curve. Forces of a plane section are of both halves: per mm of depth, N_per_mm,
-    /// or in all if blank.depth is given; a published curve of one half is doubled in the file, with a word on it.
-    #[schemars(example = &"punch_force_N")]
-    pub y: Option<String>,
-    /// Part of the curve that is compared, in units of the x column; default all of it.
-    pub range: Option<[Number; 2]>,
-    /// Accepted relative difference from a curve.
-    #[schemars(example = "5 %")]
-    pub tolerance: Option<Positive<Ratio>>,
-    /// Columns of the CSV whose values, all rows of them, span the band.
-    #[schemars(example = &("diameter_x_mm", "diameter_y_mm"))]
-    pub band: Option<Vec<String>>,
-    /// Column of the CSV with each row's error of measurement, which widens the band.
-    #[schemars(example = &"error_mm")]
-    pub error: Option<String>,
-    /// Reason of the tolerance, or of a difference.
-    #[schemars(example = "reading error of the published graph")]
-    pub reason: String,
-    /// True if the file may be missing: drop the CSV into `reference_data` to see the overlay.
-    #[serde(default)]
-    pub optional: bool,
-    /// True if the difference is shown without failing a validation, because the input is not that of the reference.
-    #[serde(default)]
-    pub demonstration: bool,
+impl CaseFile {
+    /// Rating of the press in the units of the run's forces and work.
+    pub fn press_rating(&self, source: &Source) -> Result<Press, CaseError> {
+        let (extent, press) = (self.extent(source)?, &self.press);
+        let force = press.force.map(|force| force.in_extent("press.force", extent, source)).transpose()?;
+        let what = "a press without force forms nothing";
+        source.require(force != Some(0.0), "press.force", what, "write its rating, or leave it out")?;
+        let known = press.energy.is_none() || extent != Extent::PerDepth;
+        let what = "in plane strain the length of the part is not known";
+        let help = "give blank.depth, or leave it out: the work per mm of depth is in the summary";
+        source.require(known, "press.energy", what, help)?;
+        Ok(Press { force, energy: press.energy.map(Dimensioned::value) })
+    }
+
+    /// Checked tolerances on spring-back.
+    pub fn springback_tolerances(&self, source: &Source) -> Result<Springback, CaseError> {
+        let Some(written) = self.springback else { return Ok(Springback::default()) };
+        if written.ring.is_some() {
+            let key = "springback.ring";
+            let help = "drop it: a ring is cut from an axisymmetric cup";
+            source.require(self.geometry == Geometry::Axisymmetric, key, "a strip has no ring to cut", help)?;
+            let released = self.stages.last().is_some_and(|stage| stage.release.is_some());
+            let what = "the last stage takes no tools away: the moment that remains in the wall is not known";
+            let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to \
+                        [material]";
+            source.require(released, key, what, help)?;
+        }
+        let what = "an angle of 180° or more between the legs is no bend";
+        let help = "write the angle between the legs, such as \"90 deg\"";
+        source.require(written.angle.is_none_or(|angle| angle < 180.0), "springback.angle", what, help)?;
+        source.one_of("springback", &["tolerance", "wall_tolerance"], "keep one of them")?;
+        let no_angle = written.tolerance.or(written.wall_tolerance).is_none();
+        let nothing = !written.is_given() && written.ring.is_none();
+        let what = "[springback] has no `tolerance`: nothing says how far the angle may miss";
+        let help =
+            "write tolerance = \"1 deg\" of the angle between both walls, or wall_tolerance = \"0.5 deg\" of each";
+        source.require(!no_angle || (written.angle.is_none() && !nothing), "springback", what, help)?;
+        Ok(written)
+    }
 }

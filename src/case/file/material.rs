@@ -1,16 +1,20 @@
-//! `[material]` and `[forming_limit]`.
+//! `[material]`: elastic constants and exactly one law of each kind.
 
 use super::untagged::untagged;
-use crate::forming_limit::{KeelerBrazier, MarciniakKuczynski, Strain};
+use crate::case::{CaseError, source::Source};
 use crate::material::hardening::HardeningTable;
+use crate::material::law::{Family, LawError};
 use crate::material::rate::RateTable;
 use crate::material::thermal::ThermalTable;
-use crate::material::{BackStress, Gtn, RValues};
+use crate::material::{
+    self, BackStress, BackStresses, Elastic, Gtn, Hardening, Hill48, RValues, Rate, ThermalLaw, YieldCriterion,
+};
 use crate::model::Mode;
-use crate::units::{Dimensioned, Fraction, Number, Positive, Stress};
+use crate::units::{Amount, Digits, Dimensioned, Fraction, Number, Positive, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
+use std::ops::RangeInclusive;
 
 /// The sheet's material, isotropic in its plane.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -32,11 +36,9 @@ pub struct Material {
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
     /// sheet; default 1. Or r of three directions, `{ r0 = 0.525, r45 = 0.248, r90 = 0.429 }`, whose mean
     /// r̄ = (r0 + 2 r45 + r90)/4 is used, and from which ears are estimated.
-    /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ², unless `yield_condition` says otherwise.
     ///
-    /// Valid for sheet that is alike in all its directions; it cannot show ears, and aluminium with r̄ below 1 is stronger in
-    /// equi-biaxial tension than this: `yield_condition` has another curve. Source: R. Hill, Proc. R. Soc. London A 193
-    /// (1948) 281–297.
+    /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ²: too soft in equi-biaxial tension for aluminium with r̄ below 1, for which
+    /// `yield_condition` has another curve. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
     #[schemars(example = 1.6)]
     pub anisotropy: Option<Anisotropy>,
     /// Curve of the stresses at which the sheet yields; default "hill48".
@@ -49,11 +51,9 @@ pub struct Material {
     pub rate: Option<RateTable>,
     /// Dependence on the temperature; default none. `[heat]` gives the temperature.
     pub softening: Option<ThermalTable>,
-    /// Back-stresses of an elasto-viscoplastic sheet, at most two; default none. The hardening law is then the yield stress
-    /// less the back-stresses.
-    ///
-    /// dα = C ξ/σ_R dε − γ α dε: valid for metal that is bent and bent back; it needs tests with reversed strain. Source:
-    /// J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188 (not read; the form is in common use).
+    /// Back-stresses of an elasto-viscoplastic sheet, at most two; default none. The hardening law is then without them.
+    /// dα = C ξ/σ_R dε − γ α dε: for metal that is bent and bent back; it needs tests with reversed strain. Source:
+    /// J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188 (not read).
     #[serde(default)]
     #[schemars(length(max = 2))]
     pub kinematic: Vec<BackStress>,
@@ -84,17 +84,11 @@ untagged!(
 );
 
 impl Anisotropy {
-    /// r̄ \[–\].
     pub fn mean(self) -> f64 {
         match self {
             Self::Mean(mean) => mean.value(),
             Self::Directions(r) => r.mean(),
         }
-    }
-
-    /// r-values, if they are given by direction.
-    pub fn directions(self) -> Option<RValues> {
-        if let Self::Directions(r) = self { Some(r) } else { None }
     }
 }
 
@@ -151,33 +145,131 @@ impl Crystal {
     }
 }
 
-/// Forming limit curve, exactly one: `points`, `measured`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("dependentRequired" = { "points": ["strain"], "strain": ["points"] }))]
-pub struct FormingLimit {
-    /// Pairs of minor and major strain from left to right, plain numbers: `[[-0.2, 0.5], [0, 0.3], [0.3, 0.45]]`.
-    ///
-    /// Valid for the sheet and the thickness it was measured on, and for straight strain paths. Source: the case's own.
-    pub points: Option<Vec<(Number, Number)>>,
-    /// Measure of strain of `points`: needed with them.
-    #[schemars(example = &"logarithmic")]
-    pub strain: Option<Strain>,
-    /// Measured points of the library's sheet that `[material] name` names, if it has some.
-    #[schemars(example = true)]
-    pub measured: Option<bool>,
-    /// Empirical curve of steels; `{}` takes n from the hardening law.
-    pub keeler_brazier: Option<KeelerBrazier>,
-    /// Hill's localised necking on the left, Swift's diffuse necking on the right: from the hardening law and r̄.
-    #[schemars(example = true)]
-    pub hill: Option<bool>,
-    /// Swift's diffuse necking on both sides: from the hardening law and r̄.
-    #[schemars(example = true)]
-    pub swift: Option<bool>,
-    /// Hardening exponent of `keeler_brazier`, `hill` or `swift`. Default: for `keeler_brazier` the uniform strain at the load
-    /// maximum of the hardening law, for the others the law itself.
-    #[schemars(example = 0.21)]
-    pub n: Option<Fraction>,
-    /// Groove in the sheet: from the hardening law, the rate law and r̄.
-    pub marciniak_kuczynski: Option<MarciniakKuczynski>,
+const HARDENING: &str = "material.hardening";
+/// Yield stress at 10 % strain, from hot superplastic alloys far below to piano wire far above \[MPa\].
+const YIELD: RangeInclusive<f64> = 0.1..=1e5;
+
+impl Material {
+    pub fn model(&self, source: &Source) -> Result<material::Material, CaseError> {
+        let elastic = match (self.young, self.poisson) {
+            (None, None) => None,
+            (Some(young), Some(poisson)) => Some(Elastic { young: young.value(), poisson: poisson.value() }),
+            (Some(_), None) => return Err(source.missing("material", "poisson")),
+            (None, Some(_)) => return Err(source.missing("material", "young")),
+        };
+        if let Some(Elastic { poisson, .. }) = elastic {
+            let what = format!("`poisson` must be below 0.5, found {poisson}");
+            source.require(poisson < 0.5, "material.poisson", what, "0.3 for steel, 0.33 for aluminium")?;
+        }
+        let hardening = self.hardening(elastic, source)?;
+        let stress = hardening.at(0.1).stress;
+        let what = format!("the law has a yield stress of {stress:.3e} MPa at a strain of 0.1: no metal has");
+        let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
+        source.require(YIELD.contains(&stress), HARDENING, what, help)?;
+        let yield_criterion = self.yield_criterion(source)?;
+        let rate = self.rate.map(|table| only(Rate::named(table), "material.rate", source)).transpose()?;
+        let thermal =
+            self.softening.map(|table| only(ThermalLaw::named(table), "material.softening", source)).transpose()?;
+        let mut gtn = self.voids;
+        if let Some(gtn) = &mut gtn {
+            gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
+        }
+        let fitted_up_to = self.fitted_up_to.map(Dimensioned::value);
+        let chaboche = self.back_stresses(source)?;
+        Ok(material::Material { hardening, fitted_up_to, elastic, rate, thermal, yield_criterion, chaboche, gtn })
+    }
+
+    /// r-values by direction, with a note on the mean that is taken.
+    pub fn r_values(&self, source: &Source) -> Option<RValues> {
+        let Some(Anisotropy::Directions(r)) = self.anisotropy else { return None };
+        let [mean, r0, r45, r90, planar] =
+            [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(|r| Amount::number(r).to(Digits::Given(6)));
+        source.note(format!(
+            "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; computed is the mean over the \
+             directions, about which the rim has ears (Δr = {planar})"
+        ));
+        Some(r)
+    }
+
+    fn hardening(&self, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
+        let laws = match <[_; 1]>::try_from(self.hardening.clone().map_or(Vec::new(), Hardening::named)) {
+            Ok([law]) => return prepared(law, elastic.map(|e| e.young), HARDENING, source),
+            Err(laws) => laws,
+        };
+        let names: Vec<String> = laws.iter().map(|law| format!("`{}`", law.name())).collect();
+        let Some(second) = laws.get(1) else {
+            let help = format!("write one of [{HARDENING}.…]: {}", Hardening::NAMES.join(", "));
+            return Err(source.error(HARDENING, "the material has no hardening law", help));
+        };
+        let what = format!("the material has {} hardening laws: {}", names.len(), names.join(" and "));
+        Err(source.error(&format!("{HARDENING}.{}", second.name()), what, "keep one of them"))
+    }
+
+    fn yield_criterion(&self, source: &Source) -> Result<YieldCriterion, CaseError> {
+        let r = self.anisotropy.map_or(1.0, Anisotropy::mean);
+        let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
+        let Some(YieldCondition::Hosford(hosford)) = self.yield_condition else { return Ok(hill.into()) };
+        let path = "material.yield_condition.hosford";
+        let both = hosford.crystal.is_some() && hosford.exponent.is_some();
+        let what = "`crystal` and `exponent` both give the exponent";
+        source.require(!both, &format!("{path}.exponent"), what, "keep one of them")?;
+        let exponent = hosford.crystal.map(Crystal::exponent).or(hosford.exponent.map(Dimensioned::value));
+        let what = "Hosford's condition needs its exponent, or the crystal that decides it";
+        let help = "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8";
+        let exponent = exponent.ok_or_else(|| source.error(path, what, help))?;
+        let what = "the model of voids is made for Hill's condition, not for Hosford's";
+        let help = "drop [material.voids], or write yield_condition = \"hill48\"";
+        source.require(self.voids.is_none(), path, what, help)?;
+        Ok(material::Hosford::checked(r, exponent).map_err(|error| blame(error, path, source))?.into())
+    }
+
+    fn back_stresses(&self, source: &Source) -> Result<BackStresses, CaseError> {
+        let mut chaboche = BackStresses::default();
+        let (count, most) = (self.kinematic.len(), chaboche.len());
+        let what = format!("{count} back-stresses are given, more than {most}");
+        source.require(count <= most, "material.kinematic.2", what, "keep the two that matter")?;
+        let known = count == 0 || self.mode == Some(Mode::ElastoViscoplastic);
+        let help = "write mode = \"elasto_viscoplastic\", or drop it";
+        source.require(known, "material.kinematic.0", "the flow law has no back-stresses", help)?;
+        chaboche[..count].copy_from_slice(&self.kinematic);
+        Ok(chaboche)
+    }
+}
+
+pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
+    let flow = mode == Mode::Flow;
+    let what = "an elastic sheet needs Young's modulus and Poisson's ratio";
+    let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
+    source.require(flow || material.elastic.is_some(), path, what, help)?;
+    let help = "drop [material.voids], or write mode = \"flow\"";
+    source.require(flow || material.gtn.is_none(), path, "a sheet with voids has no elastic strains", help)?;
+    Ok(mode)
+}
+
+pub fn only<F: Family>(laws: Vec<F>, path: &str, source: &Source) -> Result<F, CaseError> {
+    match <[F; 1]>::try_from(laws) {
+        Ok([law]) => prepared(law, None, path, source),
+        Err(laws) => Err(not_one(laws.len(), path, &F::NAMES.join(", "), source)),
+    }
+}
+
+fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+    let name = law.name();
+    law.prepared(young).map_err(|mut error| {
+        error.message = format!("{name}: {}", error.message);
+        blame(error, &format!("{path}.{name}"), source)
+    })
+}
+
+pub fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
+    source.error(format!("{path}.{}", error.key).trim_end_matches('.'), error.message, error.help)
+}
+
+pub fn not_one(count: usize, path: &str, names: &str, source: &Source) -> CaseError {
+    if count > 0 {
+        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
+    }
+    let number = if path.contains("friction") { "write a coefficient, such as friction = 0.1, or " } else { "" };
+    let help = format!("{number}give one of {names}, or drop [{path}]");
+    source.error(path, format!("[{path}] names no law"), help)
 }

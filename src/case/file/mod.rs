@@ -1,26 +1,47 @@
-//! Keys of a case file, in their own units and ranges.
+//! Keys of a case file, in their own units and ranges, and the models that they mean.
 //!
 //! The documentation of the fields is shown by editors through the JSON schema, the examples are proposed by error messages.
 
+mod blank;
+mod counter;
+mod drive;
+mod fit;
+mod forming_limit;
+mod friction;
+mod gas;
+mod heat;
+mod holder;
 mod judged;
-mod loads;
+mod limits;
+mod lines;
 mod material;
+mod points;
 mod section;
 mod stages;
 mod tools;
 mod untagged;
+mod values;
 
-pub use judged::{Compare, Press, Springback, TitleBlock};
-pub use loads::{Extensive, Gas, GasFace, Given, Heat, HolderForce, InitialTemperature, Stiffness, ToolHeat, Zones};
-pub use material::{Anisotropy, Crystal, FormingLimit, Material, YieldCondition};
-pub use section::{ProfileStep, Section, SectionTable, Turn};
-pub use stages::{FirstStage, Release, Stage};
-pub use tools::{Bead, Crowned, Die, Flat, Friction, Hemispherical, Holder, Punch, Sides, Spring, ToolKeys, Tools};
+pub(super) use forming_limit::FormingLimit;
+pub use judged::{Press, Springback, TitleBlock};
+pub(super) use lines::Named;
+pub(super) use material::{Anisotropy, Material};
+pub use material::{Crystal, YieldCondition};
 
-use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
-use crate::units::{Length, Positive};
+use super::{CaseError, comparison::Compare, source::Source};
+use crate::model::{self, Friction, Geometry, Mode, Model, Settings, StopRules, Theory, Tool};
+use crate::units::Dimensioned;
+use blank::Blank;
+use drive::Output;
+use friction::{Frictions, Sides};
+use gas::Gas;
+use heat::Heat;
+use judged::WrittenPress;
+use material::checked_mode;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use stages::{FirstStage, Stage};
+use tools::{Sheet, ToolContext, Tools};
 
 /// Forming case: blank, material, tools.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -28,111 +49,126 @@ use serde::Deserialize;
 pub struct CaseFile {
     /// Shown above plots and reports.
     #[schemars(example = "Steel cup, 60 mm punch")]
-    pub title: String,
+    title: String,
     /// Axisymmetric or plane strain.
     #[schemars(example = &"axisymmetric")]
-    pub geometry: Geometry,
+    geometry: Geometry,
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]
-    pub notes: Vec<String>,
+    notes: Vec<String>,
     /// Flat sheet.
-    pub blank: Blank,
+    blank: Blank,
     /// Material of the sheet.
     pub material: Material,
     /// Rigid tools.
     #[serde(default)]
-    pub tools: Tools,
+    tools: Tools,
     /// Friction by the face of the sheet, for tools without their own, and its source.
     #[serde(default)]
     pub friction: Sides,
     /// Gas or oil that presses on the sheet.
-    pub gas: Option<Gas>,
+    gas: Option<Gas>,
     /// Temperature of the sheet; 20 °C throughout when not given.
-    pub heat: Option<Heat>,
+    heat: Option<Heat>,
     /// Forming limit to check the strains against; default none.
     pub forming_limit: Option<FormingLimit>,
     /// Rating of the press, for the verdict; the run does not depend on it.
     #[serde(default)]
-    pub press: Press,
+    press: WrittenPress,
     /// Title block of reports.
     #[serde(default)]
     pub report: TitleBlock,
     /// Tolerances of the part on spring-back, for the verdict.
-    pub springback: Option<Springback>,
+    springback: Option<Springback>,
     /// Numerical parameters.
     #[serde(default)]
-    pub solver: Settings,
+    solver: Settings,
     /// Conditions that end the run before its full travel.
     #[serde(default)]
-    pub stop: StopRules,
+    stop: StopRules,
     /// Kept instants of the run.
     #[serde(default)]
-    pub output: Output,
+    output: Output,
     /// Name of the first of several stages.
     #[serde(default)]
-    pub stage: FirstStage,
+    stage: FirstStage,
     /// Operations after the first one, on the same sheet.
     #[serde(default)]
-    pub stages: Vec<Stage>,
+    stages: Vec<Stage>,
     /// Published curves and values to hold the result against.
     #[serde(default)]
     pub compare: Vec<Compare>,
 }
 
-/// Flat sheet before forming.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Blank {
-    /// Radius of the blank (axisymmetric).
-    #[schemars(example = "55 mm")]
-    pub radius: Option<Positive<Length>>,
-    /// Diameter of the blank, instead of `radius`.
-    #[schemars(example = "110 mm")]
-    pub diameter: Option<Positive<Length>>,
-    /// Length from the symmetry plane to the edge (plane strain).
-    #[schemars(example = "420 mm")]
-    pub half_length: Option<Positive<Length>>,
-    /// Length of the part across the section (plane strain): forces and works are then of the whole part, in N and J. When
-    /// not given they are of the whole section per mm of depth.
-    #[schemars(example = "800 mm")]
-    pub depth: Option<Positive<Length>>,
-    /// Initial thickness, 0.001 to 50 mm.
-    #[schemars(example = "0.9 mm")]
-    pub thickness: Positive<Length>,
-    /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
-    #[serde(default = "default_elements")]
-    #[schemars(range(min = 2, max = 2000), example = 100)]
-    pub elements: i64,
-    /// Distribution of element sizes.
-    #[serde(default)]
-    #[schemars(extend("default" = "radii"))]
-    pub grading: Grading,
-    /// Shell theory of the sheet.
-    #[serde(default)]
-    #[schemars(extend("default" = "bending"))]
-    pub theory: Theory,
-    /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 9 in
-    /// plane strain, where bending is most of the load; 15 for an elasto-viscoplastic sheet (with fewer the moment grows in
-    /// jumps), 25 where a stage releases the sheet.
-    #[schemars(range(min = 3, max = 101), example = 5)]
-    pub layers: Option<i64>,
-    /// Support of the outer edge.
-    #[serde(default)]
-    #[schemars(extend("default" = "free"))]
-    pub edge: Edge,
-}
+impl CaseFile {
+    /// Models of all stages; notes on what was assumed go to the source.
+    pub fn stages(&self, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
+        let stages = stages::stages(self, self.first(source)?, source)?;
+        limits::of_stages(&stages, source)?;
+        for (i, stage) in stages.iter().enumerate() {
+            let before = i.checked_sub(1).map(|before| &stages[before].model);
+            // Values of the case have been checked above: these are the limits of the solver.
+            stage.check(before).map_err(|error| {
+                let path = if i == 0 { String::new() } else { format!("stages.{}", i - 1) };
+                source.error(&path, error.to_string(), "the solver cannot take this: change the key that is named")
+            })?;
+        }
+        Ok(stages)
+    }
 
-fn default_elements() -> i64 {
-    100
-}
-
-/// Kept instants: `frames` or `count`; the end of the travel always is.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Output {
-    /// Punch travels at which the state is kept.
-    pub frames: Option<Vec<Positive<Length>>>,
-    /// Number of equally spaced instants, 1 to 1000; default 4.
-    #[schemars(range(min = 1, max = 1000), example = 4)]
-    pub count: Option<i64>,
+    fn first(&self, source: &Source) -> Result<Model, CaseError> {
+        let extent = self.extent(source)?;
+        let blank = self.blank(source)?;
+        let material = self.material.model(source)?;
+        let mode = checked_mode(self.material.mode.unwrap_or_default(), &material, "material.mode", source)?;
+        let changes = mode != Mode::Flow && blank.theory == Theory::Selective;
+        let what = "an elastic sheet cannot change between bending and membrane";
+        source.require(!changes, "blank.theory", what, "write blank.theory = \"bending\", or mode = \"flow\"")?;
+        let drive = self.drive(blank.length, source)?;
+        let sheet = Sheet { extent, length: blank.length, thickness: blank.thickness };
+        let context = ToolContext { written: &self.tools, standing: &[], sheet, travel: drive.travel, source };
+        let tools = context.tools(&Frictions::new(self))?;
+        let sheet = &context.sheet;
+        let gas = self.gas.as_ref().map(|gas| gas.model(&tools, sheet, source)).transpose()?;
+        let heat = self.heat.as_ref().map(|heat| heat.model(&tools, source)).transpose()?;
+        if heat.is_none() && (material.thermal.is_some() || material.hardening.temperatures().is_some()) {
+            source.note("without [heat] the sheet is at 20 °C throughout");
+        }
+        let limit = |limit: &FormingLimit| limit.curve(&material, blank.thickness, heat.as_ref(), source);
+        let forming_limit = self.forming_limit.as_ref().map(limit).transpose()?;
+        let by_rate = |tool: &Tool| matches!(tool.friction, Friction::Stribeck(_));
+        let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
+        let timed =
+            drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || self.gas.is_some();
+        let beads = holder::beads(&self.tools.beads, &tools, sheet, source)?;
+        drive::check_settings(&self.solver, source)?;
+        drive::check_stop(&self.stop, &tools, source)?;
+        let model = Model {
+            title: self.title.clone(),
+            notes: self.notes.clone(),
+            geometry: self.geometry,
+            depth: self.blank.depth.map(Dimensioned::value),
+            frames: self.output.frames(&drive, source)?,
+            blank,
+            material,
+            tools,
+            beads,
+            gas: gas.unwrap_or_default(),
+            heat,
+            travel: drive.travel,
+            schedule: drive.schedule,
+            speed: drive.speed,
+            duration: drive.duration,
+            timed,
+            stop: self.stop,
+            settings: self.solver.clone(),
+            mode,
+            release: None,
+            forming_limit,
+        };
+        fit::check(&model, source)?;
+        limits::of_model(&model, &limits::frames_key(0, source), source)?;
+        fit::collisions(&model, source)?;
+        Ok(model)
+    }
 }

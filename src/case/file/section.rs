@@ -1,10 +1,23 @@
-//! `profile`: custom section of a tool.
+//! `profile`: section of a tool, drawn in steps, read from a file or made from another tool; then placed.
 
+use super::counter::Counter;
+use super::points::{self, Points};
+use super::tools::ToolContext;
 use super::untagged::untagged;
+use super::values::place_of;
+use crate::case::{CaseError, source::Source};
+use crate::geometry::{Arc, Fold, Piece, Point, Profile};
 use crate::model::Role;
-use crate::units::{Length, NonNegative, Positive};
+use crate::units::{Amount, Dimensioned, Length, NonNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+/// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
+const ROUNDED: f64 = 0.01;
+/// Largest turn of one arc \[rad\]: half a circle, and round-off.
+const HALF_TURN: f64 = std::f64::consts::PI + 1e-6;
+/// Checked places along the flat sheet.
+const PLACES: usize = 400;
 
 /// Section of a tool, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.
 ///
@@ -29,10 +42,10 @@ pub enum Section {
 pub struct SectionTable {
     /// CSV file with points.
     #[schemars(example = "die.csv")]
-    pub file: Option<String>,
+    file: Option<String>,
     /// Fillet radius of all inner points of the file that have none of their own; "0 mm" keeps them sharp.
     #[schemars(example = "5 mm")]
-    pub fillet: Option<NonNegative<Length>>,
+    fillet: Option<NonNegative<Length>>,
     /// Punch or die whose outline this tool follows, so that the two close on each other: every point of this
     /// tool then lies `by` away from the other. A sharp corner of the other becomes an arc of radius `by`.
     #[schemars(example = &"punch")]
@@ -60,22 +73,22 @@ pub struct SectionTable {
 #[schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] }))]
 pub struct ProfileStep {
     /// First point: [r, z].
-    pub from: Option<[Length; 2]>,
+    from: Option<[Length; 2]>,
     /// End of a straight line: [r, z].
-    pub to: Option<[Length; 2]>,
+    to: Option<[Length; 2]>,
     /// End of an arc: [r, z].
-    pub arc_to: Option<[Length; 2]>,
+    arc_to: Option<[Length; 2]>,
     /// Centre of the arc: [r, z].
-    pub center: Option<[Length; 2]>,
+    center: Option<[Length; 2]>,
     /// Sense of the arc as one goes along it.
     #[schemars(example = &"right")]
-    pub turn: Option<Turn>,
+    turn: Option<Turn>,
 }
 
 /// Sense of an arc as one goes along it, r to the right and z upward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Turn {
+enum Turn {
     /// Counter-clockwise: a hollow of the tool.
     Left,
     /// Clockwise: a convex corner that bends the sheet.
@@ -88,3 +101,184 @@ untagged!(
     list => Section::Steps,
     table => Section::Table
 );
+
+impl Section {
+    pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile, CaseError> {
+        let (path, source) = (format!("tools.{}.profile", role.name()), context.source);
+        let alone = |kind: &str, others: &[&str]| {
+            source.refuse(&path, others, &format!("does not go with `{kind}`"), "drop one of the two")
+        };
+        let counter = |of| Counter { role, of, path: path.clone(), context };
+        let from_file = |file: &str, key: &str, fillet: Option<f64>| {
+            let (profile, points) = points::convert(file, key, fillet, role, context)?;
+            Ok::<_, CaseError>((profile, Origin::Points(points)))
+        };
+        let (profile, origin) = match self {
+            Self::Steps(list) => (steps(list, &path, source)?, Origin::Steps),
+            Self::File(file) => from_file(file, &path, None)?,
+            Self::Table(SectionTable { file: Some(file), fillet, .. }) => {
+                alone("file", &["offset_of", "by", "shoulder", "closed_at", "mirror_of"])?;
+                from_file(file, &format!("{path}.file"), fillet.map(Dimensioned::value))?
+            }
+            Self::Table(table @ SectionTable { offset_of: Some(of), .. }) => {
+                alone("offset_of", &["fillet", "mirror_of"])?;
+                return counter(*of).offset(table);
+            }
+            Self::Table(SectionTable { mirror_of: Some(of), .. }) => {
+                alone("mirror_of", &["fillet", "by", "shoulder", "closed_at"])?;
+                return counter(*of).mirror();
+            }
+            Self::Table(_) => {
+                let what = "the profile names neither a file nor a tool to make it from";
+                let help = "write { file = \"die.csv\" }, { offset_of = \"punch\", by = \"1.2 mm\" } or { mirror_of = \"die\" }";
+                return Err(source.error(&path, what, help));
+            }
+        };
+        let drawn = Drawn { profile, path, origin };
+        drawn.check_folds(role, source)?;
+        drawn.placed(role, context).map(|(profile, _)| profile)
+    }
+}
+
+fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, CaseError> {
+    let mut pieces = Vec::new();
+    let mut start = None;
+    for (i, step) in steps.iter().enumerate() {
+        let fail = |what: &str, help: &str| Err(source.error(&format!("{path}.{i}"), what, help));
+        let ProfileStep { from, to, arc_to, center, turn } = *step;
+        let end = match (i, from, to, arc_to) {
+            (0, Some(first), None, None) => point(first),
+            (0, ..) => return fail("a profile begins with its first point", "write { from = [\"0 mm\", \"0 mm\"] }"),
+            (_, None, Some(end), None) | (_, None, None, Some(end)) => point(end),
+            _ => {
+                let help = "write { to = [..] } or { arc_to = [..], center = [..], turn = .. }";
+                return fail("a step is either a line or an arc", help);
+            }
+        };
+        if center.is_some() != arc_to.is_some() || turn.is_some() != arc_to.is_some() {
+            let help = "write { arc_to = [..], center = [..], turn = \"right\" }";
+            return fail("an arc has `arc_to`, `center` and `turn`", help);
+        }
+        if end.x < 0.0 {
+            return fail("a point lies at negative r", "the section is drawn from the axis outward, r >= 0");
+        }
+        let Some(from) = start.replace(end) else { continue };
+        if (end - from as Point).norm() < 1e-6 {
+            return fail("a step has no length", "drop it");
+        }
+        let Some((center, turn)) = center.zip(turn) else {
+            pieces.push(Piece::line(from, end));
+            continue;
+        };
+        let (arc, moved) = Arc::between(from, end, point(center), turn == Turn::Left);
+        if moved > ROUNDED {
+            return fail("the ends of an arc are not equally far from its center", "check `center`");
+        }
+        if arc.sweep.abs() > HALF_TURN {
+            let what = format!("an arc turns by {:.0}°, more than half a circle", arc.sweep.abs().to_degrees());
+            return fail(&what, "check `turn`: it is seen with z upward; plots draw z downward");
+        }
+        pieces.push(Piece::Arc(arc));
+    }
+    Profile::new(pieces).map_err(|error| source.error(path, format!("profile: {error}"), "add steps"))
+}
+
+fn point([r, z]: [Length; 2]) -> Point {
+    Point::new(r.value(), z.value())
+}
+
+pub struct Drawn {
+    pub profile: Profile,
+    pub path: String,
+    pub origin: Origin,
+}
+
+pub enum Origin {
+    /// Piece i is step i + 1.
+    Steps,
+    Points(Points),
+    /// Made from another tool.
+    Tool,
+}
+
+impl Drawn {
+    /// Chain as it was written: for a file the chords between its points.
+    fn written(&self) -> &Profile {
+        match &self.origin {
+            Origin::Points(points) => &points.chords,
+            _ => &self.profile,
+        }
+    }
+
+    fn error(&self, piece: usize, source: &Source, what: String, help: impl Into<String>) -> CaseError {
+        match &self.origin {
+            Origin::Steps => source.error(&format!("{}.{}", self.path, piece + 1), what, help),
+            Origin::Points(points) => points.error(piece + 1, what, help),
+            Origin::Tool => source.error(&self.path, what, help),
+        }
+    }
+
+    pub fn check_folds(&self, role: Role, source: &Source) -> Result<(), CaseError> {
+        let (name, help) =
+            (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
+        let end_name = |piece: usize| match &self.origin {
+            Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
+            _ => format!("step {}", piece + 1),
+        };
+        match self.written().fold() {
+            None => Ok(()),
+            Some(Fold::Back { at, after, turn }) => {
+                let (at, turn) = (place_of(at), turn.abs().to_degrees());
+                let what = format!("the {name}'s profile turns back on itself at {at}: by {turn:.0}°");
+                Err(self.error(after, source, what, "drop the point, or round the tip off"))
+            }
+            Some(Fold::Crossing { at, pieces: [i, j] }) => {
+                let (at, first, second) = (place_of(at), end_name(i), end_name(j));
+                let what = format!(
+                    "the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}"
+                );
+                Err(self.error(j, source, what, help))
+            }
+        }
+    }
+
+    /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
+    pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
+        let (length, name, source) = (context.sheet.length, role.name(), context.source);
+        // The die lies above the sheet, the others below.
+        let side = if role == Role::Die { 1.0 } else { -1.0 };
+        let Some(first) = self.profile.extreme(side < 0.0, length) else {
+            let what = format!("the {name} lies beyond the blank's edge at {length} mm");
+            return Err(source.error(&self.path, what, "check the r coordinates and the size of the blank"));
+        };
+        let shift = side * 0.5 * context.sheet.thickness - first.y;
+        if shift.abs() > 1e-6 {
+            let by = Amount::size(shift);
+            source.note(format!("the {name}'s profile is moved by {by} along z to touch the flat sheet"));
+        }
+        let profile = self.profile.shifted(shift);
+        let piece_at = |at: Point| self.written().closest(at).piece;
+        // First r at which the middle of the flat sheet lies on the tool's side.
+        let sheet_inside = |profile: &Profile| {
+            let mut places = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64);
+            places.find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
+        };
+        if let Some(r) = sheet_inside(&profile) {
+            let what = format!("the {name}'s profile has the sheet on its right, inside the tool, at r = {r:.3} mm");
+            let help = match sheet_inside(&profile.reversed()) {
+                None => "list the points the other way round: the sheet lies on the left",
+                Some(_) => "the sheet lies on the left all along: check the order of the points there",
+            };
+            return Err(self.error(piece_at(Point::new(r, -shift)), source, what, help));
+        }
+        // Steeper than 45°: an undrawn outline could hardly turn away again.
+        let into_sheet = |(at, away): &(Point, Point)| at.x < length && -side * away.y > 0.7;
+        if let Some((at, _)) = self.profile.ends().into_iter().flatten().find(into_sheet) {
+            let (towards, away) = if side > 0.0 { ("down", "up") } else { ("up", "down") };
+            let what = format!("the {name}'s profile ends on its way {towards} to the sheet, at {}", place_of(at));
+            let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
+            return Err(self.error(piece_at(at), source, what, help));
+        }
+        Ok((profile, shift))
+    }
+}

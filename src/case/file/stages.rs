@@ -1,12 +1,30 @@
-//! `[stage]` and `[[stages]]`: operations after the first one.
+//! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
+use super::CaseFile;
+use super::drive::equally_spaced;
+use super::friction::Frictions;
+use super::limits;
+use super::material::checked_mode;
+use super::tools::{Die, Holder, Punch, Sheet, ToolContext, ToolKeys, Tools};
 use super::untagged::{inline_schema, untagged};
-use super::{Die, Holder, Punch};
-use crate::model::{Edge, Mode, ReleaseStiffness, Role};
-use crate::units::{Length, Positive, Speed, Time};
+use super::values::{History, count, radius_of};
+use crate::case::{CaseError, source::Source};
+use crate::geometry::Point;
+use crate::model::{self, Beginning, Edge, Mode, Model, Motion, Press, ReleaseStiffness, Role, StopRules, Tool};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Dimensioned, Length, Positive, Speed, Time, rounded};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
+
+const FIRST: &str = "forming";
+/// Most later stages of a case, and letters of a name.
+const MOST: usize = 50;
+const LONGEST: usize = 40;
+/// Share of the travel over which a holder's force goes over to that of the next stage \[–\].
+const RAMP: f64 = 0.2;
+/// Longest path of a tool over the blank's length \[–\].
+const FURTHEST: f64 = 3.0;
 
 /// First stage, which the rest of the file describes.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -23,28 +41,28 @@ pub struct FirstStage {
 pub struct Stage {
     /// Letters, digits, `-` and `_`: it names a folder.
     #[schemars(example = &"retract")]
-    pub name: String,
+    name: String,
     /// Punch that is new, moves or has another friction.
-    pub punch: Option<Punch>,
+    punch: Option<Punch>,
     /// Die, likewise.
-    pub die: Option<Die>,
+    die: Option<Die>,
     /// Holder, likewise, or with another force.
-    pub holder: Option<Holder>,
+    holder: Option<Holder>,
     /// Tools that are no longer there.
     #[serde(default)]
     #[schemars(example = &("holder",))]
-    pub remove: Vec<Role>,
+    remove: Vec<Role>,
     /// Support of the outer edge.
-    pub edge: Option<Edge>,
+    edge: Option<Edge>,
     /// Sets equivalent strain and stress back to nothing before the stage.
     #[serde(default)]
-    pub anneal: bool,
+    anneal: bool,
     /// Cuts the sheet at this current distance from the axis or symmetry plane before the stage; whole elements go.
     #[schemars(example = "80 mm")]
-    pub trim: Option<Positive<Length>>,
+    trim: Option<Positive<Length>>,
     /// Diameter of the cut, instead of `trim`, of a round part.
     #[schemars(example = "160 mm")]
-    pub trim_diameter: Option<Positive<Length>>,
+    trim_diameter: Option<Positive<Length>>,
     /// Response to strain.
     pub mode: Option<Mode>,
     /// Takes the tools away: the contact forces fade to zero, and the sheet springs back. True, or the stiffness of the
@@ -52,13 +70,13 @@ pub struct Stage {
     pub release: Option<Release>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
     #[schemars(example = "1 mm/s")]
-    pub speed: Option<Positive<Speed>>,
+    speed: Option<Positive<Speed>>,
     /// Instead of the speed; 1 s where no tool goes anywhere and it is not given.
     #[schemars(example = "2 s")]
-    pub duration: Option<Positive<Time>>,
+    duration: Option<Positive<Time>>,
     /// Number of equally spaced instants that are kept, 1 to 1000; 4 when not given.
     #[schemars(range(min = 1, max = 1000), example = 4)]
-    pub frames: Option<i64>,
+    frames: Option<i64>,
 }
 
 /// Release of the tools: the stiffness of its iterations, or none.
@@ -75,3 +93,239 @@ inline_schema!([] Release, "Release", |generator| {
     let (switch, stiffness) = (generator.subschema_for::<bool>(), generator.subschema_for::<ReleaseStiffness>());
     schemars::json_schema!({ "anyOf": [switch, stiffness] })
 });
+
+pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
+    let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
+    check_name(&name, "stage.name", source)?;
+    let what = format!("a case has {} later stages, more than {MOST}", file.stages.len());
+    source.require(file.stages.len() <= MOST, &format!("stages.{MOST}"), what, "leave out what is not needed")?;
+    let mut stages = vec![model::Stage { name, model: first, begin: Beginning::default() }];
+    let mut frictions = Frictions::new(file);
+    for (i, written) in file.stages.iter().enumerate() {
+        let path = format!("stages.{i}");
+        check_name(&written.name, &format!("{path}.name"), source)?;
+        let what = format!("two stages are called `{}`", written.name);
+        let help = "name them apart: each has its own folder";
+        let is_new = stages.iter().all(|other| other.name != written.name);
+        source.require(is_new, &format!("{path}.name"), what, help)?;
+        source.enter_stage(Some((i, &written.name)));
+        let (first, before) = (&stages[0].model, &stages[i].model);
+        let Stage { punch, die, holder, .. } = written.clone();
+        let tools = Tools { punch, die, holder, beads: Vec::new() };
+        stages.push(StageContext { written, tools: &tools, before, first, source, path }.stage(&mut frictions)?);
+    }
+    source.enter_stage(None);
+    Ok(stages)
+}
+
+fn check_name(name: &str, path: &str, source: &Source) -> Result<(), CaseError> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let ok = (1..=LONGEST).contains(&name.len()) && name.chars().all(plain);
+    let help = format!("at most {LONGEST} letters, digits, - and _, such as \"redraw\"");
+    source.require(ok, path, format!("a stage cannot be called \"{name}\": it names a folder"), help)
+}
+
+/// Move of a tool away from the axis and along z \[mm\].
+fn path_of(tool: &ToolKeys) -> Option<Point> {
+    let [aside, axial] = tool.moves.map(|length| length.map_or(0.0, Length::value));
+    tool.moves.iter().any(Option::is_some).then(|| Point::new(aside, axial))
+}
+
+struct StageContext<'a> {
+    written: &'a Stage,
+    tools: &'a Tools,
+    before: &'a Model,
+    first: &'a Model,
+    source: &'a Source<'a>,
+    path: String,
+}
+
+impl StageContext<'_> {
+    fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<(), CaseError> {
+        self.source.require(ok, &format!("{}.{key}", self.path), what, help)
+    }
+
+    /// Builds the stage; `frictions` are those of the stages before.
+    fn stage(&self, frictions: &mut Frictions) -> Result<model::Stage, CaseError> {
+        if !self.before.gas.is_empty() {
+            self.source.note("gas acts in the first stage only");
+        }
+        let mut model = self.at_rest();
+        for (k, role) in self.written.remove.iter().enumerate() {
+            let what = format!("there is no {} to remove", role.name());
+            self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
+            model.tools.retain(|tool| tool.role != *role);
+            frictions.tools[*role as usize] = None;
+        }
+        for tool in self.tools.keys() {
+            let (why, help) =
+                ("is for tools of the first stage", "drop it: in a later stage `move` and `force` drive the tools");
+            let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
+            self.source.refuse(&format!("{}.{}", self.path, tool.role.name()), &stray, why, help)?;
+            frictions.add(&tool);
+        }
+        self.pace(&mut model)?;
+        let standing = model.tools.clone();
+        let mut meets = Vec::new();
+        for tool in self.tools.keys() {
+            self.tool(&tool, &standing, frictions, &mut model)?;
+            meets.extend(tool.is_shaped.then_some(tool.role));
+        }
+        self.press(&mut model, &mut meets)?;
+        self.release(&mut model)?;
+        model.blank.edge = self.written.edge.unwrap_or(model.blank.edge);
+        let frames_key = format!("{}.frames", self.path);
+        let frames = count(self.source, &frames_key, self.written.frames.unwrap_or(4), 1..=1000)?;
+        model.frames = equally_spaced(model.duration, frames);
+        let begin = Beginning { anneal: self.written.anneal, trim: self.trim()?, meets };
+        let pressed = model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
+        let help = "remove the holder too, or let it stand still or go back with `move`";
+        let what = "the holder has no die to press against";
+        self.require(!pressed || model.tool(Role::Die).is_some(), "remove", what, help)?;
+        let key = if self.written.remove.is_empty() { "name" } else { "remove" };
+        let help = "write `release = true` instead: the contact forces fade, and the sheet springs back";
+        let held = !model.tools.is_empty() || model.release.is_some();
+        self.require(held, key, "no tool is left, and nothing holds the sheet", help)?;
+        limits::of_model(&model, &frames_key, self.source)?;
+        Ok(model::Stage { name: self.written.name.clone(), model, begin })
+    }
+
+    /// Model before with tools that stand still; a holder keeps the force that it had at the end.
+    fn at_rest(&self) -> Model {
+        let StopRules { localised, drawn_through, .. } = self.first.stop;
+        let stop = StopRules { localised, drawn_through, ..StopRules::default() };
+        let mut model = Model { gas: Vec::new(), schedule: None, release: None, stop, ..self.before.clone() };
+        for tool in &mut model.tools {
+            match &mut tool.motion {
+                Motion::Pressed(press) => press.force = press.force.at(self.before.travel).into(),
+                Motion::Gap(_) => {}
+                motion => *motion = Motion::Fixed,
+            }
+        }
+        model
+    }
+
+    fn pace(&self, model: &mut Model) -> Result<(), CaseError> {
+        let (mut travel, mut furthest) = (0.0, Role::Punch);
+        for tool in self.tools.keys() {
+            let path = path_of(&tool).map_or(0.0, |path| path.y.hypot(path.x));
+            if path > travel {
+                (travel, furthest) = (path, tool.role);
+            }
+        }
+        let length = self.first.blank.length;
+        let (path, blank) = (rounded(travel), rounded(length));
+        let what = format!("a move of {path} mm is more than {FURTHEST} times the blank's {blank} mm");
+        self.require(travel <= FURTHEST * length, furthest.name(), what, "check the unit")?;
+        self.source.one_of(&self.path, &["speed", "duration"], "keep one")?;
+        let speed = self.written.speed.map(Dimensioned::value);
+        let duration = self.written.duration.map(Dimensioned::value);
+        let help = "write duration = \"1 s\", or let a tool `move`";
+        self.require(speed.is_none() || travel > 0.0, "speed", "a speed is given, and no tool moves", help)?;
+        let usual = self.first.speed;
+        (model.duration, model.speed) = match duration {
+            _ if travel == 0.0 => (duration.unwrap_or(1.0), usual),
+            Some(duration) => (duration, travel / duration),
+            None => (travel / speed.unwrap_or(usual), speed.unwrap_or(usual)),
+        };
+        model.travel = travel;
+        model.timed = self.first.timed || speed.is_some() || duration.is_some();
+        Ok(())
+    }
+
+    fn tool(
+        &self,
+        written: &ToolKeys,
+        standing: &[Tool],
+        frictions: &Frictions,
+        model: &mut Model,
+    ) -> Result<(), CaseError> {
+        let ToolKeys { role, is_shaped, .. } = *written;
+        let what = format!("there is no {} in this stage", role.name());
+        let help = "give it a shape as in [tools], or drop it";
+        self.require(is_shaped || model.tool(role).is_some(), role.name(), what, help)?;
+        if is_shaped {
+            let Model { blank, travel, .. } = &*model;
+            let sheet = Sheet { extent: model.extent(), length: blank.length, thickness: blank.thickness };
+            let context = ToolContext { written: self.tools, standing, sheet, travel: *travel, source: self.source };
+            let profile = context.new_profile(role)?;
+            let friction = frictions.law(role, self.source)?;
+            model.tools.retain(|tool| tool.role != role);
+            model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
+            model.tools.sort_by_key(|tool| tool.role as usize);
+        }
+        for tool in model.tools.iter_mut().filter(|tool| tool.role == role) {
+            if written.friction.is_some() && !is_shaped {
+                tool.friction = frictions.law(role, self.source)?;
+            }
+            tool.motion = path_of(written).map_or(tool.motion.clone(), Motion::Path);
+        }
+        Ok(())
+    }
+
+    /// Sets the holder's force: one force is reached from the last one over the first part of the travel. A holder that stays
+    /// and had none is brought up to the sheet.
+    fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<(), CaseError> {
+        let Some(holder) = &self.written.holder else { return Ok(()) };
+        let Some(force) = holder.force_curve(self.before.extent(), self.source)? else { return Ok(()) };
+        let moves = !self.source.written(&format!("{}.holder", self.path), &["move", "aside"]).is_empty();
+        let help = "keep one: a holder that goes a given way has the force that this takes";
+        self.require(!moves, "holder.force", "the holder has both a way to go and a force", help)?;
+        let last = match self.before.tool(Role::Holder).map(|holder| &holder.motion) {
+            Some(Motion::Pressed(press)) => Some(press.force.at(self.before.travel)),
+            _ => None,
+        };
+        let stays = !meets.contains(&Role::Holder);
+        let force = match (&holder.force, last) {
+            (Some(History::Constant(_)), Some(last)) if stays && model.travel > 0.0 => {
+                PiecewiseLinear::new(vec![(0.0, last), (RAMP * model.travel, force.at(0.0))]).unwrap_or(force)
+            }
+            _ => force,
+        };
+        if let Some(holder) = model.tools.iter_mut().find(|tool| tool.role == Role::Holder) {
+            holder.motion = Motion::Pressed(Press { force, stiffness: 0.0 });
+        }
+        if stays && last.is_none() {
+            meets.push(Role::Holder);
+        }
+        Ok(())
+    }
+
+    /// Sets release and mode; the flow law's sheet springs back elastically.
+    fn release(&self, model: &mut Model) -> Result<(), CaseError> {
+        model.release = self.written.release.and_then(|release| release.0);
+        let released = model.release.is_some();
+        if let Some(tool) = self.tools.keys().find(|tool| released && path_of(tool).is_some()) {
+            let help = "drop `move` and `aside`, or the release";
+            self.require(false, tool.role.name(), "tools that are taken away cannot move as well", help)?;
+        }
+        if released {
+            model.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
+        }
+        let (mode, key) = match self.written.mode {
+            None if released && self.before.mode == Mode::Flow => (Some(Mode::Elastic), "release"),
+            mode => (mode, "mode"),
+        };
+        if let Some(mode) = mode {
+            let path = format!("{}.{key}", self.path);
+            model.mode = checked_mode(mode, &self.before.material, &path, self.source)?;
+        }
+        let what = "the flow law has no elasticity, nothing springs back";
+        let help = "drop it, or write \"elastic\" or \"elasto_viscoplastic\"";
+        self.require(!released || mode != Some(Mode::Flow), "mode", what, help)
+    }
+
+    /// Distance of the cut from the axis or symmetry plane \[mm\].
+    fn trim(&self) -> Result<Option<f64>, CaseError> {
+        let Stage { trim, trim_diameter, .. } = *self.written;
+        if trim.or(trim_diameter).is_none() {
+            return Ok(None);
+        }
+        let (keys, lengths) = (["trim", "trim_diameter", "trim"], [trim, trim_diameter, trim]);
+        let (key, radius) = radius_of(self.source, &self.path, self.before.geometry, keys, lengths)?;
+        let length = self.before.blank.length;
+        let what = format!("trimming at {} mm cuts nothing from a blank of {} mm", rounded(radius), rounded(length));
+        self.require(radius < length, key, what, "the cut is within the blank's edge")?;
+        Ok(Some(radius))
+    }
+}

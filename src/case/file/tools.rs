@@ -1,55 +1,18 @@
-//! `[tools]` and the tools of `[[stages]]`.
+//! `[tools]` and the tools of `[[stages]]`: shapes placed where they touch the flat sheet.
 
-use super::untagged::untagged;
-use super::{Given, HolderForce, Section, Stiffness};
-use crate::contact::friction;
-use crate::material::law::Family;
-use crate::model::Role;
-use crate::units::{Dimensioned, Fraction, Length, LineForce, NonNegative, Positive, Speed, Stress, Time};
+use super::friction::{Friction, Frictions};
+use super::holder::{Bead, Spring};
+use super::section::Section;
+use super::values::{History, HolderForce, radius_of};
+use crate::case::{CaseError, source::Source};
+use crate::geometry::Profile;
+use crate::model::{self, Extent, Motion, Role};
+use crate::units::{Dimensioned, Length, NonNegative, Positive, Speed, Stress, Time, rounded};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::IntoDeserializer;
 
-/// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.
-#[derive(Clone, Copy, Debug, PartialEq, JsonSchema)]
-#[schemars(untagged)]
-pub enum Friction {
-    /// Coulomb's coefficient.
-    Coefficient(Fraction),
-    /// Another law with its parameters.
-    Law(friction::FrictionTable),
-}
-
-impl Friction {
-    /// Laws that it gives.
-    pub fn laws(self) -> Vec<friction::Friction> {
-        match self {
-            Self::Coefficient(coefficient) => vec![coefficient.value().into()],
-            Self::Law(table) => friction::Friction::named(table),
-        }
-    }
-}
-
-untagged!(
-    [] Friction, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }",
-    number(number) => Fraction::deserialize(number.into_deserializer()).map(Friction::Coefficient),
-    table => Friction::Law
-);
-
-/// Friction by the face of the sheet, for tools without their own, and the source of all friction numbers.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Sides {
-    /// Face that punch and holder touch: a coefficient, 0 to 1, or a law.
-    #[schemars(example = 0.08)]
-    pub punch_side: Option<Friction>,
-    /// Face that the die touches: a coefficient, 0 to 1, or a law.
-    #[schemars(example = 0.08)]
-    pub die_side: Option<Friction>,
-    /// Source of the coefficients of all tools: how they were measured, or author and year; left out if they are assumed.
-    #[schemars(example = &"strip drawing with this oil")]
-    pub source: Option<String>,
-}
+/// Least radius of a tool, and least opening \[mm\].
+const SMALLEST: f64 = 1e-3;
 
 /// The rigid tools; each is placed where it touches the flat sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -66,95 +29,129 @@ pub struct Tools {
     pub beads: Vec<Bead>,
 }
 
-/// Keys that all tools have.
-#[derive(Clone, Copy, Debug)]
+/// Struct of a tool with the keys of all tools; `shapes` make it a new one in a later stage.
+macro_rules! tool {
+    ($(#[$attribute:meta])* $tool:ident, shapes $($shape:ident)+; $($own:tt)+) => {
+        #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        $(#[$attribute])*
+        pub struct $tool {
+            $($own)+
+            /// A section of one's own: of punch and holder from the axis outward, of a die from outside inward.
+            profile: Option<Section>,
+            /// Coulomb's coefficient of friction, 0 to 1, or another law. When not given that of its side of the sheet; a
+            /// holder then has the die's.
+            #[schemars(example = 0.08)]
+            friction: Option<Friction>,
+            /// Later stages: distance along z, positive along the punch travel; a holder that moves has no force.
+            #[serde(rename = "move")]
+            #[schemars(example = "-30 mm")]
+            axial: Option<Length>,
+            /// Later stages: distance away from the axis or symmetry plane.
+            #[schemars(example = "5 mm")]
+            aside: Option<Length>,
+        }
+
+        impl $tool {
+            const SHAPES: &[&str] = &[$(stringify!($shape)),+];
+
+            fn keys(&self) -> ToolKeys<'_> {
+                ToolKeys {
+                    role: Role::$tool,
+                    profile: self.profile.as_ref(),
+                    friction: self.friction,
+                    moves: [self.aside, self.axial],
+                    is_shaped: self.profile.is_some() $(|| self.$shape.is_some())+,
+                }
+            }
+        }
+    };
+}
+
+#[derive(Clone, Copy)]
 pub struct ToolKeys<'a> {
-    /// Role.
     pub role: Role,
-    /// Section of its own.
     pub profile: Option<&'a Section>,
-    /// Friction of its own.
     pub friction: Option<Friction>,
-    /// Moves of a later stage, away from the axis or symmetry plane and along z.
+    /// Away from the axis or symmetry plane and along z.
     pub moves: [Option<Length>; 2],
     /// True if it has a shape, which in a later stage makes it a new tool.
     pub is_shaped: bool,
 }
 
-macro_rules! tool_keys {
-    ($tool:expr, $role:ident, $($shape:ident)+) => {
-        $tool.as_ref().map(|tool| ToolKeys {
-            role: Role::$role,
-            profile: tool.profile.as_ref(),
-            friction: tool.friction,
-            moves: [tool.aside, tool.axial],
-            is_shaped: tool.profile.is_some() $(|| tool.$shape.is_some())+,
-        })
-    };
-}
-
 impl Tools {
-    /// Common keys of each tool, in the order of their roles.
     pub fn keys(&self) -> impl Iterator<Item = ToolKeys<'_>> {
-        let punch = tool_keys!(self.punch, Punch, hemispherical flat crowned);
-        let die = tool_keys!(self.die, Die, throat throat_diameter shoulder);
-        let holder = tool_keys!(self.holder, Holder, inner_radius inner_diameter inner_half_width);
-        [punch, die, holder].into_iter().flatten()
+        let (punch, die, holder) = (&self.punch, &self.die, &self.holder);
+        let keys = [punch.as_ref().map(Punch::keys), die.as_ref().map(Die::keys), holder.as_ref().map(Holder::keys)];
+        keys.into_iter().flatten()
     }
 }
 
-/// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{ "required": ["at"] }, { "required": ["diameter"] }]))]
-pub struct Bead {
-    /// Distance of its line from the axis or symmetry plane.
-    #[schemars(example = "70 mm")]
-    pub at: Option<Positive<Length>>,
-    /// Diameter of its line, instead of `at`, of a round part.
-    #[schemars(example = "140 mm")]
-    pub diameter: Option<Positive<Length>>,
-    /// Restraining force per length of the line, of which a plane section has one on each side.
-    #[schemars(example = "100 N/mm")]
-    pub restraining: NonNegative<LineForce>,
-    /// Closing force per length of the line, taken from the holder's force; none when not given.
-    #[schemars(example = "150 N/mm")]
-    pub closing: Option<NonNegative<LineForce>>,
-}
-
-/// Punch, moving towards +z; exactly one of the shapes is given. In a later stage a shape makes it a new one, which is brought
-/// up from below until it touches the sheet.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Punch {
+tool! {
+    /// Punch, moving towards +z; exactly one of the shapes is given. In a later stage a shape makes it a new one, which is
+    /// brought up from below until it touches the sheet.
+    Punch, shapes hemispherical flat crowned;
     /// Spherical nose.
-    pub hemispherical: Option<Hemispherical>,
+    hemispherical: Option<Hemispherical>,
     /// Flat face, corner and straight wall.
-    pub flat: Option<Flat>,
+    flat: Option<Flat>,
     /// Gently curved face, corner and straight wall.
-    pub crowned: Option<Crowned>,
-    /// A section of one's own, from the axis outward.
-    pub profile: Option<Section>,
-    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[schemars(example = 0.08)]
-    pub friction: Option<Friction>,
+    crowned: Option<Crowned>,
     /// Punch travel from where it touches the flat sheet.
     #[schemars(example = "25 mm")]
     pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
     #[schemars(example = "1 mm/s")]
     pub speed: Option<Positive<Speed>>,
-    /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one is
-    /// the whole travel.
+    /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one
+    /// is the whole travel.
     #[schemars(example = &(("0 s", "0 mm"), ("2 s", "10 mm"), ("4 s", "30 mm")))]
     pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
-    /// Later stages: distance along z, towards the die where positive.
-    #[serde(rename = "move")]
-    #[schemars(example = "-30 mm")]
-    pub axial: Option<Length>,
-    /// Later stages: distance away from the axis or symmetry plane.
-    #[schemars(example = "5 mm")]
-    pub aside: Option<Length>,
+}
+
+tool! {
+    /// Die, standing still above the sheet: `throat` and `shoulder`, or a `profile`. In a later stage a shape makes it a new
+    /// one, which is brought down from above until it touches the sheet.
+    #[schemars(extend("dependentRequired" = { "throat": ["shoulder"], "throat_diameter": ["shoulder"] }))]
+    Die, shapes throat throat_diameter shoulder;
+    /// Radius of the opening (plane strain: half width).
+    #[schemars(example = "31.25 mm")]
+    throat: Option<Positive<Length>>,
+    /// Diameter of the opening, instead of `throat`, of a round die.
+    #[schemars(example = "62.5 mm")]
+    throat_diameter: Option<Positive<Length>>,
+    /// Radius of the corner over which the sheet is drawn.
+    #[schemars(example = "6 mm")]
+    shoulder: Option<Positive<Length>>,
+}
+
+tool! {
+    /// Blank holder, pressing the sheet against the die: a flat ring from its inner radius outward, or a `profile`. In a later
+    /// stage a shape makes it a new one, which is brought up from below until it touches the sheet. Where a profile and the die
+    /// cannot both lie on the flat sheet, for a bead or a slope, the holder closes over the sheet before the punch comes.
+    Holder, shapes inner_radius inner_diameter inner_half_width;
+    /// Inner radius (axisymmetric).
+    #[schemars(example = "32 mm")]
+    inner_radius: Option<Positive<Length>>,
+    /// Inner diameter, instead of `inner_radius`.
+    #[schemars(example = "64 mm")]
+    inner_diameter: Option<Positive<Length>>,
+    /// Distance of its inner edge from the symmetry plane (plane strain).
+    #[schemars(example = "341 mm")]
+    inner_half_width: Option<Positive<Length>>,
+    /// Force of the whole holder ("80 kN"); in plane strain of both sides together, per mm of depth ("2600 N/mm") unless
+    /// blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. In a later stage
+    /// one force is reached from the last one over the first fifth of the travel, at once where nothing moves.
+    #[schemars(example = "10 kN")]
+    pub force: Option<History<NonNegative<Length>, HolderForce>>,
+    /// Pressure times the initial area between holder and the die's flat: a force that stays.
+    #[schemars(example = "2.5 MPa")]
+    pub pressure: Option<NonNegative<Stress>>,
+    /// Fixed distance between the faces of holder and die: distance blocks.
+    #[schemars(example = "1.1 mm")]
+    pub gap: Option<Positive<Length>>,
+    /// Springs or a cushion: the force grows as the holder is pushed away from the die.
+    pub spring: Option<Spring>,
 }
 
 /// Spherical nose (plane strain: cylindrical).
@@ -209,87 +206,143 @@ pub struct Crowned {
     pub nose: Positive<Length>,
 }
 
-/// Die, standing still above the sheet: `throat` and `shoulder`, or a `profile`. In a later stage a shape makes it a new one,
-/// which is brought down from above until it touches the sheet.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("dependentRequired" = { "throat": ["shoulder"], "throat_diameter": ["shoulder"] }))]
-pub struct Die {
-    /// Radius of the opening (plane strain: half width).
-    #[schemars(example = "31.25 mm")]
-    pub throat: Option<Positive<Length>>,
-    /// Diameter of the opening, instead of `throat`, of a round die.
-    #[schemars(example = "62.5 mm")]
-    pub throat_diameter: Option<Positive<Length>>,
-    /// Radius of the corner over which the sheet is drawn.
-    #[schemars(example = "6 mm")]
-    pub shoulder: Option<Positive<Length>>,
-    /// A section of one's own, from outside inward.
-    pub profile: Option<Section>,
-    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[schemars(example = 0.08)]
-    pub friction: Option<Friction>,
-    /// Later stages: distance along z, away from the punch where positive.
-    #[serde(rename = "move")]
-    #[schemars(example = "30 mm")]
-    pub axial: Option<Length>,
-    /// Later stages: distance away from the axis or symmetry plane.
-    #[schemars(example = "5 mm")]
-    pub aside: Option<Length>,
+pub struct Sheet {
+    pub extent: Extent,
+    /// From the axis or symmetry plane \[mm\].
+    pub length: f64,
+    pub thickness: f64,
 }
 
-/// Blank holder, pressing the sheet against the die: a flat ring from its inner radius outward, or a `profile`. In a later stage
-/// a shape makes it a new one, which is brought up from below until it touches the sheet.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Holder {
-    /// Inner radius (axisymmetric).
-    #[schemars(example = "32 mm")]
-    pub inner_radius: Option<Positive<Length>>,
-    /// Inner diameter, instead of `inner_radius`.
-    #[schemars(example = "64 mm")]
-    pub inner_diameter: Option<Positive<Length>>,
-    /// Distance of its inner edge from the symmetry plane (plane strain).
-    #[schemars(example = "341 mm")]
-    pub inner_half_width: Option<Positive<Length>>,
-    /// A section of one's own, from inside outward. Where it and the die cannot both lie on the flat sheet, for a bead or a slope,
-    /// the holder closes over the sheet before the punch comes.
-    pub profile: Option<Section>,
-    /// Force of the whole holder ("80 kN"); in plane strain on both sides of the symmetry plane together, per mm of depth
-    /// ("2600 N/mm"), or in all where blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"],
-    /// ["20 mm", "80 kN"]]. The holder's position follows. In a later stage one force is reached from the last one over the first
-    /// fifth of the travel, at once where nothing moves.
-    #[schemars(example = "10 kN")]
-    pub force: Option<Given<NonNegative<Length>, HolderForce>>,
-    /// Pressure times the initial area between holder and the die's flat: a force that stays.
-    #[schemars(example = "2.5 MPa")]
-    pub pressure: Option<NonNegative<Stress>>,
-    /// Fixed distance between the faces of holder and die: distance blocks.
-    #[schemars(example = "1.1 mm")]
-    pub gap: Option<Positive<Length>>,
-    /// Springs or a cushion: the force grows as the holder is pushed away from the die.
-    pub spring: Option<Spring>,
-    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of the punch's side or of the die when not given.
-    #[schemars(example = 0.08)]
-    pub friction: Option<Friction>,
-    /// Later stages: distance along z, away from the die where negative; it then has no force.
-    #[serde(rename = "move")]
-    #[schemars(example = "-5 mm")]
-    pub axial: Option<Length>,
-    /// Later stages: distance away from the axis or symmetry plane.
-    #[schemars(example = "5 mm")]
-    pub aside: Option<Length>,
+pub struct ToolContext<'a> {
+    pub written: &'a Tools,
+    /// Tools that remain from the stage before.
+    pub standing: &'a [model::Tool],
+    pub sheet: Sheet,
+    /// Punch travel of the whole run \[mm\].
+    pub travel: f64,
+    pub source: &'a Source<'a>,
 }
 
-/// Soft holder.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Spring {
-    /// Force where the holder touches the flat sheet, of the whole holder as `force`.
-    #[schemars(example = "10 kN")]
-    pub preload: HolderForce,
-    /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
-    /// given.
-    #[schemars(example = "5 kN/mm")]
-    pub stiffness: Stiffness,
+impl ToolContext<'_> {
+    pub fn keys(&self, role: Role) -> Option<ToolKeys<'_>> {
+        self.written.keys().find(|tool| tool.role == role)
+    }
+
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        if self.keys(role).is_some_and(|tool| tool.is_shaped || self.standing.is_empty()) {
+            // Notes are taken where the tool itself is made.
+            return self.source.silently(|| self.new_profile(role)).map(Some);
+        }
+        Ok(self.standing.iter().find(|tool| tool.role == role).map(|tool| tool.profile.clone()))
+    }
+
+    pub fn new_profile(&self, role: Role) -> Result<Profile, CaseError> {
+        if let Some(profile) = self.keys(role).and_then(|tool| tool.profile) {
+            let (shapes, help) = match role {
+                Role::Punch => (Punch::SHAPES, "keep one of the shapes"),
+                Role::Die => (
+                    Die::SHAPES,
+                    "the radius is in the profile: change it there or in its drawing, or write throat and shoulder instead",
+                ),
+                Role::Holder => (Holder::SHAPES, "keep one of them"),
+            };
+            let table = format!("tools.{}", role.name());
+            let shape = self.source.written(&table, shapes).first().copied();
+            let what = format!("the {} has both a profile and `{}`", role.name(), shape.unwrap_or_default());
+            self.source.require(shape.is_none(), &format!("{table}.profile"), what, help)?;
+            return profile.placed(role, self);
+        }
+        let thickness = self.sheet.thickness;
+        match (role, &self.written.punch, &self.written.die, &self.written.holder) {
+            (Role::Punch, Some(punch), ..) => self.punch(punch, thickness),
+            (Role::Die, _, Some(Die { throat, throat_diameter, shoulder, .. }), _) => {
+                let keys = ["throat", "throat_diameter", "throat"];
+                let throat = self.radius("tools.die", keys, [*throat, *throat_diameter, *throat])?;
+                let shoulder = shoulder.ok_or_else(|| self.source.missing("tools.die", "shoulder"))?;
+                Ok(Profile::die(throat, self.size("tools.die.shoulder", shoulder.value())?, thickness))
+            }
+            (Role::Holder, .., Some(holder)) => {
+                let keys = ["inner_radius", "inner_diameter", "inner_half_width"];
+                let lengths = [holder.inner_radius, holder.inner_diameter, holder.inner_half_width];
+                Ok(Profile::holder(self.radius("tools.holder", keys, lengths)?, thickness))
+            }
+            _ => Err(self.source.missing("tools", role.name())),
+        }
+    }
+
+    fn punch(&self, punch: &Punch, thickness: f64) -> Result<Profile, CaseError> {
+        let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
+                    profile = [..] or \"punch.csv\"";
+        let keys = ["radius", "diameter", "half_width"];
+        self.source.one_of("tools.punch", Punch::SHAPES, help)?;
+        if let Some(shape) = &punch.hemispherical {
+            let (path, lengths) = ("tools.punch.hemispherical", [shape.radius, shape.diameter, shape.radius]);
+            Ok(Profile::hemispherical_punch(self.radius(path, ["radius", "diameter", "radius"], lengths)?, thickness))
+        } else if let Some(shape) = &punch.flat {
+            let radius = self.radius("tools.punch.flat", keys, [shape.radius, shape.diameter, shape.half_width])?;
+            Ok(Profile::flat_punch(radius, self.nose("flat", shape.nose, radius)?, thickness))
+        } else if let Some(shape) = &punch.crowned {
+            let radius = self.radius("tools.punch.crowned", keys, [shape.radius, shape.diameter, shape.half_width])?;
+            let (nose, face) = (self.nose("crowned", shape.nose, radius)?, shape.face.value());
+            let [f, r, n] = [face, radius, nose].map(rounded);
+            let what = format!("a crowned face of radius {f} mm does not fit a punch of {r} mm, nose {n} mm");
+            let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
+            let fits = face >= radius + SMALLEST && nose <= radius - SMALLEST;
+            self.source.require(fits, "tools.punch.crowned.face", what, help)?;
+            Ok(Profile::crowned_punch(radius, face, nose, thickness))
+        } else {
+            Err(self.source.error("tools.punch", "the punch has no shape", help))
+        }
+    }
+
+    /// Radius or half-width of a shape \[mm\].
+    fn radius(
+        &self,
+        table: &str,
+        keys: [&'static str; 3],
+        lengths: [Option<Positive<Length>>; 3],
+    ) -> Result<f64, CaseError> {
+        let (key, value) = radius_of(self.source, table, self.sheet.extent.geometry(), keys, lengths)?;
+        self.size(&format!("{table}.{key}"), value)
+    }
+
+    fn size(&self, path: &str, value: f64) -> Result<f64, CaseError> {
+        let what = format!("this radius is too small: {value:e} mm, at least {SMALLEST} mm");
+        let help = "check the unit; thin-shell theory wants radii above five thicknesses";
+        self.source.require(value >= SMALLEST, path, what, help)?;
+        Ok(value)
+    }
+
+    fn nose(&self, shape: &str, nose: Positive<Length>, radius: f64) -> Result<f64, CaseError> {
+        let path = format!("tools.punch.{shape}.nose");
+        let nose = self.size(&path, nose.value())?;
+        let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
+        let help = format!("at most {} mm: then it is hemispherical", rounded(radius));
+        self.source.require(nose <= radius, &path, what, help)?;
+        // A flat shorter than round-off is none.
+        Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose })
+    }
+}
+
+impl ToolContext<'_> {
+    pub fn tools(&self, frictions: &Frictions) -> Result<Vec<model::Tool>, CaseError> {
+        let mut tools: Vec<model::Tool> = Vec::new();
+        for ToolKeys { role, .. } in self.written.keys() {
+            let (table, source) = (format!("tools.{}", role.name()), self.source);
+            let (why, help) = ("is for tools of later stages", "drop it, or move it to [[stages]]");
+            source.refuse(&table, &["move", "aside"], why, help)?;
+            let die = tools.iter().find(|tool| tool.role == Role::Die);
+            let help = "add [tools.die], or drop the holder and clamp the edge";
+            let has_die = role != Role::Holder || die.is_some();
+            source.require(has_die, &table, "a holder needs a die to press against", help)?;
+            let profile = self.new_profile(role)?;
+            let motion = match (role, &self.written.holder, die) {
+                (Role::Punch, ..) => Motion::Travel,
+                (Role::Holder, Some(holder), Some(die)) => holder.support(&profile, die, &self.sheet, source)?,
+                _ => Motion::Fixed,
+            };
+            tools.push(model::Tool { role, profile, friction: frictions.law(role, source)?, motion });
+        }
+        Ok(tools)
+    }
 }

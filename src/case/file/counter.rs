@@ -1,9 +1,8 @@
 //! Tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
-use super::drawn::{Drawn, Origin};
+use super::section::{Drawn, Origin, Section, SectionTable};
 use super::tools::ToolContext;
 use crate::case::CaseError;
-use crate::case::file::{Section, SectionTable};
 use crate::geometry::{CavityError, Profile};
 use crate::model::Role;
 use crate::units::{Amount, Dimensioned};
@@ -13,8 +12,7 @@ const REACH: f64 = 20.0;
 /// Sine of the angle to the sheet above which a line is a wall \[–\].
 const STEEP: f64 = 0.5;
 
-/// Request for a tool made from the one on the other side of the sheet.
-pub(super) struct Counter<'a> {
+pub struct Counter<'a> {
     pub role: Role,
     /// Tool that it is made from.
     pub of: Role,
@@ -76,7 +74,6 @@ impl Counter<'_> {
         Ok(die)
     }
 
-    /// Mirror image of the other tool in the middle plane of the flat sheet.
     pub fn mirror(self) -> Result<Profile, CaseError> {
         let (name, other) = (self.role.name(), self.of.name());
         let (why, help) = match (self.role, self.of) {

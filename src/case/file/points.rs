@@ -15,8 +15,7 @@ const SAME: f64 = 1e-5;
 const MOST: usize = 2000;
 const EXAMPLE: &str = "write for example r_mm,z_mm in the first line and 30.5,-6 below it";
 
-/// Points of a file, and the file for messages.
-pub(super) struct Points {
+pub struct Points {
     text: Lines,
     /// Chain through the points.
     pub chords: Profile,
@@ -25,13 +24,11 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Error about a point.
     pub fn error(&self, point: usize, what: impl Into<String>, help: impl Into<String>) -> CaseError {
         self.text.error(self.lines[point.min(self.lines.len() - 1)], what, help)
     }
 }
 
-/// Point of one row.
 struct Row {
     line: usize,
     point: Point,
@@ -39,7 +36,7 @@ struct Row {
 }
 
 /// Reads `file`, named at the key `key`; `radius` \[mm\] is the fillet of the points that have none of their own.
-pub(super) fn convert(
+pub fn convert(
     file: &str,
     key: &str,
     radius: Option<f64>,
@@ -92,42 +89,35 @@ pub(super) fn convert(
 fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {
     let (mut kept, mut repeats): (Vec<Row>, Vec<[usize; 2]>) = (Vec::new(), Vec::new());
     for row in rows {
-        match kept.last_mut().filter(|last| (last.point - row.point).norm() < SAME) {
-            Some(last) => {
-                repeats.push([row.line, last.line]);
-                last.radius = last.radius.or(row.radius);
-            }
-            None => kept.push(row),
+        if let Some(last) = kept.last_mut().filter(|last| (last.point - row.point).norm() < SAME) {
+            repeats.push([row.line, last.line]);
+            last.radius = last.radius.or(row.radius);
+        } else {
+            kept.push(row);
         }
     }
     if let Some(([line, of], others)) = repeats.split_first() {
-        let more = match others.len() {
-            0 => String::new(),
-            n => format!(", as are {n} more that repeat the one before"),
-        };
+        let more =
+            if others.is_empty() { String::new() } else { format!(", as are {} more such points", others.len()) };
         source.note(format!("line {line} of {file} repeats the point of line {of} and is left out{more}"));
     }
     kept
 }
 
 fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
-    let abscissa = if geometry == Geometry::PlaneStrain { "x" } else { "r" };
-    let names = [abscissa, "z", "radius"];
+    let names = [if geometry == Geometry::PlaneStrain { "x" } else { "r" }, "z", "radius"];
     // Number of each column and its factor to mm.
     let mut columns = [None; 3];
     let fail = |what: String, help: &str| text.error(csv.header.line, what, help);
     for (i, field) in csv.header.fields.iter().enumerate() {
         let name = field.split('_').next().unwrap_or("");
-        let at = match name {
-            "r" => 0,
-            "x" if geometry == Geometry::Axisymmetric => {
-                let what = format!("`{field}` belongs to plane-strain cases, this one is axisymmetric");
-                return Err(fail(what, "write r_mm"));
-            }
-            _ => names
-                .iter()
-                .position(|known| *known == name)
-                .ok_or_else(|| fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm"))?,
+        let known = names.iter().position(|known| *known == name || (*known, name) == ("x", "r"));
+        let Some(at) = known else {
+            let (what, help) = match name {
+                "x" => (format!("`{field}` belongs to plane-strain cases, this one is axisymmetric"), "write r_mm"),
+                _ => (format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm"),
+            };
+            return Err(fail(what, help));
         };
         let Ok((Unit::Mm, factor)) = csv.unit(i) else {
             let what = format!("the column `{field}` has no unit of length");

@@ -1,6 +1,6 @@
 //! Checks that blank and tools fit together and do not collide.
 
-use super::motion::travel_key;
+use super::drive::travel_key;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
@@ -19,7 +19,7 @@ const LEAST_CLEARANCE: f64 = 0.7;
 /// Travel over the thickness below which nothing is formed \[–\].
 const SHALLOWEST: f64 = 1e-3;
 
-pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
+pub fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     let (t, length, travel) = (rounded(model.blank.thickness), rounded(model.blank.length), rounded(model.travel));
     let (travel_key, punch) = (travel_key(source), model.tool(Role::Punch));
     let what = format!("a travel of {travel} mm is more than {DEEPEST} times the blank's {length} mm");
@@ -64,7 +64,6 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     source.require(inner < length, &inner_key, what, "make it smaller, or drop it")
 }
 
-/// Checks that the sheet fits between punch and die.
 fn clearance(
     model: &Model,
     punch: &Tool,
@@ -98,8 +97,7 @@ fn clearance(
     source.require(clearance >= least * (1.0 - ROUNDED), throat_key, what, help)
 }
 
-/// Checks that tools do not collide, where they start and at the full travel.
-pub(super) fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
+pub fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
     let allowed = -OVERLAP * model.blank.thickness;
     let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.0 < allowed);
     let by = |(distance, at): (f64, Point)| {

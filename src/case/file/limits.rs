@@ -16,7 +16,7 @@ const MEMORY: usize = 500_000_000;
 const CHORDS: f64 = 20_000.0;
 
 /// Key that gives the number of kept frames of a stage, the first one being stage 0.
-pub(super) fn frames_key(stage: usize, source: &Source) -> String {
+pub fn frames_key(stage: usize, source: &Source) -> String {
     match stage {
         0 if source.has("output.frames") => "output.frames".into(),
         0 => "output.count".into(),
@@ -24,8 +24,7 @@ pub(super) fn frames_key(stage: usize, source: &Source) -> String {
     }
 }
 
-/// Checks the memory of a run, all stages together.
-pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
+pub fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
     let mut records = Vec::new();
     for (i, Stage { name, model, .. }) in stages.iter().enumerate() {
         let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
@@ -35,18 +34,13 @@ pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseErr
         let of_frames = frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>());
         let of_points = elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>());
         let of_steps = steps * size_of::<StepRecord>() + steps.min(Paths::MOST) * with_path * size_of::<[f64; 2]>();
-        let mut keeps = |bytes: usize, key: &str, what: String, help: &'static str| {
-            records.push((bytes, key.to_owned(), format!("stage `{name}` keeps {what}"), help));
-        };
-        keeps(
-            of_frames,
-            &frames_key(i, source),
-            format!("{frames} frames of {elements} elements"),
-            "keep fewer frames",
-        );
         let through = format!("{points} points through the thickness of {elements} elements");
-        keeps(of_points, "blank.layers", through, "take fewer points");
-        keeps(of_steps, "solver.max_step", format!("{steps} steps or more"), "take longer steps");
+        let kept = [
+            (of_frames, frames_key(i, source), format!("{frames} frames of {elements} elements"), "keep fewer frames"),
+            (of_points, "blank.layers".into(), through, "take fewer points"),
+            (of_steps, "solver.max_step".into(), format!("{steps} steps or more"), "take longer steps"),
+        ];
+        records.extend(kept.map(|(bytes, key, what, help)| (bytes, key, format!("stage `{name}` keeps {what}"), help)));
     }
     let total: usize = records.iter().map(|record| record.0).sum();
     let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
@@ -55,8 +49,7 @@ pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseErr
     source.require(total <= MEMORY, &key, what, format!("{help}, or fewer elements"))
 }
 
-/// Checks the rows and chords that follow from a model.
-pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
+pub fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
     let (frames, elements) = (model.frames.len(), model.blank.elements);
     let rows = frames * elements;
     let what = format!("{frames} frames of {elements} elements are {rows} rows, more than {ROWS}");

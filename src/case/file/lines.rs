@@ -7,26 +7,21 @@ use miette::NamedSource;
 use std::path::Path;
 use std::sync::Arc;
 
-/// File of a case, and its name in messages.
-pub(super) struct Named<'a> {
-    /// Name in the case.
+pub struct Named<'a> {
     pub file: &'a str,
     /// Content, as in "the profile file".
     pub what: &'static str,
     /// Example of its lines.
     pub example: &'static str,
-    /// Key that names it.
     pub key: &'a str,
 }
 
-/// Text of a file, and the key that names it.
-pub(super) struct Lines {
+pub struct Lines {
     shown: Arc<NamedSource<String>>,
     key: String,
 }
 
 impl Named<'_> {
-    /// Reads the file from the case's folder.
     pub fn open(&self, source: &Source) -> Result<(Lines, Csv), CaseError> {
         let path = source.folder.path.join(self.file);
         self.first(&[&path], source)?.map(|(_, lines, csv)| (lines, csv)).ok_or_else(|| {

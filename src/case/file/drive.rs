@@ -1,0 +1,164 @@
+//! Drive and duration of the run, its kept instants, `[solver]` and `[stop]`.
+
+use super::CaseFile;
+use super::values::count;
+use crate::case::{CaseError, source::Source};
+use crate::model::tool_sizes::throat;
+use crate::model::{Role, Settings, StopRules, Tool};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Dimensioned, Length, NonNegative, Positive, Time, rounded};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Distance of frames over the travel below which they are one \[–\].
+const SAME: f64 = 1e-9;
+/// Least distance of frames over the travel, and of points of a history over the whole \[–\].
+const CLOSEST: f64 = 1e-6;
+
+/// Kept instants: `frames` or `count`; the end of the travel always is.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Punch travels at which the state is kept.
+    frames: Option<Vec<Positive<Length>>>,
+    /// Number of equally spaced instants, 1 to 1000; default 4.
+    #[schemars(range(min = 1, max = 1000), example = 4)]
+    count: Option<i64>,
+}
+
+/// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\], as in [`crate::model::Model`].
+pub struct Drive {
+    pub travel: f64,
+    pub schedule: Option<PiecewiseLinear>,
+    pub speed: f64,
+    pub duration: f64,
+    /// True if the case gives a speed, a motion or a duration.
+    pub timed: bool,
+}
+
+impl Drive {
+    /// Time at a punch travel \[s\].
+    pub fn time_at(&self, travel: f64) -> f64 {
+        self.schedule.as_ref().map_or(travel / self.speed, |schedule| schedule.reaches(travel))
+    }
+}
+
+pub fn travel_key(source: &Source) -> &'static str {
+    if source.has("tools.punch.motion") { "tools.punch.motion" } else { "tools.punch.travel" }
+}
+
+impl CaseFile {
+    pub fn drive(&self, length: f64, source: &Source) -> Result<Drive, CaseError> {
+        let Some(punch) = &self.tools.punch else {
+            let gas = self.gas.as_ref().ok_or_else(|| source.missing("tools", "punch"))?;
+            let duration = gas.duration.ok_or_else(|| source.missing("gas", "duration"))?.value();
+            return Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration, timed: true });
+        };
+        let help = "drop it: the punch's travel and speed say how long the run takes";
+        source.refuse("gas", &["duration"], "and a punch are both given", help)?;
+        let Some(points) = &punch.motion else {
+            let travel = punch.travel.ok_or_else(|| source.missing("tools.punch", "travel"))?.value();
+            let (speed, timed) = (punch.speed.map_or(1.0, Dimensioned::value), punch.speed.is_some());
+            return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
+        };
+        let help = "drop it: the motion says travel and speed";
+        source.refuse("tools.punch", &["speed", "travel"], "and `motion` are both given", help)?;
+        let schedule = history(points, source)?;
+        let &(duration, travel) = schedule.points().last().expect("a history has points");
+        Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true })
+    }
+}
+
+fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear, CaseError> {
+    const PATH: &str = "tools.punch.motion";
+    let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
+    let [first, .., last] = points.as_slice() else {
+        let what = format!("`motion` needs at least two points, found {}", points.len());
+        return Err(source.error(PATH, what, "write [[\"0 s\", \"0 mm\"], [\"5 s\", \"20 mm\"]], or travel and speed"));
+    };
+    let what = format!("`motion` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
+    let help = "the punch begins where it touches the flat sheet";
+    source.require(*first == (0.0, 0.0), &format!("{PATH}.0"), what, help)?;
+    for (i, w) in points.windows(2).enumerate() {
+        for (unit, from, to, whole) in [("s", w[0].0, w[1].0, last.0), ("mm", w[0].1, w[1].1, last.1)] {
+            let (before, after) = (rounded(from), rounded(to));
+            let what = format!(
+                "`motion` must rise by a millionth of the whole or more, found {after} {unit} after {before} {unit}"
+            );
+            let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
+            source.require(to - from >= CLOSEST * whole && to > from, &format!("{PATH}.{}", i + 1), what, help)?;
+        }
+    }
+    Ok(PiecewiseLinear::new(points).expect("checked above"))
+}
+
+pub fn check_settings(settings: &Settings, source: &Source) -> Result<(), CaseError> {
+    let Err(error) = settings.check() else { return Ok(()) };
+    let key = error.what.trim_start_matches("settings.");
+    if key == "first_step" {
+        let Settings { min_step, first_step, max_step, .. } = settings;
+        let given = source.written("solver", &["first_step", "max_step", "min_step"]);
+        let path = format!("solver.{}", given.first().unwrap_or(&key));
+        let what = format!(
+            "steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}"
+        );
+        return Err(source.error(&path, what, "they are fractions of the travel"));
+    }
+    let help = match error.nearest {
+        Some(nearest) => format!("the nearest that can be solved: {key} = {nearest}"),
+        None => "leave it out: the default serves every case".to_owned(),
+    };
+    Err(source.error(&format!("solver.{key}"), error.to_string().replace("settings.", ""), help))
+}
+
+pub fn check_stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<(), CaseError> {
+    let path = "stop.contact_share";
+    let share = rules.contact_share.unwrap_or(0.0);
+    let what = format!("`contact_share` must lie between 0 and 100 %, found {} %", rounded(100.0 * share));
+    source.require(share <= 1.0, path, what, "a corner never fills to the last: 95 % is a part that is formed")?;
+    let touched = rules.contact_share.is_none() || tools.iter().any(|tool| tool.role != Role::Holder);
+    let what = "`contact_share` asks for contact with a punch or a die, and there is none";
+    source.require(touched, path, what, "add [tools.die], or drop it")?;
+    let opens = tools.iter().any(|die| die.role == Role::Die && throat(die).is_some());
+    let what = "`drawn_through` asks for a cup that is pushed through the die, and no die is open";
+    let help = "drop it, or give the die a throat";
+    source.require(!rules.drawn_through || opens, "stop.drawn_through", what, help)
+}
+
+impl Output {
+    /// Times at which the state is kept \[s\], rising, the last one the end of the run.
+    pub fn frames(&self, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
+        let Drive { travel, duration, .. } = *drive;
+        let Some(list) = &self.frames else {
+            let n = count(source, "output.count", self.count.unwrap_or(4), 1..=1000)?;
+            return Ok(equally_spaced(duration, n));
+        };
+        source.one_of("output", &["frames", "count"], "keep one of them")?;
+        let what = "`frames` are punch travels, and there is no punch";
+        let help = "write count = 8 for as many instants, equally spaced";
+        source.require(travel > 0.0, "output.frames", what, help)?;
+        let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
+        for (i, frame) in frames.iter().enumerate() {
+            let what = format!("a frame at {} mm lies beyond the travel of {} mm", rounded(*frame), rounded(travel));
+            let help = "drop it, or lengthen tools.punch.travel";
+            source.require(*frame <= travel * (1.0 + SAME), &format!("output.frames.{i}"), what, help)?;
+        }
+        frames.retain(|&f| f < travel * (1.0 - SAME));
+        frames.sort_by(f64::total_cmp);
+        frames.dedup_by(|later, earlier| *later - *earlier < SAME * travel);
+        let mut before = 0.0;
+        for &frame in &frames {
+            let (last, next) = (rounded(before), rounded(frame));
+            let what = format!("frames at {last} and {next} mm are closer than a millionth of the travel");
+            let help = "keep one of them; the flat sheet at 0 mm is none";
+            source.require(frame - before >= CLOSEST * travel, "output.frames", what, help)?;
+            before = frame;
+        }
+        Ok(frames.into_iter().map(|f| drive.time_at(f)).chain([duration]).collect())
+    }
+}
+
+/// Instants of a run \[s\], the last one its end.
+pub fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
+    (1..count).map(|i| duration * i as f64 / count as f64).chain([duration]).collect()
+}

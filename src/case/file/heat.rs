@@ -1,0 +1,184 @@
+//! `[heat]`: initial temperature of the flat sheet, and heat flow.
+
+use super::lines::Named;
+use super::untagged::untagged;
+use crate::case::{CaseError, source::Source};
+use crate::model::tool_sizes::extent;
+use crate::model::{self, HeatFlow, Role, Tool};
+use crate::numerics::PiecewiseLinear;
+use crate::table::Unit;
+use crate::units::{
+    Conductivity, Density, Dimensioned, Fraction, HeatTransfer, Length, Positive, SpecificHeat, Temperature,
+    ZERO_CELSIUS,
+};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+
+/// Share of the plastic work that becomes heat, in common use for metals \[–\].
+const PLASTIC_SHARE: f64 = 0.9;
+/// Possible temperatures of a sheet \[K\].
+const SHEET: std::ops::RangeInclusive<f64> = 70.0..=2500.0;
+const KEY: &str = "heat.initial";
+const EXAMPLE: &str = "write for example s0_mm,temperature_C in the first line and 30,230 below it";
+
+/// Temperature of the sheet. Without density and specific heat it stays as it is given.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("dependentRequired" = { "density": ["specific_heat"], "specific_heat": ["density"], "conductivity": ["density"], "plastic_share": ["density"], "punch": ["density"], "die": ["density"], "holder": ["density"] }))]
+pub struct Heat {
+    /// Temperature of the flat sheet: one value, one for the part under the punch and one for the flange, or a CSV file.
+    initial: InitialTemperature,
+    /// Density of the sheet; with the specific heat, its temperature changes.
+    #[schemars(example = "2700 kg/m^3")]
+    density: Option<Positive<Density>>,
+    /// Specific heat of the sheet, per mass.
+    #[schemars(example = "900 J/kg/K")]
+    specific_heat: Option<Positive<SpecificHeat>>,
+    /// Share of the plastic work that becomes heat; default 0.9.
+    #[schemars(example = 0.9)]
+    plastic_share: Option<Fraction>,
+    /// Conductivity along the sheet; default none.
+    #[schemars(example = "130 W/m/K")]
+    conductivity: Option<Positive<Conductivity>>,
+    /// Punch that heats or cools the sheet in contact.
+    punch: Option<ToolHeat>,
+    /// Die, likewise.
+    die: Option<ToolHeat>,
+    /// Holder, likewise.
+    holder: Option<ToolHeat>,
+}
+
+/// Heat transfer from and to a tool whose temperature stays.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct ToolHeat {
+    /// Temperature of the tool.
+    #[schemars(example = "25 °C")]
+    temperature: Positive<Temperature>,
+    /// Heat-transfer coefficient of the contact.
+    #[schemars(example = "1.4 kW/m^2/K")]
+    transfer: Positive<HeatTransfer>,
+}
+
+/// Temperature of the flat sheet.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged)]
+enum InitialTemperature {
+    /// Uniform temperature.
+    Uniform(Positive<Temperature>),
+    /// By the tools: under the punch, from the die's throat outward, straight in between.
+    Zones(Zones),
+    /// CSV file, looked up from the case file's folder: columns `s0_mm,temperature_C`, s0 rising; straight in between,
+    /// held before the first and beyond the last.
+    File(String),
+}
+
+untagged!(
+    [] InitialTemperature, "a temperature such as \"230 °C\", { punch = .., flange = .. }, or the name of a CSV file",
+    text(text) => match text.to_lowercase().ends_with(".csv") {
+        true => Ok(InitialTemperature::File(text.to_owned())),
+        false => Positive::deserialize(text.into_deserializer()).map(InitialTemperature::Uniform),
+    },
+    table => InitialTemperature::Zones
+);
+
+/// Temperatures by the tools' places on the flat sheet.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Zones {
+    /// Inside the punch's radius.
+    #[schemars(example = "25 °C")]
+    punch: Positive<Temperature>,
+    /// From the die's throat outward.
+    #[schemars(example = "230 °C")]
+    flange: Positive<Temperature>,
+}
+
+impl Heat {
+    pub fn model(&self, tools: &[Tool], source: &Source) -> Result<model::Heat, CaseError> {
+        let initial = match &self.initial {
+            InitialTemperature::Uniform(temperature) => temperature.value().into(),
+            InitialTemperature::Zones(zones) => zones.temperature(tools, source)?,
+            InitialTemperature::File(name) => from_file(name, source)?,
+        };
+        for temperature in [initial.smallest(), initial.largest()] {
+            let (least, most) = (SHEET.start(), SHEET.end());
+            let what = format!("the sheet cannot be at {temperature:.0} K: between {least} and {most} K");
+            source.require(SHEET.contains(&temperature), KEY, what, "write \"230 °C\" for degrees Celsius")?;
+        }
+        Ok(model::Heat { initial, flow: self.flow(tools, source)? })
+    }
+
+    fn flow(&self, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>, CaseError> {
+        let capacity = match (self.density, self.specific_heat) {
+            (Some(density), Some(specific_heat)) => density.value() * specific_heat.value(),
+            (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
+            (None, Some(_)) => return Err(source.missing("heat", "density")),
+            (None, None) => {
+                let others = ["plastic_share", "conductivity", "punch", "die", "holder"];
+                let why = "changes the temperature only of a sheet with a density and a specific heat";
+                let help = "add density = \"2700 kg/m^3\" and specific_heat = \"900 J/kg/K\", or drop it";
+                return source.refuse("heat", &others, why, help).map(|()| None);
+            }
+        };
+        let mut exchanging = Vec::new();
+        for (role, tool) in [(Role::Punch, self.punch), (Role::Die, self.die), (Role::Holder, self.holder)] {
+            let Some(ToolHeat { temperature, transfer }) = tool else { continue };
+            let what = format!("there is no {} to exchange heat with", role.name());
+            let is_there = tools.iter().any(|tool| tool.role == role);
+            source.require(is_there, &format!("heat.{}", role.name()), what, "drop it, or add the tool")?;
+            let (temperature, transfer) = (temperature.value(), transfer.value());
+            exchanging.push(model::ToolHeat { role, temperature, transfer });
+        }
+        Ok(Some(HeatFlow {
+            capacity,
+            plastic_share: self.plastic_share.map_or(PLASTIC_SHARE, Dimensioned::value),
+            conductivity: self.conductivity.map_or(0.0, Dimensioned::value),
+            tools: exchanging,
+        }))
+    }
+}
+
+impl Zones {
+    fn temperature(&self, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear, CaseError> {
+        let tool = |role: Role| tools.iter().find(|t| t.role == role);
+        let Some((punch, die)) = tool(Role::Punch).zip(tool(Role::Die)) else {
+            let what = "temperatures by zones need a punch and a die";
+            return Err(source.error(KEY, what, "give one temperature, or a CSV file"));
+        };
+        let (inner, outer) = (extent(punch).1, die.profile.least_r());
+        let points = vec![(inner, self.punch.value()), (outer.max(inner + 1e-6), self.flange.value())];
+        Ok(PiecewiseLinear::new(points).expect("two rising places"))
+    }
+}
+
+fn from_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
+    let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
+    let column = |name: &str, unit: Unit| {
+        let factor = |i: usize| csv.unit(i).ok().filter(|(known, _)| *known == unit).map(|(_, factor)| factor);
+        let mut fields = csv.header.fields.iter().enumerate().filter(|(_, field)| field.starts_with(name));
+        fields.find_map(|(i, _)| Some((i, factor(i)?))).ok_or_else(|| {
+            let what = format!("there is no column {}; found {}", unit.keyed(name), csv.names());
+            lines.error(csv.header.line, what, EXAMPLE)
+        })
+    };
+    let ((s0, factor), (temperature, _)) = (column("s0", Unit::Mm)?, column("temperature", Unit::Celsius)?);
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    for row in &csv.rows {
+        let fail = |what: &str| lines.error(row.line, what, EXAMPLE);
+        let place = lines.number(row, s0)?.ok_or_else(|| fail("s0 is missing"))? * factor;
+        let place = Length::checked(place, &place.to_string()).map_err(|error| fail(&error.to_string()))?.value();
+        let celsius = lines.number(row, temperature)?.ok_or_else(|| fail("the temperature is missing"))?;
+        let kelvin = celsius + ZERO_CELSIUS;
+        if !SHEET.contains(&kelvin) {
+            return Err(fail(&format!("the sheet cannot be at {celsius} °C")));
+        }
+        if points.last().is_some_and(|last| place <= last.0) {
+            return Err(fail("s0 must rise from row to row"));
+        }
+        points.push((place, kelvin));
+    }
+    let empty = || lines.error(csv.header.line, "the temperature file has no rows", EXAMPLE);
+    PiecewiseLinear::new(points).ok_or_else(empty)
+}

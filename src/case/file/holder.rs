@@ -1,0 +1,113 @@
+//! Holder's force and draw beads.
+
+use super::tools::{Holder, Sheet};
+use super::values::{HolderForce, Stiffness, radius_of};
+use crate::case::{CaseError, source::Source};
+use crate::geometry::Profile;
+use crate::model::tool_sizes::shoulder_end;
+use crate::model::{self, Extent, Motion, Press, Role, Tool};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Amount, Digits, Dimensioned, Length, LineForce, NonNegative, Positive, Unit};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["at"] }, { "required": ["diameter"] }]))]
+pub struct Bead {
+    /// Distance of its line from the axis or symmetry plane.
+    #[schemars(example = "70 mm")]
+    at: Option<Positive<Length>>,
+    /// Diameter of its line, instead of `at`, of a round part.
+    #[schemars(example = "140 mm")]
+    diameter: Option<Positive<Length>>,
+    /// Restraining force per length of the line, of which a plane section has one on each side.
+    #[schemars(example = "100 N/mm")]
+    restraining: NonNegative<LineForce>,
+    /// Closing force per length of the line, taken from the holder's force; none when not given.
+    #[schemars(example = "150 N/mm")]
+    closing: Option<NonNegative<LineForce>>,
+}
+
+/// Soft holder.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Force where the holder touches the flat sheet, of the whole holder as `force`.
+    #[schemars(example = "10 kN")]
+    preload: HolderForce,
+    /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
+    /// given.
+    #[schemars(example = "5 kN/mm")]
+    stiffness: Stiffness,
+}
+
+impl Holder {
+    /// Support of the holder: exactly one of force, pressure, gap and spring.
+    pub fn support(&self, profile: &Profile, die: &Tool, sheet: &Sheet, source: &Source) -> Result<Motion, CaseError> {
+        let extent = sheet.extent;
+        source.one_of("tools.holder", &["force", "pressure", "gap", "spring"], "keep one of them")?;
+        if let Some(gap) = self.gap {
+            let (gap, t) = (gap.value(), sheet.thickness);
+            let what = format!("the holder's gap of {gap} mm is less than the sheet's thickness of {t} mm");
+            let help = format!("at least {t} mm; 1.02 to 1.1 times is usual");
+            source.require(gap >= t, "tools.holder.gap", what, help)?;
+            return Ok(Motion::Gap(gap));
+        }
+        if let Some(pressure) = self.pressure {
+            let inner = profile.least_r().max(shoulder_end(die));
+            let area = (extent.area(sheet.length) - extent.area(inner)).max(0.0);
+            let force = pressure.value() * area;
+            let total = Amount::force(force, extent.force_unit());
+            let pressure = Amount::given_stress(pressure.value());
+            let area = Amount::new(area, Unit::None, Digits::Significant(4));
+            let note =
+                format!("the holder's force is its pressure on the initial area, {pressure} on {area} mm², {total}");
+            source.note(note);
+            return Ok(Motion::Pressed(Press::constant(force)));
+        }
+        if let Some(spring) = self.spring {
+            let stiffness = spring.stiffness.in_extent("tools.holder.spring.stiffness", extent, source)?;
+            let preload = spring.preload.in_extent("tools.holder.spring.preload", extent, source)?;
+            return Ok(Motion::Pressed(Press { force: preload.into(), stiffness }));
+        }
+        let force = self.force_curve(extent, source)?.ok_or_else(|| source.missing("tools.holder", "force"))?;
+        Ok(Motion::Pressed(Press { force, stiffness: 0.0 }))
+    }
+
+    /// Force that stays, or its history over the travel.
+    pub fn force_curve(&self, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>, CaseError> {
+        let value = |force: HolderForce, path: &str| force.in_extent(path, extent, source);
+        self.force.as_ref().map(|force| force.curve("tools.holder.force", "travels", source, value)).transpose()
+    }
+}
+
+pub fn beads(written: &[Bead], tools: &[Tool], sheet: &Sheet, source: &Source) -> Result<Vec<model::Bead>, CaseError> {
+    let tool = |role: Role| tools.iter().find(|t| t.role == role);
+    let geometry = sheet.extent.geometry();
+    let mut beads = Vec::new();
+    for (i, bead) in written.iter().enumerate() {
+        let path = format!("tools.beads.{i}");
+        let lengths = [bead.at, bead.diameter, bead.at];
+        let (key, at) = radius_of(source, &path, geometry, ["at", "diameter", "at"], lengths)?;
+        let what = "a bead needs a die to sit on";
+        let die = tool(Role::Die).ok_or_else(|| source.error(&path, what, "add [tools.die], or drop the bead"))?;
+        let (flat, edge) = (shoulder_end(die), sheet.length);
+        let what = format!(
+            "a bead at {at} mm is not on the flange, from the die's shoulder at {flat:.3} mm to the edge at {edge} mm"
+        );
+        source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
+        let (restraining, closing) = (bead.restraining.value(), bead.closing.map_or(0.0, Dimensioned::value));
+        beads.push(model::Bead { at, restraining, closing });
+    }
+    let line = |bead: &model::Bead| sheet.extent.times() * bead.line(geometry);
+    let closing: f64 = beads.iter().map(|bead| bead.closing * line(bead)).sum();
+    if let Some(Motion::Pressed(press)) = tool(Role::Holder).map(|holder| &holder.motion) {
+        let (unit, least) = (sheet.extent.force_unit().symbol(), press.force.smallest());
+        let what = format!("closing the beads takes {closing:.0} {unit}, the holder has only {least:.0} {unit}");
+        let help = "raise the holder's force, or lower the closing force";
+        source.require(closing <= 0.0 || closing < least, "tools.beads.0", what, help)?;
+    }
+    Ok(beads)
+}
