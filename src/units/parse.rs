@@ -63,7 +63,7 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         }
         THICKNESSES => {
             let help = format!(
-                "t is thicknesses of the sheet here: write {value} tonf (tonnes-force) or {:.0} kN; or write a length, such as \"6 mm\"",
+                "write a length, such as \"6 mm\", or a force: write {value} tonf (tonnes-force) or {:.0} kN; t is thicknesses of the sheet",
                 9.806_65 * value
             );
             return Err(QuantityError::new(format!("{text:?} are thicknesses of the sheet"), help));
