@@ -104,7 +104,7 @@ pub fn tool_radius(thickness: f64) -> Picked {
     Picked::by(RADIUS * thickness, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
 }
 
-/// Radius of a shoulder that a whole blank is drawn through: [`RADIUS`] times the rim's thickness t β^(1/(1 + r̄)).
+/// Radius of a shoulder that a whole blank is drawn through: six times the rim's thickness t β^(1/(1 + r̄)).
 pub fn drawn_shoulder(thickness: f64, ratio: f64, anisotropy: f64) -> Picked {
     let rim = RADIUS * thickness * ratio.powf(1.0 / (1.0 + anisotropy));
     let why = format!(

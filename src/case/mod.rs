@@ -1,4 +1,4 @@
-//! Case files: TOML → [`file::CaseFile`] (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
+//! Case files: TOML → `CaseFile` (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
 //!
 //! This is the only place that knows TOML. Twelve lines are enough for a cup that runs:
 //!

@@ -130,7 +130,7 @@ impl Solution {
                 amount.value,
                 amount.unit.symbol(),
                 amount.bar,
-                number.to_string(),
+                amount.to_string(),
             )
         });
         parts.collect()
