@@ -215,13 +215,6 @@ impl Current {
         force * across * across.transpose()
     }
 
-    /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
-    #[inline]
-    pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
-        let ([c, s], hoop) = (self.along(), self.hoop());
-        [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
-    }
-
     /// ∂(Δε_s + Δε_θ) by the element's freedoms \[1/mm\].
     #[inline]
     pub fn stretch_rows(&self) -> Vector6 {

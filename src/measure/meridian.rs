@@ -1,6 +1,7 @@
 //! Meridian of a frame: slope, curvature, bends and the straight legs between them.
 
 use crate::geometry::{Point, turn};
+use crate::numerics::interpolated;
 use crate::solver::solution::Frame;
 use std::ops::Range;
 
@@ -51,11 +52,9 @@ impl Meridian {
         if steps.len() < 2 || !steps.iter().all(is_line) {
             return None;
         }
-        let mut along = vec![0.0];
         let mut slope: Vec<f64> = Vec::with_capacity(steps.len());
         let mut before = Point::new(1.0, 0.0);
         for step in &steps {
-            along.push(along[along.len() - 1] + step.norm());
             slope.push(slope.last().unwrap_or(&0.0) + turn(before, *step));
             before = *step;
         }
@@ -63,6 +62,7 @@ impl Meridian {
         if !(thickness > 0.0 && thickness.is_finite()) {
             return None;
         }
+        let along = super::along(frame);
         let curvature = curvature(&along, &slope, thickness);
         Some(Self { points, up, along, slope, curvature, thickness })
     }
@@ -72,8 +72,8 @@ impl Meridian {
     pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
         let sharpest = self.sharpest();
         let length = self.along[self.along.len() - 1];
-        let looks = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
-        looks.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
+        let levels = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
+        levels.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
     }
 
     /// Legs between bends of at least this curvature \[1/mm\], without their ends.
@@ -124,8 +124,8 @@ impl Meridian {
 
     /// Descent of a stretch over its length \[–\]: 1 upright.
     pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
-        let way = self.points[nodes.end - 1] - self.points[nodes.start];
-        -way.y / way.norm()
+        let chord = self.points[nodes.end - 1] - self.points[nodes.start];
+        -chord.y / chord.norm()
     }
 
     /// Largest absolute curvature \[1/mm\].
@@ -142,18 +142,13 @@ impl Meridian {
 
 /// Curvature at each node: difference of the slopes a `reach` before and behind it over their distance.
 fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
-    let middles: Vec<f64> = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
-    let (first, last) = (middles[0], middles[middles.len() - 1]);
-    let at = |s: f64| {
-        let after = middles.partition_point(|m| *m < s).clamp(1, middles.len() - 1);
-        let f = (s - middles[after - 1]) / (middles[after] - middles[after - 1]);
-        slope[after - 1] + f * (slope[after] - slope[after - 1])
-    };
-    let within = |s: f64| s.clamp(first, last);
+    let middles = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let slopes: Vec<(f64, f64)> = middles.zip(slope.iter().copied()).collect();
+    let (first, last) = (slopes[0].0, slopes[slopes.len() - 1].0);
     let of_node = |s: &f64| {
-        let (from, to) = (within(s - reach), within(s + reach));
+        let (from, to) = ((s - reach).clamp(first, last), (s + reach).clamp(first, last));
         // Farther than the reach from every middle, in a long first or last element, there is no window.
-        if to > from { (at(to) - at(from)) / (to - from) } else { 0.0 }
+        if to > from { (interpolated(&slopes, to) - interpolated(&slopes, from)) / (to - from) } else { 0.0 }
     };
     along.iter().map(of_node).collect()
 }

@@ -14,7 +14,7 @@ use crate::numerics::Grid;
 use crate::numerics::ValueAndSlope;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::state::State;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 /// Least pressure of a point in contact, over that of touching \[–\].
 const LIGHT: f64 = 0.01;
@@ -102,8 +102,8 @@ pub(super) struct Evaluation {
     pub thickness_rows: Vec<Vector6>,
     /// Membrane strains Δε_s, Δε_θ of each element \[–\].
     pub membrane_increment: Vec<[f64; 2]>,
-    /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
-    pub membrane_rows: Vec<[[f64; 4]; 2]>,
+    /// Their derivatives by the element's freedoms; empty where no gas holds a strain rate.
+    pub membrane_rows: Vec<SMatrix<f64, 2, 6>>,
     pub contact_positions: Vec<ContactPosition>,
     /// Sums over the tools at each contact point of F_r, F_z, Q \[N, or N/mm\] and their derivatives.
     pub contact_sums: Vec<(Vector3<f64>, Matrix3<f64>)>,
@@ -141,7 +141,7 @@ impl Evaluation {
             thickness: state.thickness.clone(),
             thickness_rows: vec![Vector6::zeros(); elements],
             membrane_increment: vec![[0.0; 2]; elements],
-            membrane_rows: vec![[[0.0; 4]; 2]; if context.holds_rate() { elements } else { 0 }],
+            membrane_rows: vec![SMatrix::zeros(); if context.holds_rate() { elements } else { 0 }],
             contact_positions: vec![ContactPosition::default(); state.contact_points()],
             contact_sums: vec![(Vector3::zeros(), Matrix3::zeros()); state.contact_points()],
             contacts: Grid::new(context.tools.len(), state.contact_points(), Contact::free()),

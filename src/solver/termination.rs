@@ -31,16 +31,8 @@ struct Throat {
     end: f64,
 }
 
-#[derive(Clone, Copy)]
-enum Rule {
-    ToolsClosed,
-    DrawnThrough,
-    Coalesced,
-    ContactShare,
-    LoadDrop,
-    Localised,
-    HolderClosed,
-}
+/// End of a run by a rule.
+type Ending = fn(&Termination, &Model, &State, &StepRecord) -> Option<Stop>;
 
 /// State of all rules after a step; a step that is not accepted leaves no trace.
 #[derive(Clone)]
@@ -90,13 +82,13 @@ impl Termination {
             let neck = neck(model, state, Some(before));
             now.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
             now.neck = Some(neck);
-            now.excess = now.excesses(model, state, record).into_iter().map(|(_, excess)| excess).fold(-1.0, f64::max);
+            now.excess = now.excesses(model, state, record).into_iter().map(|(excess, _)| excess).fold(-1.0, f64::max);
         }
         now
     }
 
-    /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.
-    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(Rule, f64); 7] {
+    /// Excess of the state over each rule in the order of precedence \[–\], NaN where the rule does not apply, and its end.
+    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(f64, Ending); 7] {
         let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
         let through = self.throat.as_ref().map_or(f64::NAN, |throat| {
             let [r, z, _] = state.nodes[state.nodes.len() - 1];
@@ -113,13 +105,28 @@ impl Termination {
         });
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
-            (Rule::ToolsClosed, beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12)))),
-            (Rule::DrawnThrough, through),
-            (Rule::Coalesced, beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture()))),
-            (Rule::ContactShare, beyond(record.contact_share, model.stop.contact_share)),
-            (Rule::LoadDrop, beyond(1.0 - record.punch_force / self.peak, drop)),
-            (Rule::Localised, localised),
-            (Rule::HolderClosed, beyond(record.holder_force, model.stop.holder_force)),
+            (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), |now, _, _, _| {
+                now.closed.map(|(travel, at)| Stop::ToolsClosed { travel, r: at.x, z: at.y })
+            }),
+            (through, |_, model, state, _| {
+                Some(Stop::DrawnThrough { travel: state.travel, wished: model.stop.drawn_through })
+            }),
+            (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), |_, _, state, record| {
+                Some(Stop::Coalesced { travel: state.travel, s0: record.porous_s0, porosity: record.porosity })
+            }),
+            (beyond(record.contact_share, model.stop.contact_share), |_, model, state, record| {
+                let (share, asked) = (record.contact_share, model.stop.contact_share?);
+                Some(Stop::ContactShare { share, asked, time: state.time, travel: state.travel })
+            }),
+            (beyond(1.0 - record.punch_force / self.peak, drop), |now, model, state, record| {
+                let (peak, unit) = (now.peak, model.extent().force_unit());
+                let drop = 1.0 - record.punch_force / peak;
+                Some(Stop::LoadMaximum { travel: state.travel, peak, unit, drop })
+            }),
+            (localised, |now, model, state, _| now.neck.map(|neck| self::localised(model, state, &neck))),
+            (beyond(record.holder_force, model.stop.holder_force), |_, _, state, _| {
+                Some(Stop::HolderClosed { travel: state.travel })
+            }),
         ]
     }
 
@@ -128,27 +135,8 @@ impl Termination {
         if self.excess < 0.0 {
             return None;
         }
-        let (travel, time) = (state.travel, state.time);
-        let (rule, _) = self.excesses(model, state, record).into_iter().find(|(_, excess)| *excess >= 0.0)?;
-        Some(match rule {
-            Rule::ToolsClosed => {
-                let (travel, at) = self.closed?;
-                Stop::ToolsClosed { travel, r: at.x, z: at.y }
-            }
-            Rule::DrawnThrough => Stop::DrawnThrough { travel, wished: model.stop.drawn_through },
-            Rule::Coalesced => Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity },
-            Rule::ContactShare => {
-                Stop::ContactShare { share: record.contact_share, asked: model.stop.contact_share?, time, travel }
-            }
-            Rule::LoadDrop => Stop::LoadMaximum {
-                travel,
-                peak: self.peak,
-                drop: 1.0 - record.punch_force / self.peak,
-                unit: model.extent().force_unit(),
-            },
-            Rule::Localised => localised(model, state, &self.neck?),
-            Rule::HolderClosed => Stop::HolderClosed { travel },
-        })
+        let (_, ending) = self.excesses(model, state, record).into_iter().find(|(excess, _)| *excess >= 0.0)?;
+        ending(self, model, state, record)
     }
 }
 

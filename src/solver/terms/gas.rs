@@ -102,7 +102,7 @@ pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
             let rows = &out.membrane_rows[e];
             for node in 0..2 {
                 for d in 0..2 {
-                    let by = slope[0] * rows[0][2 * node + d] + slope[1] * rows[1][2 * node + d];
+                    let by = slope[0] * rows[(0, 3 * node + d)] + slope[1] * rows[(1, 3 * node + d)];
                     system.rows[e + node][row][d] += weight * by;
                 }
             }

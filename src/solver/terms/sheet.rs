@@ -62,7 +62,7 @@ fn add_elements<L: PointLaw>(
         let stretch = [current.strain[EPS_S], current.strain[EPS_T]];
         out.membrane_increment[e] = stretch;
         if let Some(rows) = out.membrane_rows.get_mut(e) {
-            *rows = current.membrane_rows();
+            *rows = current.strain_displacement().fixed_rows::<2>(EPS_S).into_owned();
         }
         let (points, iterates, updates) = (points.row(e), iterates.row_mut(e), out.updates.row_mut(e));
         let mut integrand = ThicknessIntegrand { law, points, iterates, updates };
