@@ -41,7 +41,7 @@ impl Paths {
     }
 
     /// Adds the instant after a step: it is the end until another one follows.
-    pub fn push(&mut self, instant: Instant) {
+    pub fn record(&mut self, instant: Instant) {
         if self.given > 0 && !(self.given - 1).is_multiple_of(self.stride) {
             self.instants.pop();
         }

@@ -177,7 +177,7 @@ pub struct Place {
 
 /// Places from the axis outward: middle, punch radius, wall, die radius and flange where the sheet has them; else middle, half-way
 /// and edge. The radii are the places of the largest curvature inside and outside the wall.
-pub fn places(frame: &Frame) -> Vec<Place> {
+pub fn part_places(frame: &Frame) -> Vec<Place> {
     let Some(meridian) = Meridian::of(frame) else { return Vec::new() };
     let last = meridian.points.len() - 1;
     let Shape { wall, flange, .. } = Shape::of(frame);

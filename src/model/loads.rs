@@ -62,7 +62,7 @@ pub enum Pressure {
 
 impl Pressure {
     /// Given pressure at a time \[MPa\].
-    pub fn given(&self, time: f64) -> Option<f64> {
+    pub fn prescribed(&self, time: f64) -> Option<f64> {
         match self {
             Self::OverTime(history) => Some(history.at(time)),
             Self::Rate(_) => None,

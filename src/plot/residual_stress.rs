@@ -2,7 +2,7 @@
 
 use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
-use crate::measure::{FLANGE, Place, places};
+use crate::measure::{FLANGE, Place, part_places};
 use crate::plot::Axis;
 use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::Unit;
@@ -22,7 +22,7 @@ pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [Elem
 
 pub(crate) fn places_with_layers(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
     let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
-    places(frame).into_iter().filter(has_layers).collect()
+    part_places(frame).into_iter().filter(has_layers).collect()
 }
 
 type StressOf = fn(&PointRecord) -> f64;

@@ -118,7 +118,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         start.count(&mut run.effort);
         control.accept(&before, &converged, &record);
         if model.forming_limit.is_some() {
-            run.paths.push(next.instant());
+            run.paths.record(next.instant());
         }
         observer.step(&record);
         observer.state(model, &next);

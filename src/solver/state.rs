@@ -207,7 +207,7 @@ impl State {
             return Paths::default();
         }
         let mut paths = Paths::starting((0..self.thickness.len()).map(|e| self.middle(e)).collect());
-        paths.push(self.instant());
+        paths.record(self.instant());
         paths
     }
 

@@ -79,7 +79,7 @@ impl Trial {
             (memory.carried, memory.shift) = (*pressure, *shift);
         }
         for (pressure, (gas, before)) in self.gas.iter_mut().zip(model.gas.iter().zip(&state.gas)) {
-            *pressure = gas.pressure.given(step.end()).unwrap_or(*before);
+            *pressure = gas.pressure.prescribed(step.end()).unwrap_or(*before);
         }
         // A held strain rate has no meaning at rest.
         let holds_rate = context.holds_rate();

@@ -25,7 +25,7 @@ const DASHED: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] 
 type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
-pub(super) fn deciding(runs: &RunTable, most: usize) -> Vec<usize> {
+pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
     let place = |key: &str| runs.responses.iter().position(|response| response_key(response) == key);
     let varies = |place: &usize| {
         let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
@@ -49,7 +49,7 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
     let panels = match wide[..] {
         [x] => {
             let (axis, limits) = (&sweep.axes[x], |place: usize| runs.responses[place].quantity.limits);
-            let numbers = deciding(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
+            let numbers = decisive(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
             let positions = axis.positions.iter().copied().zip(&runs.runs).collect();
             let own = axis.own.map(|own| (own, &runs.base));
             trends(runs, &axis.drawn, positions, &numbers.collect::<Vec<_>>(), (None, own))
@@ -123,7 +123,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
     let mut grid: Vec<Option<&Run>> = vec![None; columns * rows];
     let mut points = Vec::new();
     for run in &runs.runs {
-        let places = sweep.places(run);
+        let places = sweep.grid_index(run);
         let (Some(i), Some(j)) = (places[x], places[y]) else { continue };
         if third.is_none_or(|(z, k)| places[z] == Some(k)) {
             grid[j * columns + i] = Some(run);
@@ -203,7 +203,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
         let scale = Scale::Window { height: 34.0 * all.len() as f64 + 12.0, x: (low - room, high + room), y: up };
         Some(Panel::new(named(runs, place), Axis::of_names("", names), scale).with(series).annotated(labels))
     };
-    chart("sweep", "Changes by one key at a time", deciding(runs, 4).into_iter().filter_map(panel).collect())
+    chart("sweep", "Changes by one key at a time", decisive(runs, 4).into_iter().filter_map(panel).collect())
 }
 
 fn bar(x: (f64, f64), y: (f64, f64), fill: (u8, u8, u8), edge: (u8, u8, u8)) -> Series {
@@ -223,7 +223,7 @@ pub(super) fn search(
     let result = best.map(|best| positions[best]);
     let mut numbers: Vec<_> = limits.iter().map(|(place, limit)| (*place, Some(*limit))).collect();
     if numbers.is_empty() {
-        numbers.extend(deciding(runs, 1).into_iter().map(|place| (place, None)));
+        numbers.extend(decisive(runs, 1).into_iter().map(|place| (place, None)));
     }
     let x = Axis::named(variable.label(), unit).spaced(spacing);
     chart(
@@ -255,7 +255,7 @@ pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
         let lines = limits.map(|limit| Series::silent(vec![(limit, 0.0), (limit, top)], DASHED));
         Some(Panel::fit(named(runs, place), Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
     };
-    chart("scatter", "Scatter of the results", deciding(runs, 4).into_iter().filter_map(panel).collect())
+    chart("scatter", "Scatter of the results", decisive(runs, 4).into_iter().filter_map(panel).collect())
 }
 
 fn named(runs: &RunTable, place: usize) -> Axis {

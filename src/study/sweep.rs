@@ -114,7 +114,7 @@ impl Sweep {
     }
 
     /// Place of a run on every axis; `None` where the case keeps its own value.
-    pub(super) fn places(&self, run: &Run) -> Vec<Option<usize>> {
+    pub(super) fn grid_index(&self, run: &Run) -> Vec<Option<usize>> {
         let mut column = 0;
         let place = |axis: &Axis| {
             let own = &run.values[column];
@@ -155,11 +155,11 @@ impl Sweep {
             _ => format!("The case as it stands fails: {modes}."),
         };
         let describe = |place: usize, run: &Run| {
-            let values = self.axes.iter().zip(self.places(run));
+            let values = self.axes.iter().zip(self.grid_index(run));
             let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
             format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
         };
-        let span = charts::deciding(runs, 1).first().and_then(|place| {
+        let span = charts::decisive(runs, 1).first().and_then(|place| {
             let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[*place].is_finite());
             let by = |a: &&Run, b: &&Run| a.numbers[*place].total_cmp(&b.numbers[*place]);
             let (least, most) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)?;
@@ -175,7 +175,7 @@ impl Sweep {
         let own = runs.runs.first().map_or(f64::NAN, |run| run.numbers[response]);
         let one = |axis: usize| {
             let end = |run: &Run| {
-                let (place, number) = (self.places(run)[axis]?, run.response(response)?);
+                let (place, number) = (self.grid_index(run)[axis]?, run.response(response)?);
                 Some(End { number, place, is_sound: run.is_sound() })
             };
             Sensitivity { axis, own, ends: runs.runs.iter().skip(1).filter_map(end).collect() }
@@ -189,7 +189,7 @@ impl Sweep {
     fn sensitivity_table(&self, runs: &RunTable) -> ReportTable {
         let columns = ["Number", "Key", "As it stands", "Least", "at", "Largest", "at value"];
         let mut table = ReportTable::new("sensitivities", &columns);
-        for response in charts::deciding(runs, 4) {
+        for response in charts::decisive(runs, 4) {
             let number = &runs.responses[response].quantity;
             for s in self.sensitivities(runs, response) {
                 let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.with_value(value)));

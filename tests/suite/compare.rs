@@ -165,7 +165,7 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
     for i in 0..=4 {
         let major = 0.1 * f64::from(i);
         let strains = vec![[major, major], [major, 0.5 * major]];
-        paths.push(Instant { time: f64::from(i), travel: f64::from(i), strains });
+        paths.record(Instant { time: f64::from(i), travel: f64::from(i), strains });
     }
     let elements = [0.9, 0.8].map(|thickness| ElementRecord { thickness, ..ElementRecord::default() });
     let csv = "major_true,minor_true\n0.2,0.1\n0.35,0.170\n0.45,0.2\n";

@@ -217,9 +217,9 @@ fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
     let curve = Kind::Points(level).curve(&sheet(&power(0.2, 1.0))).expect("a curve");
     let at = |time: f64, strains: [[f64; 2]; 2]| Instant { time, travel: 10.0 * time, strains: strains.to_vec() };
     let mut paths = Paths::starting(vec![1.0, 2.0]);
-    paths.push(at(0.0, [[0.0, 0.0], [0.0, 0.0]]));
-    paths.push(at(1.0, [[0.1, 0.05], [0.0, 0.1]]));
-    paths.push(at(2.0, [[0.4, 0.2], [0.1, 0.1]]));
+    paths.record(at(0.0, [[0.0, 0.0], [0.0, 0.0]]));
+    paths.record(at(1.0, [[0.1, 0.05], [0.0, 0.1]]));
+    paths.record(at(2.0, [[0.4, 0.2], [0.1, 0.1]]));
     let found = assess(&curve, &paths).expect("paths");
     let [straight, bent] = [found.elements[0], found.elements[1]];
     assert_relative_eq!(straight.margin(), -0.1, epsilon = 1e-15);
@@ -241,7 +241,7 @@ fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
 fn paths_of_any_length_are_thinned_evenly() {
     for steps in [1, 7, Paths::MOST, Paths::MOST + 1, 3 * Paths::MOST + 5, 100_000] {
         let mut paths = Paths::starting(vec![1.0]);
-        (0..steps).for_each(|i| paths.push(Instant { time: i as f64, travel: 0.0, strains: vec![[0.0, 0.0]] }));
+        (0..steps).for_each(|i| paths.record(Instant { time: i as f64, travel: 0.0, strains: vec![[0.0, 0.0]] }));
         let times: Vec<f64> = paths.instants.iter().map(|instant| instant.time).collect();
         assert!(times.len() == steps || (Paths::MOST / 2..=Paths::MOST).contains(&times.len()), "{steps}");
         assert_eq!((times[0], times[times.len() - 1]), (0.0, steps as f64 - 1.0));

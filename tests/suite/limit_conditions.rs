@@ -97,8 +97,8 @@ fn beyond_the_end_of_a_curve_nothing_is_judged() {
     let curve = Kind::Hill(Hill { n: Some(0.2) }).curve(&sheet(&low)).expect("a curve");
     let found = |strains: &[[f64; 2]]| {
         let mut paths = Paths::starting((0..strains.len()).map(|i| i as f64).collect());
-        paths.push(Instant { time: 0.0, travel: 0.0, strains: vec![[0.0, 0.0]; strains.len()] });
-        paths.push(Instant { time: 1.0, travel: 1.0, strains: strains.to_vec() });
+        paths.record(Instant { time: 0.0, travel: 0.0, strains: vec![[0.0, 0.0]; strains.len()] });
+        paths.record(Instant { time: 1.0, travel: 1.0, strains: strains.to_vec() });
         assess(&curve, &paths).expect("paths")
     };
     let open = found(&[[0.3, 0.25], [0.1, 0.1], [0.1, -0.05]]);

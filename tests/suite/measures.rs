@@ -1,7 +1,7 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
 use crate::common::shipped;
-use stampflow::measure::{Band, Shape, Stretch, bands, places};
+use stampflow::measure::{Band, Shape, Stretch, bands, part_places};
 use stampflow::model::Model;
 use stampflow::solver::solution::Frame;
 
@@ -31,9 +31,9 @@ fn a_frame_keeps_its_layers() {
 #[test]
 fn the_first_layer_is_the_dies_face() {
     let (_, frame) = cup();
-    let names: Vec<_> = places(&frame).iter().map(|place| place.name).collect();
+    let names: Vec<_> = part_places(&frame).iter().map(|place| place.name).collect();
     assert_eq!(names, ["Middle", "Punch radius", "Wall", "Die radius"], "too little flange is left to measure");
-    let nose = places(&frame)[1];
+    let nose = part_places(&frame)[1];
     let points = frame.through.elements().nth(nose.element).expect("points");
     assert!(points[0].strain_equivalent > points[points.len() - 1].strain_equivalent);
     // The first fifth of the thickness stands for its own middle.

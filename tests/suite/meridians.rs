@@ -1,6 +1,6 @@
 //! Meridians made of known lines and arcs, and profiles of stress whose moment is known.
 
-use stampflow::measure::{Shape, moment_error, part_height, places};
+use stampflow::measure::{Shape, moment_error, part_height, part_places};
 use stampflow::numerics::lobatto;
 use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
@@ -214,16 +214,16 @@ fn broken_sheets_are_not_measured() {
         let frame = of_points(points);
         let shape = Shape::of(&frame);
         assert!(shape.wall.is_none() && shape.flange.is_none());
-        assert!(places(&frame).is_empty() && moment_error(&frame).is_none());
+        assert!(part_places(&frame).is_empty() && moment_error(&frame).is_none());
     }
 }
 
 #[test]
 fn places_lie_on_the_bends_and_legs_in_the_order_of_the_sheet() {
-    let names = |frame: &Frame| places(frame).iter().map(|p| p.name).collect::<Vec<_>>();
+    let names = |frame: &Frame| part_places(frame).iter().map(|p| p.name).collect::<Vec<_>>();
     let frame = hat(5.0, 0.0, 1.0);
     assert_eq!(names(&frame), ["Middle", "Punch radius", "Wall", "Die radius", "Flange"]);
-    let found = places(&frame);
+    let found = part_places(&frame);
     assert!(found.windows(2).all(|pair| pair[0].element < pair[1].element));
     for (place, elements) in found.iter().zip([0..1, 11..22, 30..45, 51..62, 68..78]) {
         assert!(elements.contains(&place.element), "{place:?}");

@@ -238,7 +238,7 @@ fn plane_strain_bulge_is_a_circular_arc() {
 #[test]
 fn one_pressure_alone_is_raised_over_the_run() {
     let model = shipped("bulge", &["gas.lower.pressure=5 MPa"]);
-    assert_eq!(model.gas[0].pressure.given(5.0), Some(2.5));
+    assert_eq!(model.gas[0].pressure.prescribed(5.0), Some(2.5));
     let (raised, given) = (solve(&model), solve(&shipped("bulge", &[])));
     // Trust: rate-free, so the height at a pressure is the same however fast it came; linear between steps of 0.1 MPa.
     let after = given.steps.iter().find(|r| r.pressure >= 5.0).expect("it goes to 9.5 MPa");
