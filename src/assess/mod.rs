@@ -39,10 +39,10 @@ use crate::solver::solution::{StageSolution, StepRecord};
 use forming_limit::Nearest;
 
 /// Findings on a case, in the order of output.
-const ON_CASE: [fn(&Case) -> Option<Finding>; 2] = [material::mixed, material::thickness];
+const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness];
 
 /// Findings on the first stage.
-const ON_MODEL: [fn(&Model) -> Option<Finding>; 10] = [
+const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::strength,
     holder::closes,
     holder::bead,
@@ -56,11 +56,11 @@ const ON_MODEL: [fn(&Model) -> Option<Finding>; 10] = [
 ];
 
 /// Findings on each tool of the first stage.
-const ON_TOOL: [fn(&Model, &Tool) -> Option<Finding>; 4] =
-    [bends::tool_radius, tools::dry_friction, bends::sharp_corner, solution_quality::line_end];
+const ON_TOOL: &[fn(&Model, &Tool) -> Option<Finding>] =
+    &[bends::tool_radius, tools::dry_friction, bends::sharp_corner, solution_quality::line_end];
 
 /// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
-const ON_RUN: [fn(&Run) -> Option<Finding>; 22] = [
+const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     stop::judge,
     tear::thinning,
     tear::localisation,
@@ -86,7 +86,7 @@ const ON_RUN: [fn(&Run) -> Option<Finding>; 22] = [
 ];
 
 /// Findings on each solved stage, in the order of output.
-const ON_STAGE: [fn(&StageSolution) -> Option<Finding>; 11] = [
+const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
     draw::trim,
     tear::neck_seen,
     solution_quality::poor,
@@ -105,7 +105,7 @@ pub fn before(case: &Case) -> Vec<Finding> {
     let model = case.model();
     let assumed = case.derived.iter().cloned().map(Finding::assumed);
     let on_case = ON_CASE.iter().filter_map(|find| find(case));
-    let on_model = SIZE_CHECKS.iter().chain(&ON_MODEL).filter_map(|find| find(model));
+    let on_model = SIZE_CHECKS.iter().chain(ON_MODEL).filter_map(|find| find(model));
     let on_tools = ON_TOOL.iter().flat_map(|find| model.tools.iter().filter_map(|tool| find(model, tool)));
     let findings = assumed.chain(on_case).chain(on_model).chain(on_tools);
     findings.map(|finding| Finding { when: When::Before, ..finding }).collect()
