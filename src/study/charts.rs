@@ -73,8 +73,8 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
             Some(FailureMode::NoResult) => GREY,
         };
         let own = points.iter().filter(|(_, run)| run.failures.first().copied() == mode);
-        let label = mode.map(|mode| mode.label().to_owned());
-        Series { label, points: own.map(|(point, _)| *point).collect(), style: Style::Dots { color } }
+        let label = mode.map_or("sound", |mode| mode.label());
+        Series::new(label, own.map(|(point, _)| *point).collect(), Style::Dots { color })
     };
     let modes = FailureMode::ALL.map(Some).into_iter().chain([None]);
     modes.map(dots).filter(|series| !series.points.is_empty()).collect()
