@@ -27,6 +27,7 @@ mod fit;
 mod forming_limit;
 mod geometry;
 mod golden;
+mod house;
 mod limit_conditions;
 mod material_laws;
 mod materials;
