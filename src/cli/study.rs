@@ -178,6 +178,11 @@ impl TableOptions {
         let watch = self.study.count(file, "runs");
         let settings = Evaluation { threads: self.study.threads(), errors, shard, watch: &watch };
         let runs = begin(study, &settings)?;
+        if watch.wants_to_stop() {
+            // A case that was cut has other numbers, which the table must not begin with.
+            warn("ended before the first run; nothing is written".to_owned());
+            return Ok(Code::Done);
+        }
         let mut table = TableFile::open(&path, &runs, self.resume, self.restart)?;
         let earlier = std::mem::take(&mut table.earlier);
         let unwritten = || format!("cannot write {}", path.display());

@@ -1,4 +1,5 @@
-//! Tables of studies on the disk, whole or as shards. While one is written: `.study.csv.rows`, renamed to `study.csv` when the last row is there.
+//! Tables of studies on the disk, whole or as shards. While one is written: `.study.csv.rows`, renamed to `study.csv` when the
+//! last row is there.
 //!
 //! A killed run may leave one incomplete last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n,
 //! k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
@@ -33,14 +34,22 @@ impl TableFile {
         fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).map_err(unwritable)?;
         let is_free = !path.exists() || is_table(path);
         ensure(is_free, format!("{shown} is there and is no table of a study"), elsewhere)?;
-        let mut file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
-        // File systems without locks are accepted.
-        let is_locked = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
-        ensure(
-            !is_locked && part.exists(),
-            format!("another run writes {shown}"),
-            format!("wait for it, or {elsewhere}"),
-        )?;
+        let mut file = loop {
+            let file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
+            match file.try_lock() {
+                // A shard that begins again waits for the end of the process that it takes over from.
+                Err(TryLockError::WouldBlock) if resume => file.lock().map_err(unwritable)?,
+                Err(TryLockError::WouldBlock) => {
+                    return fail(format!("another run writes {shown}"), format!("wait for it, or {elsewhere}"));
+                }
+                // File systems without locks are accepted.
+                Ok(()) | Err(TryLockError::Error(_)) => {}
+            }
+            // The run that was waited for may have renamed its table.
+            if part.exists() {
+                break file;
+            }
+        };
         let mut bytes = Vec::new();
         if !restart {
             file.read_to_end(&mut bytes).map_err(unwritable)?;
