@@ -260,6 +260,18 @@ fn the_largest_radius_is_named_and_fits() {
     assert!(error.to_string().contains("r = 10.0000 mm, z = -6.0000 mm: at most 5.0000 mm"), "{error}");
 }
 
+/// Corners of a chain from the origin: each piece's length, and the turn after it.
+fn chain_of(steps: &[(f64, f64)]) -> Vec<Point> {
+    let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
+    let mut corners = vec![here];
+    for (length, turn) in steps {
+        here += *length * Point::new(heading.cos(), heading.sin());
+        corners.push(here);
+        heading += turn;
+    }
+    corners
+}
+
 proptest! {
     /// Trust: the definition. Radii that fit leave no corner: every vertex is smooth (1e-7 rad: the centre is
     /// found to round-off, and its error is seen over the radius), every arc has its radius.
@@ -268,13 +280,7 @@ proptest! {
         steps in prop::collection::vec((5.0..20.0_f64, -1.4..1.4_f64), 2..7),
         share in 0.05..0.95_f64,
     ) {
-        let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
-        let mut chain = vec![here];
-        for (length, turn) in steps {
-            here += length * Point::new(heading.cos(), heading.sin());
-            chain.push(here);
-            heading += turn;
-        }
+        let chain = chain_of(&steps);
         let huge = vec![1e9; chain.len()];
         let largest = match fillet(&chain, &huge) {
             Err(error) => error.largest,
@@ -362,13 +368,7 @@ proptest! {
         steps in prop::collection::vec((12.0..30.0_f64, -1.2..0.9_f64), 2..6),
         by in 0.2..2.5_f64,
     ) {
-        let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
-        let mut points = vec![here];
-        for (length, turn) in steps {
-            here += length * Point::new(heading.cos(), heading.sin());
-            points.push(here);
-            heading += turn;
-        }
+        let points = chain_of(&steps);
         let profile = Profile::new(fillet(&points, &vec![3.0; points.len()]).unwrap()).unwrap();
         let Ok(offset) = profile.offset(by) else { return Ok(()) };
         for p in offset.polyline(0.1) {
