@@ -1,7 +1,7 @@
 //! `[[compare]]`: comparisons with reference curves, point by point, and with bands that values without places span.
 
 use super::file::{CaseFile, Named};
-use super::files::{self, FileError};
+use super::files;
 use super::{CaseError, source};
 use crate::table::Csv;
 use crate::units::{Dimensioned, Number, Positive, Ratio};
@@ -264,7 +264,7 @@ fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<
         source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")
     };
     let text = match source.folder.files.text(&sources, files::CSV) {
-        Err(FileError::Missing) => return Ok(None),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         text => text.map_err(|error| unreadable(&error.to_string()))?,
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy();

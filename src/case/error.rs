@@ -1,16 +1,14 @@
 //! Errors of case files: key, place and remedy.
 
-use crate::case::files::{FileError, visible};
+use crate::case::files::{remedy, visible};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
+use std::io::{self, ErrorKind};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
 /// Longest quote in a message \[characters\].
 const LONGEST: usize = 300;
-
-/// A line of the file longer than this is not shown \[bytes\].
-const LONGEST_LINE: usize = 250;
 
 /// A case that cannot be solved as it is written.
 #[derive(Clone, Debug, thiserror::Error, Diagnostic)]
@@ -47,16 +45,16 @@ impl CaseError {
         Self { what, label: String::new(), help: (!help.is_empty()).then_some(help), source_code, span: None }
     }
 
-    pub(super) fn unreadable(path: &Path, error: &FileError) -> Self {
+    pub(super) fn unreadable(path: &Path, error: &io::Error) -> Self {
         let path = path.display();
-        let what = match error {
-            FileError::Missing => format!("there is no file {path}"),
-            FileError::NotText => format!("{path} is not UTF-8 text"),
-            FileError::Folder => format!("{path} is a folder"),
-            FileError::TooLarge { .. } => format!("{path} is no case file: {error}"),
+        let what = match error.kind() {
+            ErrorKind::NotFound => format!("there is no file {path}"),
+            ErrorKind::InvalidData => format!("{path} is not UTF-8 text"),
+            ErrorKind::IsADirectory => format!("{path} is a folder"),
+            ErrorKind::FileTooLarge => format!("{path} is no case file: {error}"),
             _ => format!("{path} cannot be read: {error}"),
         };
-        Self::bare(what, error.remedy("give the path of a case file, such as cases/quickstart.toml"))
+        Self::bare(what, remedy(error, "give the path of a case file, such as cases/quickstart.toml"))
     }
 
     /// Remedy.
@@ -87,43 +85,27 @@ impl CaseError {
         self.source_code.inner().lines().nth(line - 1)
     }
 
-    /// The whole message with the line and a caret, 100 columns wide; without colours the same everywhere. Control characters
-    /// are [`visible`].
+    /// The whole message with the line and a caret, 100 columns wide; control characters are [`visible`].
     pub fn render(&self, colours: bool) -> String {
-        self.visible().drawn(colours)
-    }
-
-    /// Error without control characters, in its message and in the text around the place.
-    fn visible(&self) -> Self {
         let text = self.source_code.inner();
-        // An end of a line is left whole: what stands before its second character has none.
+        // An end of a line is left whole: before its second character stands none.
         let moved = |at: usize| text.get(..at).map_or(at, |before| visible(before.trim_end_matches('\r')).len());
         let span = self.span.map(|span| {
             let (start, end) = (moved(span.offset()), moved(span.offset() + span.len()));
             (start..end.max(start)).into()
         });
         let shown = |text: &str| visible(text).into_owned();
-        Self {
+        let error = Self {
             what: shown(&self.what),
             label: shown(&self.label),
             help: self.help.as_deref().map(shown),
-            source_code: Arc::new(NamedSource::new(visible(self.source_code.name()), shown(text))),
+            source_code: Arc::new(NamedSource::new(shown(self.source_code.name()), shown(text))),
             span,
-        }
-    }
-
-    fn drawn(&self, colours: bool) -> String {
-        // The neighbours of a line are shown with it.
-        let around = |line: usize| self.source_code.inner().lines().skip(line.saturating_sub(2)).take(3);
-        let is_long = |line: usize| around(line).any(|text| text.len() > LONGEST_LINE);
-        if let Some((line, column)) = self.position().filter(|(line, _)| is_long(*line)) {
-            let what = format!("{}: {} (line {line}, column {column})", self.source_code.name(), self.what);
-            return Self { what, span: None, ..self.clone() }.drawn(colours);
-        }
+        };
         let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_links(false);
-        handler.render_report(&mut text, self).expect("writing to a string does not fail");
+        handler.render_report(&mut text, &error).expect("writing to a string does not fail");
         text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
     }
 }
@@ -133,7 +115,5 @@ fn shortened(text: &str) -> String {
     if length <= 2 * LONGEST {
         return text.to_owned();
     }
-    let start: String = text.chars().take(LONGEST).collect();
-    let end: String = text.chars().skip(length - LONGEST / 3).collect();
-    format!("{start} … {end}")
+    text.chars().take(LONGEST).chain(" … ".chars()).chain(text.chars().skip(length - LONGEST / 3)).collect()
 }

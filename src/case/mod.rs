@@ -44,7 +44,7 @@ use crate::material::RValues;
 use crate::model::{Model, Stage};
 use crate::solver::solution::StageSolution;
 use crate::solver::{Observer, solve};
-use files::{Disk, FileError, Files, Folder, Noted};
+use files::{Disk, Files, Folder, Noted, too_large};
 use source::Source;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -147,8 +147,7 @@ impl Case {
 /// When the file cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
     let path = path.as_ref();
-    let files: &dyn Files = &Disk;
-    let text = files.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
+    let text = Disk.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
@@ -181,7 +180,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
     let path = PathBuf::from(name);
     if text.len() > files::CASE {
-        return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
+        return Err(CaseError::unreadable(&path, &too_large(files::CASE)));
     }
     let reads = Noted { files, paths: RefCell::new(vec![path.clone()]) };
     let text = overrides::apply(text, overrides)?;

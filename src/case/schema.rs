@@ -1,14 +1,26 @@
 //! JSON schema of case files, for editors, the key reference and the examples in messages.
 
 use super::file::CaseFile;
-use serde_json::Value;
-use std::collections::BTreeSet;
+use serde_json::{Map, Value};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
+
+/// Examples of keys by the schema's definition of their table.
+const EXAMPLES: &str = include_str!("examples.toml");
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let text = schemars::schema_for!(CaseFile).to_value().to_string();
     // Documentation has units as rustdoc wants them, \[MPa\].
-    serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]")).expect("serialized JSON is valid")
+    let mut schema: Value =
+        serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]")).expect("serialized JSON is valid");
+    let examples: BTreeMap<String, Map<String, Value>> = toml::from_str(EXAMPLES).expect("the examples are TOML");
+    for (table, examples) in examples {
+        let node = if table == "CaseFile" { &mut schema } else { &mut schema["$defs"][table] };
+        for (key, example) in examples {
+            node["properties"][key]["examples"] = Value::from(vec![example]);
+        }
+    }
+    schema
 });
 
 /// Returns the JSON schema of a case file, indented.

@@ -2,7 +2,7 @@
 
 use super::*;
 use stampflow::author::{Import, ImportFailure, Imported};
-use stampflow::case::files::{Disk, FileError, Files};
+use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::plot::{Chart, SketchedTool, png, sketch};
@@ -57,7 +57,7 @@ pub fn import(args: Args) -> Result<Code> {
     let Args { geometry, material, thickness, blank, travel, json: Json { json }, .. } = args;
     let path = drawing.display();
     let bytes = Disk.read(&drawing, import::LARGEST).map_err(|error| {
-        let is_large = matches!(error, FileError::TooLarge { .. });
+        let is_large = error.kind() == std::io::ErrorKind::FileTooLarge;
         let help = if is_large { "save the tools' layers only" } else { "give the path of a DXF file" };
         bad_path(&drawing, format!("cannot be read: {error}"), help)
     })?;

@@ -28,7 +28,6 @@ pub struct KeelerBrazier {
     pub n: Option<f64>,
     /// Thickness that counts, 3.1 mm at most; that of the blank when not given \[mm\].
     #[serde(default, with = "As::<Option<Positive<Length>>>")]
-    #[schemars(example = "1 mm")]
     pub thickness: Option<f64>,
 }
 

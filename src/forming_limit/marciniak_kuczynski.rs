@@ -34,11 +34,9 @@ const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
 pub struct MarciniakKuczynski {
     /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
     #[serde(default = "imperfection", with = "As::<Fraction>")]
-    #[schemars(example = 0.995)]
     pub imperfection: f64,
     /// Strain rate of the sheet \[1/s\]; 1 /s when not given, an assumption. A power law of the rate does not feel it.
     #[serde(default = "strain_rate", with = "As::<Positive<StrainRate>>")]
-    #[schemars(example = "1 /s")]
     pub strain_rate: f64,
 }
 

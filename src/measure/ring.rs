@@ -41,11 +41,9 @@ const PLACES: u32 = 100;
 pub struct Ring {
     /// Height of its lower edge over the outside of the bottom \[mm\].
     #[serde(with = "As::<NonNegative<Length>>")]
-    #[schemars(example = "20 mm")]
     pub from: f64,
     /// Its height, from edge to edge \[mm\].
     #[serde(with = "As::<Positive<Length>>")]
-    #[schemars(example = "5 mm")]
     pub height: f64,
 }
 

@@ -9,64 +9,55 @@ use crate::units::{As, Fraction, Number, Positive, Ratio, Stress};
 #[schemars(rename = "Solver")]
 pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
-    #[schemars(example = &"primal_dual", extend("default" = "primal_dual"))]
+    #[schemars(extend("default" = "primal_dual"))]
     pub iteration: Iteration,
     /// Norm that must be small for a step to be accepted; "velocity" when not given.
-    #[schemars(example = &"velocity", extend("default" = "velocity"))]
+    #[schemars(extend("default" = "velocity"))]
     pub norm: Norm,
     /// Accepted value of the norm; 1e-5 when not given.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 1e-5)]
     pub tolerance: f64,
     /// Most iterations of one step (the secant matrix gets ten times as many); 40 when not given.
-    #[schemars(range(min = 1, max = 10_000), example = 40)]
+    #[schemars(range(min = 1, max = 10_000))]
     pub max_iterations: usize,
     /// Largest step as a fraction of the travel; 0.01 when not given.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.01)]
     pub max_step: f64,
     /// First step as a fraction of the travel; 0.002 when not given.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.002)]
     pub first_step: f64,
     /// Smallest step as a fraction of the travel, below which the run stops; 1e-6 when not given.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 1e-6)]
     pub min_step: f64,
     /// Equivalent strain that a hundredth of the travel adds below which the sheet counts as rigid; 5e-6 when not given. Other
     /// steps cut off in proportion, so that it stays a strain rate and small against what any step strains.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 5e-6)]
     pub cutoff_strain: f64,
     /// Contact stiffness times the sheet thickness, in MPa; "30 GPa" when not given.
     #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "30 GPa", extend("default" = "30 GPa"))]
+    #[schemars(extend("default" = "30 GPa"))]
     pub contact_stiffness: f64,
     /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.003)]
     pub contact_smoothing: f64,
     /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed, or over that of one sheet
     /// thickness in the whole run or stage where the punch goes less far; 0.003 when not given.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.003)]
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
-    #[schemars(range(min = 1, max = 1000), example = 20)]
+    #[schemars(range(min = 1, max = 1000))]
     pub facets: Option<usize>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: bool,
     /// Method that keeps tools out of the sheet; "penalty" when not given.
-    #[schemars(example = &"penalty", extend("default" = "penalty"))]
+    #[schemars(extend("default" = "penalty"))]
     pub contact: ContactMethod,
     /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
     /// goes beyond twice as much is repeated shorter.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.1)]
     pub strain_step: f64,
     /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
     #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.05)]
     pub bend_ratio: f64,
 }
 
@@ -129,20 +120,16 @@ pub enum ContactMethod {
 #[schemars(rename = "Stop")]
 pub struct StopRules {
     /// Ends where one place of the sheet takes all the stretching; true when not given.
-    #[schemars(example = true)]
     pub localised: bool,
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
     #[serde(with = "As::<Option<Positive<Ratio>>>")]
-    #[schemars(example = "20 %")]
     pub load_drop: Option<f64>,
     /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
     /// part is formed. Never when not given.
     #[serde(with = "As::<Option<Positive<Ratio>>>")]
-    #[schemars(example = "95 %")]
     pub contact_share: Option<f64>,
     /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every
     /// stage whose travel is long enough. False when not given: then a run ends early as soon as the rim comes to the throat.
-    #[schemars(example = true)]
     pub drawn_through: bool,
     /// Ends, as wished, when the holder presses with this force \[N, or N/mm of depth\]: it has closed. Not of a case file.
     #[serde(skip)]

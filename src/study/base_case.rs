@@ -78,9 +78,8 @@ impl BaseCase {
 }
 
 pub(super) fn read_text(path: &Path, help: &str) -> Result<String, StudyError> {
-    let disk: &dyn Files = &Disk;
-    disk.text(path, files::CASE)
-        .map_err(|error| StudyError::new(format!("cannot read {}: {error}", path.display()), error.remedy(help)))
+    let fail = |error| StudyError::new(format!("cannot read {}: {error}", path.display()), files::remedy(&error, help));
+    Disk.text(path, files::CASE).map_err(fail)
 }
 
 pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {

@@ -94,10 +94,9 @@ impl MeasuredCurve {
 }
 
 pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {
-    let disk: &dyn Files = &Disk;
     let shown = path.display();
-    let text = disk.text(path, files::CSV).map_err(|error| {
-        let help = error.remedy("give the path of a CSV file");
+    let text = Disk.text(path, files::CSV).map_err(|error| {
+        let help = files::remedy(&error, "give the path of a CSV file");
         StudyError::new(format!("cannot read {shown}: {error}"), help)
     })?;
     Csv::read(&text, "the file", example).map_err(|error| csv_error(&shown.to_string(), &error))

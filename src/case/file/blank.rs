@@ -14,23 +14,18 @@ use std::ops::RangeInclusive;
 #[serde(deny_unknown_fields)]
 pub struct Blank {
     /// Radius of the blank (axisymmetric).
-    #[schemars(example = "55 mm")]
     radius: Option<Positive<Length>>,
     /// Diameter of the blank, instead of `radius`.
-    #[schemars(example = "110 mm")]
     diameter: Option<Positive<Length>>,
     /// Length from the symmetry plane to the edge (plane strain).
-    #[schemars(example = "420 mm")]
     half_length: Option<Positive<Length>>,
     /// Length of the part across the section (plane strain): forces and works are then of the whole part, else per mm of it.
-    #[schemars(example = "800 mm")]
     pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
-    #[schemars(example = "0.9 mm")]
     thickness: Positive<Length>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
     #[serde(default = "default_elements")]
-    #[schemars(range(min = 2, max = 2000), example = 100)]
+    #[schemars(range(min = 2, max = 2000))]
     elements: i64,
     /// Distribution of element sizes.
     #[serde(default)]
@@ -42,7 +37,7 @@ pub struct Blank {
     theory: Theory,
     /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 9 in
     /// plane strain, 15 for an elasto-viscoplastic sheet, 25 where a stage releases the sheet.
-    #[schemars(range(min = 3, max = 101), example = 5)]
+    #[schemars(range(min = 3, max = 101))]
     layers: Option<i64>,
     /// Support of the outer edge.
     #[serde(default)]

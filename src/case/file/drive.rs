@@ -22,7 +22,7 @@ pub struct Output {
     /// Punch travels at which the state is kept.
     frames: Option<Vec<Positive<Length>>>,
     /// Number of equally spaced instants, 1 to 1000; default 4.
-    #[schemars(range(min = 1, max = 1000), example = 4)]
+    #[schemars(range(min = 1, max = 1000))]
     count: Option<i64>,
 }
 

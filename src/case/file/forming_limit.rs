@@ -20,22 +20,17 @@ pub struct FormingLimit {
     /// Valid for the sheet and the thickness it was measured on, and for straight strain paths. Source: the case's own.
     pub points: Option<Vec<(Number, Number)>>,
     /// Measure of strain of `points`: needed with them.
-    #[schemars(example = &"logarithmic")]
     pub strain: Option<Strain>,
     /// Measured points of the library's sheet that `[material] name` names, if it has some.
-    #[schemars(example = true)]
     pub measured: Option<bool>,
     /// Empirical curve of steels; `{}` takes n from the hardening law.
     pub keeler_brazier: Option<KeelerBrazier>,
     /// Hill's localised necking on the left, Swift's diffuse necking on the right: from the hardening law and r̄.
-    #[schemars(example = true)]
     pub hill: Option<bool>,
     /// Swift's diffuse necking on both sides: from the hardening law and r̄.
-    #[schemars(example = true)]
     pub swift: Option<bool>,
     /// Hardening exponent of `keeler_brazier`, `hill` or `swift`. Default: for `keeler_brazier` the uniform strain at the load
     /// maximum of the hardening law, for the others the law itself.
-    #[schemars(example = 0.21)]
     pub n: Option<Fraction>,
     /// Groove in the sheet: from the hardening law, the rate law and r̄.
     pub marciniak_kuczynski: Option<MarciniakKuczynski>,

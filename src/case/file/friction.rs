@@ -34,13 +34,10 @@ untagged!(
 #[serde(deny_unknown_fields)]
 pub struct Sides {
     /// Face that punch and holder touch: a coefficient, 0 to 1, or a law.
-    #[schemars(example = 0.08)]
     punch_side: Option<Friction>,
     /// Face that the die touches: a coefficient, 0 to 1, or a law.
-    #[schemars(example = 0.08)]
     die_side: Option<Friction>,
     /// Source of the coefficients of all tools: how they were measured, or author and year; left out if they are assumed.
-    #[schemars(example = &"strip drawing with this oil")]
     pub source: Option<String>,
 }
 

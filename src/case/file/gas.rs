@@ -22,7 +22,6 @@ pub struct Gas {
     /// On the die's side: pushes against the punch travel.
     upper: Option<GasFace>,
     /// Duration of a run without a punch.
-    #[schemars(example = "10 s")]
     pub duration: Option<Positive<Time>>,
 }
 
@@ -33,23 +32,17 @@ pub struct Gas {
 struct GasFace {
     /// Pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]]. Without a punch a single pressure is
     /// raised evenly over the duration, for a flat sheet cannot bear it at once.
-    #[schemars(example = "5 MPa")]
     pressure: Option<History<NonNegative<Time>, NonNegative<Stress>>>,
     /// Superplastic forming, instead of a pressure: the strain rate that the pressure holds in every step.
-    #[schemars(example = "0.001 /s")]
     strain_rate: Option<Positive<StrainRate>>,
     /// Norm of the strain rate over the sheet's volume, 1 to 50: 1 is the mean, a large one the fastest place; default 10.
-    #[schemars(example = 10.0)]
     norm: Option<Positive<Number>>,
     /// With a strain rate: largest pressure of the press; at it the rate falls below its target.
-    #[schemars(example = "2 MPa")]
     max_pressure: Option<Positive<Stress>>,
     /// With a strain rate: fastest rise of the pressure of the press.
-    #[schemars(example = "0.01 MPa/s")]
     max_pressure_rate: Option<Positive<StressRate>>,
     /// Distance of the seal from the axis or symmetry plane. Default: the holder's inner edge (lower face) or the end of the
     /// die's shoulder (upper face), or else the whole blank.
-    #[schemars(example = "50 mm")]
     within: Option<Positive<Length>>,
 }
 

@@ -30,16 +30,12 @@ pub struct Heat {
     /// Temperature of the flat sheet: one value, one for the part under the punch and one for the flange, or a CSV file.
     initial: InitialTemperature,
     /// Density of the sheet; with the specific heat, its temperature changes.
-    #[schemars(example = "2700 kg/m^3")]
     density: Option<Positive<Density>>,
     /// Specific heat of the sheet, per mass.
-    #[schemars(example = "900 J/kg/K")]
     specific_heat: Option<Positive<SpecificHeat>>,
     /// Share of the plastic work that becomes heat; default 0.9.
-    #[schemars(example = 0.9)]
     plastic_share: Option<Fraction>,
     /// Conductivity along the sheet; default none.
-    #[schemars(example = "130 W/m/K")]
     conductivity: Option<Positive<Conductivity>>,
     /// Punch that heats or cools the sheet in contact.
     punch: Option<ToolHeat>,
@@ -54,10 +50,8 @@ pub struct Heat {
 #[serde(deny_unknown_fields)]
 struct ToolHeat {
     /// Temperature of the tool.
-    #[schemars(example = "25 °C")]
     temperature: Positive<Temperature>,
     /// Heat-transfer coefficient of the contact.
-    #[schemars(example = "1.4 kW/m^2/K")]
     transfer: Positive<HeatTransfer>,
 }
 
@@ -88,10 +82,8 @@ untagged!(
 #[serde(deny_unknown_fields)]
 struct Zones {
     /// Inside the punch's radius.
-    #[schemars(example = "25 °C")]
     punch: Positive<Temperature>,
     /// From the die's throat outward.
-    #[schemars(example = "230 °C")]
     flange: Positive<Temperature>,
 }
 

@@ -17,16 +17,12 @@ use serde::Deserialize;
 #[schemars(extend("oneOf" = [{ "required": ["at"] }, { "required": ["diameter"] }]))]
 pub struct Bead {
     /// Distance of its line from the axis or symmetry plane.
-    #[schemars(example = "70 mm")]
     at: Option<Positive<Length>>,
     /// Diameter of its line, instead of `at`, of a round part.
-    #[schemars(example = "140 mm")]
     diameter: Option<Positive<Length>>,
     /// Restraining force per length of the line, of which a plane section has one on each side.
-    #[schemars(example = "100 N/mm")]
     restraining: NonNegative<LineForce>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
-    #[schemars(example = "150 N/mm")]
     closing: Option<NonNegative<LineForce>>,
 }
 
@@ -35,11 +31,9 @@ pub struct Bead {
 #[serde(deny_unknown_fields)]
 pub struct Spring {
     /// Force where the holder touches the flat sheet, of the whole holder as `force`.
-    #[schemars(example = "10 kN")]
     preload: HolderForce,
     /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
     /// given.
-    #[schemars(example = "5 kN/mm")]
     stiffness: Stiffness,
 }
 

@@ -16,10 +16,8 @@ use serde::{Deserialize, Deserializer};
 #[schemars(rename = "Press")]
 pub struct WrittenPress {
     /// Largest force; in plane strain per mm of depth of the whole section, or in all if blank.depth is given.
-    #[schemars(example = "1000 kN")]
     force: Option<HolderForce>,
     /// Work of one stroke; in plane strain only with blank.depth.
-    #[schemars(example = "20 kJ")]
     energy: Option<Positive<Energy>>,
 }
 
@@ -37,23 +35,17 @@ pub struct Press {
 #[serde(deny_unknown_fields)]
 pub struct TitleBlock {
     /// Name of the part.
-    #[schemars(example = &"Bearing cup")]
     pub part: Option<String>,
     /// Number of the part or of its drawing.
-    #[schemars(example = &"4711-02")]
     pub number: Option<String>,
     /// Revision of the part or of its drawing.
-    #[schemars(example = &"C")]
     pub revision: Option<String>,
     /// Person responsible for the report.
-    #[schemars(example = &"A. Ito")]
     pub author: Option<String>,
     /// Company of the author.
-    #[schemars(example = &"Ito Tools Ltd")]
     pub company: Option<String>,
     /// Day of the report; the program looks at no clock.
     #[serde(default, deserialize_with = "text_or_date")]
-    #[schemars(example = &"2026-11-22")]
     pub date: Option<String>,
 }
 
@@ -95,23 +87,22 @@ pub struct Springback {
     /// Wanted angle between the two legs or walls of the whole section, 0 deg if they are upright \[°\]. Default: that of the
     /// punch's straight wall where the sheet lies against it, else the one under the tools.
     #[serde(deserialize_with = "degrees::<NonNegative<Angle>, _>")]
-    #[schemars(with = "Option<NonNegative<Angle>>", example = "90 deg")]
+    #[schemars(with = "Option<NonNegative<Angle>>")]
     pub angle: Option<f64>,
     /// Tolerance of that angle, of both walls together \[°\]; instead of `wall_tolerance`.
     #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>", example = "1 deg")]
+    #[schemars(with = "Option<Positive<Angle>>")]
     pub tolerance: Option<f64>,
     /// Tolerance of the angle of each wall \[°\]: half of that between both.
     #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>", example = "0.5 deg")]
+    #[schemars(with = "Option<Positive<Angle>>")]
     pub wall_tolerance: Option<f64>,
     /// Tolerance of the turn of each flange from its place under the tools \[°\].
     #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>", example = "1 deg")]
+    #[schemars(with = "Option<Positive<Angle>>")]
     pub flange_tolerance: Option<f64>,
     /// Tolerance of the move of each edge inward or outward from its place under the tools \[mm\].
     #[serde(with = "As::<Option<Positive<Length>>>")]
-    #[schemars(example = "0.5 mm")]
     pub edge_tolerance: Option<f64>,
     /// Ring that is cut from the wall of a drawn cup and slit; its opening is reported.
     pub ring: Option<Ring>,

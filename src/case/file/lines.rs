@@ -1,9 +1,10 @@
 //! CSV file that a case names: its rows, and errors that show their lines.
 
-use crate::case::files::{self, FileError};
+use crate::case::files;
 use crate::case::{CaseError, source::Source};
 use crate::table::{Csv, CsvError, Record};
 use miette::NamedSource;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -34,7 +35,7 @@ impl Named<'_> {
     pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>, CaseError> {
         for &path in paths {
             let text = match source.folder.files.text(path, files::CSV) {
-                Err(FileError::Missing | FileError::Folder) => continue,
+                Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => continue,
                 text => text.map_err(|error| {
                     let what = format!("the {} file \"{}\" cannot be read: {error}", self.what, self.file);
                     source.error(self.key, what, "save it as CSV in UTF-8")

@@ -22,16 +22,12 @@ use std::ops::RangeInclusive;
 #[schemars(extend("dependentRequired" = { "young": ["poisson"], "poisson": ["young"] }))]
 pub struct Material {
     /// Sheet of the built-in library (`stampflow materials` lists them); other keys written here replace the library's.
-    #[schemars(example = &"aa6016-t4")]
     pub name: Option<String>,
     /// Source of the numbers: author and year, or how they were measured; left out if they are assumed.
-    #[schemars(example = &"tension tests of this coil")]
     pub source: Option<String>,
     /// Young's modulus; given together with `poisson`.
-    #[schemars(example = "210 GPa")]
     pub young: Option<Positive<Stress>>,
     /// Poisson's ratio, below 0.5.
-    #[schemars(example = 0.3)]
     pub poisson: Option<Fraction>,
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
     /// sheet; default 1. Or r of three directions, `{ r0 = 0.525, r45 = 0.248, r90 = 0.429 }`, whose mean
@@ -39,13 +35,12 @@ pub struct Material {
     ///
     /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ²: too soft in equi-biaxial tension for aluminium with r̄ below 1, for which
     /// `yield_condition` has another curve. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
-    #[schemars(example = 1.6)]
     pub anisotropy: Option<Anisotropy>,
     /// Curve of the stresses at which the sheet yields; default "hill48".
-    #[schemars(example = &"hill48", extend("default" = "hill48"))]
+    #[schemars(extend("default" = "hill48"))]
     pub yield_condition: Option<YieldCondition>,
     /// Response to strain; default "flow". The others need `young` and `poisson`.
-    #[schemars(example = &"elasto_viscoplastic", extend("default" = "flow"))]
+    #[schemars(extend("default" = "flow"))]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; default none. The punch's `speed` then matters.
     pub rate: Option<RateTable>,
@@ -61,7 +56,6 @@ pub struct Material {
     pub voids: Option<Gtn>,
     /// Largest strain of the measurements that a formula of hardening is fitted to; a run that strains the sheet further
     /// reports it. A table ends at its last point.
-    #[schemars(example = 0.22)]
     pub fitted_up_to: Option<Positive<Number>>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     pub hardening: Option<HardeningTable>,
@@ -118,10 +112,8 @@ impl YieldCondition {
 #[schemars(rename = "HosfordLaw")]
 pub struct Hosford {
     /// Lattice of the metal, which decides a: 8 for fcc, 6 for bcc.
-    #[schemars(example = &"fcc")]
     pub crystal: Option<Crystal>,
     /// a, 2 to 10, instead of `crystal`.
-    #[schemars(example = 8)]
     pub exponent: Option<Positive<Number>>,
 }
 

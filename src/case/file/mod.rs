@@ -48,10 +48,8 @@ use tools::{Sheet, ToolContext, Tools};
 #[serde(deny_unknown_fields)]
 pub struct CaseFile {
     /// Shown above plots and reports.
-    #[schemars(example = "Steel cup, 60 mm punch")]
     title: String,
     /// Axisymmetric or plane strain.
-    #[schemars(example = &"axisymmetric")]
     geometry: Geometry,
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]

@@ -41,29 +41,22 @@ pub enum Section {
 #[schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] }))]
 pub struct SectionTable {
     /// CSV file with points.
-    #[schemars(example = "die.csv")]
     file: Option<String>,
     /// Fillet radius of all inner points of the file that have none of their own; "0 mm" keeps them sharp.
-    #[schemars(example = "5 mm")]
     fillet: Option<NonNegative<Length>>,
     /// Punch or die whose outline this tool follows, so that the two close on each other: every point of this
     /// tool then lies `by` away from the other. A sharp corner of the other becomes an arc of radius `by`.
-    #[schemars(example = &"punch")]
     pub offset_of: Option<Role>,
     /// Gap between the two tools when they have closed: the sheet's thickness and the clearance.
-    #[schemars(example = "1.2 mm")]
     pub by: Option<Positive<Length>>,
     /// Die around a punch with a wall: the cavity ends at the die's face, on which the flat sheet lies, with this
     /// radius. Without it the offset is the whole die: for a punch that is drawn as far as the blank reaches.
-    #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
     /// Only with `shoulder`: punch travel at which the gap is `by` everywhere, which is how deep the cavity is; the
     /// whole travel when not given. Without `shoulder` it follows from the die touching the flat sheet.
-    #[schemars(example = "25 mm")]
     pub closed_at: Option<Positive<Length>>,
     /// Tool on the other side of the flat sheet whose mirror image this one is: a holder of the die's form,
     /// or a die of the holder's.
-    #[schemars(example = &"die")]
     pub mirror_of: Option<Role>,
 }
 
@@ -81,7 +74,6 @@ pub struct ProfileStep {
     /// Centre of the arc: [r, z].
     center: Option<[Length; 2]>,
     /// Sense of the arc as one goes along it.
-    #[schemars(example = &"right")]
     turn: Option<Turn>,
 }
 

@@ -31,7 +31,6 @@ const FURTHEST: f64 = 3.0;
 #[serde(deny_unknown_fields)]
 pub struct FirstStage {
     /// Names its folder where there are several stages; "forming" when not given.
-    #[schemars(example = &"draw")]
     pub name: Option<String>,
 }
 
@@ -40,7 +39,6 @@ pub struct FirstStage {
 #[serde(deny_unknown_fields)]
 pub struct Stage {
     /// Letters, digits, `-` and `_`: it names a folder.
-    #[schemars(example = &"retract")]
     name: String,
     /// Punch that is new, moves or has another friction.
     punch: Option<Punch>,
@@ -50,7 +48,6 @@ pub struct Stage {
     holder: Option<Holder>,
     /// Tools that are no longer there.
     #[serde(default)]
-    #[schemars(example = &("holder",))]
     remove: Vec<Role>,
     /// Support of the outer edge.
     edge: Option<Edge>,
@@ -58,10 +55,8 @@ pub struct Stage {
     #[serde(default)]
     anneal: bool,
     /// Cuts the sheet at this current distance from the axis or symmetry plane before the stage; whole elements go.
-    #[schemars(example = "80 mm")]
     trim: Option<Positive<Length>>,
     /// Diameter of the cut, instead of `trim`, of a round part.
-    #[schemars(example = "160 mm")]
     trim_diameter: Option<Positive<Length>>,
     /// Response to strain.
     pub mode: Option<Mode>,
@@ -69,13 +64,11 @@ pub struct Stage {
     /// iterations: "updated", which true means, or "constant".
     pub release: Option<Release>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
-    #[schemars(example = "1 mm/s")]
     speed: Option<Positive<Speed>>,
     /// Instead of the speed; 1 s where no tool goes anywhere and it is not given.
-    #[schemars(example = "2 s")]
     duration: Option<Positive<Time>>,
     /// Number of equally spaced instants that are kept, 1 to 1000; 4 when not given.
-    #[schemars(range(min = 1, max = 1000), example = 4)]
+    #[schemars(range(min = 1, max = 1000))]
     frames: Option<i64>,
 }
 

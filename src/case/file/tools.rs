@@ -41,14 +41,11 @@ macro_rules! tool {
             profile: Option<Section>,
             /// Coulomb's coefficient of friction, 0 to 1, or another law. When not given that of its side of the sheet; a
             /// holder then has the die's.
-            #[schemars(example = 0.08)]
             friction: Option<Friction>,
             /// Later stages: distance along z, positive along the punch travel; a holder that moves has no force.
             #[serde(rename = "move")]
-            #[schemars(example = "-30 mm")]
             axial: Option<Length>,
             /// Later stages: distance away from the axis or symmetry plane.
-            #[schemars(example = "5 mm")]
             aside: Option<Length>,
         }
 
@@ -98,14 +95,11 @@ tool! {
     /// Gently curved face, corner and straight wall.
     crowned: Option<Crowned>,
     /// Punch travel from where it touches the flat sheet.
-    #[schemars(example = "25 mm")]
     pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
-    #[schemars(example = "1 mm/s")]
     pub speed: Option<Positive<Speed>>,
     /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one
     /// is the whole travel.
-    #[schemars(example = &(("0 s", "0 mm"), ("2 s", "10 mm"), ("4 s", "30 mm")))]
     pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
 }
 
@@ -115,13 +109,10 @@ tool! {
     #[schemars(extend("dependentRequired" = { "throat": ["shoulder"], "throat_diameter": ["shoulder"] }))]
     Die, shapes throat throat_diameter shoulder;
     /// Radius of the opening (plane strain: half width).
-    #[schemars(example = "31.25 mm")]
     throat: Option<Positive<Length>>,
     /// Diameter of the opening, instead of `throat`, of a round die.
-    #[schemars(example = "62.5 mm")]
     throat_diameter: Option<Positive<Length>>,
     /// Radius of the corner over which the sheet is drawn.
-    #[schemars(example = "6 mm")]
     shoulder: Option<Positive<Length>>,
 }
 
@@ -131,24 +122,18 @@ tool! {
     /// cannot both lie on the flat sheet, for a bead or a slope, the holder closes over the sheet before the punch comes.
     Holder, shapes inner_radius inner_diameter inner_half_width;
     /// Inner radius (axisymmetric).
-    #[schemars(example = "32 mm")]
     inner_radius: Option<Positive<Length>>,
     /// Inner diameter, instead of `inner_radius`.
-    #[schemars(example = "64 mm")]
     inner_diameter: Option<Positive<Length>>,
     /// Distance of its inner edge from the symmetry plane (plane strain).
-    #[schemars(example = "341 mm")]
     inner_half_width: Option<Positive<Length>>,
     /// Force of the whole holder ("80 kN"); in plane strain of both sides together, per mm of depth ("2600 N/mm") unless
     /// blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. In a later stage
     /// one force is reached from the last one over the first fifth of the travel, at once where nothing moves.
-    #[schemars(example = "10 kN")]
     pub force: Option<History<NonNegative<Length>, HolderForce>>,
     /// Pressure times the initial area between holder and the die's flat: a force that stays.
-    #[schemars(example = "2.5 MPa")]
     pub pressure: Option<NonNegative<Stress>>,
     /// Fixed distance between the faces of holder and die: distance blocks.
-    #[schemars(example = "1.1 mm")]
     pub gap: Option<Positive<Length>>,
     /// Springs or a cushion: the force grows as the holder is pushed away from the die.
     pub spring: Option<Spring>,
@@ -160,10 +145,8 @@ tool! {
 #[schemars(extend("oneOf" = [{ "required": ["radius"] }, { "required": ["diameter"] }]))]
 pub struct Hemispherical {
     /// Radius of the nose and of the wall.
-    #[schemars(example = "25.4 mm")]
     pub radius: Option<Positive<Length>>,
     /// Diameter, instead of `radius`, of a round punch.
-    #[schemars(example = "50.8 mm")]
     pub diameter: Option<Positive<Length>>,
 }
 
@@ -172,16 +155,12 @@ pub struct Hemispherical {
 #[serde(deny_unknown_fields)]
 pub struct Flat {
     /// Radius of the wall (axisymmetric).
-    #[schemars(example = "30 mm")]
     pub radius: Option<Positive<Length>>,
     /// Diameter of the wall, instead of `radius`.
-    #[schemars(example = "60 mm")]
     pub diameter: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[schemars(example = "30 mm")]
     pub half_width: Option<Positive<Length>>,
     /// Radius of the corner.
-    #[schemars(example = "6 mm")]
     pub nose: Positive<Length>,
 }
 
@@ -190,19 +169,14 @@ pub struct Flat {
 #[serde(deny_unknown_fields)]
 pub struct Crowned {
     /// Radius of the wall (axisymmetric).
-    #[schemars(example = "330 mm")]
     pub radius: Option<Positive<Length>>,
     /// Diameter of the wall, instead of `radius`.
-    #[schemars(example = "660 mm")]
     pub diameter: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[schemars(example = "330 mm")]
     pub half_width: Option<Positive<Length>>,
     /// Radius of curvature of the face, larger than the punch's own radius.
-    #[schemars(example = "2800 mm")]
     pub face: Positive<Length>,
     /// Radius of the corner.
-    #[schemars(example = "10 mm")]
     pub nose: Positive<Length>,
 }
 
