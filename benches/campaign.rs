@@ -150,7 +150,7 @@ fn one(seed: u64, (work, mut stages, text): Made, theory: Theory, criterion: Opt
     let thinnest = run.steps.last().map_or(drawn.thinnest, |last| last.thinnest);
     Outcome {
         work,
-        kind: run.stop.kind(),
+        kind: run.stop.kind.name(),
         line: format!("seed {seed}: {text}: stage {}: {} (thinnest {thinnest:.3})", solved.len(), run.stop),
         figures: [
             total(|r| r.iterations) / all().count().max(1) as f64,

@@ -5,7 +5,7 @@ use super::key_number::numbers;
 use super::tear::{self, Tear, place, tear, thinnest};
 use super::{Finding, Light, judgements};
 use crate::case::Case;
-use crate::solver::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, StopKind};
 use crate::units::{Amount, Quantity, joined};
 use serde::Serialize;
 
@@ -31,7 +31,7 @@ impl Answer {
     pub fn of(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Self {
         let light = judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
         let end = stages.last().map(|stage| &stage.stop);
-        let end = end.filter(|stop| stop.is_complete() && !matches!(stop, Stop::FullTravel));
+        let end = end.filter(|stop| stop.is_complete() && stop.kind != StopKind::FullTravel);
         let failures = FailureMode::all(stages, findings);
         let tear = tear(stages);
         Self {
@@ -51,9 +51,9 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
         return joined([tear.sentence(stages.len()), tear.instant()], ", ");
     }
     match stages.last().map(|stage| &stage.stop) {
-        Some(Stop::Interrupted { .. }) => return "interrupted by the user".into(),
+        Some(stop) if stop.kind == StopKind::Interrupted => return "interrupted by the user".into(),
         Some(stop) if !stop.is_complete() && is("stop", Light::Red) => {
-            return format!("not solved to its end: {}", stop.kind());
+            return format!("not solved to its end: {}", stop.kind.name());
         }
         _ => {}
     }
@@ -135,12 +135,12 @@ impl FailureMode {
 
     /// All modes of a solved case, the most important first; empty if the part is sound.
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
-        use Stop::{Coalesced, LoadMaximum, Localised, PressureMaximum};
+        use StopKind::{Coalesced, LoadMaximum, Localised, PressureMaximum};
         let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
         if !stop.is_complete() && !stop.is_physical() {
             return vec![Self::NoResult];
         }
-        let is_tear = matches!(stop, Localised { .. } | Coalesced { .. } | LoadMaximum { .. } | PressureMaximum { .. });
+        let is_tear = matches!(stop.kind, Localised | Coalesced | LoadMaximum | PressureMaximum);
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
             "stop" if is_tear => Self::Tears,

@@ -2,23 +2,23 @@
 
 use super::{Finding, Light, Run, tear};
 use crate::model::Role;
-use crate::solver::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, StopKind};
 use crate::units::{Amount, joined};
 
 /// Red if a stage stopped early, amber if the cup left the die.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
-    let text = match stop {
-        Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
-        Stop::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
-        stop => stop.to_string(),
+    let text = match stop.kind {
+        StopKind::FullTravel if model.release.is_some() => "the tools are taken away".into(),
+        StopKind::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
+        _ => stop.to_string(),
     };
-    let light = match stop {
-        Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
-        stop if stop.is_complete() => Light::Green,
+    let light = match stop.kind {
+        StopKind::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
+        _ if stop.is_complete() => Light::Green,
         // Many a cup leaves its die at the other end.
-        Stop::DrawnThrough { .. } | Stop::Interrupted { .. } => Light::Amber,
+        StopKind::DrawnThrough | StopKind::Interrupted => Light::Amber,
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
@@ -34,31 +34,31 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 }
 
 fn advice(run: &Run, last: &StageSolution) -> String {
-    match &last.stop {
-        Stop::FullTravel if last.model.stop.drawn_through => "more travel",
-        Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => "",
-        Stop::Interrupted { .. } => "let it run to its end",
-        Stop::Refused(_) => "a value that the solver can take",
-        Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => {
+    match last.stop.kind {
+        StopKind::FullTravel if last.model.stop.drawn_through => "more travel",
+        StopKind::FullTravel | StopKind::ContactShare | StopKind::HolderClosed | StopKind::LeftDie => "",
+        StopKind::Interrupted => "let it run to its end",
+        StopKind::Refused => "a value that the solver can take",
+        StopKind::Localised | StopKind::Coalesced | StopKind::LoadMaximum => {
             return tear::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
         }
-        Stop::PressureMaximum { .. } => {
+        StopKind::PressureMaximum => {
             "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"
         }
-        Stop::Mechanism { .. } => {
+        StopKind::Mechanism => {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }
-        Stop::Arched { .. } => {
+        StopKind::Arched => {
             "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
         }
-        Stop::DrawnThrough { .. } => {
+        StopKind::DrawnThrough => {
             "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank or more holder force"
         }
-        Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
-        Stop::Creeping { .. } => {
+        StopKind::ToolsClosed => "a shorter travel, or a larger gap between punch and die",
+        StopKind::Creeping => {
             "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"
         }
-        Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
+        StopKind::NoEquilibrium => "what the stop names; else a finer mesh at the radii (blank.elements)",
     }
     .into()
 }
@@ -66,7 +66,7 @@ fn advice(run: &Run, last: &StageSolution) -> String {
 /// Share of the sheet on its tools below the one that was to end the run.
 pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
     let share = stage.steps.last()?.contact_share;
-    let wanted = stage.model.stop.contact_share.filter(|_| !matches!(stage.stop, Stop::ContactShare { .. }))?;
+    let wanted = stage.model.stop.contact_share.filter(|_| stage.stop.kind != StopKind::ContactShare)?;
     let limit = Amount::given_share(wanted);
     let text = format!("{{}} of the sheet lies on its tools at the end, not the {limit} that were to end the run");
     Finding::warning("contact_share", "Contact", text)

@@ -6,7 +6,7 @@ use super::{Finding, Light, Run, draw};
 use crate::measure::{Band, place_on_part};
 use crate::model::{Edge, Geometry, Role};
 use crate::solver::solution::neck::{Neck, neck};
-use crate::solver::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, StopKind};
 use crate::units::{Amount, joined};
 
 /// Thinning from which a designer looks twice \[–\].
@@ -63,9 +63,9 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let thinnest = last.steps.last()?.thinnest_s0;
     let judged = |light, text: String| Finding::judged("localisation", "Neck", text).light(light);
-    let finding = match (&last.stop, neck_seen(last)) {
-        (stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }), _) => {
-            judged(Light::Red, format!("it ended the run: {}", stop.kind()))
+    let finding = match (last.stop.kind, neck_seen(last)) {
+        (kind @ (StopKind::Localised | StopKind::Coalesced), _) => {
+            judged(Light::Red, format!("it ended the run: {}", kind.name()))
         }
         (_, Some(seen)) => Finding { quantity: seen.quantity, ..judged(Light::Red, seen.text) },
         (_, None) => judged(Light::Green, "none".into()),
@@ -76,7 +76,7 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
 /// Neck, or a sheet too thin to be whole, in a stage that did not end by it.
 pub(super) fn neck_seen(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
-    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+    if matches!(stage.stop.kind, StopKind::Localised | StopKind::Coalesced) {
         return None;
     }
     let neck = torn(stage)?;
@@ -113,10 +113,10 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
         return Some(Tear { stage: nearest.index, on: nearest.stage, travel, s0: Some(reached.s0) });
     }
     stages.iter().enumerate().find_map(|(stage, on)| {
-        let (travel, s0) = match on.stop {
-            Stop::Localised { travel, s0, .. } | Stop::Coalesced { travel, s0, .. } => (Some(travel), Some(s0)),
-            Stop::LoadMaximum { travel, .. } => (Some(travel), thinnest(on).map(|(_, s0)| s0)),
-            Stop::PressureMaximum { s0, .. } => (None, Some(s0)),
+        let (travel, s0) = match on.stop.kind {
+            StopKind::Localised | StopKind::Coalesced => (Some(on.end.travel), on.stop.s0),
+            StopKind::LoadMaximum => (Some(on.end.travel), thinnest(on).map(|(_, s0)| s0)),
+            StopKind::PressureMaximum => (None, on.stop.s0),
             _ => return None,
         };
         Some(Tear { stage, on, travel, s0 })

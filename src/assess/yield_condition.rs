@@ -7,7 +7,7 @@ use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};
 use crate::model::Stage;
-use crate::solver::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, StopKind};
 use crate::solver::solve;
 use crate::units::{Amount, joined};
 
@@ -57,7 +57,7 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
 
 /// Result by Hosford's condition of fcc metal, all else alike; `None` if it cannot be solved, or the run was interrupted.
 fn by_hosford(run: &Run) -> Option<String> {
-    if run.is_one_of_many || matches!(run.stages.last()?.stop, Stop::Interrupted { .. }) {
+    if run.is_one_of_many || run.stages.last()?.stop.kind == StopKind::Interrupted {
         return None;
     }
     let stages: Vec<Stage> = run.case.stages.iter().cloned().map(with_hosford).collect();

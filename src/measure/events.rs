@@ -5,7 +5,7 @@
 
 use crate::forming_limit;
 use crate::model::{Edge, Motion, Role};
-use crate::solver::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 
 /// Gaps over the thickness above which the sheet is off a tool, and below which it is on it \[–\].
 const OFF: f64 = 1.0;
@@ -109,7 +109,7 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
         at(EventKind::HolderOnBlocks, steps.iter().find(|step| rests_on_blocks(step)));
     }
     at(EventKind::IroningBegins, steps.iter().find(|step| step.ironing > RUBBED));
-    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+    if matches!(stage.stop.kind, StopKind::Localised | StopKind::Coalesced) {
         at(EventKind::Tears, steps.last());
     }
     for (tool, left) in stage.model.tools.iter().zip(&stage.left_at) {

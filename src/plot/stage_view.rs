@@ -10,7 +10,7 @@ use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
 use crate::model::{Extent, Model};
 use crate::plot::axis::capitalised;
-use crate::solver::solution::{Frame, StageSolution, Stop};
+use crate::solver::solution::{Frame, StageSolution, StopKind};
 use crate::table::Unit;
 use crate::units::{Amount, Digits};
 use std::sync::OnceLock;
@@ -233,8 +233,8 @@ pub(super) fn spread<T>(items: &[T], most: usize) -> Vec<&T> {
 
 /// Reason of a stage's end in a few words: `full time` if it has no travel to reach.
 pub(crate) fn stop_text(stage: &StageSolution) -> &'static str {
-    match &stage.stop {
-        Stop::FullTravel if stage.model.travel == 0.0 => "full time",
-        stop => stop.kind(),
+    match stage.stop.kind {
+        StopKind::FullTravel if stage.model.travel == 0.0 => "full time",
+        kind => kind.name(),
     }
 }

@@ -4,7 +4,7 @@ use super::csv::csv_with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
 use crate::plot::stop_text;
-use crate::solver::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
 use crate::units::{Amount, joined};
@@ -69,7 +69,7 @@ pub(super) fn printed(solution: &Solution) -> String {
     let lines = lines(solution);
     let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let each = lines.into_iter().enumerate().map(|(i, (name, stage))| {
-        let reached = if stage.is_some_and(|stage| stage.stop == Stop::FullTravel) { " reached" } else { "" };
+        let reached = if stage.is_some_and(|stage| stage.stop.kind == StopKind::FullTravel) { " reached" } else { "" };
         let figures = stage.and_then(figures).unwrap_or_default();
         format!("{:>2} {name:<width$}  {}", i + 1, joined([format!("{}{reached}", stop(stage)), figures], ": "))
     });

@@ -34,12 +34,12 @@ pub mod trace;
 mod trial;
 
 use crate::model::Model;
-use crate::solver::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, Stop, StopKind};
 use crate::solver::state::State;
 use budget::Budget;
 use converged::Converged;
 use evaluation::Evaluation;
-use no_equilibrium::{creeping, no_equilibrium};
+use no_equilibrium::{creeping, interrupted, no_equilibrium};
 use run_context::RunContext;
 use std::mem::swap;
 use step::Step;
@@ -63,7 +63,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut run = StageSolution {
         start: Some(state.frame(model)),
         paths: state.paths(model),
-        ..StageSolution::unsolved(model.clone(), Stop::FullTravel)
+        ..StageSolution::unsolved(model.clone(), Stop::new(StopKind::FullTravel, "full travel reached"))
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut budget = Budget::new(model);
@@ -164,8 +164,4 @@ fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &S
     record.heat = last.heat.plus(record.heat);
     (record.coldest, record.hottest) = next.temperatures();
     (next, record)
-}
-
-fn interrupted(state: &State) -> Stop {
-    Stop::Interrupted { travel: state.travel, time: state.time }
 }

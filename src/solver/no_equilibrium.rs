@@ -6,7 +6,7 @@ use super::step::Step;
 use crate::element::surface::STATIONS;
 use crate::model::{Edge, Geometry, Motion, Role};
 use crate::solver::solution::neck::neck;
-use crate::solver::solution::{StepRecord, Stop};
+use crate::solver::solution::{StepRecord, Stop, StopKind};
 use crate::solver::state::State;
 use crate::units::{Amount, joined};
 
@@ -18,19 +18,24 @@ const ADVICE: &str = "try more elements, a smaller solver.first_step, or solver.
 
 /// Reason why no equilibrium was found for `step`, by the outcome of its last try.
 pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
-    let (state, worst) = (step.state, evaluation.worst_node);
-    named(step, evaluation, worst, steps).unwrap_or_else(|| Stop::NoEquilibrium {
-        travel: state.travel,
-        time: state.time,
-        step: step.dt,
-        velocity_norm: outcome.increment,
-        residual_norm: outcome.residual_norm,
-        worst_s0: state.s0[worst],
-        diagnosis: joined([seen(step, evaluation, worst, steps), ADVICE.into()], "; "),
+    let worst = evaluation.worst_node;
+    mechanism(step, evaluation, worst, steps).unwrap_or_else(|| {
+        let norm = |norm: f64| if norm.is_finite() { Amount::norm(norm).to_string() } else { "not known".into() };
+        let s0 = step.state.s0[worst];
+        let text = format!(
+            "no equilibrium found at {} with steps down to {} (velocity norm {}, residual norm {}, worst at s0 = {}); {}",
+            reached(step.state),
+            Amount::time(step.dt),
+            norm(outcome.increment),
+            norm(outcome.residual_norm),
+            Amount::place(s0),
+            joined([symptoms(step, evaluation, worst, steps), ADVICE.into()], "; ")
+        );
+        Stop::at(StopKind::NoEquilibrium, s0, text)
     })
 }
 
-/// Reason why a run spent its budget at `step`; `worst` is the node with the largest residual of the last failed try.
+/// Reason why a run spent its budget of `tries` at `step`; `worst` is the node with the largest residual of the last failed try.
 pub(super) fn creeping(
     step: &Step,
     evaluation: &Evaluation,
@@ -39,29 +44,40 @@ pub(super) fn creeping(
     tries: usize,
 ) -> Stop {
     let state = step.state;
-    let worst = worst.unwrap_or_else(|| fastest_straining(state));
-    named(step, evaluation, worst, steps).unwrap_or_else(|| Stop::Creeping {
-        travel: state.travel,
-        time: state.time,
-        tries,
-        step: step.dt,
-        worst_s0: state.s0[worst],
-        seen: seen(step, evaluation, worst, steps),
+    let rate = |e: &usize| state.points.row(*e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);
+    let fastest = || (0..state.thickness.len()).max_by(|a, b| rate(a).total_cmp(&rate(b))).unwrap_or(0);
+    let worst = worst.unwrap_or_else(fastest);
+    mechanism(step, evaluation, worst, steps).unwrap_or_else(|| {
+        let (at, dt, s0) = (reached(state), Amount::time(step.dt), state.s0[worst]);
+        let text = format!(
+            "creeping: {tries} tries of a step have come to {at}, the next would take {dt}; worst at s0 = {}",
+            Amount::place(s0)
+        );
+        Stop::at(StopKind::Creeping, s0, joined([text, symptoms(step, evaluation, worst, steps)], ": "))
     })
 }
 
-fn fastest_straining(state: &State) -> usize {
-    let rate = |e: usize| state.points.row(e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);
-    (0..state.thickness.len()).max_by(|&a, &b| rate(a).total_cmp(&rate(b))).unwrap_or(0)
+/// Stop by the observer.
+pub(super) fn interrupted(state: &State) -> Stop {
+    let text = format!("interrupted at {}: the results up to there are kept", reached(state));
+    Stop::new(StopKind::Interrupted, text)
+}
+
+/// Travel reached, or the time where there is no travel.
+pub(super) fn reached(state: &State) -> String {
+    match state.travel > 0.0 {
+        true => format!("{} of travel", Amount::place(state.travel)),
+        false => Amount::time(state.time).to_string(),
+    }
 }
 
 /// A known mechanism of failure; `worst` is the node farthest from equilibrium.
-fn named(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {
-    mechanism(step, worst).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps))
+fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {
+    loose_strip(step, worst).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps))
 }
 
 /// A strip of membranes bears load by tension alone: without restraint no shape of it is in equilibrium.
-fn mechanism(step: &Step, i: usize) -> Option<Stop> {
+fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
     let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
     let tools = || step.context.acting_tools();
@@ -69,8 +85,13 @@ fn mechanism(step: &Step, i: usize) -> Option<Stop> {
     let held = model.blank.edge != Edge::Free
         || !(model.beads.is_empty() && model.gas.is_empty())
         || (rubs && tools().any(|(_, tool)| tool.role == Role::Holder));
-    (model.geometry == Geometry::PlaneStrain && !bends && !held)
-        .then(|| Stop::Mechanism { travel: step.state.travel, s0: step.state.s0[i] })
+    let (travel, s0) = (Amount::place(step.state.travel), step.state.s0[i]);
+    (model.geometry == Geometry::PlaneStrain && !bends && !held).then(|| {
+        let at = Amount::place(s0);
+        let text =
+            format!("mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {at}");
+        Stop::at(StopKind::Mechanism, s0, text)
+    })
 }
 
 /// A place, or the whole sheet, that runs away under gas has come to the largest pressure that it can bear.
@@ -85,18 +106,23 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     };
     let speed = |i: usize| state.velocity[i][0].hypot(state.velocity[i][1]);
     let fastest = (0..state.nodes.len()).filter(is_free).max_by(|&a, &b| speed(a).total_cmp(&speed(b)))?;
-    let [r, z, _] = state.nodes[fastest];
-    let way = (r - state.s0[fastest]).hypot(z);
+    let ([r, z, _], s0) = (state.nodes[fastest], state.s0[fastest]);
+    let way = (r - s0).hypot(z);
     let dt = last.time - before.time;
     // The load that the last step added, over the whole: of the pressure or of the run.
     let rise = (last.pressure - before.pressure) / last.pressure;
     let share = model.process_time(before.time, dt) / model.process_time(0.0, last.time);
     let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * way;
     let sheet_runs = last.work.external - before.work.external > RUNAWAY * share * last.work.external;
-    (place_runs || sheet_runs).then(|| Stop::PressureMaximum {
-        pressure: last.pressure.abs(),
-        height: z,
-        s0: state.s0[fastest],
+    (place_runs || sheet_runs).then(|| {
+        let text = format!(
+            "pressure maximum reached: no equilibrium beyond {}, where the sheet at s0 = {} is at a height of {}; it would run \
+             away there, to burst or to fold",
+            Amount::stress(last.pressure.abs()),
+            Amount::place(s0),
+            Amount::place(z)
+        );
+        Stop::at(StopKind::PressureMaximum, s0, text)
     })
 }
 
@@ -113,10 +139,14 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let top = punch.profile.extreme(true, model.blank.length)?.y + state.tools[j].y;
     let ahead = state.nodes[0][1] - 0.5 * state.thickness_at(0) - top;
     let presses = model.gas.is_empty() && steps.last().is_some_and(|last| last.punch_force > 0.0);
-    (pushes && presses && ahead > AHEAD * model.blank.thickness).then_some(Stop::Arched { travel: state.travel, ahead })
+    let (travel, way) = (Amount::place(state.travel), Amount::thickness(ahead));
+    let text = format!(
+        "arched: at {travel} of travel the sheet's middle is {way} ahead of the punch, an arch that snaps through"
+    );
+    (pushes && presses && ahead > AHEAD * model.blank.thickness).then(|| Stop::new(StopKind::Arched, text))
 }
 
-fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {
+fn symptoms(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {
     let Step { model, state, .. } = *step;
     let last = steps.last().copied().unwrap_or_default();
     let neck = neck(model, state, None);
@@ -126,7 +156,7 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
     let at_edge = i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free;
     let first = "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)";
     let (s0, left, ironed) = (Amount::place(neck.s0), Amount::share(neck.share), Amount::share(last.ironing));
-    let seen = [
+    let symptoms = [
         (last.step == 0).then(|| first.to_owned()),
         neck.stands_out.then(|| format!("the sheet has necked at s0 = {s0} ({left} left)")),
         (last.ironing > 0.02).then(|| format!("two tools iron the sheet by {ironed} of its thickness")),
@@ -135,5 +165,5 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
         at_edge.then(|| "the worst place is the blank's edge".to_owned()),
         touching.map(|(_, tool)| format!("the {} touches the sheet at the worst place", tool.role.name())),
     ];
-    joined(seen.into_iter().flatten(), ", ")
+    joined(symptoms.into_iter().flatten(), ", ")
 }

@@ -15,7 +15,7 @@ pub trait Observer {
     fn iteration(&mut self, _iterate: &Iterate<'_>) {}
     /// Called before each stage of a sequence.
     fn stage(&mut self, _stage: &Stage) {}
-    /// Returns `true` to end the run with [`Stop::Interrupted`](crate::Stop::Interrupted) and all results so far; asked before
+    /// Returns `true` to end the run with [`StopKind::Interrupted`](crate::solver::solution::StopKind::Interrupted) and all results so far; asked before
     /// every step and every iteration.
     fn wants_to_stop(&mut self) -> bool {
         false

@@ -8,7 +8,7 @@ use crate::model::stage::{Beginning, Stage};
 use crate::model::{Model, Role, Tool, mesh};
 use crate::numerics::Grid;
 use crate::numerics::bisect;
-use crate::solver::solution::{StageSolution, Stop, Trimmed};
+use crate::solver::solution::{StageSolution, Stop, StopKind, Trimmed};
 use crate::solver::state::{MaterialPoint, State, waiting, waiting_displacement};
 
 const LEAST_ELEMENTS: usize = 2;
@@ -25,7 +25,7 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
             break;
         }
         if let Err(error) = stage.check(solutions.last().map(|before| &before.model)) {
-            solutions.push(StageSolution::unsolved(stage.model.clone(), Stop::Refused(error)));
+            solutions.push(StageSolution::unsolved(stage.model.clone(), Stop::new(StopKind::Refused, error)));
             break;
         }
         observer.stage(stage);
@@ -40,10 +40,10 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
     solutions
 }
 
-/// Solves a model from the flat blank; one that [`Model::check`] refuses ends with [`Stop::Refused`].
+/// Solves a model from the flat blank; one that [`Model::check`] refuses ends with [`StopKind::Refused`].
 pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     if let Err(error) = model.check() {
-        return StageSolution::unsolved(model.clone(), Stop::Refused(error));
+        return StageSolution::unsolved(model.clone(), Stop::new(StopKind::Refused, error));
     }
     from_flat(model, observer)
 }

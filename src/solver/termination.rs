@@ -2,11 +2,12 @@
 //!
 //! Each rule gives a state's excess over it as a number that is continuous in time; its root is the instant of the end.
 
+use super::no_equilibrium::reached;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
 use crate::solver::solution::neck::{AWAY, NEAR, Neck, neck};
-use crate::solver::solution::{StepRecord, Stop};
+use crate::solver::solution::{StepRecord, Stop, StopKind};
 use crate::solver::state::{State, waiting_displacement};
 use crate::units::Amount;
 
@@ -30,9 +31,6 @@ struct Throat {
     face: f64,
     end: f64,
 }
-
-/// End of a run by a rule.
-type Ending = fn(&Termination, &Model, &State, &StepRecord) -> Option<Stop>;
 
 /// State of all rules after a step; a step that is not accepted leaves no trace.
 #[derive(Clone)]
@@ -87,16 +85,15 @@ impl Termination {
         now
     }
 
-    /// Excess of the state over each rule in the order of precedence \[–\], NaN where the rule does not apply, and its end.
-    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(f64, Ending); 7] {
+    /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.
+    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(f64, StopKind); 7] {
         let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
         let through = self.throat.as_ref().map_or(f64::NAN, |throat| {
             let [r, z, _] = state.nodes[state.nodes.len() - 1];
             let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
-            if model.stop.drawn_through {
-                (height - throat.end) / model.blank.thickness - THROUGH
-            } else {
-                within.min(height - throat.face) / model.blank.thickness
+            match model.stop.drawn_through {
+                true => (height - throat.end) / model.blank.thickness - THROUGH,
+                false => within.min(height - throat.face) / model.blank.thickness,
             }
         });
         let localised = self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
@@ -105,28 +102,13 @@ impl Termination {
         });
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
-            (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), |now, _, _, _| {
-                now.closed.map(|(travel, at)| Stop::ToolsClosed { travel, r: at.x, z: at.y })
-            }),
-            (through, |_, model, state, _| {
-                Some(Stop::DrawnThrough { travel: state.travel, wished: model.stop.drawn_through })
-            }),
-            (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), |_, _, state, record| {
-                Some(Stop::Coalesced { travel: state.travel, s0: record.porous_s0, porosity: record.porosity })
-            }),
-            (beyond(record.contact_share, model.stop.contact_share), |_, model, state, record| {
-                let (share, asked) = (record.contact_share, model.stop.contact_share?);
-                Some(Stop::ContactShare { share, asked, time: state.time, travel: state.travel })
-            }),
-            (beyond(1.0 - record.punch_force / self.peak, drop), |now, model, state, record| {
-                let (peak, unit) = (now.peak, model.extent().force_unit());
-                let drop = 1.0 - record.punch_force / peak;
-                Some(Stop::LoadMaximum { travel: state.travel, peak, unit, drop })
-            }),
-            (localised, |now, model, state, _| now.neck.map(|neck| self::localised(model, state, &neck))),
-            (beyond(record.holder_force, model.stop.holder_force), |_, _, state, _| {
-                Some(Stop::HolderClosed { travel: state.travel })
-            }),
+            (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
+            (through, if model.stop.drawn_through { StopKind::LeftDie } else { StopKind::DrawnThrough }),
+            (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), StopKind::Coalesced),
+            (beyond(record.contact_share, model.stop.contact_share), StopKind::ContactShare),
+            (beyond(1.0 - record.punch_force / self.peak, drop), StopKind::LoadMaximum),
+            (localised, StopKind::Localised),
+            (beyond(record.holder_force, model.stop.holder_force), StopKind::HolderClosed),
         ]
     }
 
@@ -135,29 +117,66 @@ impl Termination {
         if self.excess < 0.0 {
             return None;
         }
-        let (_, ending) = self.excesses(model, state, record).into_iter().find(|(excess, _)| *excess >= 0.0)?;
-        ending(self, model, state, record)
+        let (_, kind) = self.excesses(model, state, record).into_iter().find(|(excess, _)| *excess >= 0.0)?;
+        let travel = Amount::place(state.travel);
+        let text = match kind {
+            StopKind::ToolsClosed => {
+                let (travel, at) = self.closed?;
+                let [travel, r, z] = [travel, at.x, at.y].map(Amount::place);
+                format!(
+                    "tools closed: at {travel} of travel punch and die are half the sheet's thickness apart, near r = {r}, \
+                     z = {z}"
+                )
+            }
+            StopKind::LeftDie => {
+                format!("drawn through: at {travel} of travel the rim has left the die's shoulder: strip it off the punch")
+            }
+            StopKind::DrawnThrough => {
+                format!("drawn through: the blank's edge has passed the die's throat at {travel} of travel")
+            }
+            StopKind::Coalesced => {
+                let (s0, voids) = (Amount::place(record.porous_s0), Amount::share(record.porosity));
+                let text = format!(
+                    "voids grown together at {travel} of travel: the sheet tears at s0 = {s0}, where {voids} of its volume are \
+                     voids"
+                );
+                return Some(Stop::at(kind, record.porous_s0, text));
+            }
+            StopKind::ContactShare => {
+                let (share, limit) = (Amount::share(record.contact_share), model.stop.contact_share?);
+                let (at, limit) = (reached(state), Amount::given_share(limit));
+                format!("contact share reached: at {at} {share} of the sheet lies on its tools ({limit} asked for)")
+            }
+            StopKind::LoadMaximum => {
+                let drop = Amount::share(1.0 - record.punch_force / self.peak);
+                let peak = Amount::force(self.peak, model.extent().force_unit());
+                format!("load maximum passed: at {travel} of travel the load is {drop} below its peak of {peak}")
+            }
+            StopKind::Localised => return Some(localised(model, state, &self.neck?)),
+            _ => format!("holder closed: it has reached its force after {travel}"),
+        };
+        Some(Stop::new(kind, text))
     }
 }
 
 fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
-    Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
-}
-
-/// Location and cause of a neck in words.
-fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let closest = (0..model.tools.len()).map(|j| (model.tools[j].role, state.gap(model, j, i)));
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
         _ => "where no tool supports it".into(),
     };
-    format!(
-        "{place}, one place takes all the stretching while the sheet {} to {} away has stopped. Less holder force or friction, \
-         or a larger radius there, lets it go deeper",
+    let text = format!(
+        "ended at {} of travel by a neck at s0 = {}, where {} of its thickness is left; {place}, one place takes all the \
+         stretching while the sheet {} to {} away has stopped. Less holder force or friction, or a larger radius there, lets \
+         it go deeper",
+        Amount::place(state.travel),
+        Amount::place(neck.s0),
+        Amount::share(neck.share),
         Amount::given_thicknesses(NEAR),
         Amount::given_thicknesses(AWAY)
-    )
+    );
+    Stop::at(StopKind::Localised, neck.s0, text)
 }
 
 /// Travel at which punch and die come within [`CLOSED`] thicknesses of each other, and their closest place.

@@ -3,7 +3,7 @@
 use stampflow::case;
 use stampflow::material::Elastic;
 use stampflow::model::{ContactMethod, Iteration, Mode, Model, Theory};
-use stampflow::solver::solution::{IterationRecord, StageSolution, StepRecord, Stop};
+use stampflow::solver::solution::{IterationRecord, StageSolution, StepRecord, StopKind};
 use stampflow::solver::{self, Observer};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -113,10 +113,8 @@ fn an_interrupted_run_keeps_what_it_has_computed() {
     assert!(whole.stop.is_complete(), "{}", whole.stop);
     let of_steps = |n: usize| whole.steps[..n].iter().map(|step| step.iterations).sum::<usize>();
     let check = |run: StageSolution, steps: usize| {
-        let Stop::Interrupted { travel, time } = run.stop else { panic!("{}", run.stop) };
-        assert!(!run.stop.is_complete() && !run.stop.is_physical() && run.stop.kind() == "interrupted");
+        assert!(!run.stop.is_complete() && !run.stop.is_physical() && run.stop.kind == StopKind::Interrupted);
         assert_eq!(run.steps, whole.steps[..steps]);
-        assert_eq!((run.end.travel, run.end.time), (travel, time));
         assert_eq!(run.frames.last().map(|frame| frame.time), run.steps.last().map(|step| step.time));
     };
     check(solver::run(&model, &mut Stopper { steps: 5, iterations: usize::MAX }), 5);

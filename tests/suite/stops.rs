@@ -3,22 +3,23 @@
 use crate::common::shipped::{parsed, shipped_case};
 use stampflow::Observer;
 use stampflow::assess::{self, Light};
-use stampflow::solver::solution::{StageSolution, StepRecord, Stop};
+use stampflow::solver::solution::{StageSolution, StepRecord, StopKind};
 use stampflow::solver::solve;
 
 const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;
 
 /// Runs a case of one stage, whose advice must be there where it stops early.
-fn stop(geometry: &str, blank: &str, tools: &str) -> Stop {
+fn solved(geometry: &str, blank: &str, tools: &str) -> StageSolution {
     let text = format!("title = \"End\"\ngeometry = \"{geometry}\"\n[blank]\n{blank}\n[material]\n{METAL}\n{tools}");
     let case = parsed(&text, &[]);
     let stages: Vec<StageSolution> = solve(&case.stages, &mut ());
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
-    let stop = stages.into_iter().next_back().expect("one stage").stop;
+    let stage = stages.into_iter().next_back().expect("one stage");
+    let stop = &stage.stop;
     assert_eq!(run.advice.is_empty(), stop.is_complete(), "{run:?}");
-    assert!(stop.is_complete() || (stop.is_physical() && run.statement().contains(stop.kind())), "{run:?}");
-    stop
+    assert!(stop.is_complete() || (stop.is_physical() && run.statement().contains(stop.kind.name())), "{run:?}");
+    stage
 }
 
 /// A clamped disc bulged over an opening of 50 mm radius while a punch follows far below it.
@@ -32,10 +33,12 @@ fn a_dome_over_a_punch_bursts_at_the_pressure_that_it_bursts_at_without() {
     let punch = r#"punch = { flat = { radius = "20 mm", nose = "6 mm" }, travel = "10 mm", friction = 0.1 }"#;
     let gas =
         |rest: &str| format!("[gas]\nlower = {{ pressure = [[\"0 s\", \"0 MPa\"], [\"10 s\", \"20 MPa\"]] }}\n{rest}");
-    let alone = stop("axisymmetric", blank, &format!("[tools]\n{die}\n{}", gas("duration = \"10 s\"")));
-    let over = stop("axisymmetric", blank, &format!("[tools]\n{punch}\n{die}\n{}", gas("")));
-    let Stop::PressureMaximum { pressure: p, s0: 0.0, .. } = alone else { panic!("{alone}") };
-    let Stop::PressureMaximum { pressure: q, s0: 0.0, .. } = over else { panic!("{over}") };
+    let alone = solved("axisymmetric", blank, &format!("[tools]\n{die}\n{}", gas("duration = \"10 s\"")));
+    let over = solved("axisymmetric", blank, &format!("[tools]\n{punch}\n{die}\n{}", gas("")));
+    let [p, q] = [&alone, &over].map(|run| {
+        assert_eq!((run.stop.kind, run.stop.s0), (StopKind::PressureMaximum, Some(0.0)));
+        run.steps.last().expect("steps").pressure
+    });
     // Trust: the punch takes no part; both find the maximum by halving steps, as in `verify_bulge` to half a percent.
     assert!((p / q - 1.0).abs() < 5e-3, "{p} {q}");
 }
@@ -50,12 +53,11 @@ fn a_strip_of_membranes_that_nothing_holds_is_a_mechanism() {
             format!("half_length = \"80 mm\"\nthickness = \"1 mm\"\nelements = 60\ntheory = \"{theory}\"\n{more}");
         let punch = r#"punch = { hemispherical = { radius = "25 mm" }, travel = "4 mm", friction = 0.1 }"#;
         let die = r#"die = { throat = "40 mm", shoulder = "5 mm", friction = 0.1 }"#;
-        stop("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}"))
+        solved("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}")).stop.kind
     };
-    let loose = strip("membrane", "");
-    assert!(matches!(loose, Stop::Mechanism { .. }), "{loose}");
+    assert_eq!(strip("membrane", ""), StopKind::Mechanism);
     for (theory, more) in [("membrane", "edge = \"clamped\""), ("bending", "")] {
-        assert_eq!(strip(theory, more), Stop::FullTravel, "{theory} {more}");
+        assert_eq!(strip(theory, more), StopKind::FullTravel, "{theory} {more}");
     }
 }
 
@@ -72,7 +74,9 @@ fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
         for shoulder in [2, 4, 6] {
             let blank = format!("half_length = \"50 mm\"\nthickness = \"1 mm\"\nelements = {elements}");
             let die = format!(r#"die = {{ throat = "16.2 mm", shoulder = "{shoulder} mm", friction = 0 }}"#);
-            if let Stop::Arched { travel, ahead } = stop("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}")) {
+            let run = solved("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}"));
+            if run.stop.kind == StopKind::Arched {
+                let (travel, ahead) = (run.end.travel, run.end.nodes[0][1] - run.end.tools[0].y - 0.5);
                 assert!(travel < 20.0 && ahead > 3.0, "{elements} {shoulder}: {ahead} mm at {travel} mm");
                 arches += 1;
             }
@@ -90,19 +94,16 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
     let case = shipped_case("quickstart", &["solver.max_iterations=2", "solver.min_step=1e-12"]);
     let mut tried = Tries::default();
     let stages = solve(&case.stages, &mut tried);
-    let Stop::Creeping { travel, tries, step, worst_s0, ref seen, .. } = stages[0].stop else {
-        panic!("{}", stages[0].stop)
-    };
+    let (stop, travel) = (&stages[0].stop, stages[0].end.travel);
+    assert_eq!(stop.kind, StopKind::Creeping);
+    let tries: usize = stop.text.split(' ').nth(1).and_then(|tries| tries.parse().ok()).expect("creeping: n tries");
     let planned = 100;
     assert!(tries > planned && tries < 10 * planned, "{tries}");
     // Every accepted step is a try, and of the rejected ones there are up to two or three starts in one.
     let rejected = tried.rejected + stages[0].effort.abandoned;
     assert!((tried.steps + rejected / 3..=tried.steps + rejected + 1).contains(&tries), "{tries} {tried:?}");
-    assert!(travel > 0.0 && travel < 0.01 * case.model().travel && step < 1e-3, "{travel} {step}");
-    assert!(
-        (0.0..=case.model().blank.length).contains(&worst_s0) && seen.to_string().contains("touches"),
-        "{worst_s0} {seen}"
-    );
+    assert!(travel > 0.0 && travel < 0.01 * case.model().travel, "{travel}");
+    assert!(stop.s0.is_some_and(|s0| s0 <= case.model().blank.length) && stop.text.contains("touches"), "{stop}");
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
     assert!(run.statement().contains("creeping") && !run.advice.is_empty(), "{run:?}");
@@ -139,11 +140,7 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     };
     let through = |travel: &'static str| run(&[travel, "stop.drawn_through=true"]);
     let (stage, judged) = through("tools.punch.travel=60 mm");
-    assert!(
-        matches!(stage.stop, Stop::DrawnThrough { wished: true, .. }) && stage.stop.is_complete(),
-        "{}",
-        stage.stop
-    );
+    assert!(stage.stop.kind == StopKind::LeftDie && stage.stop.is_complete(), "{}", stage.stop);
     assert!(judged.light == Light::Green && judged.statement().contains("strip it off the punch"), "{judged:?}");
     let rim = stage.end.nodes.last().expect("a rim");
     // The shoulder of 6 mm begins half a thickness above the sheet's middle. Found to a thousandth of a step of 0.6 mm.
@@ -153,13 +150,9 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     assert!(stage.steps.last().expect("steps").punch_force < 0.2 * peak);
 
     let (early, judged) = run(&["tools.punch.travel=60 mm"]);
-    assert!(
-        matches!(early.stop, Stop::DrawnThrough { wished: false, .. }) && !early.stop.is_complete(),
-        "{}",
-        early.stop
-    );
+    assert!(early.stop.kind == StopKind::DrawnThrough && !early.stop.is_complete(), "{}", early.stop);
     assert_eq!(judged.light, Light::Amber, "{judged:?}");
     let (short, judged) = through("tools.punch.travel=30 mm");
-    assert_eq!((&short.stop, judged.light), (&Stop::FullTravel, Light::Amber));
+    assert_eq!((short.stop.kind, judged.light), (StopKind::FullTravel, Light::Amber));
     assert!(judged.statement().contains("not through the die"), "{judged:?}");
 }

@@ -8,7 +8,7 @@ use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
 use stampflow::model::{Edge, Face, Gas, Geometry, Model, Pressure, RateControl, Theory};
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::solver;
-use stampflow::solver::solution::{Frame, Stop};
+use stampflow::solver::solution::{Frame, StepRecord, StopKind};
 
 /// Radius of the disc \[mm\].
 const A: f64 = 50.0;
@@ -200,7 +200,8 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
     for theory in [Theory::Membrane, Theory::Bending] {
         let found = [0.01, 0.001].map(|step| {
             let given = with_step(theory, rising(), step);
-            let Stop::PressureMaximum { pressure, height, .. } = given.stop else { panic!("{}", given.stop) };
+            assert_eq!(given.stop.kind, StopKind::PressureMaximum);
+            let StepRecord { pressure, pole_height: height, .. } = *shipped::last(&given);
             let run = with_step(theory, held(0.8), step);
             let largest = run.steps.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).expect("steps");
             let end = shipped::last(&run);

@@ -9,7 +9,8 @@
 use crate::common::page::{self, agreement, listed, plain};
 use crate::common::shipped::shipped;
 use stampflow::numerics::bisect;
-use stampflow::{Stop, solver};
+use stampflow::solver;
+use stampflow::solver::solution::StopKind;
 
 /// Punch radius of the quickstart's cup \[mm\].
 const PUNCH: f64 = 30.0;
@@ -32,10 +33,10 @@ fn limit(set: &[&str]) -> f64 {
     let drawn = |ratio: f64| {
         let blank = format!("blank.radius={} mm", ratio * PUNCH);
         let model = shipped("quickstart", &[&TOOLS, set, &[&blank]].concat());
-        match solver::run(&model, &mut ()).stop {
-            Stop::DrawnThrough { .. } | Stop::FullTravel => true,
-            Stop::Localised { .. } => false,
-            stop => panic!("{set:?}, draw ratio {ratio}: {stop}"),
+        match solver::run(&model, &mut ()).stop.kind {
+            StopKind::DrawnThrough | StopKind::FullTravel => true,
+            StopKind::Localised => false,
+            kind => panic!("{set:?}, draw ratio {ratio}: {kind:?}"),
         }
     };
     let (low, high) = (1.9, 2.8);

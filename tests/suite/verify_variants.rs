@@ -8,7 +8,7 @@ use stampflow::case::{self, Case, Solution};
 use stampflow::material::Hardening;
 use stampflow::measure::{Ring, Shape};
 use stampflow::model::Mode;
-use stampflow::solver::solution::Stop;
+use stampflow::solver::solution::StopKind;
 use stampflow::study::fit::{FlowCurve, HardeningKind, RateKind, Reduction, Tension, fit_laws};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -41,7 +41,8 @@ fn the_brite_part_hangs_on_its_friction() {
     told(AGREEMENT, "{} mm with 0.07, {} with 0.05, {} with 0.03.", &plain(&diameters, 1));
 
     let torn = with("0.1");
-    let Stop::Localised { travel, .. } = torn.stages[0].stop else { panic!("{}", torn.stages[0].stop) };
+    assert_eq!(torn.stages[0].stop.kind, StopKind::Localised);
+    let travel = torn.stages[0].end.travel;
     let ended = plain(&[travel], 0);
     told(
         AGREEMENT,
@@ -165,7 +166,8 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
 fn the_warm_cup_tears_when_it_is_cold() {
     let cold = ["heat.initial", "heat.die.temperature", "heat.holder.temperature"].map(|key| format!("{key}=25 °C"));
     let solution = solved("warm_cup", &cold.each_ref().map(String::as_str));
-    let Stop::Localised { travel, .. } = solution.stages[0].stop else { panic!("{}", solution.stages[0].stop) };
+    assert_eq!(solution.stages[0].stop.kind, StopKind::Localised);
+    let travel = solution.stages[0].end.travel;
     told("cases/warm_cup.toml", "At 25 °C throughout the same cup tears at {} mm.", &plain(&[travel], 0));
 }
 
@@ -173,7 +175,7 @@ fn the_warm_cup_tears_when_it_is_cold() {
 #[test]
 fn the_voids_of_the_porous_cup_join_on_a_longer_way() {
     let solution = solved("woo_porous", &["tools.punch.travel=45 mm"]);
-    let Stop::Coalesced { .. } = solution.stages[0].stop else { panic!("{}", solution.stages[0].stop) };
+    assert_eq!(solution.stages[0].stop.kind, StopKind::Coalesced);
     let travel = last(&solution.stages[0]).travel;
     told("cases/woo_porous.toml", "the voids join at {} mm and the run ends there.", &plain(&[travel], 0));
 }

@@ -60,7 +60,7 @@ impl Solution {
         let stages = self.solution.case.stages.iter().zip(&self.solution.stages);
         let facts = stages.map(|(stage, solved)| StageFacts {
             name: &stage.name,
-            stop: solved.stop.kind(),
+            stop: solved.stop.kind.name(),
             why: solved.stop.to_string(),
             complete: solved.stop.is_complete(),
             iterations: solved.steps.iter().map(|step| step.iterations).sum(),

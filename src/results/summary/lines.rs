@@ -8,7 +8,7 @@ use crate::measure::{Shape, events, moment_error, part_height, thickest};
 use crate::model::{Mode, Model, Role, Theory};
 use crate::plot::{StageView, stop_text};
 use crate::results::tables;
-use crate::solver::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::{JOULES, Unit, worded};
 use crate::units::{Amount, Digits, ZERO_CELSIUS};
 use serde_json::Value as Json;
@@ -84,7 +84,7 @@ impl Lines<'_> {
     fn load(&mut self) {
         let Self { model, run, last, .. } = *self;
         self.plain("hardening", "Hardening", model.material.describe());
-        let is_full = run.stop == Stop::FullTravel;
+        let is_full = run.stop.kind == StopKind::FullTravel;
         let ended = if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() };
         self.plain("stop", "Ended", ended);
         self.plain("complete", "", run.stop.is_complete());

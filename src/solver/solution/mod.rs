@@ -9,7 +9,7 @@ mod stop;
 pub use energy::{Energy, Heat};
 pub use frame::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 pub use step_record::StepRecord;
-pub use stop::Stop;
+pub use stop::{Stop, StopKind};
 
 use crate::forming_limit::Paths;
 use crate::model::{Iteration, Model};

@@ -5,7 +5,7 @@ mod rate;
 pub use rate::ConvergenceRate;
 
 use crate::model::{Iteration, Model, Settings, Stage};
-use crate::solver::solution::{IterationRecord, StageSolution, StepRecord, Stop};
+use crate::solver::solution::{IterationRecord, StageSolution, StepRecord, StopKind};
 use crate::solver::state::State;
 use crate::solver::{Iterate, IterateSnapshot, Observer, solve, try_step};
 
@@ -95,7 +95,7 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     let mut replay = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
     let solutions = solve(stages, &mut replay);
     let Replay { begin: Some((model, before)), record: Some(record), dt: Some(dt), .. } = replay else {
-        let interrupted = |run: &StageSolution| matches!(run.stop, Stop::Interrupted { .. });
+        let interrupted = |run: &StageSolution| run.stop.kind == StopKind::Interrupted;
         return Err(match solutions.get(stage - 1) {
             _ if solutions.iter().take(stage).any(interrupted) => NoSuchStep::Interrupted,
             Some(StageSolution { steps, .. }) => {

@@ -75,13 +75,13 @@ impl Outcome {
         let Solution { case, stages, .. } = solution;
         let load =
             largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
-        let stop = stages.last().map_or(&Stop::FullTravel, |stage| &stage.stop);
+        let stop = stages.last().map(|stage| &stage.stop);
         let end = End {
             stages: stages.len(),
-            kind: stop.kind(),
-            why: stop.to_string(),
-            complete: stages.len() == case.stages.len() && stop.is_complete(),
-            lost: !stop.is_complete() && !stop.is_physical(),
+            kind: stop.map_or("full travel", |stop| stop.kind.name()),
+            why: stop.map_or_else(String::new, ToString::to_string),
+            complete: stages.len() == case.stages.len() && stop.is_none_or(Stop::is_complete),
+            lost: stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical()),
         };
         let elements =
             stages.last().and_then(|stage| stage.frames.last()).into_iter().flat_map(|frame| &frame.elements);
