@@ -42,9 +42,7 @@ fn advice(run: &Run, last: &StageSolution) -> String {
         StopKind::Localised | StopKind::Coalesced | StopKind::LoadMaximum => {
             return tear::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
         }
-        StopKind::PressureMaximum => {
-            "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"
-        }
+        StopKind::PressureMaximum => "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height",
         StopKind::Mechanism => {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }

@@ -1,8 +1,9 @@
-//! Closing of the holder before the punch moves, where holder and die cannot both lie on the flat sheet: up to the force of the
-//! start of the draw or the fixed gap.
+//! Distance between holder and die: the blocks that keep it, and the closing of a holder that cannot lie on the flat sheet.
+//!
+//! The holder closes before the punch moves, up to the force of the start of the draw or to the fixed gap.
 
-use super::{Observer, distance_blocks, run_from};
-use crate::geometry::Point;
+use super::{Observer, run_from};
+use crate::geometry::{Point, Profile};
 use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
 use crate::solver::solution::{Closing, StageSolution};
 use crate::solver::state::State;
@@ -11,6 +12,12 @@ use crate::solver::state::State;
 const LIES: f64 = 0.1;
 /// Overtravel into the closed sheet over the thickness \[–\]: any force is reached there.
 const SQUEEZE: f64 = 0.05;
+
+/// Least distance of holder and die over the sheet thickness \[–\].
+const APART: f64 = 0.5;
+/// Most rises of the search, and the last one over the wanted distance \[–\].
+const RISES: usize = 200;
+const LAST_RISE: f64 = 1e-6;
 
 /// Travel of a model's holder from the flat sheet until it is one thickness, or the held gap, from the die \[mm\]; `None` where
 /// both lie on the flat sheet, where the holder has no force, and where they do not meet over the blank.
@@ -21,11 +28,39 @@ pub fn closing_way(model: &Model) -> Option<f64> {
         Motion::Pressed(press) if !press.is_idle() => model.blank.thickness,
         _ => return None,
     };
-    let way = distance_blocks::travel_until(&holder.profile, &die.profile, apart);
+    let way = travel_until(&holder.profile, &die.profile, apart);
     let (distance, at) = holder.profile.distance_to(&die.profile, Point::new(0.0, way));
     let meets = distance < (1.0 + LIES) * apart && at.x < model.blank.length;
     let held = !matches!(model.blank.edge, Edge::Pulled { .. });
     (meets && held && model.release.is_none() && way > LIES * model.blank.thickness).then_some(way)
+}
+
+/// Move of a model's holder at which it stands on its blocks, from where it touches the flat sheet and relative to the die
+/// \[mm\]; `None` without a holder.
+pub(super) fn block_height(model: &Model) -> Option<f64> {
+    let (holder, apart) = (model.tool(Role::Holder)?, APART * model.blank.thickness);
+    let on_die = model.tool(Role::Die).map(|die| travel_until(&holder.profile, &die.profile, apart));
+    Some(on_die.unwrap_or(model.blank.thickness - apart))
+}
+
+/// Move of a holder at which its closest place is so far from the die \[mm\].
+fn travel_until(holder: &Profile, die: &Profile, apart: f64) -> f64 {
+    let heights = |profile: &Profile| {
+        let points = profile.polyline(0.01);
+        let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+        (low, points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ((_, top), (face, end)) = (heights(holder), heights(die));
+    // Distances change no faster than the holder moves.
+    let mut moved = face - top - apart;
+    for _ in 0..RISES {
+        let spare = holder.distance_to(die, Point::new(0.0, moved)).0 - apart;
+        if spare < LAST_RISE * apart || moved > end - top {
+            break;
+        }
+        moved += spare;
+    }
+    moved
 }
 
 /// Closes the holder over the flat blank, in the model without its punch.

@@ -16,7 +16,7 @@ const OPPOSED: f64 = -0.5;
 /// Adds the ironing strain of a step to the next state, and the ironing forces to its record.
 pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepRecord) {
     let Converged { step, evaluation, .. } = converged;
-    let mut most = 0;
+    let (mut most, times) = (0, step.model.extent().times());
     for e in 0..next.ironed.len() {
         if is_between_walls(converged, e) {
             next.ironed[e] += (step.state.thickness[e] / next.thickness[e]).ln();
@@ -25,8 +25,8 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
                     record.ironing_pressure = record.ironing_pressure.max(contact.pressure.value);
                     if tool.role == Role::Die {
                         let friction = contact.tangential * turned(contact.facing).y;
-                        record.ironing_friction -= friction;
-                        record.ironing_force -= contact.normal * contact.facing.y + friction;
+                        record.ironing_friction -= times * friction;
+                        record.ironing_force -= times * (contact.normal * contact.facing.y + friction);
                     }
                 }
             }

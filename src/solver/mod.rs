@@ -5,14 +5,12 @@ mod budget;
 mod closing;
 mod converged;
 mod corrector;
-mod distance_blocks;
 mod end_search;
 mod energy_balance;
 mod equilibrium;
 mod evaluation;
 mod heat;
 mod ironing;
-mod iterate;
 mod line_search;
 mod no_equilibrium;
 mod observer;
@@ -34,7 +32,7 @@ pub mod trace;
 mod trial;
 
 use crate::model::Model;
-use crate::solver::solution::{StageSolution, StepRecord, Stop, StopKind};
+use crate::solver::solution::{Heat, StageSolution, StepRecord, Stop, StopKind};
 use crate::solver::state::State;
 use budget::Budget;
 use converged::Converged;
@@ -48,8 +46,7 @@ use time_step::StepControl;
 use trial::Trial;
 
 pub use closing::closing_way;
-pub use iterate::{Iterate, IterateContact, IterateSnapshot};
-pub use observer::Observer;
+pub use observer::{Iterate, IterateContact, IterateSnapshot, Observer};
 pub use retry::{Start, try_step};
 pub use stages::{enter, run, solve};
 
@@ -151,17 +148,23 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
 
 /// State after a converged step, with porosity and temperatures, and its record.
 fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &StepRecord) -> (State, StepRecord) {
+    let Converged { step, .. } = converged;
+    let times = step.model.extent().times();
     let (work, plastic) = energy_balance::work(before, converged);
     let mut next = converged.advanced();
-    let mut record = step_record::record(converged, before, &next, work, rejected);
+    let mut record = step_record::record(converged, before, &next, rejected);
     ironing::add(converged, &mut next, &mut record);
-    if converged.step.model.material.gtn.is_some() {
-        (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.context.rule);
+    if step.model.material.gtn.is_some() {
+        (record.porosity, record.porous_s0) = next.largest_porosity(&step.context.rule);
     }
-    record.heat = heat::advance(converged, &plastic, &mut next).unwrap_or_default();
-    let mut record = record.scaled(converged.step.model.extent().times());
-    record.work = last.work.plus(record.work);
-    record.heat = last.heat.plus(record.heat);
+    let heat = heat::advance(converged, &plastic, &mut next).unwrap_or_default();
+    record.power = work.scaled(1.0 / step.dt).scaled(times);
+    record.work = last.work.combined(work.scaled(times), |before, added| before + added);
+    record.heat = Heat {
+        plastic: last.heat.plastic + times * heat.plastic,
+        tools: last.heat.tools + times * heat.tools,
+        stored: last.heat.stored + times * heat.stored,
+    };
     (record.coldest, record.hottest) = next.temperatures();
     (next, record)
 }

@@ -1,6 +1,6 @@
 //! Constant data of a run: tools, thickness points, shared unknowns, fading forces.
 
-use super::distance_blocks;
+use super::closing::block_height;
 use super::restraints::Grip;
 use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
@@ -98,7 +98,7 @@ impl<'a> RunContext<'a> {
                 * model.blank.thickness
                 * model.geometry.area(model.blank.length)
                 / model.blank.length,
-            blocks: distance_blocks::block_height(model),
+            blocks: block_height(model),
             unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
             rule,

@@ -101,32 +101,3 @@ fn curvature(model: &Model, state: &State, i: usize) -> f64 {
     let angle = (a.x * b.y - a.y * b.x).atan2(a.dot(&b));
     angle.abs() / (0.5 * (a.norm() + b.norm()))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::element::Geometry;
-    use crate::model::mesh;
-    use crate::solver::test_model::bare;
-
-    /// Trust: a sheet in tension, flat up to 40 mm, then ten elements on a radius, then straight. Nodes 41 to 49 are curved; the ring
-    /// of eight thicknesses, 8.4 mm, reaches nine elements from them on either side. Elements that bend go on below the limit.
-    #[test]
-    fn elements_bend_around_a_radius_and_nowhere_else() {
-        let model = bare(Geometry::PlaneStrain, Theory::Selective, 100.0, 1.05, 100);
-        for (ratio, bent_before, elements) in
-            [(0.06, 0..0, 32..58), (0.04, 0..0, 0..0), (0.04, 20..90, 32..58), (0.03, 20..90, 0..0)]
-        {
-            let mut state = State::flat(&model, mesh::nodes(&model));
-            state.points.iter_mut().for_each(|point| point.stress = [200.0, 100.0, 0.0]);
-            state.bends[bent_before].fill(true);
-            for i in 41..=100 {
-                let angle = (i as f64 - 40.5).clamp(0.0, 10.0) * ratio / 1.05_f64;
-                let [r, z, _] = state.nodes[i - 1];
-                state.nodes[i] = [r + angle.cos(), z + angle.sin(), 0.0];
-            }
-            let bends = Selection::new(&model).bending(&model, &state, &model.blank.points());
-            assert_eq!((0..100).filter(|&e| bends[e]).collect::<Vec<_>>(), elements.collect::<Vec<_>>());
-        }
-    }
-}

@@ -5,25 +5,19 @@ use super::evaluation::Evaluation;
 use super::restraints::Seal;
 use crate::element::surface::STATIONS;
 use crate::model::{Edge, Role};
-use crate::solver::solution::{Energy, StepRecord};
+use crate::solver::solution::StepRecord;
 use crate::solver::state::State;
 
-/// Record of a step to the state `next` with its work and the rejected tries before it; `before` is the last evaluation.
-pub(super) fn record(
-    converged: &Converged,
-    before: &Evaluation,
-    next: &State,
-    done: Energy,
-    rejected: usize,
-) -> StepRecord {
+/// Record of a step to the state `next` after the rejected tries before it, without work; `before` is the last evaluation.
+pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, rejected: usize) -> StepRecord {
     let Converged { step, trial, evaluation, outcome, .. } = converged;
-    let model = step.model;
-    let force_of = |role: Role| model.tool_index(role).map_or(0.0, |j| evaluation.tool_force[j].y);
+    let (model, times) = (step.model, step.model.extent().times());
+    let force_of = |role: Role| model.tool_index(role).map_or(0.0, |j| times * evaluation.tool_force[j].y);
     let thickness = &next.thickness;
     let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
-    let n = evaluation.nodes.len();
+    let (n, holder) = (evaluation.nodes.len(), model.tool_index(Role::Holder));
     let gap = |role: Role, node: usize| model.tool_index(role).map_or(f64::INFINITY, |j| next.gap(model, j, node));
     let gaps = |node: usize| Role::ALL.map(|role| gap(role, node));
     StepRecord {
@@ -32,7 +26,7 @@ pub(super) fn record(
         travel: step.travel(),
         punch_force: force_of(Role::Punch),
         holder_force: force_of(Role::Holder),
-        edge_force: if model.blank.edge == Edge::Free { 0.0 } else { evaluation.edge_reaction.x },
+        edge_force: if model.blank.edge == Edge::Free { 0.0 } else { times * evaluation.edge_reaction.x },
         draw_in: model.blank.length - evaluation.nodes[n - 1][0],
         thinnest: thickness[thinnest],
         thinnest_s0: next.middle(thinnest),
@@ -48,11 +42,8 @@ pub(super) fn record(
             let normal = model.tools[j].profile.closest(next.in_frame_of(j, n - 1)).normal;
             normal.x.abs().atan2(-normal.y)
         }),
-        holder_move: model
-            .tool_index(Role::Holder)
-            .filter(|_| model.release.is_none())
-            .map_or(0.0, |j| trial.tools[j].y),
-        block_force: evaluation.block_force,
+        holder_move: holder.filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
+        block_force: times * evaluation.block_force,
         penetration: evaluation.penetration(),
         strain_increment: converged.strain_increment(),
         sharpest_bend: sharpest_bend(evaluation, next),
@@ -61,8 +52,6 @@ pub(super) fn record(
         rejected,
         velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
-        power: done.scaled(1.0 / step.dt),
-        work: done,
         ..contact_shares(converged, before)
     }
 }

@@ -129,7 +129,9 @@ impl Termination {
                 )
             }
             StopKind::LeftDie => {
-                format!("drawn through: at {travel} of travel the rim has left the die's shoulder: strip it off the punch")
+                format!(
+                    "drawn through: at {travel} of travel the rim has left the die's shoulder: strip it off the punch"
+                )
             }
             StopKind::DrawnThrough => {
                 format!("drawn through: the blank's edge has passed the die's throat at {travel} of travel")

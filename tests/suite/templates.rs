@@ -45,8 +45,7 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
         let runs = solved(&case);
         assert_eq!(runs.len(), case.stages.len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
         for run in runs {
-            let is_end =
-                run.stop.kind == if is_torn { StopKind::LoadMaximum } else { StopKind::FullTravel };
+            let is_end = run.stop.kind == if is_torn { StopKind::LoadMaximum } else { StopKind::FullTravel };
             assert!(is_end, "{name} {given:?}: {}", run.stop);
         }
     }

@@ -1,4 +1,4 @@
-//! Pressure on a face against thick shells, and the potential of contact.
+//! Pressure on a face against thick shells and flat sheets.
 
 use super::*;
 use crate::element::kinematics::Reference;
@@ -104,29 +104,6 @@ fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
                 assert!(error.abs() < bound, "{geometry:?}, t/R {slender}: {error:.2e} of at most {bound:.2e}");
             }
         }
-    }
-}
-
-/// Trust: without friction contact has a potential, and the flow law has one: H is symmetric to round-off.
-#[test]
-fn the_matrix_is_symmetric_without_friction() {
-    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
-        let model = shell(geometry, 2.0, By::Contact, RADIUS - 1.0 + 0.003, 0.0);
-        let state = curved(&model);
-        with_step(&model, &state, (0.01, true), |step, trial, evaluation| {
-            for (i, (u, x)) in trial.moves.iter_mut().zip(&state.nodes).enumerate() {
-                let wave = (i as f64 * 1.7).sin();
-                *u = [GROWTH * x[0] * (1.0 + wave), GROWTH * x[1], 1e-4 * wave * (i.min(1) as f64)];
-            }
-            assert!(evaluate(step, trial, &NEWTON, evaluation));
-            assert!(evaluation.active_contacts > ELEMENTS);
-            let system = &evaluation.system;
-            for i in 1..ELEMENTS {
-                let size = system.diagonal[i].norm();
-                assert!((system.diagonal[i] - system.diagonal[i].transpose()).norm() < 1e-10 * size);
-                assert!((system.upper[i] - system.lower[i + 1].transpose()).norm() < 1e-10 * size);
-            }
-        });
     }
 }
 

@@ -24,7 +24,7 @@ impl Energy {
     const ROUND_OFF: f64 = 1e-9;
 
     /// Combines the entries of both one by one.
-    fn combined(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+    pub(in crate::solver) fn combined(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             external: of(self.external, other.external),
             plastic: of(self.plastic, other.plastic),
@@ -38,11 +38,6 @@ impl Energy {
     /// Multiplies every entry.
     pub fn scaled(self, factor: f64) -> Self {
         self.combined(self, |energy, _| energy * factor)
-    }
-
-    /// Adds entry by entry.
-    pub fn plus(self, other: Self) -> Self {
-        self.combined(other, |a, b| a + b)
     }
 
     /// Sets entries below 1e-9 of the largest to 0.
@@ -72,21 +67,4 @@ pub struct Heat {
     pub tools: f64,
     /// Heat stored in the sheet.
     pub stored: f64,
-}
-
-impl Heat {
-    fn combined(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
-        let Self { plastic, tools, stored } = self;
-        Self { plastic: of(plastic, other.plastic), tools: of(tools, other.tools), stored: of(stored, other.stored) }
-    }
-
-    /// Multiplies every entry.
-    pub fn scaled(self, factor: f64) -> Self {
-        self.combined(self, |heat, _| factor * heat)
-    }
-
-    /// The sum, entry by entry.
-    pub fn plus(self, other: Self) -> Self {
-        self.combined(other, |a, b| a + b)
-    }
 }

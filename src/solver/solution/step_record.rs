@@ -95,20 +95,4 @@ pub struct StepRecord {
 impl StepRecord {
     /// Width of the rim over the initial thickness \[–\].
     pub const RIM: f64 = 3.0;
-
-    /// Multiplies forces, powers, work and heat.
-    pub fn scaled(self, times: f64) -> Self {
-        Self {
-            punch_force: times * self.punch_force,
-            holder_force: times * self.holder_force,
-            edge_force: times * self.edge_force,
-            block_force: times * self.block_force,
-            ironing_force: times * self.ironing_force,
-            ironing_friction: times * self.ironing_friction,
-            power: self.power.scaled(times),
-            work: self.work.scaled(times),
-            heat: self.heat.scaled(times),
-            ..self
-        }
-    }
 }

@@ -91,7 +91,10 @@ impl Stop {
 
     /// True if the sheet or the tools ended the run, not the numerics or the user.
     pub fn is_physical(&self) -> bool {
-        let is_lost = matches!(self.kind, StopKind::Refused | StopKind::Interrupted | StopKind::Creeping | StopKind::NoEquilibrium);
+        let is_lost = matches!(
+            self.kind,
+            StopKind::Refused | StopKind::Interrupted | StopKind::Creeping | StopKind::NoEquilibrium
+        );
         !self.is_complete() && !is_lost
     }
 }

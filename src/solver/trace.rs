@@ -1,11 +1,12 @@
 //! One step of a run repeated from the same state with any of the corrector's matrices, iteration by iteration.
-
-mod rate;
-
-pub use rate::ConvergenceRate;
+//!
+//! ```text
+//! e_k = |δȧ_k|/|ȧ|                   the increment of iteration k stands for the error that it removed
+//! e_k+1 = C e_k^p                    p = ln(e_k+1/e_k)/ln(e_k/e_k−1): 1 linear, 2 quadratic
+//! ```
 
 use crate::model::{Iteration, Model, Settings, Stage};
-use crate::solver::solution::{IterationRecord, StageSolution, StepRecord, StopKind};
+use crate::solver::solution::{IterationRecord, StepRecord, StopKind};
 use crate::solver::state::State;
 use crate::solver::{Iterate, IterateSnapshot, Observer, solve, try_step};
 
@@ -88,24 +89,27 @@ pub enum NoSuchStep {
 /// When the run has no such step.
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
     let &TraceRequest { stage, step, .. } = request;
+    let missing = |text: String| Err(NoSuchStep::Missing(text));
     if stage == 0 || stage > stages.len() {
-        let have = stages.len();
-        return Err(NoSuchStep::Missing(format!("there is no stage {stage}: the case has {have}, counted from 1")));
+        return missing(format!("there is no stage {stage}: the case has {}, counted from 1", stages.len()));
     }
-    let mut replay = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
+    let mut replay = Replay { request, stage: 0, states: 0, begin: None, observer };
     let solutions = solve(stages, &mut replay);
-    let Replay { begin: Some((model, before)), record: Some(record), dt: Some(dt), .. } = replay else {
-        let interrupted = |run: &StageSolution| run.stop.kind == StopKind::Interrupted;
-        return Err(match solutions.get(stage - 1) {
-            _ if solutions.iter().take(stage).any(interrupted) => NoSuchStep::Interrupted,
-            Some(StageSolution { steps, .. }) => {
-                NoSuchStep::Missing(format!("there is no step {step}: the run has {}, counted from 1", steps.len()))
-            }
-            None => {
-                NoSuchStep::Missing(format!("stage {stage} is not reached: the run ends in stage {}", solutions.len()))
-            }
-        });
+    let Replay { begin, .. } = replay;
+    let Some(run) = solutions.get(stage - 1) else {
+        return match solutions.last() {
+            Some(last) if last.stop.kind == StopKind::Interrupted => Err(NoSuchStep::Interrupted),
+            _ => missing(format!("stage {stage} is not reached: the run ends in stage {}", solutions.len())),
+        };
     };
+    let (Some((model, before)), Some(record)) = (begin, step.checked_sub(1).and_then(|step| run.steps.get(step)))
+    else {
+        return match run.stop.kind {
+            StopKind::Interrupted => Err(NoSuchStep::Interrupted),
+            _ => missing(format!("there is no step {step}: the run has {}, counted from 1", run.steps.len())),
+        };
+    };
+    let dt = run.end.last_step;
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
     let own = [model.settings.iteration];
     let matrices = if request.matrices.is_empty() { &own[..] } else { &request.matrices };
@@ -117,38 +121,34 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
         history
     };
     let histories = matrices.iter().map(repeat).collect();
-    Ok(Trace { stage, tolerance, before, record, dt, histories })
+    Ok(Trace { stage, tolerance, before, record: *record, dt, histories })
 }
 
 /// Keeps the state before the requested step and ends the run after it.
 struct Replay<'a> {
     request: &'a TraceRequest,
     stage: usize,
+    /// States seen in the stage: one more than its steps.
+    states: usize,
     begin: Option<(Model, State)>,
-    record: Option<StepRecord>,
-    dt: Option<f64>,
     observer: &'a mut dyn Observer,
 }
 
 impl Observer for Replay<'_> {
     fn step(&mut self, record: &StepRecord) {
-        self.record = (self.stage == self.request.stage).then_some(*record);
         self.observer.step(record);
     }
 
     fn state(&mut self, model: &Model, state: &State) {
-        if self.stage == self.request.stage {
-            let steps = self.record.map_or(0, |record| record.step);
-            if steps + 1 == self.request.step {
-                self.begin = Some((model.clone(), state.clone()));
-            }
-            self.dt = (steps > 0 && steps == self.request.step).then_some(state.last_step);
+        self.states += 1;
+        if self.stage == self.request.stage && self.states == self.request.step {
+            self.begin = Some((model.clone(), state.clone()));
         }
         self.observer.state(model, state);
     }
 
     fn stage(&mut self, stage: &Stage) {
-        self.stage += 1;
+        (self.stage, self.states) = (self.stage + 1, 0);
         self.observer.stage(stage);
     }
 
@@ -157,7 +157,8 @@ impl Observer for Replay<'_> {
     }
 
     fn wants_to_stop(&mut self) -> bool {
-        self.dt.is_some() || self.stage > self.request.stage || self.observer.wants_to_stop()
+        let wanted = (self.request.stage, self.request.step);
+        (self.begin.is_some() && self.states > wanted.1) || self.stage > wanted.0 || self.observer.wants_to_stop()
     }
 }
 
@@ -165,5 +166,61 @@ impl Observer for IterationHistory {
     fn iteration(&mut self, iterate: &Iterate<'_>) {
         self.rows.push(iterate.record());
         self.iterates.push(iterate.snapshot());
+    }
+}
+
+/// Velocity norm below which an increment is mostly round-off \[–\].
+const ROUND_OFF: f64 = 1e-13;
+/// Plausible orders \[–\]: beyond them contact or flow changed between two iterations.
+const POSSIBLE: std::ops::RangeInclusive<f64> = 0.8..=2.5;
+/// Largest relative difference of two successive orders in the asymptotic range \[–\].
+const APART: f64 = 0.4;
+
+/// Rate of convergence at the end of a pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConvergenceRate {
+    /// Order p of the last three increments \[–\]; `None` outside the asymptotic range.
+    pub order: Option<f64>,
+    /// Ratio of the last increment to the one before \[–\].
+    pub left: f64,
+}
+
+impl ConvergenceRate {
+    /// Rate of the last increments above round-off; `None` unless the last three fall and were taken whole (`Some`).
+    pub fn new(increments: &[Option<f64>]) -> Option<Self> {
+        let end = increments.iter().rposition(|norm| norm.is_none_or(|norm| norm > ROUND_OFF))? + 1;
+        let whole = &increments[..end];
+        let last = end.checked_sub(3).and_then(|start| triple(&whole[start..]))?;
+        let before = end.checked_sub(4).and_then(|start| triple(&whole[start..end - 1]));
+        let agrees = |(before, _): (f64, f64)| {
+            let possible = POSSIBLE.contains(&last.0) && POSSIBLE.contains(&before);
+            possible && (last.0 - before).abs() <= APART * last.0.max(before)
+        };
+        Some(Self { order: before.is_some_and(agrees).then_some(last.0), left: last.1 })
+    }
+}
+
+/// Order of three falling increments, and the last over the one before.
+fn triple(increments: &[Option<f64>]) -> Option<(f64, f64)> {
+    match *increments {
+        [Some(a), Some(b), Some(c)] if a > b && b > c => Some(((c / b).ln() / (b / a).ln(), c / b)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ConvergenceRate;
+
+    /// Trust: sequences by their definitions.
+    #[test]
+    fn the_order_of_a_sequence_is_found() {
+        for (order, left, increments) in
+            [(2.0, 0.0625, [0.5, 0.25, 0.0625, 0.003_906_25]), (1.0, 0.9, [1.0, 0.9, 0.81, 0.729])]
+        {
+            let rate = ConvergenceRate::new(&increments.map(Some)).expect("a rate");
+            assert!((rate.order.expect("an order") - order).abs() < 1e-9 && (rate.left - left).abs() < 1e-9);
+        }
+        assert_eq!(ConvergenceRate::new(&[Some(1.0), None, Some(0.1), Some(0.01)]), None);
     }
 }
