@@ -27,7 +27,7 @@ pub struct KeelerBrazier {
     #[serde(skip)]
     pub n: Option<f64>,
     /// Thickness that counts, 3.1 mm at most; that of the blank when not given \[mm\].
-    #[serde(default, with = "As::<Option<Positive<Length>>>")]
+    #[serde(default, with = "As::<Positive<Length>>")]
     pub thickness: Option<f64>,
 }
 

@@ -19,10 +19,11 @@ parameters! {
     #[derive(Default)]
     pub struct BackStress {
         /// C: its first slope over the plastic strain \[MPa\].
-        pub modulus: Positive<Stress> = "2500 MPa",
+        pub modulus: "As::<Positive<Stress>>" = "2500 MPa",
         /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
         #[serde(rename = "recall")]
-        pub dynamic_recovery: NonNegative<Number> = 30; default 0.0,
+        #[serde(default)]
+        pub dynamic_recovery: "As::<NonNegative<Number>>" = 30,
     }
 }
 

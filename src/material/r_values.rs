@@ -7,11 +7,11 @@ parameters! {
     #[schemars(rename = "Directions")]
     pub struct RValues {
         /// Along the rolling direction.
-        pub r0: Positive<Number> = 0.525,
+        pub r0: "As::<Positive<Number>>" = 0.525,
         /// At 45°.
-        pub r45: Positive<Number> = 0.248,
+        pub r45: "As::<Positive<Number>>" = 0.248,
         /// Across the rolling direction.
-        pub r90: Positive<Number> = 0.429,
+        pub r90: "As::<Positive<Number>>" = 0.429,
     }
 }
 

@@ -122,11 +122,11 @@ pub struct StopRules {
     /// Ends where one place of the sheet takes all the stretching; true when not given.
     pub localised: bool,
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
-    #[serde(with = "As::<Option<Positive<Ratio>>>")]
+    #[serde(with = "As::<Positive<Ratio>>")]
     pub load_drop: Option<f64>,
     /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
     /// part is formed. Never when not given.
-    #[serde(with = "As::<Option<Positive<Ratio>>>")]
+    #[serde(with = "As::<Positive<Ratio>>")]
     pub contact_share: Option<f64>,
     /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every
     /// stage whose travel is long enough. False when not given: then a run ends early as soon as the rim comes to the throat.

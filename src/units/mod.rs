@@ -33,7 +33,7 @@ pub use spelling::closest;
 pub(crate) use spelling::did_you_mean;
 pub use types::{
     Angle, As, Conductivity, Density, Dimensioned, Energy, Force, Fraction, HeatTransfer, Kind, Length, LineForce,
-    NonNegative, Number, PerKelvin, Plain, Positive, Ratio, SpecificHeat, Speed, StrainRate, Stress, StressRate,
-    Temperature, Time, UpToOne,
+    NonNegative, Number, PerKelvin, Positive, Ratio, SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature,
+    Time, UpToOne,
 };
 pub use unit::Unit;

@@ -256,57 +256,24 @@ impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
 }
 
 /// Reads a plain number in the solver's unit as a quantity is written, for fields of solver types:
-/// `#[serde(with = "As::<Positive<Stress>>")] k: f64`; an `Option<f64>` as an `Option` of a quantity.
+/// `#[serde(with = "As::<Positive<Stress>>")] k: f64`, or an `Option<f64>` with a default.
 pub struct As<Q>(PhantomData<Q>);
 
-/// Quantity, or one that may be left out.
-pub trait Plain {
-    /// `f64` or `Option<f64>`.
-    type Number: Copy + Into<Option<f64>>;
-
-    /// The solver's unit.
-    const UNIT: &'static str;
-
-    /// Number in the solver's unit.
-    fn plain(self) -> Self::Number;
-}
-
-impl<Q: Dimensioned> Plain for Q {
-    type Number = f64;
-    const UNIT: &'static str = Q::KIND.unit;
-
-    fn plain(self) -> f64 {
-        self.value()
-    }
-}
-
-impl<Q: Dimensioned> Plain for Option<Q> {
-    type Number = Option<f64>;
-    const UNIT: &'static str = Q::KIND.unit;
-
-    fn plain(self) -> Option<f64> {
-        self.map(Q::value)
-    }
-}
-
-impl<Q: Plain> As<Q> {
+impl<Q: Dimensioned> As<Q> {
     /// Reads the number.
     ///
     /// # Errors
     /// When it is not such a quantity.
-    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Q::Number, D::Error>
-    where
-        Q: Deserialize<'de>,
-    {
-        Q::deserialize(from).map(Q::plain)
+    pub fn deserialize<'de, N: From<f64>, D: Deserializer<'de>>(from: D) -> Result<N, D::Error> {
+        from.deserialize_any(Written::<Q>(PhantomData)).map(|quantity| quantity.value().into())
     }
 
     /// Writes the number with its unit.
     ///
     /// # Errors
     /// Errors of the serializer.
-    pub fn serialize<S: Serializer>(number: &Q::Number, to: S) -> Result<S::Ok, S::Error> {
-        match ((*number).into(), Q::UNIT) {
+    pub fn serialize<N: Copy + Into<Option<f64>>, S: Serializer>(number: &N, to: S) -> Result<S::Ok, S::Error> {
+        match ((*number).into(), Q::KIND.unit) {
             (None, _) => to.serialize_none(),
             (Some(number), "") => to.serialize_f64(number),
             (Some(number), unit) => to.collect_str(&format_args!("{number} {unit}")),

@@ -102,7 +102,7 @@ pub struct Springback {
     #[schemars(with = "Option<Positive<Angle>>")]
     pub flange_tolerance: Option<f64>,
     /// Tolerance of the move of each edge inward or outward from its place under the tools \[mm\].
-    #[serde(with = "As::<Option<Positive<Length>>>")]
+    #[serde(with = "As::<Positive<Length>>")]
     pub edge_tolerance: Option<f64>,
     /// Ring that is cut from the wall of a drawn cup and slit; its opening is reported.
     pub ring: Option<Ring>,

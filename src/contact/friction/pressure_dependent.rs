@@ -10,11 +10,11 @@ parameters! {
     /// Tribology International 103 (2016) 266–273 (not read).
     pub struct PressureDependent {
         /// At the reference pressure, 0 to 1.
-        pub coefficient: Fraction = 0.12,
+        pub coefficient: "As::<Fraction>" = 0.12,
         /// Reference pressure \[MPa\].
-        pub reference: Positive<Stress> = "5 MPa",
+        pub reference: "As::<Positive<Stress>>" = "5 MPa",
         /// 0 to 1; 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure.
-        pub exponent: Fraction = 0.9,
+        pub exponent: "As::<Fraction>" = 0.9,
     }
 }
 

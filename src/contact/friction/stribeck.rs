@@ -11,13 +11,14 @@ parameters! {
     /// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
     pub struct Stribeck {
         /// Coefficient of the slowest sliding, 0 to 1.
-        pub at_rest: Fraction = 0.15,
+        pub at_rest: "As::<Fraction>" = 0.15,
         /// Coefficient of fast sliding, 0 to 1.
-        pub sliding: Fraction = 0.05,
+        pub sliding: "As::<Fraction>" = 0.05,
         /// Stribeck's speed \[mm/s\].
-        pub speed: Positive<Speed> = "10 mm/s",
+        pub speed: "As::<Positive<Speed>>" = "10 mm/s",
         /// Rise of the coefficient with the speed, per mm/s; none when not given.
-        pub viscous: NonNegative<Number> = 0.0001; default 0.0,
+        #[serde(default)]
+        pub viscous: "As::<NonNegative<Number>>" = 0.0001,
     }
 }
 

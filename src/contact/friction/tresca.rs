@@ -10,10 +10,15 @@ parameters! {
     /// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
     pub struct Tresca {
         /// Share m of k, 0 to 1.
-        pub factor: Fraction = 0.2,
+        pub factor: "As::<Fraction>" = 0.2,
         /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
-        pub coefficient: Fraction = 0.1; default self::Tresca::BOUND,
+        #[serde(default = "bound")]
+        pub coefficient: "As::<Fraction>" = 0.1,
     }
+}
+
+fn bound() -> f64 {
+    Tresca::BOUND
 }
 
 impl Tresca {

@@ -21,6 +21,7 @@
 //! A. Needleman, Acta Metall. 32 (1984) 157–169; for the flow approach E. Oñate, C. Agelet de Saracibar, in: Modelling of
 //! Metal Forming Processes, Kluwer (1988). None of them could be read; the condition is in common use.
 
+use super::Gtn;
 use crate::material::hill48::{Hill48, SHEAR};
 use crate::material::yield_condition::{Metric, Triple, YieldCondition, dot};
 
@@ -52,19 +53,22 @@ struct Place {
     dissipation: f64,
 }
 
-impl GtnCondition {
-    /// For q₁, q₂ and q₃, the porosity `f` and f* of it, `effective` \[–\].
-    pub fn new([q1, q2, q3]: [f64; 3], anisotropy: Hill48, f: f64, effective: f64) -> Self {
-        Self {
+impl Gtn {
+    /// The yield condition at the porosity `f` \[–\].
+    pub fn condition(&self, anisotropy: Hill48, f: f64) -> GtnCondition {
+        let effective = self.effective(f);
+        GtnCondition {
             anisotropy,
-            q2,
-            q1f: q1 * effective,
-            top: 1.0 + q3 * effective * effective,
+            q2: self.q2,
+            q1f: self.q1 * effective,
+            top: 1.0 + self.q3 * effective * effective,
             share: 1.0 / (1.0 - f),
             c: anisotropy.direct + anisotropy.coupled,
         }
     }
+}
 
+impl GtnCondition {
     fn place(&self, e: Triple) -> Place {
         let (c, q1f, q2) = (self.c, self.q1f, self.q2);
         let a = self.anisotropy.apply(e);

@@ -8,15 +8,14 @@
 //! The volume grows by ε_kk alone: a nucleated void takes the place of a particle.
 //!
 //! # References
-//! As in [`condition`], and C. C. Chu, A. Needleman, J. Eng. Mater. Technol. 102 (1980) 249–256, for nucleation.
+//! As in `condition`, and C. C. Chu, A. Needleman, J. Eng. Mater. Technol. 102 (1980) 249–256, for nucleation.
 
-pub mod condition;
+mod condition;
 
 pub use condition::GtnCondition;
 
 use super::Hill48;
-use super::yield_condition::Triple;
-use super::yield_condition::YieldCondition;
+use super::yield_condition::{Triple, YieldCondition};
 use crate::material::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;
@@ -38,19 +37,16 @@ const LARGEST: f64 = 0.99;
 pub struct Gtn {
     /// Initial porosity f₀, below 0.3.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.01)]
     pub initial: f64,
     /// 1.5 when not given (Tvergaard).
     #[serde(default = "tvergaard", with = "As::<Positive<Number>>")]
-    #[schemars(example = 1.5)]
     pub q1: f64,
     /// 1 when not given.
     #[serde(default = "one", with = "As::<Positive<Number>>")]
-    #[schemars(example = 1.0)]
     pub q2: f64,
     /// q1² when not given, which 0 stands for until [`Gtn::prepare`].
     #[serde(default, with = "As::<Positive<Number>>")]
-    #[schemars(!default, with = "Option<Positive<Number>>", example = 2.25)]
+    #[schemars(!default, with = "Option<Positive<Number>>")]
     pub q3: f64,
     /// Voids that open at particles as the sheet strains; none when not given.
     pub nucleation: Option<Nucleation>,
@@ -62,11 +58,11 @@ parameters! {
     /// Strain-controlled nucleation, spread normally.
     pub struct Nucleation {
         /// Porosity f_N that all particles make.
-        pub fraction: Fraction = 0.04,
+        pub fraction: "As::<Fraction>" = 0.04,
         /// Mean strain ε_N.
-        pub strain: Positive<Number> = 0.3,
+        pub strain: "As::<Positive<Number>>" = 0.3,
         /// Standard deviation s_N.
-        pub deviation: Positive<Number> = 0.1,
+        pub deviation: "As::<Positive<Number>>" = 0.1,
     }
 }
 
@@ -74,9 +70,9 @@ parameters! {
     /// Faster loss of strength from a critical porosity on.
     pub struct Coalescence {
         /// f_c.
-        pub critical: Fraction = 0.15,
+        pub critical: "As::<Fraction>" = 0.15,
         /// f_F, at which the sheet bears nothing any more: the run ends there.
-        pub fracture: Fraction = 0.25,
+        pub fracture: "As::<Fraction>" = 0.25,
     }
 }
 
@@ -112,10 +108,11 @@ impl Gtn {
     /// # Errors
     /// When they do not go together.
     pub fn prepare(&mut self) -> Result<(), LawError> {
+        let square = self.q1 * self.q1;
+        if self.q3 == 0.0 {
+            self.q3 = square;
+        }
         let Self { initial, q1, q2, q3, .. } = *self;
-        let square = q1 * q1;
-        let q3 = if q3 == 0.0 { square } else { q3 };
-        self.q3 = q3;
         for (key, value, least, most) in [("q1", q1, 0.5, 5.0), ("q2", q2, 0.1, 5.0), ("q3", q3, 0.1, 25.0)] {
             require_range([key; 2], value, [least, most], "1.5, 1 and 2.25 are usual")?;
         }
@@ -154,9 +151,12 @@ impl Gtn {
     /// f* \[–\], at most short of fracture.
     pub fn effective(&self, f: f64) -> f64 {
         let ultimate = self.ultimate();
-        let steeper =
-            |c: Coalescence| c.critical + (ultimate - c.critical) / (c.fracture - c.critical) * (f - c.critical);
-        let effective = self.coalescence.filter(|c| f > c.critical).map_or(f, steeper);
+        let effective = match self.coalescence {
+            Some(Coalescence { critical, fracture }) if f > critical => {
+                critical + (ultimate - critical) / (fracture - critical) * (f - critical)
+            }
+            _ => f,
+        };
         effective.min(LARGEST * ultimate)
     }
 
@@ -165,25 +165,18 @@ impl Gtn {
         f.clamp(0.0, LARGEST * self.fracture())
     }
 
-    /// The yield condition at the porosity `f` \[–\].
-    pub fn condition(&self, anisotropy: Hill48, f: f64) -> GtnCondition {
-        GtnCondition::new([self.q1, self.q2, self.q3], anisotropy, f, self.effective(f))
-    }
-
-    /// A of the nucleation \[–\].
-    fn nucleating(&self, strain: f64) -> f64 {
-        self.nucleation.map_or(0.0, |n| {
-            let x = (strain - n.strain) / n.deviation;
-            n.fraction / (n.deviation * TAU.sqrt()) * (-0.5 * x * x).exp()
-        })
-    }
-
     /// Porosity and strains after the increment `e` on a straight path, by Runge and Kutta's fourth-order rule.
     pub fn evolve(&self, anisotropy: Hill48, porosity: f64, strain: f64, e: Triple) -> Evolution {
+        let nucleation = |strain: f64| {
+            self.nucleation.map_or(0.0, |n| {
+                let x = (strain - n.strain) / n.deviation;
+                n.fraction / (n.deviation * TAU.sqrt()) * (-0.5 * x * x).exp()
+            })
+        };
         let rate = |f: f64, strain: f64| {
             let f = self.foreseen(f);
             let [metal, volume] = self.condition(anisotropy, f).strains(e);
-            [(1.0 - f) * volume + self.nucleating(strain) * metal, metal, volume]
+            [(1.0 - f) * volume + nucleation(strain) * metal, metal, volume]
         };
         let steps = (anisotropy.equivalent_increment(e) / STRAIN_STEP).ceil().max(1.0);
         let h = 1.0 / steps;

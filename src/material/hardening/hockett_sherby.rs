@@ -10,13 +10,13 @@ parameters! {
     /// Source: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98 (not read; the form is in common use).
     pub struct HockettSherby as HardeningLaw {
         /// σ₀ at the start of yield \[MPa\].
-        initial: Positive<Stress> = "130 MPa",
+        initial: "As::<Positive<Stress>>" = "130 MPa",
         /// σ_s at large strains \[MPa\].
-        saturation: Positive<Stress> = "390 MPa",
+        saturation: "As::<Positive<Stress>>" = "390 MPa",
         /// N.
-        rate: NonNegative<Number> = 5.0,
+        rate: "As::<NonNegative<Number>>" = 5.0,
         /// p, above 0 and up to 1.
-        exponent: Fraction = 0.75,
+        exponent: "As::<Fraction>" = 0.75,
     }
 }
 

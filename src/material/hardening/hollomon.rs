@@ -13,15 +13,12 @@ use crate::material::law::prelude::*;
 pub struct Hollomon {
     /// K, the stress at a strain of 1 \[MPa\].
     #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "547 MPa")]
     k: f64,
     /// Hardening exponent, 0 to 1.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.18)]
     n: f64,
     /// Offset strain; without it `young` must be given, and the law starts where it meets the elastic line.
-    #[serde(default, with = "As::<Option<Positive<Number>>>")]
-    #[schemars(example = 0.001)]
+    #[serde(default, with = "As::<Positive<Number>>")]
     offset: Option<f64>,
     /// ε₀, declared or of the elastic line.
     #[serde(skip)]

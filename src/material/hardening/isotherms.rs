@@ -13,7 +13,6 @@ pub struct Isotherms {
     /// At rising temperatures.
     curves: Vec<Isotherm>,
     /// Extrapolation beyond the last points: a choice that has to be made.
-    #[schemars(example = &"slope")]
     extrapolation: Extrapolation,
 }
 
@@ -22,7 +21,6 @@ pub struct Isotherms {
 #[serde(deny_unknown_fields)]
 struct Isotherm {
     #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "150 °C")]
     temperature: f64,
     /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
     points: Points,
@@ -51,23 +49,20 @@ impl Example for Isotherms {
 impl HardeningLaw for Isotherms {
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
         for (i, isotherm) in self.curves.iter_mut().enumerate() {
-            let points = std::mem::take(&mut isotherm.points);
-            isotherm.curve = curve(points, self.extrapolation).map_err(|error| {
+            isotherm.curve = curve(&isotherm.points, self.extrapolation).map_err(|error| {
                 let key = if error.key.is_empty() { "points" } else { &error.key };
                 let (key, message) = (format!("curves.{i}.{key}"), format!("curve {}: {}", i + 1, error.message));
                 LawError { key, message, ..error }
             })?;
         }
-        require("", self.curves.len() >= 2, || {
-            format!("needs curves at two temperatures or more, found {}", self.curves.len())
-        })?;
-        for i in 1..self.curves.len() {
-            let [before, this] = [i - 1, i].map(|i| self.curves[i].temperature);
-            require(&format!("curves.{i}.temperature"), this > before, || {
-                format!("curve {}: its temperature does not rise above that of the one before", i + 1)
-            })?;
-        }
-        Ok(())
+        let n = self.curves.len();
+        require("", n >= 2, || format!("needs curves at two temperatures or more, found {n}"))?;
+        let falls = self.curves.windows(2).position(|pair| pair[1].temperature <= pair[0].temperature);
+        falls.map_or(Ok(()), |i| {
+            require(&format!("curves.{}.temperature", i + 1), false, || {
+                format!("curve {}: its temperature does not rise above that of the one before", i + 2)
+            })
+        })
     }
 
     fn formula(&self) -> String {

@@ -9,11 +9,11 @@ parameters! {
     /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
     pub struct Ludwik as HardeningLaw {
         /// Yield stress σ₀ \[MPa\].
-        initial: Positive<Stress> = "150 MPa",
+        initial: "As::<Positive<Stress>>" = "150 MPa",
         /// K, the hardening at a strain of 1 \[MPa\].
-        k: NonNegative<Stress> = "400 MPa",
+        k: "As::<NonNegative<Stress>>" = "400 MPa",
         /// Hardening exponent, above 0 and up to 1.
-        n: Fraction = 0.5,
+        n: "As::<Fraction>" = 0.5,
     }
 }
 

@@ -11,7 +11,6 @@ use crate::material::law::prelude::*;
 pub struct Mixed {
     /// Share of Swift's law, 0 to 1.
     #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.5)]
     weight: f64,
     /// The law that hardens without end.
     swift: Swift,

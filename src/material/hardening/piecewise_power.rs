@@ -21,20 +21,25 @@ parameters! {
     /// One branch; it must meet the next one.
     pub struct Branch {
         /// Strain where the branch ends; left out in the last one.
-        pub up_to: Positive<Number> = 0.36; default f64::INFINITY,
+        #[serde(default = "endless")]
+        pub up_to: "As::<Positive<Number>>" = 0.36,
         /// Yield stress σ₀ of the branch at ε = 0 \[MPa\].
-        pub initial: Positive<Stress> = "5.4 tonf_uk/in^2",
+        pub initial: "As::<Positive<Stress>>" = "5.4 tonf_uk/in^2",
         /// K \[MPa\].
-        pub k: NonNegative<Stress> = "27.8 tonf_uk/in^2",
+        pub k: "As::<NonNegative<Stress>>" = "27.8 tonf_uk/in^2",
         /// Exponent, above 0 and up to 1.
-        pub n: Fraction = 0.504,
+        pub n: "As::<Fraction>" = 0.504,
     }
 }
 
-impl PiecewisePower {
-    /// Largest accepted relative jump of the stress between two branches: rounded constants leave about 0.1 %.
-    pub const LARGEST_JUMP: f64 = 0.005;
+fn endless() -> f64 {
+    f64::INFINITY
+}
 
+/// Largest relative jump of the stress between two branches \[–\]: rounded constants leave about 0.1 %.
+const LARGEST_JUMP: f64 = 0.005;
+
+impl PiecewisePower {
     /// Joins branches, in order of strain; the last must have no end (infinite).
     ///
     /// # Errors
@@ -77,16 +82,13 @@ impl HardeningLaw for PiecewisePower {
         }
         for i in 0..last {
             let strain = branches[i].up_to;
-            let stress = |b: &Branch| b.initial + b.k * strain.powf(b.n);
-            let (before, after) = (stress(&branches[i]), stress(&branches[i + 1]));
+            let [before, after] = [i, i + 1].map(|i| branches[i].initial + branches[i].k * strain.powf(branches[i].n));
             let jump = after / before - 1.0;
-            require(&format!("branches.{}", i + 1), jump.abs() <= Self::LARGEST_JUMP, || {
-                let [jump, most] = [jump, Self::LARGEST_JUMP].map(|share| 100.0 * share);
+            require(&format!("branches.{}", i + 1), jump.abs() <= LARGEST_JUMP, || {
+                let (this, next, jump, most) = (i + 1, i + 2, 100.0 * jump, 100.0 * LARGEST_JUMP);
                 format!(
-                    "branches {} and {} do not meet at a strain of {strain}: {before:.2} and {after:.2} MPa, a jump of \
-                     {jump:+.1} %; check the exponents (more than {most:.1} % is not rounding)",
-                    i + 1,
-                    i + 2
+                    "branches {this} and {next} do not meet at a strain of {strain}: {before:.2} and {after:.2} MPa, a jump \
+                     of {jump:+.1} %; check the exponents (more than {most:.1} % is not rounding)"
                 )
             })?;
             branches[i + 1].initial -= after - before;

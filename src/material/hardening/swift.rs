@@ -9,11 +9,11 @@ parameters! {
     /// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
     pub struct Swift as HardeningLaw {
         /// K, the stress at a total strain of 1 \[MPa\].
-        k: Positive<Stress> = "520 MPa",
+        k: "As::<Positive<Stress>>" = "520 MPa",
         /// Hardening exponent, 0 to 1.
-        n: Fraction = 0.22,
+        n: "As::<Fraction>" = 0.22,
         /// Offset strain, 1e-6 to 1.
-        offset: Positive<Number> = 0.005,
+        offset: "As::<Positive<Number>>" = 0.005,
     }
 }
 

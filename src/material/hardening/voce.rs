@@ -9,13 +9,14 @@ parameters! {
     /// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
     pub struct Voce as HardeningLaw {
         /// Yield stress σ₀ \[MPa\].
-        initial: Positive<Stress> = "125 MPa",
+        initial: "As::<Positive<Stress>>" = "125 MPa",
         /// Stress σ_s that hardening comes to \[MPa\].
-        saturation: Positive<Stress> = "320 MPa",
+        saturation: "As::<Positive<Stress>>" = "320 MPa",
         /// b: how fast it comes there.
-        rate: NonNegative<Number> = 7.5,
+        rate: "As::<NonNegative<Number>>" = 7.5,
         /// Power of the strain; 1 when not given.
-        exponent: Fraction = 1.0; default 1.0,
+        #[serde(default = "one")]
+        exponent: "As::<Fraction>" = 1.0,
     }
 }
 

@@ -51,23 +51,6 @@ fn stresses_of_tension_biaxial_stretching_and_plane_strain_are_the_closed_forms(
     }
 }
 
-/// Trust: with a = 2 both are the same quadratic form.
-#[test]
-fn exponent_two_is_hills_condition() {
-    for r in RATIOS {
-        let (law, hill) = (Hosford::new(r, 2.0), Hill48::new(r));
-        for e in directions() {
-            assert_relative_eq!(law.equivalent_stress(e), hill.equivalent_stress(e), max_relative = 1e-12);
-            let (metric, quadratic) = (law.metric(e), hill.metric(e));
-            assert_relative_eq!(metric.square, quadratic.square, max_relative = 1e-12);
-            let entries = |metric: Metric| metric.gradient.into_iter().chain(metric.matrix);
-            for (entry, hills) in entries(metric).zip(entries(quadratic)) {
-                assert_relative_eq!(entry, hills, epsilon = 1e-12 * hill.direct);
-            }
-        }
-    }
-}
-
 /// Trust: the flow rule, and Euler's and Legendre's identities. A stress of the strain e lies on the surface, does the work
 /// Δε̄ on e, and its direction of flow is e/Δε̄.
 #[test]

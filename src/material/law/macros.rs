@@ -102,70 +102,35 @@ macro_rules! family {
     };
 }
 
-/// Makes a struct of numbers in the solver's units, read with their units: `k: Positive<Stress> = "520 MPa"`, where the text
-/// is the schema's example; `exponent: Fraction = 0.9; default 1.0` may be left out. `as HardeningLaw` gives
-/// the law a `new`. Attributes of serde and schemars hold
-/// for the text of the case.
+/// Makes a struct of numbers in the solver's units, read with their units: `k: "As::<Positive<Stress>>" = "520 MPa"`, where
+/// the last text is the schema's example. `as HardeningLaw` gives the law a `new`.
 macro_rules! parameters {
     (
-        $(#[doc $($doc:tt)*])+
-        $(#[schemars $($attribute:tt)*])?
-        $(#[derive $($derive:tt)*])?
+        $(#[$attribute:meta])+
         pub struct $law:ident $(as $trait:ident)? {
-            $(
-                $(#[doc $($field_doc:tt)*])+
-                $(#[serde $($key:tt)*])?
-                $visible:vis $field:ident: $quantity:ty = $example:expr $(; default $default:expr)?,
-            )+
+            $($(#[$field_attribute:meta])+ $visible:vis $field:ident: $quantity:tt = $example:expr,)+
         }
     ) => {
-        $(#[doc $($doc)*])+
-        $(#[derive $($derive)*])?
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        $(#[$attribute])+
         pub struct $law {
-            $($(#[doc $($field_doc)*])+ $visible $field: f64,)+
+            $(
+                $(#[$field_attribute])+
+                #[serde(with = $quantity)]
+                #[schemars(example = $example)]
+                $visible $field: f64,
+            )+
         }
 
         $crate::material::law::parameters!(@new $law $($trait)?; $($field),+);
 
-        const _: () = {
-            $(#[doc $($doc)*])+
-            #[derive(serde::Deserialize, schemars::JsonSchema)]
-            $(#[schemars $($attribute)*])?
-            #[serde(deny_unknown_fields)]
-            struct $law {
-                $(
-                    $(#[doc $($field_doc)*])+
-                    $(#[serde $($key)*])?
-                    $(#[schemars(extend("default" = $default))])?
-                    #[schemars(example = $example)]
-                    $field: $crate::material::law::parameters!(@type $quantity $(, $default)?),
-                )+
+        impl $crate::material::law::Example for $law {
+            fn example() -> Self {
+                let written = serde_json::json!({ $(stringify!($field): $example),+ });
+                serde_json::from_value(written).expect("examples are valid")
             }
-
-            impl<'de> serde::Deserialize<'de> for self::$law {
-                fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                    let written = <$law as serde::Deserialize>::deserialize(from)?;
-                    Ok(Self { $($field: $crate::material::law::parameters!(@value written.$field $(, $default)?)),+ })
-                }
-            }
-
-            impl $crate::material::law::Example for self::$law {
-                fn example() -> Self {
-                    Self { $($field: $crate::material::law::read::<$quantity>($example)),+ }
-                }
-            }
-
-            impl schemars::JsonSchema for self::$law {
-                fn schema_name() -> std::borrow::Cow<'static, str> {
-                    <$law as schemars::JsonSchema>::schema_name()
-                }
-
-                fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                    <$law as schemars::JsonSchema>::json_schema(generator)
-                }
-            }
-        };
+        }
     };
     (@new $law:ident; $($field:ident),+) => {};
     (@new $law:ident $trait:ident; $($field:ident),+) => {
@@ -180,9 +145,5 @@ macro_rules! parameters {
             }
         }
     };
-    (@type $quantity:ty) => { $quantity };
-    (@type $quantity:ty, $default:expr) => { Option<$quantity> };
-    (@value $written:expr) => { $written.value() };
-    (@value $written:expr, $default:expr) => { $written.map_or($default, |written| written.value()) };
 }
 pub(crate) use {family, parameters};

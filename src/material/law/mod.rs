@@ -6,10 +6,6 @@
 
 mod macros;
 
-use crate::units::Dimensioned;
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-
 pub(crate) use macros::{family, parameters};
 
 /// Why a set of parameters is not a law.
@@ -34,11 +30,6 @@ impl LawError {
 /// Law with numbers in common use, those of the schema's examples.
 pub(crate) trait Example {
     fn example() -> Self;
-}
-
-/// Reads the example of a parameter.
-pub(crate) fn read<'a, Q: Dimensioned + Deserialize<'a>>(example: impl IntoDeserializer<'a>) -> f64 {
-    Q::deserialize(example.into_deserializer()).expect("examples are valid").value()
 }
 
 /// Imports of a law's file.
@@ -103,11 +94,8 @@ pub trait Family: Sized {
 
 /// Restricts the schema of a table of laws to exactly one of them.
 pub(crate) fn one_of(table: &mut schemars::Schema) {
-    for law in
-        table.get_mut("properties").and_then(|laws| laws.as_object_mut()).into_iter().flat_map(|laws| laws.values_mut())
-    {
-        *law = law["anyOf"][0].take();
-    }
+    let laws = table.get_mut("properties").and_then(|laws| laws.as_object_mut());
+    laws.into_iter().flat_map(|laws| laws.values_mut()).for_each(|law| *law = law["anyOf"][0].take());
     for key in ["minProperties", "maxProperties"] {
         table.insert(key.to_owned(), 1.into());
     }

@@ -10,9 +10,9 @@ parameters! {
     /// 9 (1966) 243–377 (not read).
     pub struct CowperSymonds {
         /// C \[1/s\].
-        pub rate: Positive<StrainRate> = "40 /s",
+        pub rate: "As::<Positive<StrainRate>>" = "40 /s",
         /// p.
-        pub exponent: Positive<Number> = 5.0,
+        pub exponent: "As::<Positive<Number>>" = 5.0,
     }
 }
 

@@ -12,9 +12,9 @@ parameters! {
     /// read).
     pub struct JohnsonCook {
         /// C.
-        pub coefficient: Positive<Number> = 0.015,
+        pub coefficient: "As::<Positive<Number>>" = 0.015,
         /// ε̇₀ \[1/s\].
-        pub reference: Positive<StrainRate> = "0.001 /s",
+        pub reference: "As::<Positive<StrainRate>>" = "0.001 /s",
     }
 }
 

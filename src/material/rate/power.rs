@@ -10,9 +10,9 @@ parameters! {
     /// (1964) 980–990 (not read).
     pub struct PowerRate {
         /// m, 0 to 1.
-        pub exponent: Fraction = 0.02,
+        pub exponent: "As::<Fraction>" = 0.02,
         /// Strain rate at which the hardening law was measured \[1/s\].
-        pub reference: Positive<StrainRate> = "0.001 /s",
+        pub reference: "As::<Positive<StrainRate>>" = "0.001 /s",
     }
 }
 

@@ -12,11 +12,11 @@ parameters! {
     /// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
     pub struct Arrhenius {
         /// Activation energy Q \[N mm/mol\].
-        pub activation: Positive<Energy> = "150 kJ/mol",
+        pub activation: "As::<Positive<Energy>>" = "150 kJ/mol",
         /// m, 0 to 1.
-        pub exponent: Fraction = 0.1,
+        pub exponent: "As::<Fraction>" = 0.1,
         /// Temperature at which the hardening law was measured \[K\].
-        pub reference: Positive<Temperature> = "420 °C",
+        pub reference: "As::<Positive<Temperature>>" = "420 °C",
     }
 }
 

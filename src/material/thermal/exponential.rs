@@ -8,9 +8,9 @@ parameters! {
     /// Source: in common use for warm forming.
     pub struct Exponential {
         /// Share of the strength lost per kelvin \[1/K\].
-        pub coefficient: Positive<PerKelvin> = "0.003 /K",
+        pub coefficient: "As::<Positive<PerKelvin>>" = "0.003 /K",
         /// Temperature at which the hardening law was measured \[K\].
-        pub reference: Positive<Temperature> = "20 °C",
+        pub reference: "As::<Positive<Temperature>>" = "20 °C",
     }
 }
 

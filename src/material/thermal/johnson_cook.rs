@@ -12,11 +12,11 @@ parameters! {
     /// read).
     pub struct Melting {
         /// Temperature at which the hardening law was measured \[K\].
-        pub reference: Positive<Temperature> = "20 °C",
+        pub reference: "As::<Positive<Temperature>>" = "20 °C",
         /// Melting point \[K\].
-        pub melting: Positive<Temperature> = "600 °C",
+        pub melting: "As::<Positive<Temperature>>" = "600 °C",
         /// Thermal exponent.
-        pub exponent: Positive<Number> = 1.03,
+        pub exponent: "As::<Positive<Number>>" = 1.03,
     }
 }
 
