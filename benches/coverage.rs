@@ -52,11 +52,10 @@ fn print_raw(checked: &Checked, seed: u64) {
         });
         let runs: Vec<String> = runs.collect();
         println!(
-            "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
+            "raw {seed} {:?} {} {:.10e} {} {:.3} {}",
             number.origin,
             number.quantity.key,
             number.quantity.amount.value,
-            number.resolution,
             base.end.kind.replace(' ', "_"),
             base.shortest,
             runs.join(" ")

@@ -3,9 +3,7 @@
 use super::compare::is_curve;
 use super::study::StudyOptions;
 use super::*;
-use stampflow::study::fit::{
-    CaseFitRequest, HardeningKind, RateKind, Reduction, Tests, fit_case, fit_laws, material_text,
-};
+use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, Tests, fit_case, fit_laws, material_text};
 use stampflow::units::parse;
 
 const STRAIN: &str = "a plain number";
@@ -37,8 +35,7 @@ Examples:
         gauge: Option<f64> = "LENGTH" [long, value_parser = |text: &str| measured(text, "a length", "80 mm")]
             "Gauge length, for elongations: \"80 mm\"",
         rate: Vec<f64> = "A,B,C" [long, value_delimiter = ',']
-            "Strain rate of each test in 1/s, in their order: 0.001,1",
-        rate_law: RateKind = "LAW" [long, default_value = "power"] "Rate law: power, johnson-cook or cowper-symonds",
+            "Strain rate of each test in 1/s, in their order: 0.001,1; fits a power of it",
         direction: Vec<f64> = "A,B,C" [long, value_delimiter = ',']
             "Direction of each test to the rolling direction in degrees: 0,45,90",
         vary: Vec<String> = "KEY=RANGE" [long] "A key of the case: KEY=START in LOW..HIGH UNIT; as often as needed",
@@ -68,7 +65,7 @@ fn laws(args: &Args, dir: &Path) -> Result<Code> {
         rate: args.rate.clone(),
         direction: args.direction.clone(),
     };
-    let fits = fit_laws(tests.curves()?, args.law, args.rate_law)?;
+    let fits = fit_laws(tests.curves()?, args.law)?;
     let best = fits.best();
     let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
     let extra = json!({ "law": best.kind.name(), "parameters": best.estimates });

@@ -4,7 +4,6 @@ pub mod animation;
 pub(crate) mod axis;
 mod bands;
 pub mod chart;
-pub mod comparison;
 mod dimensions;
 mod display;
 pub mod flow_curve;

@@ -56,6 +56,7 @@ pub struct Point {
     pub computed: Option<f64>,
     /// True inside the range that is judged; the others are only drawn.
     pub judged: bool,
+    line: usize,
 }
 
 /// Measured and computed intervals from the least to the largest value, in solver units.
@@ -76,10 +77,9 @@ pub struct Comparison {
     pub spec: Spec,
     /// Reference with the computed values.
     pub compared: Compared,
-    /// Computed curve that the compared values were taken from.
-    pub curve: Vec<(f64, f64)>,
     /// Agreement.
     pub verdict: Verdict,
+    /// Computed curve that the compared values were taken from.
     x: Column,
     y: Column,
 }
@@ -89,10 +89,8 @@ impl Solution {
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
         let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
         let ring = self.case.springback.ring.and_then(|ring| ring.openings(&self.stages));
-        comparisons(
-            &self.case,
-            &Computed { ring: ring.as_ref().map(|(own, all)| (*own, &all[..])), ..Computed::of(first) },
-        )
+        let ring = ring.as_ref().map(|(own, all)| (*own, &all[..]));
+        comparisons(&self.case, &Computed { ring, ..Computed::of(first) })
     }
 }
 
@@ -108,51 +106,37 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
     let (x, y) = computed.columns(spec.against.quantity());
     let path = spec.reference.as_path();
-    let Some(data) = &spec.data else {
-        let missing = CompareError(format!("{} is not there", path.display()));
-        return if spec.optional { Ok(of(spec, Compared::NoData, None, x, y)) } else { Err(missing) };
-    };
-    let reference = Reference { path, csv: &data.csv };
-    let (compared, is_inside) = match &spec.against {
-        Against::Curve(against) => {
+    let reference = spec.data.as_ref().map(|data| Reference { path, csv: &data.csv });
+    let (compared, verdict) = match (reference, &spec.against) {
+        (None, _) if spec.optional => (Compared::NoData, Verdict::NoData),
+        (None, _) => return Err(CompareError(format!("{} is not there", path.display()))),
+        (Some(reference), Against::Curve(against)) => {
             let points = reference.points(against, [&x, &y])?;
-            if let Some((zero, line)) = points.iter().find(|(p, _)| p.reference.abs() < NOTHING && p.judged) {
-                let value = four_digits(zero.reference);
-                let (place, remedy) = (zero.x, "which no relative difference can be taken from; narrow `range`");
-                return reference.refuse(format!(", line {line}: the reference value is {value} at {place}, {remedy}"));
+            let mut judged = points.iter().filter(|point| point.judged);
+            if let Some(Point { x, reference: value, line, .. }) = judged.clone().find(|p| p.reference.abs() < NOTHING)
+            {
+                let remedy = "which no relative difference can be taken from; narrow `range`";
+                let value = four_digits(*value);
+                return reference.refuse(format!(", line {line}: the reference value is {value} at {x}, {remedy}"));
             }
-            let points: Vec<Point> = points.into_iter().map(|(point, _)| point).collect();
+            let is_beyond =
+                |point: &Point| point.difference().is_some_and(|d| d.abs() > against.tolerance || d.is_nan());
             let needs_all = matches!(against.quantity, Q::ThicknessAtS0 | Q::ThicknessAtRadius);
-            let is_inside = if needs_all && !computed.complete { None } else { is_inside(&points, against.tolerance) };
-            (Compared::Points(points), is_inside)
+            let verdict = match judged.clone().any(is_beyond) {
+                _ if needs_all && !computed.complete => Verdict::NotReached,
+                true => Verdict::Out,
+                false if judged.all(|point| point.computed.is_some()) => Verdict::In,
+                false => Verdict::NotReached,
+            };
+            (Compared::Points(points), verdict)
         }
-        Against::Band(against) => {
+        (Some(reference), Against::Band(against)) => {
             let band = reference.band(against, [&x, &y], computed)?;
-            (Compared::Band(band), band.outside().map(|outside| outside == 0.0))
+            let inside = |outside| if outside == 0.0 { Verdict::In } else { Verdict::Out };
+            (Compared::Band(band), band.outside().map_or(Verdict::NotReached, inside))
         }
     };
-    Ok(of(spec, compared, is_inside, x, y))
-}
-
-fn of(spec: &Spec, compared: Compared, is_inside: Option<bool>, x: Column, y: Column) -> Comparison {
-    let verdict = match (&compared, is_inside) {
-        (Compared::NoData, _) => Verdict::NoData,
-        (_, Some(true)) => Verdict::In,
-        (_, Some(false)) => Verdict::Out,
-        (_, None) => Verdict::NotReached,
-    };
-    let curve = x.values.iter().copied().zip(y.values.iter().copied()).collect();
-    let [x, y] = [x, y].map(|column| Column { values: Vec::new(), ..column });
-    Comparison { spec: spec.clone(), compared, curve, verdict, x, y }
-}
-
-/// True if all judged points lie within the tolerance; `None` if the run did not reach all of them.
-fn is_inside(points: &[Point], tolerance: f64) -> Option<bool> {
-    let mut judged = points.iter().filter(|point| point.judged);
-    if judged.clone().any(|point| point.difference().is_some_and(|d| d.abs() > tolerance || d.is_nan())) {
-        return Some(false);
-    }
-    judged.all(|point| point.computed.is_some()).then_some(true)
+    Ok(Comparison { spec: spec.clone(), compared, verdict, x, y })
 }
 
 /// File of a reference.
@@ -179,8 +163,7 @@ impl Reference<'_> {
         };
         if unit != computed.unit {
             let with = computed.axis();
-            let with = with.text();
-            return self.refuse(format!(": column `{header}` cannot be compared with the computed {with}"));
+            return self.refuse(format!(": column `{header}` cannot be compared with the computed {}", with.text()));
         }
         let value = |row: &Record| {
             let place = format!(", line {}, column `{header}`", row.line);
@@ -202,8 +185,7 @@ impl Reference<'_> {
         Ok((self.csv.rows.iter().map(value).collect::<Result<_, _>>()?, factor))
     }
 
-    /// Points of a curve with their lines.
-    fn points(&self, spec: &CurveSpec, [x, y]: [&Column; 2]) -> Result<Vec<(Point, usize)>, CompareError> {
+    fn points(&self, spec: &CurveSpec, [x, y]: [&Column; 2]) -> Result<Vec<Point>, CompareError> {
         let ((xs, of_x), (ys, _)) = (self.column(&spec.x, x)?, self.column(&spec.y, y)?);
         let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let range = low * of_x..=high * of_x;
@@ -213,13 +195,12 @@ impl Reference<'_> {
                 rising.push(point);
             }
         }
-        let pairs = xs.into_iter().zip(ys).zip(&self.csv.rows);
-        let known = pairs.filter_map(|((x, y), row)| Some((x?, y?, row.line)));
-        let point = |(x, reference, line)| {
-            (Point { x, reference, computed: held_at_ends(&rising, x), judged: range.contains(&x) }, line)
+        let point = |((x, y), row): ((Option<f64>, Option<f64>), &Record)| {
+            let (x, reference) = x.zip(y)?;
+            Some(Point { x, reference, computed: held_at_ends(&rising, x), judged: range.contains(&x), line: row.line })
         };
-        let points: Vec<(Point, usize)> = known.map(point).collect();
-        if points.iter().any(|(point, _)| point.judged) {
+        let points: Vec<Point> = xs.into_iter().zip(ys).zip(&self.csv.rows).filter_map(point).collect();
+        if points.iter().any(|point| point.judged) {
             return Ok(points);
         }
         self.refuse(format!(" has no rows in columns `{}` and `{}` within the range asked for", spec.x, spec.y))
@@ -227,10 +208,7 @@ impl Reference<'_> {
 
     /// Band of measured and computed values; an unfinished run has no value at the end.
     fn band(&self, spec: &BandSpec, [x, y]: [&Column; 2], computed: &Computed) -> Result<Band, CompareError> {
-        let errors = match &spec.error {
-            Some(header) => self.column(header, y)?.0,
-            None => Vec::new(),
-        };
+        let errors = spec.error.as_ref().map_or(Ok(Vec::new()), |header| Ok(self.column(header, y)?.0))?;
         if let Some(row) = errors.iter().position(|error| error.is_some_and(|error| error < 0.0)) {
             let (line, column) = (self.csv.rows[row].line, spec.error.as_deref().unwrap_or_default());
             return self.refuse(format!(", line {line}: the error of measurement in column `{column}` is negative"));
@@ -302,11 +280,7 @@ impl Band {
     /// [`Self::outside`] over the end of the band that is left \[–\]; `None` if that end is 0.
     pub fn difference(&self) -> Option<f64> {
         let outside = self.outside()?;
-        let end = self.end_left(outside).abs();
+        let end = self.accepted[usize::from(outside >= 0.0)].abs();
         if outside == 0.0 { Some(0.0) } else { (end >= NOTHING).then(|| outside / end) }
-    }
-
-    fn end_left(&self, outside: f64) -> f64 {
-        self.accepted[usize::from(outside >= 0.0)]
     }
 }

@@ -1,18 +1,10 @@
-//! Error bars of a verified case: on its numbers and curves, on the lights of its verdict, and as a table.
+//! Error bars of a verified case: on its numbers and curves, and on the lights of its verdict.
 
-use super::csv::{number, records};
-use super::{Files, Results};
 use crate::assess::{self, Answer, Finding, Kind, Light, largest_force};
 use crate::case::Solution;
 use crate::plot::StageView;
-use crate::table::Unit;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
-
-/// Name of the table of all numbers and curves.
-pub(super) const FILE: &str = "error_bars.csv";
-
-const HEADERS: [&str; 7] = ["told_by", "quantity", "unit", "at_mm", "value", "error_bar", "made_of"];
 
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
@@ -39,8 +31,6 @@ pub struct Number {
     pub origin: Origin,
     /// Value with its error bar.
     pub quantity: Quantity,
-    /// Length of the element or step that a place or a travel is read off by, in the number's unit; 0 of others.
-    pub resolution: f64,
     /// Place to look other runs' values up at, as initial distance from the axis \[mm\]: the worst place jumps.
     pub s0: Option<f64>,
     /// Contributions to the error bar, the largest first.
@@ -86,7 +76,7 @@ pub struct ErrorBars {
 impl Number {
     /// Number without an error bar.
     pub fn new(origin: Origin, quantity: Quantity) -> Self {
-        Self { origin, quantity, resolution: 0.0, s0: None, contributions: Vec::new() }
+        Self { origin, quantity, s0: None, contributions: Vec::new() }
     }
 
     /// True of the same number of another run.
@@ -107,12 +97,7 @@ impl Number {
 
     /// Origin, key and unit in files.
     pub(crate) fn name(&self) -> [&'static str; 3] {
-        let origin = match self.origin {
-            Origin::Answer => "answer",
-            Origin::Part => "part",
-            Origin::Verdict => "verdict",
-        };
-        [origin, self.quantity.key, self.quantity.amount.unit.spelled()]
+        [["answer", "part", "verdict"][self.origin as usize], self.quantity.key, self.quantity.amount.unit.spelled()]
     }
 
     /// Contributions, such as `elements 62 % (2.1), steps 30 %` with an observed order if extrapolated; or why there is no bar.
@@ -235,20 +220,16 @@ impl ErrorBars {
 
     /// Sentences below the answer's numbers: origin of the bars, numbers without one and why, and all notes.
     pub fn sentences(&self) -> Vec<String> {
+        let answer = || self.numbers.iter().filter(|number| number.origin == Origin::Answer);
         let mut without: Vec<(&str, Vec<String>)> = Vec::new();
-        let mut has_bars = false;
-        for number in self.numbers.iter().filter(|number| number.origin == Origin::Answer) {
-            let ErrorBar::Missing(why) = &number.quantity.error else {
-                has_bars = true;
-                continue;
-            };
-            let label = number.quantity.label.to_owned();
+        for Quantity { label, error, .. } in answer().map(|number| &number.quantity) {
+            let ErrorBar::Missing(why) = error else { continue };
             match without.iter_mut().find(|(known, _)| known == why) {
-                Some((_, labels)) => labels.push(label),
-                None => without.push((why, vec![label])),
+                Some((_, labels)) => labels.push((*label).to_owned()),
+                None => without.push((why, vec![(*label).to_owned()])),
             }
         }
-        if !has_bars && without.len() <= 1 {
+        if answer().all(|number| number.half().is_none()) && without.len() <= 1 {
             // A run without a step has no numbers either.
             let why = without.first().map_or(self.why.as_str(), |(why, _)| why);
             let notes = self.notes.iter().filter(|note| note.as_str() != why).cloned();
@@ -281,23 +262,4 @@ impl Serialize for ErrorBars {
         value.serialize_field("numbers", &numbers)?;
         value.end()
     }
-}
-
-/// One row per number and per point of a curve in the solver's units; the reason if there is no bar.
-pub(super) fn files(results: &Results) -> Files {
-    let Some(bars) = results.bars else { return Vec::new() };
-    let mut rows = vec![HEADERS.map(str::to_owned)];
-    rows.extend(bars.numbers.iter().map(|own| {
-        let [origin, key, unit] = own.name().map(str::to_owned);
-        let half = own.half().map_or_else(String::new, number);
-        [origin, key, unit, String::new(), number(own.quantity.amount.value), half, own.made_of()]
-    }));
-    let force = results.solution.case.model().extent().force_unit();
-    for (key, unit, band) in [("punch_force", force, &bars.load), ("thickness", Unit::Mm, &bars.thickness)] {
-        rows.extend(band.iter().map(|[x, low, high]| {
-            let [at, value, half] = [*x, 0.5 * (low + high), 0.5 * (high - low)].map(number);
-            ["curve".to_owned(), key.to_owned(), unit.spelled().to_owned(), at, value, half, String::new()]
-        }));
-    }
-    vec![(FILE.to_owned(), records(rows))]
 }

@@ -81,10 +81,5 @@ pub const OUTPUTS: &[Output] = &[
         "comparisons and differences for every reference the case is compared with",
         Make::OfCase(comparison::files),
     ),
-    output(
-        error_bars::FILE,
-        "with --error-bars, or quick ones with --report: every number and curve with its bar",
-        Make::OfCase(error_bars::files),
-    ),
     output(stages::FILE, "a line for every stage, of a case with several", Make::OfCase(stages::files)),
 ];

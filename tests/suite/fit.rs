@@ -7,8 +7,8 @@ use stampflow::numerics::least_squares::Ended;
 use stampflow::study::BaseCase;
 use stampflow::study::Watch;
 use stampflow::study::fit::{
-    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, RateKind, Reduction, Tension, fit_case,
-    fit_laws, material_text,
+    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, Reduction, Tension, fit_case, fit_laws,
+    material_text,
 };
 use std::fmt::Write;
 use std::fs;
@@ -52,7 +52,7 @@ fn normal(rng: &mut Rng) -> f64 {
 fn fitted(text: &str, wanted: Option<HardeningKind>, reduction: &Reduction) -> LawFits {
     let test = Tension::read(text, "test.csv", None, None).unwrap_or_else(|error| panic!("{error}"));
     let curve = FlowCurve::of(&test, reduction).unwrap_or_else(|error| panic!("{error}"));
-    fit_laws(vec![curve], wanted, RateKind::Power).unwrap_or_else(|error| panic!("{error}"))
+    fit_laws(vec![curve], wanted).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Whether a value lies within two standard errors.
@@ -125,7 +125,7 @@ fn tests_at_two_rates_give_the_exponent_back() {
         let test = Tension::read(&text, "test.csv", None, None).expect("a test");
         FlowCurve { rate: Some(rate), ..FlowCurve::of(&test, &Reduction::default()).expect("a curve") }
     });
-    let fits = fit_laws(curves.to_vec(), Some(HardeningKind::Swift), RateKind::Power).expect("a fit");
+    let fits = fit_laws(curves.to_vec(), Some(HardeningKind::Swift)).expect("a fit");
     let found = fits.best().estimate("rate.exponent").expect("an exponent").value;
     assert!((found / exponent - 1.0).abs() < 1e-4, "{found}");
     let case = loaded(&material_text(&fits, fits.best()));
@@ -147,7 +147,7 @@ fn tests_in_three_directions_give_r_values_and_stress_ratios() {
         FlowCurve { direction: Some(angle), ..FlowCurve::of(&test, &Reduction::default()).expect("a curve") }
     };
     let tests = vec![of(90.0, 1.8, 0.98), of(0.0, 1.5, 1.0), of(45.0, 1.2, 1.03)];
-    let fits = fit_laws(tests, Some(HardeningKind::Swift), RateKind::Power).expect("a fit");
+    let fits = fit_laws(tests, Some(HardeningKind::Swift)).expect("a fit");
     let [r0, r45, r90] = fits.r_values().expect("three directions");
     assert!([r0 - 1.5, r45 - 1.2, r90 - 1.8].iter().all(|miss| miss.abs() < 1e-6));
     let ratios: Vec<f64> = fits.directions.iter().map(|direction| direction.ratio).collect();
@@ -178,7 +178,7 @@ fn a_test_is_cut_where_its_force_is_largest() {
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
     let test = Tension::load(Path::new("reference_data/aisi304l_bar_flow_curve.csv"), None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
-    let fits = fit_laws(vec![curve], None, RateKind::Power).expect("a fit");
+    let fits = fit_laws(vec![curve], None).expect("a fit");
     let best = fits.best();
     assert_eq!(best.kind, HardeningKind::Ludwik);
     for (key, truth) in [("initial", 225.1), ("k", 1235.0), ("n", 0.7286)] {

@@ -9,7 +9,7 @@ use stampflow::material::Hardening;
 use stampflow::measure::{Ring, Shape};
 use stampflow::model::Mode;
 use stampflow::solver::solution::StopKind;
-use stampflow::study::fit::{FlowCurve, HardeningKind, RateKind, Reduction, Tension, fit_laws};
+use stampflow::study::fit::{FlowCurve, HardeningKind, Reduction, Tension, fit_laws};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const AGREEMENT: &str = "docs/agreement.md";
@@ -92,7 +92,7 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let points = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
     let test = Tension::read(points, "points.csv", None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
-    let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift), RateKind::Power).expect("a fit");
+    let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift)).expect("a fit");
     let swift = fits.best();
     let Hardening::Swift(_) = swift.hardening else { panic!("{:?}", swift.hardening) };
     let off = curve.points.iter().map(|point| (swift.hardening.at(point.strain).stress / point.stress - 1.0).abs());

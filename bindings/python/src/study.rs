@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::study::Watch;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::fit::{CaseFitRequest, RateKind, Reduction, Tests, fit_case, fit_laws};
+use stampflow::study::fit::{CaseFitRequest, Reduction, Tests, fit_case, fit_laws};
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, RunTable, Scatter, SearchRequest, Shard, Side,
     Study, StudyError, StudyReport, Sweep, begin, evaluate,
@@ -104,7 +104,7 @@ pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
         rate: Vec::new(),
         direction: Vec::new(),
     };
-    let fits = tests.curves().and_then(|curves| fit_laws(curves, None, RateKind::Power));
+    let fits = tests.curves().and_then(|curves| fit_laws(curves, None));
     results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
 }
 

@@ -51,7 +51,7 @@ impl<'a> Computed<'a> {
     pub fn points(&self, spec: &CurveSpec, path: &Path, csv: &Csv) -> Result<Vec<Point>, CompareError> {
         let (x, y) = self.columns(spec.quantity);
         let points = Reference { path, csv }.points(spec, [&x, &y])?;
-        Ok(points.into_iter().map(|(point, _)| point).filter(|point| point.judged).collect())
+        Ok(points.into_iter().filter(|point| point.judged).collect())
     }
 
     /// Abscissa and ordinate of a quantity; what a band is compared with is in the ordinate.

@@ -2,9 +2,9 @@
 
 use super::{Band, Compared, Comparison, Point, Verdict, four_digits};
 use crate::case::comparison::{Against, ComparedQuantity as Q, Source};
-use crate::plot::StageView;
-use crate::plot::chart::Chart;
-use crate::plot::comparison::{band_panel, curve_panels};
+use crate::plot::chart::{Chart, Panel, Series, Style, bounds};
+use crate::plot::palette::{BLACK, GREY, color};
+use crate::plot::{Axis, StageView};
 use crate::results::{Files, Format, Results, csv};
 use crate::table::{Column, Table, Unit};
 use crate::units::{Amount, Digits, joined, rounded, without_zeros};
@@ -14,6 +14,11 @@ pub(in crate::results) const PREFIX: &str = "compare_";
 
 /// Largest drawn difference in tolerances, if half of the points lie within.
 const DRAWN: f64 = 6.0;
+
+const TOLERANCE: Style = Style::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] };
+/// Tints of the reference's colour for its band, and for the band widened by its measurement error.
+const MEASURED: Style = Style::Area { fill: (238, 174, 132), edge: Some((213, 94, 0)) };
+const WIDENED: Style = Style::Area { fill: (249, 224, 206), edge: Some((213, 94, 0)) };
 
 impl Comparison {
     /// Source of the reference, if its folder names one.
@@ -58,8 +63,8 @@ impl Comparison {
         if outside == 0.0 {
             return Some("inside".to_owned());
         }
-        let decimals = four_digits(band.end_left(outside)).split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        let side = if outside < 0.0 { "below" } else { "above" };
+        let (end, side) = if outside < 0.0 { (band.accepted[0], "below") } else { (band.accepted[1], "above") };
+        let decimals = four_digits(end).split_once('.').map_or(0, |(_, decimals)| decimals.len());
         let percent = band.difference().map_or(String::new(), |share| format!(" ({:+.1} %)", 100.0 * share));
         Some(format!("{:.decimals$} {} {side}{percent}", outside.abs(), self.y.unit.symbol()))
     }
@@ -110,17 +115,15 @@ impl Comparison {
     /// Target of that value: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
     pub fn target(&self) -> Option<String> {
         match (&self.spec.against, &self.compared) {
-            (Against::Curve(curve), Compared::Points(_)) => self
-                .worst_point()
-                .map(|point| format!("{} ± {}", self.amount(point.reference), Amount::given_share(curve.tolerance))),
+            (Against::Curve(curve), _) => {
+                let reference = self.amount(self.worst_point()?.reference);
+                Some(format!("{reference} ± {}", Amount::given_share(curve.tolerance)))
+            }
             (_, Compared::Band(band)) => {
                 let [low, high] = band.accepted.map(|end| self.amount(end));
-                let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
-                Some(match (number == other, unit == of_high) {
-                    (true, true) => high.to_string(),
-                    (_, true) => format!("{number}–{high}"),
-                    _ => format!("{low}–{high}"),
-                })
+                let ((number, unit), (of_high, _)) = (low.parts(), high.parts());
+                let from = if high.parts().1 == unit { number.clone() } else { low.to_string() };
+                Some(if number == of_high { high.to_string() } else { format!("{from}–{high}") })
             }
             _ => None,
         }
@@ -134,71 +137,85 @@ impl Comparison {
     /// Result as a table, NaN where the run did not get: a row per point of a curve, or one of a band; no columns without data.
     pub fn table(&self) -> Table {
         let unit = self.y.unit;
-        let mut columns = Vec::new();
-        let mut add = |key, label, unit, values: Vec<f64>| columns.push(Column::new(key, label, unit, values));
-        let differences: Vec<Option<f64>> = match &self.compared {
-            Compared::NoData => return Table::new(columns),
+        let (mut columns, differences) = match &self.compared {
+            Compared::NoData => return Table::new(Vec::new()),
             Compared::Points(points) => {
-                add(self.x.key, self.x.label, self.x.unit, points.iter().map(|p| p.x).collect());
-                add("reference", "Reference", unit, points.iter().map(|p| p.reference).collect());
-                add("computed", "Computed", unit, points.iter().map(|p| p.computed.unwrap_or(f64::NAN)).collect());
-                points.iter().map(Point::difference).collect()
+                let values = |value: fn(&Point) -> f64| points.iter().map(value).collect();
+                let columns = vec![
+                    Column::new(self.x.key, self.x.label, self.x.unit, values(|p| p.x)),
+                    Column::new("reference", "Reference", unit, values(|p| p.reference)),
+                    Column::new("computed", "Computed", unit, values(|p| p.computed.unwrap_or(f64::NAN))),
+                ];
+                (columns, points.iter().map(Point::difference).collect())
             }
             Compared::Band(band) => {
-                let computed = band.computed.unwrap_or([f64::NAN; 2]);
-                add("measured_low", "Least measured", unit, vec![band.measured[0]]);
-                add("measured_high", "Largest measured", unit, vec![band.measured[1]]);
-                add("accepted_low", "Least accepted", unit, vec![band.accepted[0]]);
-                add("accepted_high", "Largest accepted", unit, vec![band.accepted[1]]);
-                add("computed_low", "Least computed", unit, vec![computed[0]]);
-                add("computed_high", "Largest computed", unit, vec![computed[1]]);
-                add("outside", "Outside the band", unit, vec![band.outside().unwrap_or(f64::NAN)]);
-                vec![band.difference()]
+                let ([low, high], outside) = (band.computed.unwrap_or([f64::NAN; 2]), band.outside());
+                let columns = [
+                    ("measured_low", "Least measured", band.measured[0]),
+                    ("measured_high", "Largest measured", band.measured[1]),
+                    ("accepted_low", "Least accepted", band.accepted[0]),
+                    ("accepted_high", "Largest accepted", band.accepted[1]),
+                    ("computed_low", "Least computed", low),
+                    ("computed_high", "Largest computed", high),
+                    ("outside", "Outside the band", outside.unwrap_or(f64::NAN)),
+                ];
+                let columns = columns.map(|(key, label, value)| Column::new(key, label, unit, vec![value]));
+                (columns.to_vec(), vec![band.difference()])
             }
         };
-        let percent = differences.iter().map(|share| 100.0 * share.unwrap_or(f64::NAN)).collect();
-        add("difference", "Difference", Unit::Percent, percent);
+        let percent = differences.iter().map(|share: &Option<f64>| 100.0 * share.unwrap_or(f64::NAN)).collect();
+        columns.push(Column::new("difference", "Difference", Unit::Percent, percent));
         Table::new(columns)
     }
 
     fn chart(&self, view: &StageView) -> Option<Chart> {
-        let axes = [self.x.axis(), self.y.axis()];
+        let (x, y) = (self.x.axis(), self.y.axis());
+        let curve: Vec<(f64, f64)> = self.x.values.iter().copied().zip(self.y.values.iter().copied()).collect();
+        let computed = Series::new("Computed", curve.clone(), Style::curve(0));
+        let reference = self.compared_points(|point| Some(point.reference));
+        let (low, high) = bounds(curve.iter().chain(&reference).map(|point| point.0));
         let (panels, columns, text) = match (&self.spec.against, &self.compared) {
             (Against::Curve(spec), Compared::Points(points)) => {
-                let end = DRAWN * spec.tolerance;
-                let beyond = points.iter().filter_map(Point::difference).filter(|d| d.abs() > end).count();
-                let largest = if 2 * beyond > points.len() { f64::INFINITY } else { end };
-                let differences = points.iter().filter_map(|p| Some((p.x, p.difference()?)));
-                let differences = differences.filter(|d| d.1.abs() <= largest).map(|(x, d)| (x, 100.0 * d)).collect();
-                let reference = points.iter().map(|p| (p.x, p.reference)).collect();
+                let all = self.compared_points(|point| Some(100.0 * point.difference()?));
+                let end = 100.0 * DRAWN * spec.tolerance;
+                let drawn: Vec<_> = all.iter().copied().filter(|point| point.1.abs() <= end).collect();
+                let differences = if 2 * (all.len() - drawn.len()) > points.len() { all } else { drawn };
                 let tolerance = rounded(100.0 * spec.tolerance);
-                let panels = curve_panels(axes, self.curve.clone(), reference, differences, tolerance);
-                let judged: Vec<&Point> = points.iter().filter(|point| point.judged).collect();
-                let missed = judged.iter().filter(|point| point.computed.is_none()).count();
-                let missed = format!("{missed} of {} reference points were not reached", judged.len());
+                let level = |value: f64| vec![(low, value), (high, value)];
+                let below = [
+                    Series::new(format!("Tolerance ±{tolerance} %"), level(tolerance), TOLERANCE),
+                    Series::silent(level(-tolerance), TOLERANCE),
+                    Series::silent(differences.clone(), Style::solid(BLACK, 1.6)),
+                    Series::silent(differences, Style::Circles { color: BLACK }),
+                ];
+                let circles = Series::new("Reference", reference, Style::Circles { color: color(1) });
+                let below = Panel::fit(x.clone(), Axis::named("Difference", Unit::Percent), 150.0, 0.0).with(below);
+                let judged = points.iter().filter(|point| point.judged);
+                let missed = judged.clone().filter(|point| point.computed.is_none()).count();
+                let missed = format!("{missed} of {} reference points were not reached", judged.count());
                 let worst = self.worst_at().map(|worst| format!("largest difference {worst}"));
-                (panels, spec.y.clone(), joined([worst.unwrap_or_default(), missed], "; "))
+                let text = joined(worst.into_iter().chain([missed]), "; ");
+                (vec![Panel::fit(x, y, 270.0, 0.0).with([computed, circles]), below], spec.y.clone(), text)
             }
             (Against::Band(spec), Compared::Band(band)) => {
-                let unit = self.y.unit;
-                let which = which(spec.quantity);
-                let compared = band.computed.map_or_else(Default::default, |computed| {
-                    let compared = self.curve.iter().copied().filter(|p| computed.contains(&p.1));
-                    let points = match computed[0] == computed[1] {
-                        true => compared.rev().take(1).collect(),
-                        false => compared.collect(),
-                    };
-                    (format!("Computed {which}, {}", interval_text(computed, unit)), points)
+                let area = |name: &str, ends: [f64; 2], style| {
+                    let corners = [(low, ends[0]), (high, ends[0]), (high, ends[1]), (low, ends[1])];
+                    Series::new(format!("{name}, {}", interval_text(ends, self.y.unit)), corners.to_vec(), style)
+                };
+                let widened = area("Reference with its error", band.accepted, WIDENED);
+                let widened = (band.accepted != band.measured).then_some(widened);
+                let circles = band.computed.map(|ends| {
+                    let inside = curve.iter().rev().copied().filter(|point| ends.contains(&point.1));
+                    let points = inside.take(if ends[0] == ends[1] { 1 } else { usize::MAX }).collect();
+                    let label = format!("Compared, {}", interval_text(ends, self.y.unit));
+                    Series::new(label, points, Style::Circles { color: BLACK })
                 });
-                let legend = |name: &str, ends| (format!("{name}, {}", interval_text(ends, unit)), ends);
-                let measured = legend(&format!("Reference {which}"), band.measured);
-                let is_wider = band.accepted != band.measured;
-                let widened = is_wider.then(|| legend("Reference with its error", band.accepted));
+                let series = widened.into_iter().chain([area("Reference", band.measured, MEASURED), computed]);
+                let series = series.chain(circles.filter(|circles| !circles.points.is_empty()));
                 let text = band.computed.zip(self.worst());
-                let text = text.map(|(ends, worst)| format!("computed {}: {worst}", interval_text(ends, unit)));
+                let text = text.map(|(ends, worst)| format!("computed {}: {worst}", interval_text(ends, self.y.unit)));
                 let text = text.unwrap_or_else(|| "the run ended before the compared value".to_owned());
-                let panel = band_panel(axes, self.curve.clone(), compared, measured, widened);
-                (vec![panel], spec.columns.join(", "), text)
+                (vec![Panel::fit(x, y, 350.0, 0.0).with(series)], spec.columns.join(", "), text)
             }
             _ => return None,
         };
@@ -211,23 +228,16 @@ impl Comparison {
         let demonstration = self.spec.demonstration.then(|| "A demonstration, not a validation.".to_owned());
         Some(view.chart("computed and reference", panels, demonstration.into_iter().chain(notes)))
     }
+
+    fn compared_points(&self, y: impl Fn(&Point) -> Option<f64>) -> Vec<(f64, f64)> {
+        self.points().iter().filter_map(|point| Some((point.x, y(point)?))).collect()
+    }
 }
 
 /// Text such as `467.3 to 468.5 mm`, or one value if both ends are alike.
 fn interval_text(ends: [f64; 2], unit: Unit) -> String {
     let ([low, high], unit) = (ends.map(|end| without_zeros(&four_digits(end)).to_owned()), unit.symbol());
     if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
-}
-
-/// Compared values of a quantity, to follow "reference" or "computed".
-fn which(quantity: Q) -> &'static str {
-    match quantity {
-        Q::RingOpening => "of the ring",
-        Q::Thickness => "least and largest",
-        Q::PeakForce => "at its peak",
-        Q::PeakTravel => "at the peak",
-        _ => "at the end",
-    }
 }
 
 /// Table and picture `compare_<n>_<quantity>` of every comparison with data, counted from 1.

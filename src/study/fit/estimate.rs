@@ -32,7 +32,7 @@ pub(super) fn estimates<'a>(
     minimum: &Minimum,
     is_weighted: bool,
 ) -> Vec<Estimate> {
-    let covariance = minimum.covariance(minimum.variance().max(if is_weighted { 1.0 } else { 0.0 }));
+    let covariance = minimum.covariance(minimum.variance().max(f64::from(is_weighted)));
     let one = |(j, (key, unit)): (usize, (&str, &str))| Estimate {
         key: key.to_owned(),
         unit: unit.to_owned(),

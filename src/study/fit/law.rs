@@ -1,8 +1,6 @@
-//! Laws that can be fitted: parameters, ranges and starting points of hardening and rate laws.
+//! Hardening laws that can be fitted: parameters, ranges and starting points.
 
-use super::flow_curve::straight_line;
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
-use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 use std::str::FromStr;
 
 /// A hardening law of the solver.
@@ -18,12 +16,8 @@ pub enum HardeningKind {
     Ludwik,
 }
 
-/// Name, unit (`MPa`, `/s` or none), least and largest value.
+/// Name, unit (`MPa` or none), least and largest value.
 pub(super) type ParameterRange = (&'static str, &'static str, f64, f64);
-
-const fn stress(key: &'static str) -> ParameterRange {
-    (key, "MPa", 1.0, 1e5)
-}
 
 impl HardeningKind {
     /// All of them.
@@ -36,23 +30,16 @@ impl HardeningKind {
 
     /// Name as people write it.
     pub fn label(self) -> &'static str {
-        match self {
-            Self::Swift => "Swift",
-            Self::Voce => "Voce",
-            Self::HockettSherby => "Hockett-Sherby",
-            Self::Ludwik => "Ludwik",
-        }
+        ["Swift", "Voce", "Hockett-Sherby", "Ludwik"][self as usize]
     }
 
-    pub(super) fn parameters(self) -> &'static [ParameterRange] {
-        const RATE: ParameterRange = ("rate", "", 0.0, 1e3);
+    pub(super) fn parameters(self) -> Vec<ParameterRange> {
+        let (stress, rate) = (|key| (key, "MPa", 1.0, 1e5), ("rate", "", 0.0, 1e3));
         match self {
-            Self::Swift => &const { [stress("k"), ("n", "", 0.0, 1.0), ("offset", "", 1e-6, 1.0)] },
-            Self::Voce => &const { [stress("initial"), stress("saturation"), RATE] },
-            Self::HockettSherby => {
-                &const { [stress("initial"), stress("saturation"), RATE, ("exponent", "", 0.05, 1.0)] }
-            }
-            Self::Ludwik => &const { [stress("initial"), stress("k"), ("n", "", 0.01, 1.0)] },
+            Self::Swift => vec![stress("k"), ("n", "", 0.0, 1.0), ("offset", "", 1e-6, 1.0)],
+            Self::Voce => vec![stress("initial"), stress("saturation"), rate],
+            Self::HockettSherby => vec![stress("initial"), stress("saturation"), rate, ("exponent", "", 0.05, 1.0)],
+            Self::Ludwik => vec![stress("initial"), stress("k"), ("n", "", 0.01, 1.0)],
         }
     }
 
@@ -68,21 +55,19 @@ impl HardeningKind {
 
     /// Starting points: linear parameters by regression, for several values of the others.
     pub(super) fn starts(self, points: &[(f64, f64)]) -> Vec<Vec<f64>> {
-        let line = |x: &dyn Fn(f64) -> f64| {
-            let [intercept, slope, _] = straight_line(points.iter().map(|p| (x(p.0.max(0.0)), p.1)).collect());
-            (intercept, slope)
+        let line = |x: &dyn Fn(f64) -> f64, y: fn(f64) -> f64| {
+            straight_line(points.iter().map(|p| (x(p.0.max(0.0)), y(p.1))).collect())
         };
         let swift = |offset: f64| {
-            let logarithms = points.iter().map(|p| ((offset + p.0.max(0.0)).ln(), p.1.max(1.0).ln()));
-            let [k, n, _] = straight_line(logarithms.collect());
+            let [k, n, _] = line(&|e| (offset + e).ln(), |stress| stress.max(1.0).ln());
             vec![k.exp(), n, offset]
         };
         let saturating = |rate: f64, exponent: f64| {
-            let (end, span) = line(&|e| (-rate * e.powf(exponent)).exp());
+            let [end, span, _] = line(&|e| (-rate * e.powf(exponent)).exp(), |stress| stress);
             vec![end + span, end, rate, exponent]
         };
         let ludwik = |n: f64| {
-            let (initial, k) = line(&|e| e.powf(n));
+            let [initial, k, _] = line(&|e| e.powf(n), |stress| stress);
             vec![initial, k, n]
         };
         let rates = [1.0, 3.0, 8.0, 20.0, 60.0];
@@ -104,46 +89,13 @@ impl FromStr for HardeningKind {
     }
 }
 
-/// A rate law of the solver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RateKind {
-    /// (rate/reference)^m.
-    Power,
-    /// 1 + C ln(rate/reference).
-    JohnsonCook,
-    /// 1 + (rate/C)^(1/p).
-    CowperSymonds,
-}
-
-impl RateKind {
-    /// Parameters, each with its start.
-    pub(super) fn parameters(self) -> &'static [(ParameterRange, f64)] {
-        match self {
-            Self::Power => &[(("rate.exponent", "", 0.0, 1.0), 0.02)],
-            Self::JohnsonCook => &[(("rate.coefficient", "", 1e-9, 1.0), 0.02)],
-            Self::CowperSymonds => &[(("rate.rate", "/s", 1e-6, 1e12), 1e4), (("rate.exponent", "", 0.5, 50.0), 5.0)],
-        }
-    }
-
-    /// The law; `reference` is the rate of the slowest test \[1/s\].
-    pub(super) fn law(self, p: &[f64], reference: f64) -> Rate {
-        match self {
-            Self::Power => Rate::PowerRate(PowerRate { exponent: p[0], reference }),
-            Self::JohnsonCook => Rate::JohnsonCook(JohnsonCook { coefficient: p[0], reference }),
-            Self::CowperSymonds => Rate::CowperSymonds(CowperSymonds { rate: p[0], exponent: p[1] }),
-        }
-    }
-}
-
-impl FromStr for RateKind {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        match name {
-            "power" => Ok(Self::Power),
-            "johnson-cook" => Ok(Self::JohnsonCook),
-            "cowper-symonds" => Ok(Self::CowperSymonds),
-            _ => Err("the laws are power, johnson-cook and cowper-symonds".to_owned()),
-        }
-    }
+/// Intercept, slope and standard error of the slope of the regression through points.
+pub(super) fn straight_line(points: Vec<(f64, f64)>) -> [f64; 3] {
+    let n = points.len() as f64;
+    let [x, y] = [points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n];
+    let xx: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+    let xy: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+    let rest: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
+    [y - slope * x, slope, (rest / (n - 2.0).max(1.0) / xx).sqrt()]
 }

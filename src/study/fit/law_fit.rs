@@ -1,10 +1,10 @@
-//! Hardening laws fitted to tension tests, with a rate law if the tests differ in their rate.
+//! Hardening laws fitted to tension tests, with a power of the rate if the tests differ in their rate.
 
 use super::estimate::{Estimate, estimates};
 use super::flow_curve::{FlowCurve, FlowPoint};
-use super::law::{HardeningKind, ParameterRange, RateKind};
+use super::law::{HardeningKind, ParameterRange};
 use crate::material::hardening::Hardening;
-use crate::material::rate::Rate;
+use crate::material::rate::{PowerRate, Rate};
 use crate::numerics::least_squares::{Limits, Parameter, minimise};
 use crate::study::error::ensure;
 use crate::study::{StudyError, fail};
@@ -17,11 +17,12 @@ pub struct LawFit {
     pub kind: HardeningKind,
     /// The law with its parameters.
     pub hardening: Hardening,
-    pub(super) rate: Option<Rate>,
-    /// Its parameters, those of the rate law last.
+    pub(super) rate: Option<PowerRate>,
+    /// Its parameters, that of the rate last.
     pub estimates: Vec<Estimate>,
     /// Root mean square of law less point \[MPa\].
     pub rms: f64,
+    /// Akaike's criterion.
     pub(super) aic: f64,
 }
 
@@ -55,13 +56,15 @@ const FOLLOWED: usize = 3;
 const DIFFERENCE: f64 = 1e-5;
 /// Least variance of perfect data in the criterion \[MPa²\].
 const ROUND_OFF: f64 = 1e-8;
+/// Exponent of the rate and its start \[–\].
+const EXPONENT: (ParameterRange, f64) = (("rate.exponent", "", 0.0, 1.0), 0.02);
 
 /// Fits all laws, or the wanted one, to the tests in the first direction, 0° if there is one.
-pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<HardeningKind>, rate: RateKind) -> Result<LawFits, StudyError> {
+pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<HardeningKind>) -> Result<LawFits, StudyError> {
     let kinds = wanted.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
     let fitted: Vec<&FlowCurve> = in_first_direction(&tests).collect();
-    let results = kinds.into_iter().map(|kind| LawFit::new(kind, &fitted, rate));
-    let (fits, errors): (Vec<_>, Vec<_>) = results.partition(Result::is_ok);
+    let (fits, errors): (Vec<_>, Vec<_>) =
+        kinds.into_iter().map(|kind| LawFit::new(kind, &fitted)).partition(Result::is_ok);
     let fits: Vec<LawFit> = fits.into_iter().flatten().collect();
     let rank = |i: &usize| (fits[*i].estimates.iter().any(|e| e.bound.is_some()), fits[*i].aic);
     let by_rank = |a: &usize, b: &usize| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal);
@@ -95,28 +98,25 @@ impl Direction {
 }
 
 impl LawFit {
-    fn new(kind: HardeningKind, tests: &[&FlowCurve], rate: RateKind) -> Result<Self, StudyError> {
+    fn new(kind: HardeningKind, tests: &[&FlowCurve]) -> Result<Self, StudyError> {
         let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
-        let rate = Some(rate).filter(|_| tests.iter().any(|test| test.rate.is_some_and(|rate| rate > slowest)));
-        let (rate_ranges, rate_starts): (Vec<ParameterRange>, Vec<f64>) =
-            rate.map_or(&[][..], RateKind::parameters).iter().copied().unzip();
-        let ranges = [kind.parameters(), &rate_ranges].concat();
-        let split = ranges.len() - rate_ranges.len();
+        let exponent = tests.iter().any(|test| test.rate > Some(slowest)).then_some(EXPONENT);
+        let ranges: Vec<ParameterRange> = kind.parameters().into_iter().chain(exponent.map(|e| e.0)).collect();
         let points: Vec<(FlowPoint, Option<f64>)> =
             tests.iter().flat_map(|test| test.points.iter().map(|point| (*point, test.rate))).collect();
         let what = format!("{} points for the {} parameters of {}", points.len(), ranges.len(), kind.label());
         let help = "a fit needs more points than parameters: another --law, or more points";
         ensure(points.len() > ranges.len(), what, help)?;
-        let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
-        let laws =
-            |values: &[f64]| Some((kind.law(&values[..split])?, rate.map(|rate| rate.law(&values[split..], slowest))));
-        let misses = |values: &[f64]| -> Option<Vec<f64>> {
-            let (law, rate) = laws(values)?;
-            Some(points.iter().map(|(point, at)| stress(&law, rate, point.strain, *at) - point.stress).collect())
+        let laws = |values: &[f64]| {
+            let rate = exponent.map(|_| PowerRate { exponent: values[ranges.len() - 1], reference: slowest });
+            Some((kind.law(values)?, rate))
         };
+        let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
+        let size = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).unwrap_or(1.0);
         let residuals = |values: &Vec<f64>| -> Option<Vec<f64>> {
-            let size = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).unwrap_or(1.0);
-            Some(misses(values)?.into_iter().zip(&points).map(|(miss, (point, _))| miss / size(point)).collect())
+            let (law, rate) = laws(values)?;
+            let miss = |point: &FlowPoint, at| stress(&law, rate, point.strain, at) - point.stress;
+            Some(points.iter().map(|(point, at)| miss(point, *at) / size(point)).collect())
         };
         let parameters = |start: Vec<f64>| -> Vec<Parameter> {
             let parameter = |(&(_, _, low, high), start): (&ParameterRange, f64)| {
@@ -124,33 +124,32 @@ impl LawFit {
                 let step = DIFFERENCE * start.abs().max(1e-3 * (high - low).min(1.0));
                 Parameter { start, low, high, step }
             };
-            ranges.iter().zip(start.into_iter().chain(rate_starts.iter().copied())).map(parameter).collect()
+            ranges.iter().zip(start.into_iter().chain(exponent.map(|e| e.1))).map(parameter).collect()
         };
-        let sum = |start: &Vec<Parameter>| {
-            let all = residuals(&start.iter().map(|p| p.start).collect());
-            all.map_or(f64::INFINITY, |all| all.iter().map(|r| r * r).sum::<f64>())
-        };
+        let squares = |all: &[f64]| all.iter().map(|r| r * r).sum::<f64>();
         let plain: Vec<(f64, f64)> = points.iter().map(|(point, _)| (point.strain, point.stress)).collect();
-        let starts = kind.starts(&plain).into_iter().map(parameters).map(|start| (sum(&start), start));
-        let mut starts: Vec<(f64, Vec<Parameter>)> = starts.filter(|start| start.0.is_finite()).collect();
+        let starts = kind.starts(&plain).into_iter().map(parameters);
+        let mut starts: Vec<(f64, Vec<Parameter>)> = starts
+            .filter_map(|start| Some((squares(&residuals(&start.iter().map(|p| p.start).collect())?), start)))
+            .filter(|start| start.0.is_finite())
+            .collect();
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut all = |points: &[Vec<f64>]| points.iter().map(residuals).collect::<Vec<_>>();
         let minima =
             starts.iter().take(FOLLOWED).filter_map(|(_, start)| Some((minimise(start, &mut all, LIMITS)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
-        let solved = best.and_then(|best| Some((laws(&best.0.values)?, misses(&best.0.values)?, best)));
-        let Some(((hardening, rate), misses, (minimum, parameters))) = solved else {
+        let solved = best.and_then(|(minimum, start)| Some((laws(&minimum.values)?, minimum, start)));
+        let Some(((hardening, rate), minimum, parameters)) = solved else {
             let what = format!("{} cannot be fitted to the points", kind.label());
             return fail(what, "do stresses rise with the strain?");
         };
-        let names = ranges.iter().map(|range| (range.0, range.1));
-        let estimates = estimates(names, parameters, &minimum, is_weighted);
+        let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), parameters, &minimum, is_weighted);
         // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
         let (n, k) = (points.len() as f64, ranges.len() as f64 + 1.0);
         let few = 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5);
-        let rms = (misses.iter().map(|miss| miss * miss).sum::<f64>() / n).sqrt();
+        let misses: Vec<f64> = minimum.residuals.iter().zip(&points).map(|(r, (point, _))| r * size(point)).collect();
         let aic = n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + few;
-        Ok(Self { kind, hardening, rate, estimates, rms, aic })
+        Ok(Self { kind, hardening, rate, estimates, rms: (squares(&misses) / n).sqrt(), aic })
     }
 
     /// Stress at a strain and a rate \[MPa\].
@@ -164,8 +163,8 @@ impl LawFit {
     }
 }
 
-fn stress(law: &Hardening, rate: Option<Rate>, strain: f64, at: Option<f64>) -> f64 {
-    law.at(strain).stress * rate.zip(at).map_or(1.0, |(rate, at)| rate.at(at).value)
+fn stress(law: &Hardening, rate: Option<PowerRate>, strain: f64, at: Option<f64>) -> f64 {
+    law.at(strain).stress * rate.zip(at).map_or(1.0, |(rate, at)| Rate::PowerRate(rate).at(at).value)
 }
 
 impl LawFits {

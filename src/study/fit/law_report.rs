@@ -2,7 +2,6 @@
 
 use super::estimate::{Estimate, table};
 use super::law_fit::{LawFit, LawFits};
-use crate::material::rate::Rate;
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
 use crate::plot::palette::{BLACK, GREY, color};
@@ -37,18 +36,17 @@ impl LawFits {
             notes.push(format!("r̄ = (r0 + 2 r45 + r90)/4 = {mean:.3}, Δr = (r0 − 2 r45 + r90)/2 = {ears:.3}."));
         }
         let mut laws = ReportTable::new("laws", &["Law", "R.m.s.", "AIC"]);
-        laws.rows.extend(
-            self.fits
-                .iter()
-                .map(|fit| vec![fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()]),
-        );
+        for fit in &self.fits {
+            laws.rows.push(vec![fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()]);
+        }
         let estimates = self.fits.iter().flat_map(|fit| fit.estimates.iter().map(|e| (fit.kind.name(), e)));
         let columns = ["Direction", "Tests", "Stress ratio", "r", "Error of r"];
         let mut directions = ReportTable::new("directions", &columns);
-        directions.rows.extend(self.directions.iter().map(|d| {
+        for d in &self.directions {
             let [r, error] = [d.r.map(|r| r.0), d.r.map(|r| r.1)].map(|x| x.map_or("–".into(), |x| trimmed(x, 4)));
-            [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error].map(Cell::from).to_vec()
-        }));
+            let row = [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error];
+            directions.rows.push(row.map(Cell::from).to_vec());
+        }
         let tables = [laws, table(estimates), directions].into_iter().filter(|table| !table.rows.is_empty());
         StudyReport {
             headline: format!("{} fits best ({} r.m.s.){clearly}.", best.kind.label(), rms(best.rms, 2)),
@@ -119,15 +117,11 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
         let error = e.error.map_or_else(String::new, |error| format!("    # ± {}", significant(error, 2)));
         text += &format!("{} = {}{error}\n", e.key, quoted(e));
     }
-    let (name, reference) = match law.rate {
-        Some(Rate::PowerRate(power)) => ("power", Some(power.reference)),
-        Some(Rate::JohnsonCook(law)) => ("johnson_cook", Some(law.reference)),
-        Some(Rate::CowperSymonds(_)) => ("cowper_symonds", None),
-        _ => return text,
-    };
-    text += &format!("\n[material.rate.{name}]\n");
-    text.extend(of_rate.iter().map(|e| format!("{} = {}\n", e.key.trim_start_matches("rate."), quoted(e))));
-    text.extend(reference.map(|reference| format!("reference = \"{reference} /s\"\n")));
+    if let Some(rate) = law.rate {
+        text += "\n[material.rate.power]\n";
+        text.extend(of_rate.iter().map(|e| format!("{} = {}\n", e.key.trim_start_matches("rate."), quoted(e))));
+        text += &format!("reference = \"{} /s\"\n", rate.reference);
+    }
     text
 }
 

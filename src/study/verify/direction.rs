@@ -28,25 +28,22 @@ pub enum Direction {
 const LEAST_ELEMENTS: usize = 8;
 const LEAST_POINTS: usize = 3;
 
+/// Name in tables, and a refinement in words with its factor as `{}`, by the order of the directions.
+const NAMES: [(&str, &str); 8] = [
+    ("elements", "{} times the elements"),
+    ("points", "{} times the points through the thickness"),
+    ("steps", "steps of 1/{} of the length"),
+    ("contact stiffness", "{} times the contact stiffness"),
+    ("contact smoothing", "1/{} of the contact smoothing"),
+    ("slip speed", "1/{} of the slip speed"),
+    ("cut-off", "1/{} of the cut-off strain"),
+    ("all together", "everything {} times as fine"),
+];
+
 impl Direction {
     /// Directions that are refined each on its own.
     pub const ALL: [Self; 7] =
         [Self::Elements, Self::Points, Self::Steps, Self::Stiffness, Self::Smoothing, Self::Slip, Self::CutOff];
-
-    /// Name in tables, a refinement in words with its factor as `{}`, and the formal order of convergence \[–\]. Points may or
-    /// may not meet the reversal of stress, so they have none.
-    fn row(self) -> (&'static str, &'static str, Option<f64>) {
-        match self {
-            Self::Elements => ("elements", "{} times the elements", Some(2.0)),
-            Self::Points => ("points", "{} times the points through the thickness", None),
-            Self::Steps => ("steps", "steps of 1/{} of the length", Some(1.0)),
-            Self::Stiffness => ("contact stiffness", "{} times the contact stiffness", Some(1.0)),
-            Self::Smoothing => ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
-            Self::Slip => ("slip speed", "1/{} of the slip speed", Some(1.0)),
-            Self::CutOff => ("cut-off", "1/{} of the cut-off strain", Some(1.0)),
-            Self::Together => ("all together", "everything {} times as fine", None),
-        }
-    }
 
     /// Name in files and JSON.
     pub fn key(self) -> String {
@@ -55,17 +52,21 @@ impl Direction {
 
     /// Name in tables.
     pub fn label(self) -> &'static str {
-        self.row().0
+        NAMES[self as usize].0
     }
 
     /// Refinement in words: `4 times the elements`.
     pub fn text(self, times: f64) -> String {
-        self.row().1.replace("{}", &Amount::number(times).to_string())
+        NAMES[self as usize].1.replace("{}", &Amount::number(times).to_string())
     }
 
-    /// Formal order of convergence \[–\], if it has one.
+    /// Formal order of convergence \[–\]; points may or may not meet the reversal of stress, so they have none.
     pub fn order(self) -> Option<f64> {
-        self.row().2
+        match self {
+            Self::Points | Self::Together => None,
+            Self::Elements => Some(2.0),
+            _ => Some(1.0),
+        }
     }
 
     /// Cost of a run that is refined on its own over that of the run as it is \[–\].

@@ -13,11 +13,9 @@ const SPREAD: f64 = 3.0;
 /// cancel by chance, and of 60 random dies 19 numbers in 20 keep within five times.
 const COARSER: f64 = 5.0;
 
-/// Least bars from a coarser run, likewise measured: of the number \[–\], of one in percent \[%\], and of a place in elements
-/// or steps.
+/// Least bars from a coarser run, likewise measured: of the number \[–\], and of one in percent \[%\].
 const LEAST: f64 = 3e-3;
 const LEAST_PERCENT: f64 = 1.5;
-const LEAST_PLACE: f64 = 3.0;
 
 /// Accepted factor between observed and formal order \[–\].
 const BELIEVED: f64 = 2.0;
@@ -25,11 +23,9 @@ const BELIEVED: f64 = 2.0;
 /// Least error over the number, in tolerances to which every step was solved \[–\].
 const SOLVED: f64 = 10.0;
 
-/// A number jumps if the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this
-/// share of it; a place, if it moves by so many elements or steps.
+/// A number jumps if the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this share.
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
-const FAR: f64 = 4.0;
 
 /// Reach of an error to either side, over the length of the curve \[–\]: curves that cross agree by chance.
 const REACH: f64 = 0.04;
@@ -47,18 +43,19 @@ pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let order = order.filter(|quotient| quotient.is_finite() && *quotient > 0.0).map(f64::log2);
     let is_near = |p: &f64| direction.order().is_some_and(|q| (q / BELIEVED..=q * BELIEVED).contains(p));
     let believed = order.filter(is_near);
-    let spread =
-        levels.iter().copied().fold(f64::NEG_INFINITY, f64::max) - levels.iter().copied().fold(f64::INFINITY, f64::min);
+    let end = |of: fn(f64, f64) -> f64| levels.iter().copied().reduce(of).unwrap_or(0.0);
     let error = match believed {
         Some(p) => EXTRAPOLATED * (levels[0] - levels[1]).abs() / (1.0 - 0.5_f64.powf(p)),
-        None if direction == Direction::Together => COARSER * spread,
-        None => SPREAD * spread,
+        None => (end(f64::max) - end(f64::min)) * if direction == Direction::Together { COARSER } else { SPREAD },
     };
     Contribution { direction: direction.label(), error, order, extrapolated: believed.is_some(), share: 0.0 }
 }
 
-/// Number with its error bar from all refined runs, solved to a tolerance.
+/// Number with its error bar from all refined runs, solved to a tolerance; places stay without.
 pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) -> Number {
+    if number.quantity.error != ErrorBar::NotComputed {
+        return number.clone();
+    }
     let value = number.quantity.amount.value;
     let mut contributions = Vec::new();
     for (direction, runs) in directions {
@@ -66,10 +63,12 @@ pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) ->
             return number.without_bar(&format!("not found in every run ({})", direction.label()));
         };
         let levels = [vec![value], finer].concat();
-        if let Some(i) = jump(number, &levels) {
+        let step = |i: usize| (levels[i] - levels[i - 1]).abs();
+        let jumps = |i: &usize| step(*i) > OUT_OF_LINE * step(i - 1) && step(*i) > MUCH * value.abs();
+        if let Some(i) = (2..levels.len()).find(jumps) {
             let [from, to] = [levels[i - 1], levels[i]].map(|level| number.quantity.amount.with_value(level));
-            return number
-                .without_bar(&format!("jumps from {from} to {to} with {}", direction.text(runs[i - 1].times)));
+            let finer = direction.text(runs[i - 1].times);
+            return number.without_bar(&format!("jumps from {from} to {to} with {finer}"));
         }
         contributions.push(estimate(*direction, &levels));
     }
@@ -79,24 +78,14 @@ pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) ->
     }
     contributions.sort_by(|a, b| b.share.total_cmp(&a.share));
     let is_coarser = directions.iter().any(|(direction, _)| *direction == Direction::Together);
-    let measured = match number.quantity.amount.unit {
-        _ if !is_coarser => number.resolution,
-        _ if number.resolution > 0.0 => LEAST_PLACE * number.resolution,
+    let least = match number.quantity.amount.unit {
+        _ if !is_coarser => 0.0,
         Unit::Percent => LEAST_PERCENT,
         _ => LEAST * value.abs(),
     };
-    let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(measured) } else { 0.0 };
+    let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(least) } else { 0.0 };
     let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
     Number { quantity, contributions, ..number.clone() }
-}
-
-/// Finer of the two levels between which a number jumps.
-fn jump(number: &Number, levels: &[f64]) -> Option<usize> {
-    let step = |i: usize| (levels[i] - levels[i - 1]).abs();
-    if number.resolution > 0.0 {
-        return (1..levels.len()).find(|&i| step(i) > FAR * number.resolution);
-    }
-    (2..levels.len()).find(|&i| step(i) > OUT_OF_LINE * step(i - 1) && step(i) > MUCH * levels[0].abs())
 }
 
 /// Error band around a curve: abscissa, lower and upper side. The errors of finer curves count as far as they come.

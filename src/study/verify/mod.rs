@@ -11,7 +11,7 @@
 //! ```
 //! The bar is the sum over all directions. Measured on 60 random dies, with the root of the sum of squares the truth lies
 //! outside in 4 % of the numbers, with the sum in 0.3 % (`cargo bench --bench coverage`). A bar is never less than the
-//! solver's tolerance leaves, nor, for a place or a travel, than the element or step that it is read off by.
+//! solver's tolerance leaves. Places and travels, which are read off an element or a step, have none.
 //!
 //! # References
 //! P. J. Roache, J. Fluids Eng. 116 (1994) 405–413 (not read: the factor 1.25 and the term); ASME V&V 20 (2009) (not read);
@@ -26,7 +26,7 @@ mod numbers;
 mod tests;
 
 pub use direction::Direction;
-use estimate::{Refined, band, with_bar};
+use estimate::{band, with_bar};
 pub use numbers::{End, Outcome};
 
 use crate::case::{Case, Solution};
@@ -121,44 +121,44 @@ impl Verification {
         };
         // A bridge starts them in their order: the most costly first.
         let refined = jobs.iter().par_bridge().filter_map(one).collect();
+        let tolerance = case.stages.iter().map(|s| s.model.settings.tolerance).fold(0.0, f64::max);
         if watch.wants_to_stop() {
-            let numbers = base.numbers.iter().map(|number| number.without_bar("interrupted by the user")).collect();
-            return Self {
-                bars: ErrorBars { numbers, why: base.end.why.clone(), ..ErrorBars::default() },
-                outcomes: vec![base],
-            };
+            return Self::from_runs(base, Vec::new(), tolerance, Some("interrupted by the user".to_owned()));
         }
-        Self::from_runs(base, refined, case.stages.iter().map(|s| s.model.settings.tolerance).fold(0.0, f64::max))
+        Self::from_runs(base, refined, tolerance, None)
     }
 
-    /// Error bars of a run from refined ones, every step solved to a tolerance.
-    fn from_runs(base: Outcome, mut refined: Vec<Outcome>, tolerance: f64) -> Self {
+    /// Error bars of a run from refined ones, every step solved to a tolerance; or none for a reason.
+    fn from_runs(base: Outcome, mut refined: Vec<Outcome>, tolerance: f64, reason: Option<String>) -> Self {
         refined.sort_by(|a, b| (a.times, a.direction).partial_cmp(&(b.times, b.direction)).expect("finite factors"));
         let of = |direction: Direction| refined.iter().filter(move |run| run.direction == Some(direction));
         let directions = Direction::ALL.into_iter().chain([Direction::Together]);
-        let counted: Vec<(Direction, Vec<&Outcome>)> = directions
+        let mut counted: Vec<(Direction, Vec<&Outcome>)> = directions
             .filter(|direction| of(*direction).next().is_some())
             .map(|direction| (direction, of(direction).filter(|run| run.end.is_like(&base.end)).collect()))
             .collect();
-        let why_none = if base.end.lost || counted.is_empty() {
-            Some(base.end.why.clone())
-        } else if refined.iter().any(|run| run.ends_otherwise(&base)) {
-            Some("other runs end otherwise".to_owned())
-        } else {
-            let missing = counted.iter().find(|(_, runs)| runs.is_empty());
-            missing.map(|(direction, _)| format!("no run with finer {} came to its end", direction.label()))
-        };
-        let numbers = base.numbers.iter().map(|number| match &why_none {
-            Some(why) => number.without_bar(why),
+        let reason = reason.or_else(|| {
+            if base.end.lost || counted.is_empty() {
+                return Some(base.end.why.clone());
+            }
+            if refined.iter().any(|run| run.ends_otherwise(&base)) {
+                return Some("other runs end otherwise".to_owned());
+            }
+            let (direction, _) = counted.iter().find(|(_, runs)| runs.is_empty())?;
+            Some(format!("no run with finer {} came to its end", direction.label()))
+        });
+        let numbers = base.numbers.iter().map(|number| match &reason {
+            Some(reason) => number.without_bar(reason),
             None => with_bar(number, &counted, tolerance),
         });
-        let known: &Refined = if why_none.is_none() { &counted } else { &[] };
+        let numbers = numbers.collect();
+        counted.retain(|_| reason.is_none());
         let finer_that_differs = refined.iter().find(|run| run.times > 1.0 && run.ends_otherwise(&base));
         let bars = ErrorBars {
-            numbers: numbers.collect(),
+            numbers,
             notes: notes(&base, &refined),
-            load: band(&base, known, |run| &run.load),
-            thickness: band(&base, known, |run| &run.thickness),
+            load: band(&base, &counted, |run| &run.load),
+            thickness: band(&base, &counted, |run| &run.thickness),
             runs: refined.len(),
             is_quick: refined.iter().any(|run| run.direction == Some(Direction::Together)),
             finer_that_differs: finer_that_differs.map(Outcome::refinement),
@@ -170,12 +170,11 @@ impl Verification {
     /// Content of [`FILE`]: a row per number with its error bar, and a column for every finer run.
     pub fn csv(&self) -> Vec<u8> {
         let runs = &self.outcomes[1..];
-        let names =
-            runs.iter().map(|run| format!("{}_{}", run.direction.map_or_else(String::new, Direction::key), run.times));
-        let header = BEGINNING.split(',').map(str::to_owned).chain(names).collect();
+        let name = |run: &Outcome| format!("{}_{}", run.direction.map_or_else(String::new, Direction::key), run.times);
+        let header = BEGINNING.split(',').map(str::to_owned).chain(runs.iter().map(name)).collect();
         let rows = self.bars.numbers.iter().map(|own| {
-            let values =
-                [Some(own.quantity.amount.value), own.half()].into_iter().chain(runs.iter().map(|run| run.value(own)));
+            let values = [Some(own.quantity.amount.value), own.half()].into_iter();
+            let values = values.chain(runs.iter().map(|run| run.value(own)));
             let cells = values.map(|value| value.map_or_else(String::new, number));
             own.name().into_iter().map(str::to_owned).chain(cells).collect::<Vec<_>>()
         });
@@ -191,16 +190,16 @@ fn notes(base: &Outcome, refined: &[Outcome]) -> Vec<String> {
     notes.extend(refined.iter().filter(|run| run.ends_otherwise(base)).map(|run| {
         format!("with {} the run ends otherwise: {}; as it is: {}", run.refinement(), run.end.why, base.end.why)
     }));
-    let short: Vec<&Outcome> = refined.iter().filter(|run| run.shortest < SHELL_LENGTH).collect();
-    if short.iter().any(|run| run.times > 1.0) {
-        let shortest = short.iter().copied().chain([base]).map(|run| run.shortest).fold(f64::INFINITY, f64::min);
-        let own = if base.shortest < SHELL_LENGTH { "as it is".to_owned() } else { String::new() };
-        let levels = short.iter().filter(|run| run.direction == Some(Direction::Elements)).map(|run| run.refinement());
+    let is_short = |run: &&Outcome| run.shortest < SHELL_LENGTH;
+    if refined.iter().filter(is_short).any(|run| run.times > 1.0) {
+        let shortest = refined.iter().chain([base]).map(|run| run.shortest).fold(f64::INFINITY, f64::min);
+        let own = is_short(&base).then(|| "as it is".to_owned());
+        let finer = refined.iter().filter(|run| run.direction == Some(Direction::Elements)).filter(is_short);
         notes.push(format!(
             "elements are shorter than the sheet is thick, down to {}: {}. A shell resolves nothing shorter, and the solver \
              gives each the mean section of {}",
             Amount::thicknesses(shortest),
-            joined([own].into_iter().chain(levels), ", "),
+            joined(own.into_iter().chain(finer.map(Outcome::refinement)), ", "),
             Amount::given_thicknesses(NEIGHBOURHOOD)
         ));
     }

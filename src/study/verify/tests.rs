@@ -2,9 +2,8 @@
 
 use super::estimate::{envelope, estimate};
 use super::*;
-use crate::assess::{Finding, Kind, Light};
 use crate::results::error_bars::{Number, Origin};
-use crate::units::{Limits, Quantity, Sense};
+use crate::units::Quantity;
 use approx::assert_relative_eq;
 
 /// Trust: f = 7 + c hᵖ with h = 1, 1/2, 1/4 has the error c on its first level; the others by hand.
@@ -32,8 +31,8 @@ fn a_power_law_is_extrapolated_and_anything_else_has_its_spread() {
     assert!(envelope(&x, &half).iter().zip(&half).all(|(wide, half)| wide >= half && (0.8..=1.0).contains(wide)));
 }
 
-/// A run with a thickness, a place on the sheet and a row of the verdict.
-fn run(refined: Option<(Direction, f64)>, kind: &'static str, [thinnest, place, used]: [f64; 3]) -> Outcome {
+/// A run with a thickness and a row of the verdict.
+fn run(refined: Option<(Direction, f64)>, kind: &'static str, [thinnest, used]: [f64; 2]) -> Outcome {
     let number = |origin, key, value| Number::new(origin, Quantity::new(key, "Thinnest", Amount::place(value)));
     Outcome {
         direction: refined.map(|(direction, _)| direction),
@@ -41,7 +40,7 @@ fn run(refined: Option<(Direction, f64)>, kind: &'static str, [thinnest, place, 
         end: End { stages: 1, kind, why: kind.to_owned(), complete: true, lost: kind == "lost" },
         numbers: vec![
             number(Origin::Answer, "thinnest", thinnest),
-            Number { resolution: 1.0, ..number(Origin::Part, "thinnest_place", place) },
+            number(Origin::Part, "thinnest_place", 30.0).without_bar("a place"),
             number(Origin::Verdict, "forming_limit", used),
         ],
         load: vec![(1.0, thinnest), (2.0, 2.0 * thinnest)],
@@ -51,47 +50,22 @@ fn run(refined: Option<(Direction, f64)>, kind: &'static str, [thinnest, place, 
     }
 }
 
-/// Error bars from finer steps, and twice as many elements.
-fn bars(elements: (&'static str, [f64; 3])) -> ErrorBars {
-    let steps = [(2.0, [3.5, 30.5, 76.0]), (4.0, [3.25, 30.5, 74.0])];
-    let steps = steps.map(|(times, values)| run(Some((Direction::Steps, times)), "full", values));
-    let finer = run(Some((Direction::Elements, 2.0)), elements.0, elements.1);
-    let finer = steps.into_iter().chain([finer]).collect();
-    Verification::from_runs(run(None, "full", [4.0, 30.0, 80.0]), finer, 1e-5).bars
-}
-
-/// Trust: powers of the first order by hand, times the factor of safety; the place moves by half an element.
+/// Trust: powers of the first order by hand, times the factor of safety; a place has no bar.
 #[test]
-fn a_bar_sums_its_directions_and_is_missing_where_runs_differ_or_jump() {
-    for (elements, halves, first) in [
-        (("full", [4.0, 30.0, 80.0]), [Some(1.25), Some(1.5), Some(10.0)], "steps 100 % (1.0)"),
-        (("full", [4.2, 30.0, 80.0]), [Some(1.85), Some(1.5), Some(10.0)], "steps 68 % (1.0), elements 32 %"),
-        (("full", [4.0, 12.0, 80.0]), [Some(1.25), None, Some(10.0)], "steps 100 % (1.0)"),
-        (("torn", [4.0, 30.0, 80.0]), [None; 3], "no bar: other runs end otherwise"),
-        (("lost", [4.0, 30.0, 80.0]), [None; 3], "no bar: no run with finer elements came to its end"),
+fn a_bar_sums_its_directions_and_is_missing_where_runs_differ() {
+    for (end, thinnest, halves, first) in [
+        ("full", 4.0, [Some(1.25), None, Some(10.0)], "steps 100 % (1.0)"),
+        ("full", 4.2, [Some(1.85), None, Some(10.0)], "steps 68 % (1.0), elements 32 %"),
+        ("torn", 4.0, [None; 3], "no bar: other runs end otherwise"),
+        ("lost", 4.0, [None; 3], "no bar: no run with finer elements came to its end"),
     ] {
-        let bars = bars(elements);
+        let steps = [(2.0, [3.5, 76.0]), (4.0, [3.25, 74.0])];
+        let steps = steps.map(|(times, values)| run(Some((Direction::Steps, times)), "full", values));
+        let finer = run(Some((Direction::Elements, 2.0)), end, [thinnest, 80.0]);
+        let finer = steps.into_iter().chain([finer]).collect();
+        let bars = Verification::from_runs(run(None, "full", [4.0, 80.0]), finer, 1e-5, None).bars;
         let found: Vec<_> = bars.numbers.iter().map(|n| n.half().map(|half| (1e9 * half).round() / 1e9)).collect();
         assert_eq!((&found[..], bars.numbers[0].made_of().as_str()), (&halves[..], first));
         assert_eq!(bars.load.is_empty(), halves == [None; 3]);
-    }
-}
-
-/// Trust: the bar is 1.25 times 8.
-#[test]
-fn a_light_is_green_only_where_its_whole_bar_is() {
-    let bars = bars(("full", [4.0, 30.0, 80.0]));
-    for (light, value, expected) in [
-        (Light::Green, 79.0, (Light::Green, "79 ± 10 % at 7.0 mm")),
-        (Light::Green, 81.0, (Light::Amber, "with its error bar it reaches the limit of 90 %: 81 ± 10 % at 7.0 mm")),
-        (Light::Amber, 95.0, (Light::Amber, "with its error bar it reaches red at 100 %: 95 ± 10 % at 7.0 mm")),
-        (Light::Red, 105.0, (Light::Red, "105 ± 10 % at 7.0 mm")),
-    ] {
-        let limits = Some(Limits { sense: Sense::AtMost, amber: Some(90.0), red: Some(100.0) });
-        let number = Quantity::new("forming_limit", "Forming limit", Amount::share(0.01 * value));
-        let row = Finding::warning("forming_limit", "Forming limit", "{} at 7.0 mm");
-        let quantity = Some(Quantity { limits, ..number });
-        let finding = bars.weigh(vec![Finding { light, kind: Kind::Judgement, quantity, ..row }]).remove(0);
-        assert_eq!((finding.light, finding.statement().as_str()), expected);
     }
 }
