@@ -1,9 +1,9 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
-use super::forming_limit;
+use super::finding::labels;
 use super::key_number::numbers;
-use super::tear::{self, Tear, place, tear, thinnest};
-use super::{Finding, Light, judgements};
+use super::tear::{self, Tear, place, tear};
+use super::{Finding, Light, forming_limit, judgements};
 use crate::case::Case;
 use crate::solver::solution::{StageSolution, StopKind};
 use crate::units::{Amount, Quantity, joined};
@@ -45,11 +45,12 @@ impl Answer {
 }
 
 fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureMode], tear: Option<&Tear>) -> String {
+    if let Some(tear) = tear {
+        return tear.sentence(stages.len());
+    }
     let row = |key: &str| judgements(findings).find(|finding| finding.key == key);
     let is = |key: &str, light: Light| row(key).is_some_and(|finding| finding.light == light);
-    if let Some(tear) = tear {
-        return joined([tear.sentence(stages.len()), tear.instant()], ", ");
-    }
+    let share = |key: &str| row(key)?.value().map(|percent| 0.01 * percent);
     match stages.last().map(|stage| &stage.stop) {
         Some(stop) if stop.kind == StopKind::Interrupted => return "interrupted by the user".into(),
         Some(stop) if !stop.is_complete() && is("stop", Light::Red) => {
@@ -57,13 +58,9 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
         }
         _ => {}
     }
-    let at = stages.last().and_then(thinnest).map_or_else(String::new, |(_, s0)| place(stages, s0));
-    let share = |key: &str| row(key)?.value().map(|percent| 0.01 * percent);
-    let labels = |light: Light| {
-        let labels = judgements(findings).filter(|finding| finding.light == light).map(|finding| finding.label);
-        labels.collect::<Vec<_>>().join(", ")
-    };
-    let (red, amber) = (labels(Light::Red), labels(Light::Amber));
+    let thinnest = stages.last().and_then(|stage| stage.steps.last());
+    let at = thinnest.map_or_else(String::new, |step| place(stages, step.thinnest_s0));
+    let [red, amber] = [Light::Red, Light::Amber].map(|light| labels(findings, light).join(", "));
     let bottom = share("bottom_tearing").filter(|used| *used > 1.0).map(Amount::share);
     let limit_used = share("forming_limit");
     let limit_is_amber = is("forming_limit", Light::Amber);
@@ -88,10 +85,8 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             joined(["it comes near to tearing".into(), at], " ")
         }
         (None, None) if is("thinning", Light::Amber) && thinning > tear::CAREFUL => {
-            let limit = match limit_used {
-                Some(used) => format!("the forming limit is used to {}", Amount::share(used)),
-                None => "no forming limit is given".into(),
-            };
+            let limit = limit_used.map(|used| format!("the forming limit is used to {}", Amount::share(used)));
+            let limit = limit.unwrap_or_else(|| "no forming limit is given".into());
             format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(tear::CAREFUL))
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),

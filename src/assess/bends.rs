@@ -14,25 +14,20 @@ const ADVICE: &str = "take larger radii; below 5 t strains and spring-back are c
 
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
     let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius))?;
-    let ratio = smallest.radius / model.blank.thickness;
     let why = match model.blank.theory {
         Theory::Bending | Theory::Selective => "beyond thin-shell theory",
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
     let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));
-    let warning = Finding::warning("tool_radius", "Tool radius", text).number(Amount::thicknesses(ratio));
-    warning.at_least(format!("{} at least", Amount::given_thicknesses(THIN)), THIN, None).if_beyond()
+    let ratio = Amount::thicknesses(smallest.radius / model.blank.thickness);
+    Finding::warning("tool_radius", "Tool radius", text).number(ratio).at_least(THIN, None).if_beyond()
 }
 
 pub(super) fn radius(run: &Run) -> Option<Finding> {
     let sharpest = run.largest(|step| step.sharpest_bend).filter(|sharpest| *sharpest > 0.0)?;
-    let ratio = 1.0 / sharpest;
-    let [thin, sharp] = [THIN, SHARP].map(Amount::given_thicknesses);
-    Finding::judged("bend_radius", "Bending radius", "{} at the sharpest bend")
-        .number(Amount::thicknesses(ratio))
-        .at_least(format!("{thin} at least, red below {sharp}: thin-shell theory"), THIN, SHARP)
-        .advice(ADVICE)
-        .into()
+    let judged = Finding::judged("bend_radius", "Bending radius", "{} at the sharpest bend");
+    let judged = judged.number(Amount::thicknesses(1.0 / sharpest)).at_least(THIN, SHARP);
+    Some(judged.source("thin-shell theory; the numbers are declared rules of thumb").advice(ADVICE))
 }
 
 /// Strength that the sheet keeps over the sharpest of punch noses and die shoulders.
@@ -49,10 +44,10 @@ pub(super) fn strength(run: &Run) -> Option<Finding> {
     let text = format!("the {name} of {radius} is {times}: the sheet keeps {{}} of its strength there");
     let [wanted, least] = [THIN, SHARP].map(bent_strength);
     let ([thin, sharp], share) = ([THIN, SHARP].map(Amount::given_thicknesses), Amount::share(wanted));
-    let limit = format!("{share} = ρ ln(1 + 1/ρ) at ρ = {thin}, red below {sharp}");
     Finding::judged("bent_strength", "Strength over radii", run.of_stage(text, stage))
         .number(Amount::share(bent_strength(ratio)))
-        .at_least(limit, 100.0 * wanted, 100.0 * least)
+        .at_least(100.0 * wanted, 100.0 * least)
+        .limit(format!("{share} = ρ ln(1 + 1/ρ) at ρ = {thin}, red below {sharp}"))
         .source("4ming, Forming handbook, Punch radius: 4 to 5 thicknesses; the share: equilibrium of a bent strip")
         .advice(ADVICE)
         .into()
@@ -78,10 +73,9 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
          middle){others}: no sheet can follow it",
         tool.role.name()
     );
-    let angle = |radians: f64| Amount::angle(radians.to_degrees()).to(Digits::Given(1));
     Finding::warning("sharp_corner", "Sharp corner", text)
-        .number(angle(first.turn.abs()))
-        .at_most(angle(CORNER), CORNER.to_degrees(), None)
+        .number(Amount::angle(first.turn.abs().to_degrees()).to(Digits::Given(1)))
+        .at_most(CORNER.to_degrees(), None)
         .advice("draw an arc, or give `fillet`")
         .source("the radius that a shell follows")
         .into()

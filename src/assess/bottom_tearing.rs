@@ -35,7 +35,8 @@ pub(super) fn judge<'a>(run: &Run<'a>) -> Option<Finding> {
     );
     Finding::judged("bottom_tearing", "Bottom tearing", run.of_stage(format!("{force}, {{}} of the limit"), i))
         .number(Amount::share(factor))
-        .at_most(limit, 100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
+        .at_most(100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
+        .limit(limit)
         .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
         .advice(tear::advice(run, stage, NoseEnd::of(stage)?.radius))
         .into()

@@ -4,7 +4,7 @@ mod tools;
 
 use super::{Kind, before, estimate, sentences};
 use crate::case::Case;
-use crate::material::{Elastic, YieldCriterion};
+use crate::material::YieldCriterion;
 use crate::model::{ContactMethod, Extent, Geometry, Grading, Iteration, Mode, Model, Norm, Theory};
 use crate::units::{Amount, Digits, Unit, ZERO_CELSIUS, joined};
 use std::fmt;
@@ -38,8 +38,7 @@ pub fn report(case: &Case) -> Check {
     lines.extend(tools::holder(model, strength));
     lines.push(number("elements", Amount::count(model.blank.elements as f64), ""));
     lines.extend(estimate::coarsest_corner(model).map(|fit| {
-        let (tool, radius) = (fit.role.name(), Amount::drawn(fit.radius));
-        let per_quarter = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2));
+        let (tool, radius, per_quarter) = (fit.role.name(), Amount::drawn(fit.radius), Amount::norm(fit.per_quarter));
         let meaning = format!("at the {tool}'s radius of {radius}: {per_quarter} elements per 90°");
         number("element size", Amount::size(fit.size), meaning)
     }));
@@ -52,7 +51,7 @@ pub fn report(case: &Case) -> Check {
     Check {
         title: model.title.clone(),
         lines,
-        details: settings(case),
+        details: details(model),
         warnings: sentences(&findings, Kind::Warning),
         notes: model.notes.iter().cloned().chain(sentences(&findings, Kind::Assumption)).collect(),
     }
@@ -60,13 +59,13 @@ pub fn report(case: &Case) -> Check {
 
 fn blank(model: &Model) -> Vec<Line> {
     let blank = &model.blank;
-    let (geometry, meaning): (String, _) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric".into(), String::new()),
-        Geometry::PlaneStrain => {
-            ("plane strain".into(), format!("half length, {} in all", Amount::set(2.0 * blank.length)))
-        }
+    let (geometry, meaning) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric", String::new()),
+        Geometry::PlaneStrain => ("plane strain", format!("half length, {} in all", Amount::set(2.0 * blank.length))),
     };
-    let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
+    let volume = model.extent().area(blank.length) * blank.thickness;
+    let (unit, times) =
+        if model.extent() == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let points = blank.layers;
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {points} points through the thickness"),
@@ -77,13 +76,10 @@ fn blank(model: &Model) -> Vec<Line> {
         }
     };
     let mut lines = vec![
-        line("geometry", joined([geometry, model.extent().described()], "; "), ""),
+        line("geometry", format!("{geometry}; {}", model.extent().described()), ""),
         line("blank", size_of(model, blank.length, Amount::set), meaning),
         number("thickness", Amount::size(blank.thickness), ""),
-        match model.extent() {
-            Extent::PerDepth => number("volume", volume(Unit::Mm2), "times the depth"),
-            _ => number("volume", volume(Unit::Mm3), ""),
-        },
+        number("volume", Amount::new(volume, unit, Digits::Significant(3)), times),
         line("theory", theory, ""),
     ];
     lines.extend(model.heat.as_ref().map(|heat| {
@@ -95,43 +91,31 @@ fn blank(model: &Model) -> Vec<Line> {
     lines
 }
 
-/// Constants of the sheet, mesh and solver, from which a run can be repeated.
-fn settings(case: &Case) -> Vec<Line> {
-    let model = case.model();
-    let (material, settings) = (&model.material, &model.settings);
-    let mut lines = vec![match model.mode {
-        Mode::Flow => line("mode", "flow", "rigid and viscoplastic: no elasticity, no spring-back"),
-        Mode::ElastoViscoplastic => line("mode", "elasto-viscoplastic", "with elasticity: the sheet springs back"),
-        Mode::Elastic => line("mode", "elastic", "no yielding"),
-    }];
-    lines.push(match material.elastic {
-        Some(Elastic { young, poisson }) => {
-            let poisson = format!("Poisson's ratio {}", Amount::number(poisson));
-            number("Young's modulus", Amount::new(young, Unit::MPa, Digits::Significant(3)), poisson)
-        }
-        None => line("elasticity", "none given", "the flow law needs none"),
+fn details(model: &Model) -> Vec<Line> {
+    let (material, settings, blank) = (&model.material, &model.settings, &model.blank);
+    let [mode, springs] = match model.mode {
+        Mode::Flow => ["flow", "rigid and viscoplastic: no elasticity, no spring-back"],
+        Mode::ElastoViscoplastic => ["elasto-viscoplastic", "with elasticity: the sheet springs back"],
+        Mode::Elastic => ["elastic", "no yielding"],
+    };
+    let elasticity = material.elastic.map(|elastic| {
+        let young = Amount::new(elastic.young, Unit::MPa, Digits::Significant(3));
+        number("Young's modulus", young, format!("Poisson's ratio {}", Amount::number(elastic.poisson)))
     });
-    let ratio = format!("r̄ = {}", Amount::number(material.yield_criterion.ratio()));
-    lines.push(match &material.gtn {
-        Some(gtn) => line("yield condition", gtn.to_string(), ratio),
-        None => match material.yield_criterion {
-            YieldCriterion::Hill48(_) => line("yield condition", "Hill 1948", ratio),
-            YieldCriterion::Hosford(_) => line("yield condition", "Hosford", ratio),
-        },
-    });
-    lines.push(match material.rate {
-        Some(law) => line("rate law", law.to_string(), "times the yield stress"),
-        None => line("rate law", "none", "the yield stress does not depend on the strain rate"),
-    });
-    lines.extend(material.thermal.map(|law| line("softening by heat", law.to_string(), "times the yield stress")));
-    let limit = model.forming_limit.as_ref().map_or("none", |curve| curve.name);
-    lines.push(line("forming limit", limit, ""));
-    let size = Amount::size(model.blank.length / model.blank.elements as f64);
-    let spread = match model.blank.grading {
+    let condition = match (&material.gtn, material.yield_criterion) {
+        (Some(gtn), _) => gtn.to_string(),
+        (None, YieldCriterion::Hill48(_)) => "Hill 1948".into(),
+        (None, YieldCriterion::Hosford(_)) => "Hosford".into(),
+    };
+    let [rate, times] = match material.rate {
+        Some(law) => [law.to_string(), "times the yield stress".into()],
+        None => ["none".into(), "the yield stress does not depend on the strain rate".into()],
+    };
+    let size = Amount::size(blank.length / blank.elements as f64);
+    let spread = match blank.grading {
         Grading::Uniform => format!("elements, each {size} wide"),
         Grading::Radii | Grading::Divided { .. } => format!("elements, {size} on average, finer at the tools' radii"),
     };
-    lines.push(number("mesh", Amount::count(model.blank.elements as f64), spread));
     let matrix = match settings.iteration {
         Iteration::PrimalDual => "primal-dual Newton",
         Iteration::Newton => "Newton",
@@ -142,26 +126,30 @@ fn settings(case: &Case) -> Vec<Line> {
         Norm::Residual => "residual norm",
         Norm::Both => "velocity and residual norm",
     };
-    let (tolerance, most) = (Amount::norm(settings.tolerance), settings.max_iterations);
-    lines.push(line("corrector", matrix, format!("{norm} below {tolerance}, at most {most} iterations a step")));
-    let (first, strain) = (Amount::given_share(settings.first_step), Amount::number(settings.strain_step));
-    let steps = format!("of the travel at most, {first} at first; at most {strain} strain a step");
-    lines.push(number("steps", Amount::given_share(settings.max_step), steps));
     let contact = match settings.contact {
         ContactMethod::Penalty => "penalty",
         ContactMethod::AugmentedLagrangian => "augmented Lagrangian",
     };
+    let [largest, first, gap] =
+        [settings.max_step, settings.first_step, settings.contact_smoothing].map(Amount::given_share);
+    let (tolerance, most) = (Amount::norm(settings.tolerance), settings.max_iterations);
     let stiffness = Amount::new(settings.contact_stiffness, Unit::MPa, Digits::Given(6));
-    let gap = Amount::given_share(settings.contact_smoothing);
-    let stiffness = format!("{stiffness} over the thickness, sets in over {gap} of it");
-    lines.push(line("contact", contact, stiffness));
-    lines.push(number("cut-off strain", Amount::norm(settings.cutoff_strain), "of 1 % of the travel: rigid below"));
-    lines.push(number(
-        "slip speed",
-        Amount::number(settings.slip_speed),
-        "of the punch's speed: 71 % of full friction",
-    ));
-    lines
+    let steps = format!("of the travel at most, {first} at first; at most {} strain a step", settings.strain_step);
+    let lines = [
+        Some(line("mode", mode, springs)),
+        elasticity.or_else(|| Some(line("elasticity", "none given", "the flow law needs none"))),
+        Some(line("yield condition", condition, format!("r̄ = {}", Amount::number(material.yield_criterion.ratio())))),
+        Some(line("rate law", rate, times)),
+        material.thermal.map(|law| line("softening by heat", law.to_string(), "times the yield stress")),
+        Some(line("forming limit", model.forming_limit.as_ref().map_or("none", |curve| curve.name), "")),
+        Some(number("mesh", Amount::count(blank.elements as f64), spread)),
+        Some(line("corrector", matrix, format!("{norm} below {tolerance}, at most {most} iterations a step"))),
+        Some(number("steps", largest, steps)),
+        Some(line("contact", contact, format!("{stiffness} over the thickness, sets in over {gap} of it"))),
+        Some(number("cut-off strain", Amount::norm(settings.cutoff_strain), "of 1 % of the travel: rigid below")),
+        Some(number("slip speed", Amount::number(settings.slip_speed), "of the punch's speed: 71 % of full friction")),
+    ];
+    lines.into_iter().flatten().collect()
 }
 
 impl fmt::Display for Check {

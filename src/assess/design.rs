@@ -2,10 +2,8 @@
 //!
 //! # References
 //! *4ming*: Interactive Sheet Metal Forming Technical Guide, 4Ming e.K. (4ming.de/en/forming-handbook), pages "Punch
-//! radius", "Die clearance" and "Clearance according to Oehler/Kaiser" with its table of draw ratios. The books that it
-//! quotes (Tschätsch 2003; Semmlinger, Hellwig 1990; Oehler, Kaiser 1993; Lange 1990) were not read. *Amada*: Bending
-//! procedures, table "Die V-width selection" (amada.de). What has no source that could be read is called a declared rule of
-//! thumb.
+//! radius", "Die clearance" and "Clearance according to Oehler/Kaiser" with its table of draw ratios; the books that it
+//! quotes were not read. *Amada*: Bending procedures, table "Die V-width selection" (amada.de).
 
 use crate::material::Material;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -24,7 +22,6 @@ pub const REDRAW_RATIO: f64 = 1.3;
 ///
 /// # References
 /// Chinese Journal of Mechanical Engineering 2022, doi 10.1186/s10033-022-00681-9, table 8: below 35 % at each ironing die.
-/// The Library of Manufacturing, "Ironing of sheet metal", calls 40 % to 60 % usual, in how many passes is not stated.
 pub const IRONING_LIMIT: f64 = 0.35;
 /// Radius over thickness of tools \[–\], see [`tool_radius`].
 const RADIUS: f64 = 6.0;
@@ -47,7 +44,7 @@ pub fn tensile_strength(material: &Material) -> f64 {
 ///
 /// # References
 /// 4ming, "Blankholder pressure", equation 1, after H. Kugler, Umformtechnik, Hanser (2009): for steel on steel with drawing
-/// oil. Books that were not read are said to have (β − 1)³ with factors from 0.002 to 0.003; at β = 2 both agree.
+/// oil.
 pub fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
     0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
 }

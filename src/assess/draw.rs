@@ -20,18 +20,17 @@ const FREE: [f64; 2] = [15.0, 20.0];
 const GAP: f64 = 1.2;
 
 pub(super) fn ratio(model: &Model) -> Option<Finding> {
-    let limit = Amount::number(LIMITING_RATIO);
-    let text = format!("the draw ratio of {{}} is above {limit}, about the limit of mild steel in one draw");
+    let text = format!("the draw ratio of {{}} is above {LIMITING_RATIO}, about the limit of mild steel in one draw");
     let warning = Finding::warning("draw_ratio", "Draw ratio", text).number(Amount::ratio(draw_ratio(model)?));
-    warning.at_most(format!("{limit} at most"), LIMITING_RATIO, None).if_beyond()
+    warning.at_most(LIMITING_RATIO, None).if_beyond()
 }
 
 pub(super) fn blank_area(model: &Model) -> Option<Finding> {
     let free = model.blank.edge == Edge::Free && !model.stop.drawn_through;
     let share = estimate::drawn_share(model).filter(|share| free && *share >= 1.0)?;
     let text = "at the full travel the part needs {} of the blank's area: the blank will be drawn through the die";
-    let warning = Finding::warning("drawn_share", "Blank", text).share(share, 1.0).light(Light::Amber);
-    Some(warning.source("the sheet keeps its area, its mean thickness hardly changing"))
+    let warning = Finding::warning("drawn_share", "Blank", text).number(Amount::share(share)).at_most(100.0, None);
+    Some(warning.light(Light::Amber).source("the sheet keeps its area, its mean thickness hardly changing"))
 }
 
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
@@ -40,13 +39,12 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
         let ratio = radius(&run.stages[i.checked_sub(1)?])? / radius(stage)?;
         (stage.model.geometry == Geometry::Axisymmetric && ratio > 1.0).then_some((ratio, ()))
     })?;
-    let limit = format!("{}, of DC04 in a second draw without annealing", Amount::number(REDRAW_RATIO));
     Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage("{} from punch to punch".into(), i))
         .number(Amount::ratio(ratio))
-        .at_most(limit, REDRAW_RATIO, None)
+        .at_most(REDRAW_RATIO, None)
         // The template's own radii are rounded.
         .light(if ratio <= REDRAW_RATIO + 1e-3 { Light::Green } else { Light::Amber })
-        .source("4ming, Forming handbook, table of draw ratios")
+        .source("4ming, Forming handbook, table of draw ratios: DC04 in a second draw without annealing")
         .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it")
         .into()
 }
@@ -72,7 +70,8 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             let [wanted, least] = [advised, pressure].map(Amount::stress);
             judged("Wrinkle index", format!("{{}}: {wanted} advised over {least}; {itself}"))
                 .number(Amount::ratio(advised / pressure))
-                .at_most(format!("1, red above {}", Amount::number(LIMITS[1])), LIMITS[0], LIMITS[1])
+                .at_most(LIMITS[0], LIMITS[1])
+                .limit(format!("1, red above {}", LIMITS[1]))
                 .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
                 .advice(format!(
                     "a holder force of {force} or more; if the sheet tears too, a thicker sheet, a smaller blank or one more draw"
@@ -80,15 +79,14 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
         }
         Some(Motion::Gap(gap)) => judged("Wrinkle room", format!("holder fixed {{}} from the die; {itself}"))
             .number(Amount::thicknesses(gap / t))
-            .at_most(format!("at most {}", Amount::given_thicknesses(GAP)), GAP, None)
+            .at_most(GAP, None)
             .advice("a smaller holder gap, or a holder force"),
         _ => {
             let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
-            let [limit, red] = FREE.map(Amount::given_thicknesses);
             let text = format!("nothing holds the flange: blank less punch diameter is {{}}; {itself}");
             judged("Wrinkle index", text)
                 .number(Amount::thicknesses(beyond / t))
-                .at_most(format!("{limit}, red above {red}"), FREE[0], FREE[1])
+                .at_most(FREE[0], FREE[1])
                 .advice("give tools.holder a force; `check` says what Siebel's rule advises")
         }
     })
@@ -123,7 +121,7 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     }
     let lengths = frame.nodes.windows(2).map(|pair| (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
     let ears = rim_heights(&r, lengths.zip(frame.elements.iter().map(|element| element.strain_hoop)));
-    let [low, high] = [f64::min, f64::max].map(|of| ears.into_iter().reduce(of).unwrap_or_default());
+    let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);
     let [along, diagonal, across] = ears.map(Amount::place);
     let text = format!(
         "ears of {{}}: at 0, 45 and 90° to rolling the rim lies {along}, {diagonal} and {across} beyond the computed mean \
@@ -131,7 +129,7 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
         Amount::ratio(r.planar())
     );
     Finding::judged("ears", "Ears", text)
-        .number(Amount::place(high - low))
+        .number(Amount::place(height))
         .limit("not judged: more is trimmed off")
         .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011, abstract read)")
         .into()

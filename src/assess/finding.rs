@@ -1,6 +1,6 @@
 //! Findings: the one form of warnings, assumptions and rows of the verdict.
 
-use crate::units::{Amount, ErrorBar, Limits, Quantity, Sense, joined};
+use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// State of a finding against its limit.
@@ -20,12 +20,7 @@ pub enum Light {
 impl Light {
     /// Name in text.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Grey => "grey",
-            Self::Green => "green",
-            Self::Amber => "amber",
-            Self::Red => "red",
-        }
+        ["grey", "green", "amber", "red"][self as usize]
     }
 }
 
@@ -100,40 +95,28 @@ impl Serialize for Finding {
     }
 }
 
-/// Source of limits without a citation.
-const DECLARED: &str = "declared rule of thumb";
 /// Position of the number in [`Finding::text`].
 const PLACEHOLDER: &str = "{}";
 
 impl Finding {
-    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, text: String) -> Self {
-        Self {
-            key,
-            label,
-            light,
-            quantity: None,
-            text,
-            limit: String::new(),
-            source: DECLARED.into(),
-            advice: String::new(),
-            when: When::After,
-            kind,
-            stage: None,
-        }
+    fn new(kind: Kind, light: Light, key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
+        let (text, source) = (text.into(), "declared rule of thumb".into());
+        let (quantity, limit, advice) = Default::default();
+        Self { key, label, light, quantity, text, limit, source, advice, when: When::After, kind, stage: None }
     }
 
     /// Row of the verdict; green until a limit or [`Self::light`] says otherwise.
     pub(super) fn judged(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
-        Self::new(Kind::Judgement, key, label, Light::Green, text.into())
+        Self::new(Kind::Judgement, Light::Green, key, label, text)
     }
 
     /// Warning; its sentence is `text: advice`.
     pub(crate) fn warning(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
-        Self::new(Kind::Warning, key, label, Light::Amber, text.into())
+        Self::new(Kind::Warning, Light::Amber, key, label, text)
     }
 
     pub(super) fn assumed(text: impl Into<String>) -> Self {
-        Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, text.into()).limit("what the case says")
+        Self::new(Kind::Assumption, Light::Grey, "assumed", "Assumed", text).limit("what the case says")
     }
 
     /// Sets the light that no limit gives.
@@ -146,33 +129,31 @@ impl Finding {
         Self { quantity: Some(Quantity::new(self.key, self.label, amount)), ..self }
     }
 
-    /// Sets a share and its amber limit \[–\].
-    pub(super) fn share(self, share: f64, limit: f64) -> Self {
-        self.number(Amount::share(share)).at_most(Amount::given_share(limit), 100.0 * limit, None)
+    /// Sets the upper limits for amber and red in the unit of the number, and the light by them.
+    pub(super) fn at_most(self, amber: f64, red: impl Into<Option<f64>>) -> Self {
+        self.limited(Sense::AtMost, amber, red.into())
     }
 
-    /// Sets the limit in words, and the upper limits for amber and red in the unit of the number.
-    pub(super) fn at_most(self, limit: impl Into<String>, amber: f64, red: impl Into<Option<f64>>) -> Self {
-        self.limited(limit.into(), Limits { sense: Sense::AtMost, amber: Some(amber), red: red.into() })
+    /// Sets the lower limits for amber and red in the unit of the number, and the light by them.
+    pub(super) fn at_least(self, amber: f64, red: impl Into<Option<f64>>) -> Self {
+        self.limited(Sense::AtLeast, amber, red.into())
     }
 
-    /// Sets the limit in words, and the lower limits for amber and red in the unit of the number.
-    pub(super) fn at_least(self, limit: impl Into<String>, amber: f64, red: impl Into<Option<f64>>) -> Self {
-        self.limited(limit.into(), Limits { sense: Sense::AtLeast, amber: Some(amber), red: red.into() })
-    }
-
-    fn limited(mut self, limit: String, limits: Limits) -> Self {
-        let Some(quantity) = &mut self.quantity else { return self.limit(limit) };
-        let value = quantity.amount.value;
+    fn limited(mut self, sense: Sense, amber: f64, red: Option<f64>) -> Self {
+        let Some(quantity) = &mut self.quantity else { return self };
+        quantity.limits = Some(Limits { sense, amber: Some(amber), red });
+        let (amount, is_upper) = (quantity.amount, sense == Sense::AtMost);
+        let text = |limit: f64| amount.with_value(limit).to(Digits::Given(2));
+        let [most, beyond] = if is_upper { ["at most", "red above"] } else { ["at least", "red below"] };
+        let red_text = red.map_or_else(String::new, |red| format!("{beyond} {}", text(red)));
         // Also what is not a number is beyond a limit.
-        let is_kept = |limit: f64| if limits.sense == Sense::AtMost { value <= limit } else { value >= limit };
-        quantity.limits = Some(limits);
-        self.light = match limits {
-            Limits { amber: Some(amber), .. } if is_kept(amber) => Light::Green,
-            Limits { red: Some(red), .. } if !is_kept(red) => Light::Red,
+        let is_kept = |limit: f64| if is_upper { amount.value <= limit } else { amount.value >= limit };
+        self.light = match red {
+            _ if is_kept(amber) => Light::Green,
+            Some(red) if !is_kept(red) => Light::Red,
             _ => Light::Amber,
         };
-        self.limit(limit)
+        self.limit(joined([format!("{} {most}", text(amber)), red_text], ", "))
     }
 
     /// Drops a warning whose number keeps its limit.
@@ -180,6 +161,7 @@ impl Finding {
         (self.light > Light::Green).then_some(self)
     }
 
+    /// Sets the limit in words.
     pub(super) fn limit(self, limit: impl Into<String>) -> Self {
         Self { limit: limit.into(), ..self }
     }
@@ -230,6 +212,11 @@ pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
     findings.iter().filter(|finding| finding.kind == Kind::Judgement)
 }
 
+/// Labels of the rows of a light.
+pub(super) fn labels(findings: &[Finding], light: Light) -> Vec<&'static str> {
+    judgements(findings).filter(|finding| finding.light == light).map(|finding| finding.label).collect()
+}
+
 /// Sentences of a kind.
 pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
     findings.iter().filter(|finding| finding.kind == kind).map(Finding::sentence).collect()
@@ -238,7 +225,7 @@ pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
 /// Counts of the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
 pub fn headline(findings: &[Finding]) -> String {
     let part = |light: Light| {
-        let labels: Vec<&str> = judgements(findings).filter(|f| f.light == light).map(|f| f.label).collect();
+        let labels = labels(findings, light);
         match (light, labels.len()) {
             (_, 0) => String::new(),
             (Light::Green, n) => format!("{n} green"),

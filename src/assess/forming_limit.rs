@@ -66,14 +66,10 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         return Some(unjudged(name, open));
     }
     let worst = assessment.worst();
-    let limit = format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL));
+    let (s0, margin) = (Amount::place(worst.s0), Amount::ratio(worst.margin().abs()));
     let side = if worst.margin() < 0.0 { "beyond it" } else { "left" };
-    let uses = format!(
-        "uses {{}} of the limit at s0 = {}, {} of major true strain {side}",
-        Amount::place(worst.s0),
-        Amount::ratio(worst.margin().abs())
-    );
-    let reached = assessment.reached.map(|reached| {
+    let uses = format!("uses {{}} of the limit at s0 = {s0}, {margin} of major true strain {side}");
+    let reached = assessment.reached.map_or_else(String::new, |reached| {
         let when = match stage.model.travel > 0.0 {
             true => format!("{} of travel", Amount::place(reached.travel)),
             false => Amount::time(reached.time).to_string(),
@@ -82,22 +78,24 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     });
     // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
-    let faces = (bend * THIN > 1.0).then(|| {
-        format!("of the mid-surface: bends strain the faces by up to {}", Amount::ratio((1.0 + 0.5 * bend).ln()))
-    });
-    let text = joined([Some(uses), reached, faces].into_iter().flatten(), "; ");
-    Some(
-        judged(text)
-            .number(Amount::share(worst.ratio()))
-            .at_most(limit, 100.0 * CAREFUL, 100.0)
-            .light(match assessment.reached {
-                Some(_) => Light::Red,
-                None if worst.ratio() <= CAREFUL => Light::Green,
-                None => Light::Amber,
-            })
-            .source("the case's curve; the share is a declared rule of thumb")
-            .advice(tear::advice(run, stage, worst.s0)),
-    )
+    let faces = Amount::ratio((1.0 + 0.5 * bend).ln());
+    let faces = if bend * THIN > 1.0 {
+        format!("of the mid-surface: bends strain the faces by up to {faces}")
+    } else {
+        String::new()
+    };
+    let judged = judged(joined([uses, reached, faces], "; ")).number(Amount::share(worst.ratio()));
+    let judged = judged.at_most(100.0 * CAREFUL, 100.0);
+    let light = match assessment.reached {
+        Some(_) => Light::Red,
+        None => judged.light.min(Light::Amber),
+    };
+    judged
+        .light(light)
+        .limit(format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL)))
+        .source("the case's curve; the share is a declared rule of thumb")
+        .advice(tear::advice(run, stage, worst.s0))
+        .into()
 }
 
 /// Place strained beyond the end of the curve, where nothing is judged.
@@ -135,7 +133,8 @@ pub(super) fn paths(run: &Run) -> Option<Finding> {
     };
     let [crooked, bent] = [CROOKED, BENT].map(Amount::given_share);
     Finding::judged("strain_paths", "Strain paths", text)
-        .share(used, BENT)
+        .number(Amount::share(used))
+        .at_most(100.0 * BENT, None)
         .limit(format!("within {crooked} of a straight line, or below {bent} of the limit"))
         .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
         .advice("keep more margin there: look at strain_paths.csv of `run`")

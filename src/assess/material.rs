@@ -1,8 +1,11 @@
-//! Material data: sheet, tensile strength, range of the hardening law.
+//! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
 use super::estimate::tensile_strength;
+use super::forming_limit::other_condition;
 use super::{Finding, Light, Run, largest};
 use crate::case::Case;
+use crate::forming_limit::SHORTEST;
+use crate::material::YieldCriterion;
 use crate::model::Model;
 use crate::solver::solution::StageSolution;
 use crate::units::{Amount, ZERO_CELSIUS};
@@ -15,6 +18,8 @@ const NEAR: f64 = 0.1;
 const FAR: f64 = 0.5;
 /// Extrapolation in temperature without a warning \[K\].
 const NEAR_ENOUGH: f64 = 10.0;
+/// r̄ below which Hill's condition of 1948 is softer in biaxial stretching than aluminium \[–\].
+const LEAST_R: f64 = 0.8;
 const OWN: &str = "the case's material";
 
 pub(super) fn mixed(case: &Case) -> Option<Finding> {
@@ -28,20 +33,15 @@ pub(super) fn mixed(case: &Case) -> Option<Finding> {
 }
 
 pub(super) fn thickness(case: &Case) -> Option<Finding> {
-    let of = case.sources.thickness.as_ref()?;
-    let t = case.model().blank.thickness;
-    let [low, high] = of.range;
+    let (sheet, t) = (case.sources.thickness.as_ref()?, case.model().blank.thickness);
+    let [low, high] = sheet.range;
     (t < low * (1.0 - NEAR) || t > high * (1.0 + NEAR)).then(|| {
-        let range = match of.range.map(Amount::size) {
-            [one, other] if one == other => one.to_string(),
-            [low, high] => format!("{low} to {high}"),
-        };
-        let text = format!("{} was measured on sheet of {range}; this blank is {{}} thick", of.name);
-        Finding::warning("sheet_thickness", "Material", text)
-            .number(Amount::size(t))
-            .limit(range)
-            .source("the library; the distance is a declared rule of thumb")
-            .advice("take the numbers of a coil of this thickness, if there are some")
+        let [low, high] = sheet.range.map(Amount::size);
+        let range = if low == high { low.to_string() } else { format!("{low} to {high}") };
+        let text = format!("{} was measured on sheet of {range}; this blank is {{}} thick", sheet.name);
+        let warning = Finding::warning("sheet_thickness", "Material", text).number(Amount::size(t)).limit(range);
+        let warning = warning.source("the library; the distance is a declared rule of thumb");
+        warning.advice("take the numbers of a coil of this thickness, if there are some")
     })
 }
 
@@ -52,38 +52,61 @@ pub(super) fn is_weak(model: &Model) -> bool {
 
 pub(super) fn strength(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
-    let too_strong = strength > STRENGTHS[1];
-    if !too_strong && !is_weak(model) {
-        return None;
-    }
-    let [low, high] = STRENGTHS.map(Amount::given_stress);
-    let limit = format!("{low} to {high}");
-    let warning = Finding::warning("strength", "Tensile strength", "no sheet metal has a tensile strength of {}");
-    let warning = warning.number(Amount::stress(strength));
-    let warning = match too_strong {
-        true => warning.at_most(limit, STRENGTHS[1], None),
-        false => warning.at_least(limit, STRENGTHS[0], None),
+    let text = "no sheet metal has a tensile strength of {}";
+    let warning = Finding::warning("strength", "Tensile strength", text).number(Amount::stress(strength));
+    let warning = match is_weak(model) {
+        true => warning.at_least(STRENGTHS[0], None),
+        false => warning.at_most(STRENGTHS[1], None),
     };
-    Some(warning.advice("check the unit of the law's stresses"))
+    warning.advice("check the unit of the law's stresses").if_beyond()
 }
 
 pub(super) fn short(model: &Model) -> Option<Finding> {
-    let strain = model.material.hardening.valid_up_to()?;
     let text = "the hardening table ends at a strain of {}; beyond it the law is extrapolated";
-    let warning = Finding::warning("short_table", "Hardening law", text).number(Amount::number(strain));
-    warning.at_least(format!("{} at least", Amount::number(FAR)), FAR, None).if_beyond()
+    let end = Amount::number(model.material.hardening.valid_up_to()?);
+    Finding::warning("short_table", "Hardening law", text).number(end).at_least(FAR, None).if_beyond()
 }
 
-/// Largest equivalent strain of a stage \[–\].
-fn reached(stage: &StageSolution) -> f64 {
-    stage.end.points.iter().map(|point| point.strain).fold(0.0, f64::max)
+/// Amber if a low r̄ goes by Hill's condition and the worst place is stretched both ways.
+pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
+    let (criterion, last) = (run.case.model().material.yield_criterion, run.stages.last()?);
+    last.steps.last()?;
+    let r = criterion.ratio();
+    let (doubtful, mut text) = match criterion {
+        YieldCriterion::Hill48(_) => (r < LEAST_R && is_biaxial(run, last), "Hill 1948, r̄ = {}".to_owned()),
+        YieldCriterion::Hosford(hosford) => {
+            (false, format!("Hosford, exponent {}, r̄ = {{}}", Amount::number(hosford.exponent())))
+        }
+    };
+    if doubtful {
+        text += "; too soft where the sheet is worst off, stretched both ways";
+    }
+    let judged = Finding::judged("yield_condition", "Yield condition", text).number(Amount::number(r));
+    let judged = if doubtful { judged.at_least(LEAST_R, None).advice(other_condition()) } else { judged };
+    let judged = judged.source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb");
+    let least = Amount::number(LEAST_R);
+    Some(judged.limit(format!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways")))
+}
+
+/// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.
+fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
+    let thinnest = last.frames.last().and_then(|frame| {
+        let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
+        Some([thinnest.strain_meridional, thinnest.strain_hoop])
+    });
+    let nearest = run.nearest.as_ref().map(|nearest| {
+        let worst = nearest.assessment.open().unwrap_or_else(|| nearest.assessment.worst());
+        [worst.minor, worst.major]
+    });
+    thinnest.into_iter().chain(nearest).any(|[a, b]| a.min(b) > 0.0 && a.max(b) > SHORTEST)
 }
 
 pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let material = &run.stages.last()?.model.material;
-    let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
-    let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}").source(OWN);
-    let judged = judged.number(Amount::ratio(strain));
+    let points = run.stages.iter().flat_map(|stage| stage.end.points.iter());
+    let strain = Amount::ratio(points.map(|point| point.strain).fold(0.0, f64::max));
+    let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}");
+    let judged = judged.number(strain).source(OWN);
     let ends = if material.fitted_up_to.is_some() { "it is fitted up to" } else { "its table ends at" };
     Some(match material.measured_up_to() {
         None => judged
@@ -91,38 +114,27 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
             .limit("a formula: the range of its fit is not in the case")
             .advice("write the range of the fit as [material] fitted_up_to"),
         Some(end) => judged
-            .at_most(format!("{ends} {}", Amount::number(end)), end, None)
+            .at_most(end, None)
+            .limit(format!("{ends} {}", Amount::number(end)))
             .advice("add points at larger strains, from a bulge test"),
     })
 }
 
-pub(super) fn extrapolated(stage: &StageSolution) -> Option<Finding> {
-    stage.steps.last()?;
-    let strain = reached(stage);
-    let material = &stage.model.material;
-    let end = material.measured_up_to()?;
-    let to = Amount::number(end);
-    let range = if material.fitted_up_to.is_some() { "law is fitted up to" } else { "table ends at" };
-    let text = format!("the hardening {range} a strain of {to}; the run extrapolates it to {{}}");
-    let warning = Finding::warning("extrapolated", "Hardening law", text).number(Amount::ratio(strain));
-    warning.at_most(to, end, None).source(OWN).if_beyond()
-}
-
 pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
+    let celsius = |kelvin| Amount::temperature(kelvin - ZERO_CELSIUS);
     let [cold, hot] = stage.model.material.hardening.temperatures()?;
     let hottest = largest(stage, |step| step.hottest);
     let coldest = stage.steps.iter().map(|step| step.coldest).fold(f64::INFINITY, f64::min);
     if coldest >= cold - NEAR_ENOUGH && hottest <= hot + NEAR_ENOUGH {
         return None;
     }
-    let [cold, hot, coldest, hottest] =
-        [cold, hot, coldest, hottest].map(|kelvin| Amount::temperature(kelvin - ZERO_CELSIUS));
-    let limit = format!("{cold} to {hot}");
+    let limit = format!("{} to {}", celsius(cold), celsius(hot));
     let text = format!("hardening is given from {limit}; the sheet reaches {{}}, where the outermost curve is used");
     let warning = Finding::warning("temperature_range", "Hardening law", text).source(OWN);
-    Some(match hottest.value > hot.value {
-        true => warning.number(hottest).at_most(limit, hot.value, None),
-        false => warning.number(coldest).at_least(limit, cold.value, None),
-    })
+    let warning = match hottest > hot {
+        true => warning.number(celsius(hottest)).at_most(celsius(hot).value, None),
+        false => warning.number(celsius(coldest)).at_least(celsius(cold).value, None),
+    };
+    Some(warning.limit(limit))
 }

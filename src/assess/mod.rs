@@ -22,7 +22,6 @@ mod springback;
 mod stop;
 mod tear;
 mod tools;
-mod yield_condition;
 
 pub use answer::{Answer, FailureMode};
 pub use finding::{Finding, Kind, Light, When, by_advice, headline, judgements, sentences};
@@ -45,7 +44,6 @@ const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::th
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::strength,
     holder::closes,
-    holder::bead,
     holder::idle,
     holder::crushing,
     tools::narrow,
@@ -79,7 +77,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     draw::ears,
     bends::radius,
     bends::strength,
-    yield_condition::judge,
+    material::yield_condition,
     material::hardening,
     tools::friction,
     solution_quality::judge,
@@ -88,13 +86,9 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
 /// Findings on each solved stage, in the order of output.
 const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
     draw::trim,
-    tear::neck_seen,
-    solution_quality::poor,
-    material::extrapolated,
     material::temperature,
     stop::contact_share,
     holder::stays_open,
-    holder::lifted,
     holder::rests,
     holder::lost,
     solution_quality::yields_again,
@@ -113,16 +107,7 @@ pub fn before(case: &Case) -> Vec<Finding> {
 
 /// Verdict on a solved case, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    on_run(case, stages, false)
-}
-
-/// Like [`after`] for one of many runs; no finding solves the case a second time.
-pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    on_run(case, stages, true)
-}
-
-fn on_run(case: &Case, stages: &[StageSolution], is_one_of_many: bool) -> Vec<Finding> {
-    let run = Run { case, stages, nearest: Nearest::of(stages), is_one_of_many };
+    let run = Run { case, stages, nearest: Nearest::of(stages) };
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
     ON_RUN.iter().filter_map(|find| find(&run)).chain(of_stages).collect()
 }
@@ -137,11 +122,6 @@ pub fn by_stage(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding
     stages.iter().enumerate().map(of).collect()
 }
 
-/// Warnings on a solved stage, as sentences.
-pub fn warnings(stage: &StageSolution) -> Vec<String> {
-    sentences(&of_stage(0, stage), Kind::Warning)
-}
-
 /// Warnings on the `i`-th stage of a case, counted from 0.
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
     let findings = ON_STAGE.iter().filter_map(|find| find(stage));
@@ -154,8 +134,6 @@ struct Run<'a> {
     stages: &'a [StageSolution],
     /// The stage that comes nearest to its forming limit.
     nearest: Option<Nearest<'a>>,
-    /// Whether it is one of many runs, in which no finding may solve the case a second time.
-    is_one_of_many: bool,
 }
 
 impl<'a> Run<'a> {

@@ -49,17 +49,15 @@ impl<'a> Load<'a> {
 
 pub(super) fn force(run: &Run) -> Option<Finding> {
     let load = Load::largest(run.stages)?;
-    let unit = load.on.model.extent().force_unit();
-    let at = format!("{{}}{} at {} of travel", per_depth(unit), Amount::place(load.step.travel));
-    let at = joined([at, at_event(load.on, load.step)], " ");
+    let amount = |force| Amount::force(force, load.on.model.extent().force_unit());
+    let at = format!("{{}}{} at {} of travel", per_depth(amount(0.0)), Amount::place(load.step.travel));
     let parts = match load.holder() {
         0.0 => String::new(),
-        holder => {
-            format!("punch {}, holder {}", Amount::force(load.step.punch_force, unit), Amount::force(holder, unit))
-        }
+        holder => format!("punch {}, holder {}", amount(load.step.punch_force), amount(holder)),
     };
+    let at = joined([at, at_event(load.on, load.step)], " ");
     let text = run.of_stage(joined([at, parts], ": "), load.stage);
-    Some(rated("press_force", "Press force", text, Amount::force(load.force(), unit), run.case.press.force))
+    Some(rated(Finding::judged("press_force", "Press force", text), amount(load.force()), run.case.press.force))
 }
 
 pub(super) fn energy(run: &Run) -> Option<Finding> {
@@ -67,22 +65,23 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let work = |step: &StepRecord| (JOULES * step.work.external, ());
     let forms = |stage: &StageSolution| stage.model.release.is_none();
     let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
-    let text = run.of_stage(format!("{{}}{}", per_depth(unit)), i);
+    let work = Amount::force(work, unit);
+    let text = run.of_stage(format!("{{}}{}", per_depth(work)), i);
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    Some(rated("energy", "Energy", text, Amount::force(work, unit), rating))
+    Some(rated(Finding::judged("energy", "Energy", text), work, rating))
 }
 
-fn per_depth(unit: Unit) -> &'static str {
-    if matches!(unit, Unit::N | Unit::Joule) { "" } else { " of depth" }
+fn per_depth(load: Amount) -> &'static str {
+    if matches!(load.unit, Unit::N | Unit::Joule) { "" } else { " of depth" }
 }
 
-fn rated(key: &'static str, label: &'static str, text: String, load: Amount, rating: Option<f64>) -> Finding {
-    let judged = Finding::judged(key, label, text).number(load).source("the press's data sheet");
+fn rated(judged: Finding, load: Amount, rating: Option<f64>) -> Finding {
+    let (judged, depth) = (judged.number(load).source("the press's data sheet"), per_depth(load));
     let Some(rating) = rating else {
-        let depth = if per_depth(load.unit).is_empty() { "" } else { "blank.depth, and " };
+        let depth = if depth.is_empty() { "" } else { "blank.depth, and " };
         let advice = format!("give {depth}[press] force and energy: the ratings on its data sheet");
         return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
     };
-    let judged = judged.at_most(format!("{}{}", load.with_value(rating), per_depth(load.unit)), NEAR * rating, rating);
+    let judged = judged.at_most(NEAR * rating, rating).limit(format!("{}{depth}", load.with_value(rating)));
     judged.advice("a stronger press; less friction or holder force, a smaller blank, a thinner sheet")
 }

@@ -40,24 +40,26 @@ pub fn across(model: &Model) -> f64 {
 
 fn width(model: &Model) -> Option<Finding> {
     let width = across(model);
-    let limit = format!("{} to {}", Amount::size(*WIDTHS.start()), Amount::size(*WIDTHS.end()));
     let text = "the blank is {} wide, which is odd for a stamping";
-    let warning = Finding::warning("width", "Width", text).number(Amount::size(width)).limit(limit);
-    (!WIDTHS.contains(&width)).then(|| warning.advice("is the unit of its size right?"))
+    let warning = Finding::warning("width", "Width", text).number(Amount::size(width));
+    let warning = match width > *WIDTHS.end() {
+        true => warning.at_most(*WIDTHS.end(), None),
+        false => warning.at_least(*WIDTHS.start(), None),
+    };
+    warning.advice("is the unit of its size right?").if_beyond()
 }
 
 fn thickness(model: &Model) -> Option<Finding> {
-    let thickness = model.blank.thickness;
     let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, thinner than foil");
-    let warning = warning.number(Amount::size(thickness)).limit(format!("{} or more", Amount::size(THINNEST)));
-    (thickness < THINNEST).then(|| warning.advice("is the unit of its thickness right?"))
+    let warning = warning.number(Amount::size(model.blank.thickness)).at_least(THINNEST, None);
+    warning.advice("is the unit of its thickness right?").if_beyond()
 }
 
 fn slender(model: &Model) -> Option<Finding> {
-    let ratio = across(model) / model.blank.thickness;
+    let ratio = Amount::number(significant(across(model) / model.blank.thickness, 3));
     let warning = Finding::warning("slenderness", "Width over thickness", "the blank is {} thicknesses wide");
-    let warning = warning.number(Amount::number(significant(ratio, 3))).limit(at_most(SLENDER));
-    (ratio > SLENDER).then(|| warning.advice("are the units of its size and its thickness right?"))
+    let warning = warning.number(ratio).at_most(SLENDER, None);
+    warning.advice("are the units of its size and its thickness right?").if_beyond()
 }
 
 fn blank_diameter(model: &Model) -> Option<Finding> {
@@ -65,21 +67,18 @@ fn blank_diameter(model: &Model) -> Option<Finding> {
     let [radius, half] = [1.0, 0.5].map(|share| Amount::size(share * model.blank.length));
     let text = format!("the blank's radius of {radius} is {{}} times the punch's");
     let warning = Finding::warning("blank_diameter", "Blank", text).number(Amount::ratio(ratio));
-    let advice = format!("is {radius} the diameter? Then the radius is {half}");
-    Some(warning.limit(at_most(LIMITING_RATIO)).advice(advice))
+    let warning = warning.at_most(LIMITING_RATIO, None);
+    Some(warning.advice(format!("is {radius} the diameter? Then the radius is {half}")))
 }
 
 fn throat_diameter(model: &Model) -> Option<Finding> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
     let (radius, throat, t) = (extent(punch).1, throat(die)?, model.blank.thickness);
-    let (gap, of_half) = ((throat - radius) / t, (0.5 * throat - radius) / t);
+    let gap = Amount::number(significant((throat - radius) / t, 3));
+    let may_be = CLEARANCES.contains(&((0.5 * throat - radius) / t));
     let [throat, half] = [1.0, 0.5].map(|share| Amount::size(share * throat));
     let text = format!("between punch and die's throat of {throat} there is room for {{}} sheets");
-    let warning = Finding::warning("throat_diameter", "Throat", text).number(Amount::number(significant(gap, 3)));
-    let advice = format!("is {throat} the diameter, or the whole width? Half of it is {half}");
-    (gap > WIDE && CLEARANCES.contains(&of_half)).then(|| warning.limit(at_most(WIDE)).advice(advice))
-}
-
-fn at_most(limit: f64) -> String {
-    format!("{} at most", Amount::number(limit))
+    let warning = Finding::warning("throat_diameter", "Throat", text).number(gap).at_most(WIDE, None);
+    let warning = warning.advice(format!("is {throat} the diameter, or the whole width? Half of it is {half}"));
+    warning.if_beyond().filter(|_| may_be)
 }

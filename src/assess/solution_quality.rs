@@ -2,12 +2,9 @@
 
 use super::{Finding, Run, estimate, largest};
 use crate::measure::moment_error;
-use crate::model::{ContactMethod, Mode, Model, Role, Settings, Tool};
+use crate::model::{Mode, Model, Role, Tool};
 use crate::solver::solution::{StageSolution, StepRecord};
-use crate::units::{Amount, Digits, Unit};
-
-/// Source of limits on the solution itself.
-const ACCURACY: &str = "declared accuracy of the solver";
+use crate::units::Amount;
 
 struct Check {
     text: &'static str,
@@ -18,13 +15,14 @@ struct Check {
     of: fn(&StageSolution) -> Option<f64>,
 }
 
-const CHECKS: [Check; 4] = [
-    Check {
-        text: "{} of the tools' work is missing in the balance",
-        advice: "take smaller steps (solver.max_step)",
-        limit: 0.01,
-        of: |stage| Some(formed(stage)?.work.imbalance().abs()),
-    },
+const WORK: Check = Check {
+    text: "{} of the tools' work is missing in the balance",
+    advice: "take smaller steps (solver.max_step)",
+    limit: 0.01,
+    of: |stage| stage.steps.last().map(|step| step.work.missing().abs()),
+};
+
+const CHECKS: [Check; 3] = [
     Check {
         text: "{} of the plastic work is done in nearly rigid zones, where stresses are not the true ones",
         advice: "take a smaller solver.cutoff_strain",
@@ -59,33 +57,15 @@ fn formed(stage: &StageSolution) -> Option<&StepRecord> {
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
-    let shares = CHECKS.iter().enumerate().filter_map(|(i, check)| {
-        let worst = || run.stages.iter().filter_map(check.of).reduce(f64::max);
-        Some((check, if i == 0 { missing_work(run) } else { worst()? }))
-    });
-    let (check, share) = shares.max_by(|(a, x), (b, y)| (x / a.limit).total_cmp(&(y / b.limit)))?;
-    let judged = Finding::judged("solution_quality", "Solution quality", check.text).share(share, check.limit);
-    Some(judged.source(ACCURACY).advice(check.advice))
-}
-
-/// Work missing in the balance of any stage over the largest external work of any \[–\].
-fn missing_work(run: &Run) -> f64 {
+    let worst = |check: &Check| run.stages.iter().filter_map(check.of).reduce(f64::max);
+    // Work missing in any stage over the largest external work of any.
     let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
-    let missing = run.stages.iter().filter_map(|stage| stage.steps.last()).map(|step| step.work.missing().abs());
-    if largest > 0.0 { missing.fold(0.0, f64::max) / largest } else { 0.0 }
-}
-
-/// Numerical error of a stage above its limit; the augmented Lagrangian should leave no penetration.
-pub(super) fn poor(stage: &StageSolution) -> Option<Finding> {
-    let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
-    let left = augmented.then_some((&CHECKS[2], 1.01 * Settings::PENETRATION, Settings::PENETRATION));
-    let limits = CHECKS[..3].iter().map(|check| (check, check.limit, check.limit)).chain(left);
-    let (check, share, limit) = limits.into_iter().find_map(|(check, from, limit)| {
-        let share = (check.of)(stage).filter(|share| *share > from)?;
-        Some((check, share, limit))
-    })?;
-    let warning = Finding::warning("solution_quality", "Solution quality", check.text).share(share, limit);
-    Some(warning.source(ACCURACY).advice(check.advice))
+    let missing = if largest > 0.0 { worst(&WORK).unwrap_or(0.0) / largest } else { 0.0 };
+    let shares = CHECKS.iter().filter_map(|check| Some((check, worst(check)?)));
+    let all = [(&WORK, missing)].into_iter().chain(shares);
+    let (check, share) = all.max_by(|(a, x), (b, y)| (x / a.limit).total_cmp(&(y / b.limit)))?;
+    let judged = Finding::judged("solution_quality", "Solution quality", check.text).number(Amount::share(share));
+    Some(judged.at_most(100.0 * check.limit, None).source("declared accuracy of the solver").advice(check.advice))
 }
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
@@ -114,7 +94,8 @@ pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
         Mode::Elastic => "{} of the sheet would yield again as the tools are taken away, which elasticity leaves out",
         _ => "{} of the sheet yields again as the tools are taken away",
     };
-    Finding::warning("yields_again", "Unloading", text).share(volume / total, LEAST).if_beyond()
+    let share = Amount::share(volume / total);
+    Finding::warning("yields_again", "Unloading", text).number(share).at_most(100.0 * LEAST, None).if_beyond()
 }
 
 /// Elements per 90° below which the load oscillates as nodes pass a corner, and the advised number \[–\].
@@ -129,11 +110,8 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
         fit.role.name(),
         Amount::size(fit.radius)
     );
-    Finding::warning("mesh", "Mesh", text)
-        .number(Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2)))
-        .at_least(format!("{} at least", Amount::number(least)), least, None)
-        .advice(format!("take about {elements} elements, which give {}", Amount::number(advised)))
-        .into()
+    let warning = Finding::warning("mesh", "Mesh", text).number(Amount::norm(fit.per_quarter)).at_least(least, None);
+    Some(warning.advice(format!("take about {elements} elements, which give {advised}")))
 }
 
 /// Cosine of a wall's lean up to which it counts as upright, to 2°.
@@ -162,7 +140,7 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
     );
     Finding::warning("line_end", "End of a tool", text)
         .number(Amount::size(depth))
-        .at_least(travel, model.travel, None)
+        .at_least(model.travel, None)
         .source("a tool acts only where it is drawn")
         .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}"))
         .into()

@@ -69,7 +69,7 @@ pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
     let text = format!("{{}} of the sheet lies on its tools at the end, not the {limit} that were to end the run");
     Finding::warning("contact_share", "Contact", text)
         .number(Amount::share(share))
-        .at_least(limit, 100.0 * wanted, None)
+        .at_least(100.0 * wanted, None)
         .source("the case's stop.contact_share")
         .advice("give more time, travel or pressure")
         .into()

@@ -15,8 +15,6 @@ pub(super) const CAREFUL: f64 = 0.20;
 const REFUSED: f64 = 0.30;
 /// Thickness over the initial one below which a sheet that is not superplastic has torn \[–\].
 const TORN: f64 = 0.5;
-const NECK_LIMIT: &str = "no place thins alone";
-const NECK_SOURCE: &str = "the solver's watch for necks; declared thresholds";
 
 /// Remedies against thinning at a place, initially `s0` from the axis \[mm\]. Over a round punch friction spares the pole;
 /// at a nose everything that lets the flange come helps, unless the flange may wrinkle.
@@ -47,46 +45,38 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let allowed = run.nearest.as_ref().is_some_and(Nearest::is_kept)
         || model.material.rate.is_some_and(|rate| rate.is_superplastic());
     let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
-    let limit = match allowed {
-        true => format!("below {careful}"),
-        false => format!("below {careful}, at most {refused} unless a forming limit is kept"),
-    };
-    let text = format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0));
-    Finding::judged("thinning", "Thinning", text)
+    let refused = if allowed { String::new() } else { format!("at most {refused} unless a forming limit is kept") };
+    Finding::judged("thinning", "Thinning", format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0)))
         .number(Amount::share(thinning))
-        .at_most(limit, 100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
+        .at_most(100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
+        .limit(joined([format!("below {careful}"), refused], ", "))
         .advice(advice(run, run.stages.last()?, last.thinnest_s0))
         .into()
 }
 
+/// Neck, or a sheet too thin to be whole.
 pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let thinnest = last.steps.last()?.thinnest_s0;
-    let judged = |light, text: String| Finding::judged("localisation", "Neck", text).light(light);
-    let finding = match (last.stop.kind, neck_seen(last)) {
+    let judged = |text: String| Finding::judged("localisation", "Neck", text);
+    let finding = match (last.stop.kind, torn(last)) {
         (kind @ (StopKind::Localised | StopKind::Coalesced), _) => {
-            judged(Light::Red, format!("it ended the run: {}", kind.name()))
+            judged(format!("it ended the run: {}", kind.name())).light(Light::Red)
         }
-        (_, Some(seen)) => Finding { quantity: seen.quantity, ..judged(Light::Red, seen.text) },
-        (_, None) => judged(Light::Green, "none".into()),
+        (_, Some(Neck { s0, stands_out, share, .. })) => {
+            let s0 = Amount::place(s0);
+            let text = match stands_out {
+                true => {
+                    format!("it necks at s0 = {s0}, down to {{}} of the thickness; what follows depends on the mesh")
+                }
+                false => format!("the sheet is down to {{}} of its thickness at s0 = {s0}: it has torn before"),
+            };
+            judged(text).number(Amount::share(share)).light(Light::Red)
+        }
+        (_, None) => judged("none".into()),
     };
-    Some(finding.limit(NECK_LIMIT).source(NECK_SOURCE).advice(advice(run, last, thinnest)))
-}
-
-/// Neck, or a sheet too thin to be whole, in a stage that did not end by it.
-pub(super) fn neck_seen(stage: &StageSolution) -> Option<Finding> {
-    stage.steps.last()?;
-    if matches!(stage.stop.kind, StopKind::Localised | StopKind::Coalesced) {
-        return None;
-    }
-    let neck = torn(stage)?;
-    let s0 = Amount::place(neck.s0);
-    let text = match neck.stands_out {
-        true => format!("it necks at s0 = {s0}, down to {{}} of the thickness; what follows depends on the mesh"),
-        false => format!("the sheet is down to {{}} of its thickness at s0 = {s0}: it has torn before"),
-    };
-    let warning = Finding::warning("neck", "Neck", text).number(Amount::share(neck.share));
-    Some(warning.limit(NECK_LIMIT).source(NECK_SOURCE))
+    let finding = finding.limit("no place thins alone").source("the solver's watch for necks; declared thresholds");
+    Some(finding.advice(advice(run, last, thinnest)))
 }
 
 /// Thinnest place of a stage that has taken a step, if it is a neck or too thin to be whole.
@@ -115,7 +105,7 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     stages.iter().enumerate().find_map(|(stage, on)| {
         let (travel, s0) = match on.stop.kind {
             StopKind::Localised | StopKind::Coalesced => (Some(on.end.travel), on.stop.s0),
-            StopKind::LoadMaximum => (Some(on.end.travel), thinnest(on).map(|(_, s0)| s0)),
+            StopKind::LoadMaximum => (Some(on.end.travel), on.steps.last().map(|step| step.thinnest_s0)),
             StopKind::PressureMaximum => (None, on.stop.s0),
             _ => return None,
         };
@@ -124,26 +114,13 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
 }
 
 impl Tear<'_> {
-    /// `it tears in the wall, next to the punch radius, in stage 2`
+    /// `it tears in the wall, next to the punch radius, in stage 2, after 18.2 mm of 32.0 mm of travel`
     pub fn sentence(&self, stages: usize) -> String {
         let place = self.s0.map_or_else(String::new, |s0| on_part(self.on, s0));
         let stage = if stages > 1 { format!("in stage {}", self.stage + 1) } else { String::new() };
-        joined([joined(["it tears".into(), place], " "), stage], ", ")
-    }
-
-    /// `after 18.2 mm of 32.0 mm of travel`
-    pub fn instant(&self) -> String {
-        let whole = Amount::place(self.on.model.travel);
-        self.travel.map_or_else(String::new, |travel| format!("after {} of {whole} of travel", Amount::place(travel)))
-    }
-}
-
-/// Whether and where it tears: `it tears on the dome`.
-pub(super) fn tear_sentence(stages: &[StageSolution]) -> String {
-    match (tear(stages), stages.last().and_then(torn)) {
-        (Some(tear), _) => tear.sentence(stages.len()),
-        (None, Some(neck)) => format!("it thins too far {}", place(stages, neck.s0)),
-        (None, None) => "no tear is seen".into(),
+        let [travel, whole] = [self.travel.unwrap_or(0.0), self.on.model.travel].map(Amount::place);
+        let instant = self.travel.map_or_else(String::new, |_| format!("after {travel} of {whole} of travel"));
+        joined([joined(["it tears".into(), place], " "), stage, instant], ", ")
     }
 }
 
@@ -154,11 +131,6 @@ pub fn tears_at(stage: &StageSolution) -> Option<f64> {
     tear.or_else(|| torn(stage).map(|neck| neck.s0))
 }
 
-/// Thickness and initial distance of the thinnest element at the end of a stage \[mm\].
-pub(super) fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {
-    stage.steps.last().map(|step| (step.thinnest, step.thinnest_s0))
-}
-
 /// Location by its name on the part, as the last stage with a name has it, and on the flat blank.
 pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
     let named = stages.iter().rev().find(|stage| place_on_part(stage, s0).is_some());
@@ -166,7 +138,7 @@ pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
 }
 
 /// Location on a stage's sheet by its name on the part, and on the flat blank.
-pub(super) fn on_part(stage: &StageSolution, s0: f64) -> String {
+fn on_part(stage: &StageSolution, s0: f64) -> String {
     let from = match stage.model.geometry {
         Geometry::Axisymmetric => "from the axis on the flat blank",
         Geometry::PlaneStrain => "from the middle of the flat blank",

@@ -23,10 +23,9 @@ pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
     if matches!(tool.friction, Friction::Tresca(_)) {
         return None;
     }
-    let limit = Amount::number(dry);
-    let text = format!("the {}'s friction of {{}} is above that of dry steel, {limit}", tool.role.name());
+    let text = format!("the {}'s friction of {{}} is above that of dry steel, {dry}", tool.role.name());
     let warning = Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction));
-    warning.at_most(format!("{limit} at most"), dry, None).if_beyond()
+    warning.at_most(dry, None).if_beyond()
 }
 
 /// Amber unless the case names the source of its friction, and the coefficients are those of sheet metal.
@@ -40,11 +39,11 @@ pub(super) fn friction(run: &Run) -> Option<Finding> {
         Some(source) => (Light::Green, format!("{{}} at most: {source}")),
         None => (Light::Amber, "you assumed {} at most".to_owned()),
     };
-    let [least, dry, low, high] =
-        [*USUAL.start(), *USUAL.end(), (most - TRIED).max(0.0), most + TRIED].map(Amount::number);
+    let [low, high] = [(most - TRIED).max(0.0), most + TRIED].map(Amount::number);
     Finding::judged("friction", "Friction", text)
         .number(Amount::number(most))
-        .at_most(format!("a measured or cited number, {least} to {dry}"), *USUAL.end(), None)
+        .at_most(*USUAL.end(), None)
+        .limit(format!("a measured or cited number, {} to {}", USUAL.start(), USUAL.end()))
         .light(light)
         .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]"))
         .into()
@@ -53,12 +52,11 @@ pub(super) fn friction(run: &Run) -> Option<Finding> {
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
+    let size = Amount::size(t);
     let text = format!(
-        "at the full travel punch and die are {{}} apart, less than the thickness of {}: thicker sheet is ironed",
-        Amount::size(t)
+        "at the full travel punch and die are {{}} apart, less than the thickness of {size}: thicker sheet is ironed"
     );
-    let warning = Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap));
-    Some(warning.at_least("one thickness at least", t, None))
+    Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
 }
 
 /// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
@@ -66,14 +64,14 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
     let upright = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
     let most = format!(", {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
-    let limit = format!("one thickness at least{}", if upright { most.as_str() } else { "" });
     let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
         .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
     let judged = match gap > WIDE {
-        true => judged.at_most(limit, if upright { WIDE } else { f64::INFINITY }, None),
-        false => judged.at_least(limit, 1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
+        true => judged.at_most(if upright { WIDE } else { f64::INFINITY }, None),
+        false => judged.at_least(1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
     };
+    let judged = judged.limit(format!("one thickness at least{}", if upright { most.as_str() } else { "" }));
     Some(judged.advice(match gap < LEAST {
         true => "a larger throat, a smaller punch or a shorter travel",
         false => "a smaller throat: the wall leans, and puckers",
@@ -93,8 +91,8 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
     };
     Finding::judged("ironing", "Ironing", text)
         .number(Amount::share(most.ironing))
-        .at_most(format!("{} in one pass", Amount::given_share(IRONING_LIMIT)), 100.0 * IRONED, 100.0 * IRONING_LIMIT)
-        .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
+        .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
+        .source("in one pass; a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
         .advice(
             "without ironing: a clearance of t √β, the thickness of the rim (4ming), and a land no longer than needed. \
              The penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness",

@@ -47,7 +47,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     if let Some(path) = &path {
         write(path, &verification.csv())?;
     }
-    let moved = verification.bars.moved(&assess::after_one_of_many(&solution.case, &solution.stages));
+    let moved = verification.bars.moved(&assess::after(&solution.case, &solution.stages));
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.common.json() {
         let mut value = as_json(&verification);

@@ -103,7 +103,7 @@ pub(super) fn column(number: &Number, suffix: &str) -> String {
 
 /// Numbers of a solved base case, judged ones with their limits, and keys and labels of its verdict's rows.
 pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, String)>) {
-    let findings = assess::after_one_of_many(&solution.case, &solution.stages);
+    let findings = assess::after(&solution.case, &solution.stages);
     let mut numbers = Outcome::with_findings(solution, &findings).numbers;
     for number in &mut numbers {
         let is_own = |row: &&Finding| number.origin == Origin::Verdict && row.key == number.quantity.key;
@@ -130,7 +130,7 @@ pub(super) fn evaluate_design(
 }
 
 pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number], watch: &dyn Watch) -> Evaluated {
-    let findings = assess::after_one_of_many(&solution.case, &solution.stages);
+    let findings = assess::after(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, &findings);
     let own = |response: &Number| outcome.numbers.iter().find(|number| number.is(response));
     run.numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |own| rounded(own.quantity.amount.value))).collect();

@@ -159,7 +159,7 @@ fn a_cup_without_a_flange_has_its_holder_where_it_last_touched_and_its_numbers()
     assert_eq!(last.tool_displacement[holder].y, stands);
     let (room, rim) = (run.model.blank.thickness - stands, last.elements.last().unwrap().thickness);
     assert!(room > rim, "{room} mm of room for a rim of {rim} mm");
-    assert!(assess::warnings(&run).iter().any(|w| w.to_string().contains("the sheet left the holder at 29.1")));
+    assert!(assess::of_stage(0, &run).iter().any(|w| w.statement().contains("the sheet left the holder at 29.1")));
 
     let json = serde_json::to_value(Summary::of(&StageView::alone("cup", &run))).unwrap();
     let number = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));

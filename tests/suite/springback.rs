@@ -1,4 +1,4 @@
-//! Spring-back held against the part's tolerance, what compensates it, and how it is told.
+//! Spring-back held against the part's tolerance.
 
 use crate::common::shipped::parsed;
 use stampflow::assess::{self, Finding, Light};
@@ -48,24 +48,6 @@ fn the_tolerance_lights_the_spring_back() {
     assert!(found.light == Light::Red && found.limit.to_string().ends_with("± 0.5 mm"), "{found:?}");
 }
 
-/// Trust: the angle that is told is that of the tools' next run, which finds out by itself what springs back from there. That
-/// is less by what the angle itself makes of it, 4 % of the 5° by which this strip opens, and the template's travel hits its
-/// angle within 0.3°.
-#[test]
-fn a_tool_that_is_over_bent_as_told_gives_the_wanted_angle() {
-    let wanted = "\n[springback]\nangle = \"90 deg\"\ntolerance = \"1 deg\"\n";
-    let first = v_bend(90.0, wanted).solve(&mut ());
-    let told = verdict(&first);
-    assert_eq!(told.light, Light::Red, "{told:?}");
-    let advice = told.advice.to_string();
-    let angle = advice.split("Opening angle ").nth(1).and_then(|text| text.split('°').next()).expect("an angle");
-    let angle: f64 = angle.parse().expect("a number");
-    let second = v_bend(angle, wanted).solve(&mut ());
-    let after = of(&released(&second), "opening_angle").after.unwrap();
-    assert!((after - 90.0).abs() < 0.5, "{after}");
-    assert_eq!(verdict(&second).light, Light::Green);
-}
-
 /// A hat by the template, elastic too, and let go.
 fn hat(elements: usize) -> Solution {
     hat_held(elements, &[])
@@ -111,33 +93,23 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
     let each = format!("each wall opens by {:.1}°", after - before);
     assert!(found.statement().ends_with(&each), "{found:?}");
     assert!(found.limit.to_string().starts_with("0.0° ± ") && found.limit.to_string().ends_with("of the punch's wall"));
-    let advice = found.advice.to_string();
-    assert!(advice.contains("cannot bend past upright") && !advice.contains("over-bent by"), "{advice}");
     // Of both walls together: twice.
     solution.case.springback = Default::default();
     solution.case.springback.tolerance = Some(2.0 * after);
     let both = verdict(&solution);
     assert_eq!((both.light, both.value()), (Light::Amber, Some(2.0 * after)), "{both:?}");
     assert!(both.statement().ends_with(&each), "{both:?}");
-    // A part that is wanted open leaves room to over-bend.
     solution.case.springback.angle = Some(4.0 * after);
     let open = verdict(&solution);
     assert!(!open.limit.to_string().contains("punch"), "{open:?}");
-    assert!(open.advice.to_string().contains("over-bent by"), "{open:?}");
 }
 
-/// Trust: a wall that yields through its whole thickness has the same stress through it and nothing left to turn it, by what is
-/// known of stretch forming; the yield load is that of the strip without strain across it.
+/// Trust: tension leaves a wall that yields through its whole thickness nothing to turn it, by what is known of stretch forming.
 #[test]
-fn tension_straightens_a_wall_only_once_all_of_it_yields() {
-    let pulled = |force: &str| {
-        let force = format!("tools.holder.force={force}");
-        let solution = hat_held(97, &[&force, "springback.wall_tolerance=1 deg"]);
-        let advice = verdict(&solution).advice.to_string();
-        let share = advice.split("Wall tension is ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
-        (share.parse::<f64>().expect("a number"), of(&released(&solution), "wall_angle").after.unwrap())
+fn tension_straightens_a_wall() {
+    let wall = |force: &str| {
+        let solution = hat_held(97, &[&format!("tools.holder.force={force}")]);
+        of(&released(&solution), "wall_angle").after.unwrap()
     };
-    let [slack, tight] = ["100 N/mm", "3200 N/mm"].map(pulled);
-    assert!(slack.0 < 30.0 && tight.0 > 75.0, "{slack:?} {tight:?}");
-    assert!(tight.1 < 0.5 * slack.1, "{slack:?} {tight:?}");
+    assert!(wall("3200 N/mm") < 0.5 * wall("100 N/mm"));
 }

@@ -185,7 +185,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 let apart = (record.holder_force / wanted - 1.0).abs();
                 assert!(apart < 0.03, "{} N of {wanted} N at {} mm", record.holder_force, record.travel);
             }
-            let warnings = assess::warnings(&run);
+            let warnings = assess::sentences(&assess::of_stage(0, &run), assess::Kind::Warning);
             assert!(warnings.iter().all(|warning| !warning.to_string().contains("rests")), "{warnings:?}");
             run
         })

@@ -4,7 +4,7 @@
 use crate::common::files::files;
 use crate::common::shipped::parsed;
 use stampflow::assess::{self, Finding, Kind, Light};
-use stampflow::case::{self, Case};
+use stampflow::case;
 use stampflow::solver::solution::StageSolution;
 use stampflow::solver::{closing_way, solve};
 
@@ -57,12 +57,7 @@ fn sections(gap: f64) -> [String; 2] {
 }
 
 /// A strip, or a cup, of mild steel without friction, drawn 25 mm under a holder of this force.
-fn drawn(
-    geometry: &str,
-    force: &str,
-    [holder, die]: &[String; 2],
-    more: &str,
-) -> (Case, Vec<StageSolution>, Vec<Finding>) {
+fn drawn(geometry: &str, force: &str, [holder, die]: &[String; 2], more: &str) -> (Vec<StageSolution>, Vec<Finding>) {
     let (length, half) = match geometry {
         "axisymmetric" => ("radius = \"80 mm\"", "radius"),
         _ => ("half_length = \"115 mm\"", "half_width"),
@@ -89,23 +84,23 @@ fn drawn(
     let case = parsed(&text, &[]);
     let stages = solve(&case.stages, &mut ());
     let found = assess::after(&case, &stages);
-    (case, stages, found)
+    (stages, found)
 }
 
 fn peak(stages: &[StageSolution]) -> f64 {
     stages[0].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max)
 }
 
-/// Trust: the closed bead holds a strip without friction back with the work of bending over its radii, which the check
-/// offers as a line; the estimate keeps the thickness and takes each bend as whole, within a tenth of the solver's own bead.
+/// Trust: the closed bead holds a strip without friction back with the work of bending over its radii; the estimate keeps the
+/// thickness and takes each bend as whole, within a tenth of the solver's own bead.
 #[test]
 fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     let strip = |sections: &[String; 2], more: &str| {
-        let (case, stages, found) = drawn("plane_strain", "2000 N/mm", sections, more);
+        let (stages, found) = drawn("plane_strain", "2000 N/mm", sections, more);
         assert!(stages[0].stop.is_complete(), "{}", stages[0].stop);
-        (case, stages, found)
+        (stages, found)
     };
-    let (case, modelled, found) = strip(&sections(1.05), "");
+    let (modelled, found) = strip(&sections(1.05), "");
     let closing = modelled[0].closing.expect("the holder closes");
     assert!((closing.way - HEIGHT).abs() < 0.1 && closing.gap == 0.0, "{closing:?}");
     // The force is found to a thousandth of a step of 0.04 mm.
@@ -113,13 +108,11 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     assert!(found.iter().all(|finding| finding.key != "holder_open"));
     assert!(found.iter().any(|finding| finding.key == "holder" && finding.light == Light::Green));
 
-    let said: Vec<String> = assess::before(&case).iter().map(|finding| finding.statement()).collect();
-    let offer = said.iter().find(|text| text.contains("[[tools.beads]]")).expect("the line is offered");
-    let lines = offer.split("[[tools.beads]] ").nth(1).and_then(|rest| rest.split(" (").next()).expect("its keys");
-    let line = format!("[[tools.beads]]\n{}", lines.replace(", ", "\n"));
+    // By hand, Σ 2/√3 σ t²/(4ρ) over bending and unbending at the radii 3.95, 5 and 3.95 mm, Δε = 2/√3 t/(4ρ) by each.
+    let line = "[[tools.beads]]\nat = \"58 mm\"\nrestraining = \"126.4 N/mm\"";
     let flat = ["inner_half_width = \"36 mm\"".to_owned(), "throat = \"31.4 mm\", shoulder = \"8 mm\"".to_owned()];
-    let (_, free, _) = strip(&flat, "");
-    let (_, as_line, _) = strip(&flat, &line);
+    let (free, _) = strip(&flat, "");
+    let (as_line, _) = strip(&flat, line);
     assert!(free[0].closing.is_none());
     let [bead, line] = [&modelled, &as_line].map(|stages| peak(stages) - peak(&free));
     assert!(bead > 5.0 * peak(&free) && (bead / line - 1.0).abs() < 0.1, "{bead} {line}");
@@ -129,13 +122,13 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
 /// would say of a flange that it does not press means nothing.
 #[test]
 fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
-    let (_, stages, found) = drawn("axisymmetric", "15 kN", &sections(1.05), "");
+    let (stages, found) = drawn("axisymmetric", "15 kN", &sections(1.05), "");
     let closing = stages[0].closing.expect("the holder closes");
     assert!(closing.gap > 0.3 && (closing.force / 15e3 - 1.0).abs() < 1e-2, "{closing:?}");
     assert!(!stages[0].steps.is_empty(), "{}", stages[0].stop);
     let open = found.iter().find(|finding| finding.key == "holder_open").expect("a warning");
     assert!(open.kind == Kind::Warning && open.value() == Some(closing.gap), "{open:?}");
-    assert!(open.sentence().to_string().contains("[[tools.beads]] at = \"58.0 mm\""), "{open:?}");
+    assert!(open.sentence().to_string().contains("[[tools.beads]]"), "{open:?}");
     for key in ["holder", "wrinkling"] {
         let row = found.iter().find(|finding| finding.key == key).expect(key);
         assert!(row.light == Light::Grey && row.statement().contains("open by"), "{row:?}");

@@ -152,7 +152,7 @@ fn a_punch_that_goes_back_leaves_the_sheet() {
         drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
     let moved = moved.into_iter().fold(0.0, f64::max);
     assert!(moved < 0.05, "{moved}");
-    let warnings = assess::warnings(left);
+    let warnings = assess::of_stage(0, left);
     assert!(warnings.is_empty(), "{warnings:?}");
 }
 
@@ -201,7 +201,7 @@ fn trimming_takes_the_rim_and_nothing_else() {
     let passes = solve(&[stage("draw", draw), cut], &mut ());
     complete(&passes, 2);
     assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
-    let warnings = assess::warnings(&passes[1]);
+    let warnings = assess::sentences(&assess::of_stage(1, &passes[1]), assess::Kind::Warning);
     assert!(warnings.iter().any(|w| w.to_string().contains("cut to r = ")), "{warnings:?}");
 }
 

@@ -1,4 +1,4 @@
-//! The verdict where Hill's yield condition is known to be wrong: no light is green by it, and the other answer stands beside.
+//! The verdict where Hill's yield condition is known to be wrong: no light is green by it.
 
 use crate::common::shipped::made;
 use stampflow::assess::{self, Answer, Finding, Light};
@@ -22,11 +22,11 @@ fn row<'a>(findings: &'a [Finding], key: &str) -> &'a Finding {
 const HILL: &str = "material.yield_condition=hill48";
 const HOSFORD: &str = "material.yield_condition={ hosford = { crystal = \"fcc\" } }";
 
-/// Trust: the other answer is what the advised line gives when it is written into the case; a limit that ends, by any of the
-/// computed curves, neither turns green nor lets the rule of thumb off.
+/// Trust: the advised line, written into the case, takes the doubt away; a limit that ends, by any of the computed curves,
+/// neither turns green nor lets the rule of thumb off.
 #[test]
-fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
-    let (other, with_hosford) = solved(&[HOSFORD]);
+fn a_low_r_by_hill_is_doubted() {
+    let (_, with_hosford) = solved(&[HOSFORD]);
     for limit in ["hill", "marciniak_kuczynski={}"] {
         let (limit, drop) = match limit {
             "hill" => ("forming_limit.hill=true".to_owned(), None),
@@ -36,10 +36,6 @@ fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
         let (solution, found) = solved(&overrides);
         let doubted = row(&found, "yield_condition");
         assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
-        let end = other.stages[0].steps.last().expect("steps");
-        let thinning = format!("{:.0}", 100.0 * (1.0 - end.thinnest / other.case.model().blank.thickness));
-        let said = doubted.statement();
-        assert!(said.contains(&format!("it thins by {thinning}")) && said.contains("no tear is seen"), "{said}");
         assert!(
             doubted.advice.to_string().contains("yield_condition = { hosford = { crystal = \"fcc\" } }"),
             "{doubted:?}"

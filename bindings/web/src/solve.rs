@@ -31,7 +31,7 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
     let solution = case.solve(&mut film);
     let (case, solved) = (&solution.case, &solution.stages);
     let before = assess::before(case);
-    let findings = if is_coarse { assess::after_one_of_many(case, solved) } else { assess::after(case, solved) };
+    let findings = assess::after(case, solved);
     let stages = case.stages.iter().zip(solved).zip(film.0);
     let stages: Vec<Value> = stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip)).collect();
     let notes = |kind| -> Vec<String> {

@@ -21,8 +21,7 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
         number("clearance", Amount::drawn(clearance), over_t)
     }));
     lines.extend(estimate::draw_ratio(model).map(|ratio| {
-        let limit = Amount::number(LIMITING_RATIO);
-        let meaning = format!("blank over punch; about {limit} is the limit of one draw for mild steel");
+        let meaning = format!("blank over punch; about {LIMITING_RATIO} is the limit of one draw for mild steel");
         number("draw ratio", Amount::ratio(ratio), meaning)
     }));
     lines
@@ -69,17 +68,16 @@ fn pace(model: &Model) -> String {
         _ if !model.timed => String::new(),
         None => format!("at {speed}/s"),
         Some(schedule) => {
-            let pairs = schedule.points().windows(2);
-            let speeds: Vec<f64> = pairs.map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0)).collect();
-            let [slowest, fastest] = [(f64::INFINITY, f64::min as fn(f64, f64) -> f64), (0.0, f64::max)]
-                .map(|(start, of)| Amount::size(speeds.iter().copied().fold(start, of)));
+            let speeds = schedule.points().windows(2).map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0));
+            let (slowest, fastest) = (speeds.clone().fold(f64::INFINITY, f64::min), speeds.fold(0.0, f64::max));
+            let [slowest, fastest] = [slowest, fastest].map(Amount::size);
             format!("at {speed}/s on average, {slowest}/s to {fastest}/s")
         }
     }
 }
 
 pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
-    let unit = model.extent().force_unit();
+    let force = |force: f64| Amount::force(force, model.extent().force_unit());
     let press = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let ratio = Amount::thicknesses(gap / model.blank.thickness);
@@ -88,23 +86,20 @@ pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
         Some(Motion::Pressed(press)) => press,
         _ => return Vec::new(),
     };
-    let [least, most] = [press.force.smallest(), press.force.largest()].map(|force| Amount::force(force, unit));
+    let [least, most] = [press.force.smallest(), press.force.largest()].map(force);
     let text = if least == most { most.to_string() } else { format!("{least} to {most}") };
     let meaning = match press.stiffness {
         0.0 if least == most => String::new(),
         0.0 => "over the travel".into(),
-        c => format!("on the flat sheet, and {} more per mm that it is lifted", Amount::force(c, unit)),
+        stiffness => format!("on the flat sheet, and {} more per mm that it is lifted", force(stiffness)),
     };
     let mut lines = vec![line("holder force", text, meaning)];
-    let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else {
-        return lines;
-    };
+    let Some((area, pressure)) = estimate::held_area(model).zip(estimate::holder_pressure(model)) else { return lines };
     let on = "on the initial area between holder and die's flat";
     lines.push(number("holder pressure", Amount::stress(pressure), on));
     lines.extend(estimate::siebel_pressure(model, strength).map(|siebel| {
-        let force = Amount::force(siebel * area, unit);
         let rule = "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
-        number("advised pressure", Amount::stress(siebel), format!("{rule}: {force}"))
+        number("advised pressure", Amount::stress(siebel), format!("{rule}: {}", force(siebel * area)))
     }));
     lines
 }
@@ -128,10 +123,11 @@ fn of_gas(model: &Model, gas: &Gas) -> Line {
         Pressure::Rate(control) => control,
     };
     let norm = format!("held by the pressure (norm with q = {})", Amount::number(control.exponent));
-    let finite = |value: f64| value.is_finite().then(|| Amount::given_stress(value));
-    let most = finite(control.max_pressure).map(|most| format!("{most} at most"));
-    let rise = finite(control.max_rise).map(|rise| format!("{rise}/s at most"));
-    let limits = joined([Some(norm), most, rise].into_iter().flatten(), ", ");
+    let at_most = |value: f64, per: &str| match value.is_finite() {
+        true => format!("{}{per} at most", Amount::given_stress(value)),
+        false => String::new(),
+    };
+    let limits = joined([norm, at_most(control.max_pressure, ""), at_most(control.max_rise, "/s")], ", ");
     let rate = Amount::new(control.target, Unit::PerSecond, Digits::Significant(3));
     number("strain rate", rate, format!("{limits} {place}"))
 }

@@ -25,8 +25,8 @@ mod values;
 pub(super) use forming_limit::FormingLimit;
 pub use judged::{Press, Springback, TitleBlock};
 pub(super) use lines::Named;
+pub use material::YieldCondition;
 pub(super) use material::{Anisotropy, Material};
-pub use material::{Crystal, YieldCondition};
 
 use super::{CaseError, comparison::Compare, source::Source};
 use crate::model::{self, Friction, Geometry, Mode, Model, Settings, StopRules, Theory, Tool};

@@ -1,7 +1,7 @@
 //! Numbers of a solution that can have an error bar, with the curves and the end of its run.
 
 use super::Direction;
-use crate::assess::{self, Answer, Finding, after_one_of_many, forming_limit_used, largest_force};
+use crate::assess::{self, Answer, Finding, after, forming_limit_used, largest_force};
 use crate::case::{Case, Solution};
 use crate::measure::{Shape, changes, thickest};
 use crate::model::{Motion, Role, mesh};
@@ -56,12 +56,12 @@ impl End {
 impl Outcome {
     /// Outcome of a solution, refined in a direction by a factor.
     pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
-        let findings = after_one_of_many(&solution.case, &solution.stages);
+        let findings = after(&solution.case, &solution.stages);
         let (direction, times) = refined.map_or((None, 1.0), |(direction, times)| (Some(direction), times));
         Self { direction, times, ..Self::with_findings(solution, &findings) }
     }
 
-    /// Outcome of a run with known [findings](after_one_of_many).
+    /// Outcome of a run with known [findings](after).
     pub fn with_findings(solution: &Solution, findings: &[Finding]) -> Self {
         let Solution { case, stages, .. } = solution;
         let stop = stages.last().map(|stage| &stage.stop);
