@@ -6,4 +6,4 @@ pub mod templates;
 mod writer;
 
 pub use case_reference::case_reference;
-pub use from_drawing::{Import, ImportFailure, Imported};
+pub use from_drawing::{Import, Imported};

@@ -6,13 +6,6 @@ use stampflow::assess::{Finding, Kind, Light, by_advice, headline, judgements, s
 
 options! {
     /// Explain a case; with --run solve it and give a verdict
-    #[command(after_long_help = "\
-With --run a verdict is printed: each finding with its number, error bar, limit, the limit's source and what to change. \
-Nothing is written.
-
-Examples:
-  stampflow check cases/quickstart.toml --set tools.punch.friction=0.1
-  stampflow check cases/quickstart.toml --run --json")]
     Args {
         case: PathBuf [] "Case file",
         run: bool [long] "Also solve it and give a verdict",

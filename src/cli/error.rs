@@ -84,19 +84,18 @@ fn of_case(error: &anyhow::Error) -> Option<&CaseError> {
 
 /// Text, remedy, file, line and column of an error as far as they are known.
 fn as_json(error: &anyhow::Error) -> Value {
-    // An error of a drawing, or of the case made from it, has the drawing's path as context.
-    let drawing = || (error.chain().len() > 1).then(|| error.to_string());
+    let (mut what, mut help, mut file, mut line, mut column) = (format!("{error:#}"), None, None, None, None);
     if let Some(case) = of_case(error) {
-        let (line, column) = case.position().unzip();
-        let file = case.file().map(str::to_owned).or_else(drawing);
-        json!({ "error": case.to_string(), "help": case.remedy(), "file": file, "line": line, "column": column })
-    } else if let Some(ImportError { what, help, line }) = error.downcast_ref() {
-        json!({ "error": what, "help": help, "file": drawing(), "line": line, "column": null })
-    } else if let Some(BadInput { what, help, path: Some(path) }) = error.downcast_ref() {
-        json!({ "error": what, "help": help, "file": path, "line": null, "column": null })
-    } else {
-        json!({ "error": format!("{error:#}"), "help": null, "file": null, "line": null, "column": null })
+        (what, help, file) = (case.to_string(), case.remedy(), case.file().map(str::to_owned));
+        (line, column) = case.position().unzip();
+    } else if let Some(drawing) = error.downcast_ref::<ImportError>() {
+        // The drawing's path is the context.
+        (what, help, file, line) =
+            (drawing.what.clone(), Some(drawing.help.as_str()), Some(error.to_string()), drawing.line);
+    } else if let Some(BadInput { what: bad, help: remedy, path: Some(path) }) = error.downcast_ref() {
+        (what, help, file) = (bad.clone(), Some(remedy.as_str()), Some(path.display().to_string()));
     }
+    json!({ "error": what, "help": help, "file": file, "line": line, "column": column })
 }
 
 static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);

@@ -1,23 +1,16 @@
 //! `stampflow import`: from a drawing to a case file.
 
 use super::*;
-use stampflow::author::{Import, ImportFailure, Imported};
+use anyhow::Context;
+use stampflow::author::{Import, Imported};
 use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::plot::{Chart, SketchedTool, png, sketch};
+use stampflow::plot::png;
 use stampflow::units::{Dimensioned, Length, Positive};
 
 options! {
     /// Read the tools from a drawing (DXF) and write a case file with them
-    #[command(after_long_help = "\
-Layers whose names hold punch, die, holder or another word for one (binder, Stempel, Matrize, Niederhalter, poinçon, \
-matrice, serre-flan) are those tools; OP20_PUNCH, OP30_PUNCH make stages. In the drawing x is the distance from the axis \
-and y goes up. The case file has marked placeholders; a picture of what was read stands beside it.
-
-Examples:
-  stampflow import die.dxf --layer Stempel=punch --layer Hilfslinien=none --unit mm -o cases/die.toml
-  stampflow import die.dxf --thickness \"0.8 mm\" --blank-radius \"95 mm\" --travel \"30 mm\"")]
     Args {
         drawing: PathBuf = "DRAWING.dxf" [] "Drawing, DXF in text form",
         out: Option<PathBuf> = "CASE.toml" [long, short, alias = "output"]
@@ -55,7 +48,6 @@ fn length(text: &str) -> Result<f64, String> {
 pub fn import(args: Args) -> Result<Code> {
     let Args { drawing, out, force, layers, unit, axis, punch_moves, join, tolerance, .. } = args;
     let Args { geometry, material, thickness, blank, travel, json: Json { json }, .. } = args;
-    let path = drawing.display();
     let bytes = Disk.read(&drawing, import::LARGEST).map_err(|error| {
         let is_large = error.kind() == std::io::ErrorKind::FileTooLarge;
         let help = if is_large { "save the tools' layers only" } else { "give the path of a DXF file" };
@@ -71,57 +63,30 @@ pub fn import(args: Args) -> Result<Code> {
     }
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
     let import = Import { options, geometry, material, thickness, blank, travel };
-    let imported = import.read(&bytes, &drawing).map_err(|failure| match failure {
-        ImportFailure::Drawing(error) => anyhow::Error::new(error).context(path.to_string()),
-        ImportFailure::Sheet(error) => error.into(),
-        ImportFailure::Case(error) => anyhow::Error::new(error).context(path.to_string()),
-    })?;
-    let Imported { sections, text, size, notes, .. } = imported;
-    let name = drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    write(&out, text.as_bytes())?;
-    write(&picture, &png(&drawn(&name, geometry, &sections)))?;
-    if json {
-        let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
-        let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Vec<Value>>();
-        let later = sections.later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
-        let (tools, later) = (tools(&sections.first.tools), later.collect::<Vec<_>>());
-        let files =
-            json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes });
-        return print_json(&files);
-    }
-    let tools = sections.first.tools.iter().chain(sections.later.iter().flat_map(|later| &later.tools)).map(|tool| {
-        let pieces = tool.profile.pieces().len();
-        let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
-        format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
+    let imported = import.read(&bytes, &drawing).with_context(|| drawing.display().to_string())?;
+    write(&out, imported.text.as_bytes())?;
+    write(&picture, &png(&imported.picture(&drawing)))?;
+    let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;
+    let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
+    let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();
+    let stages = later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
+    let (stages, first_tools) = (stages.collect::<Value>(), tools(&first.tools));
+    let value = json!({
+        "case": out, "picture": picture, "tools": first_tools, "later": stages, "size": size, "notes": notes
     });
-    let notes = notes.iter().map(|note| format!("  - {note}\n"));
-    let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
-    let (out, picture) = (out.display(), picture.display());
-    let next = match sections.first.tool(Role::Punch) {
-        Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
-        None => "no punch is drawn: add one to the case before you run it".to_owned(),
-    };
-    print(format!("{text}\n{out} and {picture} are written\n{next}"))
-}
-
-/// Picture of the tools as they are drawn.
-fn drawn(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
-    let tool = |tool: &Section| SketchedTool {
-        label: format!("{}: {}", capitalised(tool.role.name()), tool.made_of),
-        role: tool.role,
-        profile: tool.profile.clone(),
-        ends: tool.ends.clone(),
-    };
-    let operations = std::iter::once(&sections.first.tools).chain(sections.later.iter().map(|later| &later.tools));
-    let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
-    let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
-                   case moves each along z to where it touches the sheet.";
-    let notes = sections.notes.iter().map(|note| format!("{}.", capitalised(note)));
-    let notes = std::iter::once(caption.to_owned()).chain(notes).collect();
-    sketch(format!("{name}: the tools that were read"), geometry, &operations, notes)
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    emit(json, value, || {
+        let tools = first.tools.iter().chain(later.iter().flat_map(|later| &later.tools)).map(|tool| {
+            let pieces = tool.profile.pieces().len();
+            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
+            format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
+        });
+        let notes = notes.iter().map(|note| format!("  - {note}\n"));
+        let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
+        let (out, picture) = (out.display(), picture.display());
+        let next = match first.tool(Role::Punch) {
+            Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
+            None => "no punch is drawn: add one to the case before you run it".to_owned(),
+        };
+        format!("{text}\n{out} and {picture} are written\n{next}").into()
+    })
 }

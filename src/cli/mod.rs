@@ -40,7 +40,7 @@ use clap_complete::Shell;
 use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
 use options::{Common, ErrorBars, Json, Overrides, PictureOptions, Suggested, Threads};
 use progress::Progress;
-use screen::{Cell, ScreenText, list, print, print_json, rows, table, warn, wrapped};
+use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn, wrapped};
 use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
 use stampflow::case::files::visible;
@@ -51,28 +51,21 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const HELP: &str = "\
-Examples:
-  stampflow new cup -o cup.toml
-  stampflow check cup.toml
-  stampflow run cup.toml
+/// Examples and exit codes in help texts, a section for each verb.
+const HELP: &str = include_str!("help.txt");
 
-`--help` of a verb prints what is used most, `--help-all` everything.
-
-Exit codes:
-  0    done
-  1    any other failure; compare: a comparison is out of its tolerance; search: nothing found
-  2    bad input, nothing was written
-  3    a run stopped before its full travel, its results are kept
-  4    with --strict: the verdict is red, the results are kept
-  130  interrupted (Ctrl-C): the results up to there are kept; a second Ctrl-C ends at once";
+fn help(section: &str) -> &'static str {
+    let text = HELP.split("# ").find_map(|part| part.strip_prefix(section)?.strip_prefix('\n'));
+    text.unwrap_or_default().trim_end()
+}
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, disable_help_flag = true, max_term_width = 80, after_help = HELP)]
+#[command(version, arg_required_else_help = true, disable_help_flag = true, max_term_width = 80, after_help = help("program"))]
 pub struct Args {
-    /// Units of texts: si or us (in, US tonf, ksi); files for programs stay in si
-    #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", value_parser = options::units)]
+    /// Units of texts, us: in, US tonf, ksi; files for programs stay in si
+    #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", ignore_case = true,
+          value_parser = options::one_of(options::UNITS))]
     units: DisplaySettings,
     /// Print what is used most
     #[arg(short, long, global = true, display_order = 900, action = ArgAction::HelpShort)]
@@ -103,7 +96,7 @@ enum Verb {
     #[command(hide = true)]
     Merge(study::MergeArgs),
     /// Print the JSON schema of case files, for completion in editors
-    #[command(hide = true, after_help = "Begin a case file with the line `#:schema ./case.schema.json`.")]
+    #[command(hide = true)]
     Schema {
         #[arg(long, help = "Print a reference for people instead, as Markdown")]
         markdown: bool,
@@ -126,19 +119,23 @@ pub fn main() -> ExitCode {
 }
 
 fn program() -> clap::Command {
-    Args::command().mut_subcommand("new", new::command)
+    let with_help = |verb: clap::Command| match help(verb.get_name()) {
+        "" => verb,
+        text if verb.get_name() == "run" => verb.after_long_help(run::written_files() + text),
+        text => verb.after_long_help(text),
+    };
+    Args::command().mut_subcommands(with_help).mut_subcommand("new", new::command)
 }
 
 fn command() -> Result<Code> {
-    let has_control_characters =
-        std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)));
-    let matches = match program().try_get_matches() {
+    let matches = program().try_get_matches().or_else(|error| {
         // The message quotes the command line, whose control characters are printed as codes.
-        Err(error) if error.use_stderr() && (Json::is_requested() || has_control_characters) => {
+        let has_codes = std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)));
+        if error.use_stderr() && (Json::is_requested() || has_codes) {
             return Err(bad_request(error.to_string().trim_start_matches("error: ").trim_end()));
         }
-        parsed => parsed.unwrap_or_else(|error| error.exit()),
-    };
+        error.exit()
+    })?;
     let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     error::listen()?;
     args.units.set();
@@ -174,9 +171,8 @@ fn man(verb: Option<&str>) -> Result<Code> {
     // Gives the verbs their names and global options.
     command.build();
     if let Some(verb) = verb {
-        let verbs: Vec<&str> = command.get_subcommands().map(|verb| verb.get_name()).collect();
-        let unknown = || bad_request(format!("there is no verb `{verb}`; there are {}", verbs.join(", ")));
-        command = command.find_subcommand(verb).cloned().ok_or_else(unknown)?;
+        let found = command.find_subcommand(verb).cloned();
+        command = found.ok_or_else(|| bad_request(format!("there is no verb `{verb}`: see stampflow --help")))?;
     }
     let mut bytes = Vec::new();
     clap_mangen::Man::new(command).render(&mut bytes)?;

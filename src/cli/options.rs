@@ -1,7 +1,7 @@
 //! Options that several verbs have.
 
 use super::*;
-use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, Command};
 use stampflow::case::{Solution, library};
 use stampflow::plot::{Captions, Format, Pictures};
@@ -11,14 +11,6 @@ use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, Length, Positive};
 use std::ffi::OsStr;
 use std::sync::LazyLock;
-
-/// Words of an option and their values.
-type NamedValues<T> = &'static [(&'static str, T)];
-
-const FORMATS: NamedValues<Format> = &[("svg", Format::Svg), ("png", Format::Png)];
-const CAPTIONS: NamedValues<Captions> =
-    &[("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
-const SYSTEMS: NamedValues<DisplaySettings> = &[("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
 
 /// Parser of a text with words that a shell offers to complete; any other text is accepted too.
 #[derive(Clone)]
@@ -51,6 +43,19 @@ impl TypedValueParser for Suggested {
     }
 }
 
+/// Parser of one word of a list.
+pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    values: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    let value = move |word: String| values.iter().find(|(name, _)| *name == word).expect("a possible value").1;
+    PossibleValuesParser::new(values.map(|(name, _)| name)).map(value)
+}
+
+pub const UNITS: [(&str, DisplaySettings); 2] = [("si", DisplaySettings::Si), ("us", DisplaySettings::Us)];
+const FORMATS: [(&str, Format); 2] = [("svg", Format::Svg), ("png", Format::Png)];
+const CAPTIONS: [(&str, Captions); 3] =
+    [("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
+
 options! {
     /// Error bars of a run.
     ErrorBars {
@@ -77,13 +82,13 @@ options! {
     };
     PictureOptions {
         format: Vec<Format> = "FORMAT" [long, value_delimiter = ',', default_value = "png", value_parser = one_of(FORMATS)]
-            "Formats of pictures: svg, png",
+            "Formats of pictures",
         width: Option<f64> = "LENGTH" [long, value_parser = width, allow_hyphen_values = true, hide_short_help = true]
             "Width of pictures on paper, 50 to 400 mm [default: 170 mm]",
         dpi: Option<u16> = "N" [long, value_parser = clap::value_parser!(u16).range(50..=1200), hide_short_help = true]
             "Pixels per inch of png, 50 to 1200 [default: 300 with --width, else 1600 pixels across]",
         captions: Captions = "HOW_MUCH" [long, default_value = "short", value_parser = one_of(CAPTIONS), hide_short_help = true]
-            "Text of pictures besides axes and legend: none, short (the title) or full (also settings and warnings)",
+            "Text of pictures besides axes and legend: short is the title, full also settings and warnings",
         engineering_strain: bool [long, hide_short_help = true] "Draw the forming limit diagram in engineering strains",
     };
 }
@@ -152,22 +157,9 @@ impl Threads {
 
 impl PictureOptions {
     pub fn pictures(&self) -> Pictures {
-        let formats = FORMATS.iter().map(|(_, format)| *format).filter(|format| self.format.contains(format)).collect();
+        let formats = FORMATS.map(|(_, format)| format).into_iter().filter(|one| self.format.contains(one)).collect();
         let (width, dpi) = (self.width, self.dpi.map(f64::from));
         Pictures { formats, width, dpi, captions: self.captions, engineering_strain: self.engineering_strain }
-    }
-}
-
-/// Reads the value of `--units`.
-pub fn units(name: &str) -> Result<DisplaySettings, String> {
-    one_of(SYSTEMS)(&name.to_lowercase()).map_err(|_| "give si (mm, kN, MPa) or us (in, US tonf, ksi)".to_owned())
-}
-
-/// Parser of one word of a list.
-fn one_of<T: Copy + Send + Sync>(all: NamedValues<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
-    |text| {
-        let known = || all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
-        all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value).ok_or_else(|| format!("give {}", known()))
     }
 }
 

@@ -10,13 +10,6 @@ use std::thread::available_parallelism;
 
 options! {
     /// Solve a case and write a report, one HTML page
-    #[command(after_long_help = "\
-One HTML file with its pictures inside; a browser prints it on A4 pages, or as PDF. A report of an earlier run is \
-replaced; any other file is left alone.
-
-Examples:
-  stampflow report cup.toml -o cup_report.html --set 'report={part=\"Cup\", number=\"4711\"}'
-  stampflow report cases/quickstart.toml --also friction=0.12")]
     Args {
         case: PathBuf [] "Case file",
         output: Option<PathBuf> = "FILE" [long, short, alias = "out"]

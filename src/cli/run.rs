@@ -8,7 +8,6 @@ use stampflow::results::{OUTPUTS, ResultFolder, Results, is_report, result_folde
 
 options! {
     /// Solve cases and write their tables and plots
-    #[command(after_long_help = help())]
     Args {
         cases: Vec<PathBuf> = "CASE.toml" [required = true] "Case files; several run side by side",
         out: Option<PathBuf> = "DIR" [long, alias = "output"]
@@ -26,18 +25,10 @@ options! {
 /// Page that --report writes.
 const PAGE: &str = "report.html";
 
-const HELP: &str = "\
-With several stages each has a folder of its own, 1-draw, 2-retract, ... Results of an earlier run are replaced in one \
-step; other files stay. If one of several cases fails, the others still run.
-
-Examples:
-  stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1
-  stampflow run cases/*.toml --out results --quiet";
-
-/// Long help, with the list of outputs.
-pub fn help() -> String {
+/// List of outputs.
+pub fn written_files() -> String {
     let files = OUTPUTS.iter().map(|output| format!("  {:<18} {}\n", output.file, output.about));
-    format!("Written files:\n{}{HELP}", files.collect::<String>())
+    format!("Written files:\n{}", files.collect::<String>())
 }
 
 pub fn run(args: &Args) -> Result<Code> {

@@ -50,6 +50,11 @@ pub fn print_json(value: &impl Serialize) -> Result<Code> {
     print(serde_json::to_string_pretty(value)?)
 }
 
+/// Prints a value as JSON, or else a text.
+pub fn emit(is_json: bool, value: Value, text: impl FnOnce() -> ScreenText) -> Result<Code> {
+    if is_json { print_json(&value) } else { print(text()) }
+}
+
 /// Prints whole lines on the error stream; failures are ignored.
 pub fn warn(text: impl Into<ScreenText>) {
     let _ = print_lines(&mut io::stderr().lock(), &text.into());

@@ -32,15 +32,6 @@ options! {
         yes: bool [long] "Begin more than 100 000 runs without asking",
     } table: TableOptions;
     /// Run a case with many settings: ranges and lists of any keys, one row a run
-    #[command(after_long_help = "\
-Every combination of the values is one run; keys joined by & move together. A study file \
-holds the same: case, set, one_at_a_time, [vary], [[together]]. DIR/study.csv has one \
-row per run. A picture shows curves, a process window over two or three keys, or a tornado.
-
-Examples:
-  stampflow sweep cup.toml --vary friction=0.04,0.08 --vary \"tools.holder.force=5..30 kN/6\"
-  stampflow sweep study.toml --resume
-  stampflow sweep study.toml --shard 7/64 --out shards")]
     SweepArgs {
         vary: Vec<String> = "KEY=VALUES" [long]
             "A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed",
@@ -51,33 +42,12 @@ Examples:
             "Also write load and thickness of each design, two CSV files in DIR/curves",
     } options: ShardOptions;
     /// Run a case with scattering inputs: how sure the verdict is, and what decides
-    #[command(after_long_help = "\
-Distributions: uniform LOW..HIGH UNIT, uniform ± HALF UNIT, normal MEAN ± DEVIATION UNIT, \
-normal ± DEVIATION UNIT in LOW..HIGH UNIT. Without a middle they are about the case's own \
-value, and % is of the middle. `friction` is that of every tool, `strength` a factor on the \
-hardening law.
-
-Examples:
-  stampflow scatter cup.toml --vary \"friction=uniform 0.05..0.12\"
-  stampflow scatter study.toml --shard 7/64 --out shards
-  stampflow merge shards/scatter-*-of-64.csv --out out/study-scatter/scatter.csv")]
     ScatterArgs {
         vary: Vec<String> = "KEY=DISTRIBUTION" [long] "A key and its distribution, as often as needed",
         runs: Option<u64> = "N" [long] "Sample size; best a power of two [default: 1024]",
         seed: Option<u32> = "N" [long] "Seed of the sample [default: 1]",
     } options: ShardOptions;
     /// Find the limit of a condition, or the value at which a quantity is as wanted
-    #[command(after_long_help = "\
-Conditions, joined by `and`: no red, no red or amber, no tear, ROW not red (a row of the verdict), QUANTITY < LIMIT. \
-Searches with a name: limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius; with --target also \
-over-bend and bead-force.
-
-Examples:
-  stampflow search cup.toml --for limiting-draw-ratio
-  stampflow search cup.toml --vary \"blank.radius=45..70 mm\" --largest --while \"no red\"
-  stampflow search hat.toml --vary \"tools.holder.force=50..2000 N/mm log\" --target \"draw_in=20 mm\"
-
-Exit code 1: nothing found.")]
     SearchArgs {
         case: PathBuf = "CASE.toml" [] "A case file",
         vary: Option<String> = "KEY=RANGE" [long]
@@ -92,11 +62,6 @@ Exit code 1: nothing found.")]
             "Accuracy of the limit, in the unit of the key [default: 0.5 % of the range]",
     } options: TableOptions;
     /// Put the tables of a study's shards together
-    #[command(after_long_help = "\
-Give every shard of one study once. The same study with --resume and the folder as --out then writes report and pictures.
-
-Example:
-  stampflow merge shards/study-*-of-64.csv --out out/cup-sweep/study.csv")]
     MergeArgs {
         shards: Vec<PathBuf> = "SHARD.csv" [required = true] "Tables of all shards of one study",
         out: PathBuf = "FILE.csv" [long, alias = "output"] "The table to write",

@@ -8,13 +8,6 @@ use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest
 
 options! {
     /// Show one step of the solver, iteration by iteration
-    #[command(after_long_help = "\
-The step is solved once more from the state before it: the predictor, and each iteration with the increment of the \
-velocities, its share that was taken, and the residual that it leaves. With several methods each starts from the same state.
-
-Examples:
-  stampflow trace cup.toml --step 40 --methods all --tolerance 1e-11
-  stampflow trace cup.toml --stage 2 --step 1 --out step.csv")]
     Args {
         case: PathBuf = "CASE.toml" [] "Case file",
         step: usize = "N" [long] "Number of the step, from 1, as load_travel.csv counts its rows",

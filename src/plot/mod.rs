@@ -6,7 +6,6 @@ mod bands;
 pub mod chart;
 mod dimensions;
 mod display;
-pub mod flow_curve;
 pub mod forming_diagram;
 mod frame_recorder;
 pub(crate) mod load_travel;

@@ -30,7 +30,7 @@ const CRATES: &[(&str, &str)] = &[
     ("author case cli material plot report results study", "serde_json"),
     ("author case study", "toml_edit"),
     ("case", "miette sha2"),
-    ("case study", "toml"),
+    ("author case study", "toml"),
     ("cli", "comfy_table indicatif signal_hook textwrap"),
     ("cli main", "anyhow clap"),
     ("cli results study", "rayon"),

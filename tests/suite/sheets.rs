@@ -99,7 +99,7 @@ fn tension_of_the_aluminium_is_the_measured_curve_with_back_stresses_and_without
 #[test]
 fn every_sheet_on_every_template_comes_to_an_end_that_is_told() {
     for entry in library::materials().unwrap_or_else(|e| panic!("{}", e.render(false))) {
-        for template in TEMPLATES {
+        for template in TEMPLATES.iter() {
             let name = format!("{} of {}", template.name, entry.name);
             // A sheet that is let go has its back-stresses.
             let release =

@@ -117,7 +117,8 @@ pub fn fill(py: Python<'_>, name: &str, given: Vec<(String, String)>) -> PyResul
 /// Names of the templates with their options, each with what it is.
 #[pyfunction]
 pub fn templates() -> BTreeMap<&'static str, Vec<(&'static str, &'static str)>> {
-    let options = |template: &'static Template| template.options().map(|option| (option.key, option.about)).collect();
+    let options =
+        |template: &'static Template| template.options().map(|option| (&*option.key, &*option.about)).collect();
     TEMPLATES.iter().map(|template| (template.name, options(template))).collect()
 }
 

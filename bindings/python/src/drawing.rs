@@ -4,11 +4,10 @@ use super::error;
 use super::table::{Picture, picture};
 use pyo3::prelude::*;
 use serde::Deserialize;
-use stampflow::author::{Import, ImportFailure};
+use stampflow::author::Import;
 use stampflow::case::files::{Disk, Files};
-use stampflow::import::{self, ImportError, Options, Section};
+use stampflow::import::{self, ImportError, Options};
 use stampflow::model::Geometry;
-use stampflow::plot::{SketchedTool, sketch};
 use stampflow::units::{Dimensioned, Length, Positive};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -43,22 +42,8 @@ pub fn from_drawing(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<(S
     let bytes = Disk.read(&path, import::LARGEST).map_err(|error| {
         failed(ImportError { what: error.to_string(), help: "give the path of a DXF file".into(), line: None })
     })?;
-    let imported = import.read(&bytes, &path).map_err(|failure| match failure {
-        ImportFailure::Drawing(error) => failed(error),
-        ImportFailure::Sheet(error) | ImportFailure::Case(error) => error::case(py, &error),
-    })?;
-    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let tool = |tool: &Section| SketchedTool {
-        label: format!("{}: {}", tool.role.name(), tool.made_of),
-        role: tool.role,
-        profile: tool.profile.clone(),
-        ends: tool.ends.clone(),
-    };
-    let later = imported.sections.later.iter().map(|later| &later.tools);
-    let operations = std::iter::once(&imported.sections.first.tools).chain(later);
-    let operations: Vec<Vec<SketchedTool>> = operations.map(|tools| tools.iter().map(tool).collect()).collect();
-    let notes = imported.notes;
-    let drawn = picture(&sketch(name, import.geometry, &operations, notes.clone()))?;
+    let imported = import.read(&bytes, &path).map_err(failed)?;
+    let (notes, drawn) = (imported.notes.clone(), picture(&imported.picture(&path))?);
     Ok((imported.text, path.with_extension("toml").to_string_lossy().into_owned(), notes, drawn))
 }
 

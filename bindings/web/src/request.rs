@@ -4,11 +4,11 @@ use crate::sliders::Sliders;
 use crate::{solve, trace};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use stampflow::author::Import;
 use stampflow::author::templates::{Choice, TEMPLATES, Template, find};
-use stampflow::author::{Import, ImportFailure};
 use stampflow::case::files::Memory;
 use stampflow::case::{Case, CaseError, library, parse_with};
-use stampflow::import::Options;
+use stampflow::import::{ImportError, Options};
 use stampflow::model::Geometry;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -127,14 +127,9 @@ impl From<CaseError> for Failure {
     }
 }
 
-impl From<ImportFailure> for Failure {
-    fn from(failure: ImportFailure) -> Self {
-        match failure {
-            ImportFailure::Drawing(error) => {
-                let rendered = error.to_string();
-                Self { what: error.what, help: error.help, line: error.line, column: error.line.map(|_| 1), rendered }
-            }
-            ImportFailure::Sheet(error) | ImportFailure::Case(error) => error.into(),
-        }
+impl From<ImportError> for Failure {
+    fn from(error: ImportError) -> Self {
+        let rendered = error.to_string();
+        Self { what: error.what, help: error.help, line: error.line, column: error.line.map(|_| 1), rendered }
     }
 }

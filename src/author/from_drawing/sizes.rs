@@ -1,6 +1,5 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
-use super::Import;
 use crate::assess::design::Picked;
 use crate::assess::size::WIDTHS;
 use crate::import::Section;
@@ -24,18 +23,11 @@ const RATIO: f64 = 1.8;
 /// Travel over the punch's size [–], with a die and without.
 const TRAVEL: [f64; 2] = [0.5, 0.25];
 
-/// Tools of one operation, and the sizes that are known besides them \[mm\].
+/// Tools of one operation, and sizes of the sheet and the punch's travel \[mm\].
 #[derive(Clone)]
 pub(super) struct DrawnTools<'a> {
     pub geometry: Geometry,
     pub sections: Vec<&'a Section>,
-    pub thickness: Option<f64>,
-    pub blank: Option<f64>,
-    pub travel: Option<f64>,
-}
-
-/// Sizes of the sheet and the punch's travel \[mm\].
-pub(super) struct Sizes {
     pub thickness: Picked,
     pub blank: Picked,
     pub travel: Option<Picked>,
@@ -51,14 +43,26 @@ fn down(mm: f64) -> f64 {
 }
 
 impl<'a> DrawnTools<'a> {
-    pub fn new(import: &Import, sections: Vec<&'a Section>) -> Self {
-        let Import { geometry, thickness, blank, travel, .. } = *import;
-        Self { geometry, sections, thickness, blank, travel }
+    /// Tools with thickness, blank and travel as given \[mm\], or with placeholders for them.
+    pub fn new(geometry: Geometry, sections: Vec<&'a Section>, given: [Option<f64>; 3]) -> Self {
+        let (open, [thickness, blank, travel]) = (placeholder(0.0, ""), given);
+        let mut tools = Self { geometry, sections, thickness: open.clone(), blank: open, travel: None };
+        tools.thickness = Picked::or(thickness, || tools.thickness_for());
+        let within = blank.unwrap_or_else(|| tools.reach());
+        let punch = tools.tool(Role::Punch);
+        tools.travel = punch.as_ref().map(|punch| Picked::or(travel, || tools.travel_for(punch, within)));
+        tools.blank = Picked::or(blank, || tools.blank_for());
+        tools
     }
 
     pub fn tool(&self, role: Role) -> Option<Tool> {
         let section = self.sections.iter().find(|section| section.role == role)?;
         Some(Tool { role, profile: section.profile.clone(), friction: 0.0.into(), motion: Motion::Fixed })
+    }
+
+    /// Size of the punch where it enters the sheet at its full travel \[mm\].
+    pub fn mouth(&self) -> Option<f64> {
+        Some(mouth(&self.tool(Role::Punch)?, self.travel.as_ref()?.value))
     }
 
     /// Throat less punch \[mm\], where the whole punch fits in.
@@ -84,43 +88,33 @@ impl<'a> DrawnTools<'a> {
 
     /// Sizes that hardly fit a sheet and may come from a wrong unit.
     pub fn doubts(&self) -> Vec<String> {
-        let (width, thickness, clearance) = (self.width(), self.sizes().thickness, self.clearance());
-        let odd_width = (!(NARROW..=*WIDTHS.end()).contains(&width))
-            .then(|| format!("the tools are {} mm wide in all, which is odd for a stamping: check --unit", mm(width)));
-        let t = mm(thickness.value);
-        let odd_thickness = (!thickness.is_given() && !THICKNESSES.contains(&thickness.value)).then(|| {
-            format!("the gap between punch and die has room for a sheet of {t} mm, which is odd: check --unit and --thickness")
-        });
-        let wide = clearance.filter(|clearance| *clearance > WIDE * thickness.value);
-        let wide_gap = wide.map(|clearance| {
-            let (gap, times) = (mm(clearance), clearance / thickness.value);
-            let placeholder = if thickness.is_given() { "" } else { ", a placeholder" };
-            format!(
+        let (width, is_given, thickness) = (self.width(), self.thickness.is_given(), self.thickness.value);
+        let (mut doubts, t) = (Vec::new(), mm(thickness));
+        if !(NARROW..=*WIDTHS.end()).contains(&width) {
+            let width = mm(width);
+            doubts.push(format!("the tools are {width} mm wide in all, which is odd for a stamping: check --unit"));
+        }
+        if !is_given && !THICKNESSES.contains(&thickness) {
+            let what = format!("the gap between punch and die has room for a sheet of {t} mm, which is odd");
+            doubts.push(format!("{what}: check --unit and --thickness"));
+        }
+        if let Some(clearance) = self.clearance().filter(|clearance| *clearance > WIDE * thickness) {
+            let (gap, times) = (mm(clearance), clearance / thickness);
+            let placeholder = if is_given { "" } else { ", a placeholder" };
+            doubts.push(format!(
                 "the drawing leaves {gap} mm between punch and die, {times:.1} times the sheet's thickness of {t} mm{placeholder}: \
                  check --unit and --thickness"
-            )
-        });
-        [odd_width, odd_thickness, wide_gap].into_iter().flatten().collect()
+            ));
+        }
+        doubts
     }
 
-    pub fn sizes(&self) -> Sizes {
-        let (punch, die) = (self.tool(Role::Punch), self.tool(Role::Die));
-        let thickness = Picked::or(self.thickness, || {
-            match self.clearance().map(|clearance| rounded((clearance / CLEARANCE * 100.0).floor() / 100.0)) {
-                Some(fits) if fits > 0.0 && fits < THICKNESS => {
-                    placeholder(fits, "what the gap between punch and die has room for")
-                }
-                _ => placeholder(THICKNESS, "the drawing has no sheet"),
-            }
-        });
-        let within = self.blank.unwrap_or_else(|| self.reach());
-        let travel = punch.as_ref().map(|punch| {
-            let rule = || travel_for(punch, die.as_ref(), thickness.value, within);
-            Picked::or(self.travel, rule)
-        });
-        let drawn = punch.as_ref().zip(travel.as_ref()).map(|(punch, travel)| mouth(punch, travel.value));
-        let blank = Picked::or(self.blank, || self.blank_for(drawn, die.as_ref()));
-        Sizes { thickness, blank, travel }
+    fn thickness_for(&self) -> Picked {
+        let fits = self.clearance().map(|clearance| rounded((clearance / CLEARANCE * 100.0).floor() / 100.0));
+        match fits.filter(|fits| *fits > 0.0 && *fits < THICKNESS) {
+            Some(fits) => placeholder(fits, "what the gap between punch and die has room for"),
+            None => placeholder(THICKNESS, "the drawing has no sheet"),
+        }
     }
 
     /// Smaller reach of die and holder from the axis, or else that of the punch \[mm\].
@@ -131,32 +125,34 @@ impl<'a> DrawnTools<'a> {
     }
 
     /// A blank as far as die and holder reach, but no more than one draw takes.
-    fn blank_for(&self, punch: Option<f64>, die: Option<&Tool>) -> Picked {
-        let Some(die) = die else {
+    fn blank_for(&self) -> Picked {
+        let punch = self.mouth();
+        let Some(die) = self.tool(Role::Die) else {
             return placeholder(rounded(1.2 * punch.unwrap_or(50.0)), "a little more than the punch");
         };
         let reach = self.reach();
         match punch.map(|punch| down(RATIO * punch)) {
-            Some(drawn) if drawn < reach && drawn > shoulder_end(die) => placeholder(drawn, "1.8 times the punch"),
+            Some(drawn) if drawn < reach && drawn > shoulder_end(&die) => placeholder(drawn, "1.8 times the punch"),
             _ => placeholder(down(reach), "as far as die and holder are drawn"),
         }
     }
-}
 
-/// A share of the punch's size for which its drawn height and the die leave room.
-fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> Picked {
-    let height = (punch.profile.last().y - punch.profile.first().y).abs();
-    let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
-    let most = if height > thickness { size.min(height) } else { size };
-    // Where the tools touch the flat sheet.
-    let placed = |tool: &Tool, highest: bool, z: f64| {
-        let touching = tool.profile.extreme(highest, blank).map_or(0.0, |p| p.y);
-        Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
-    };
-    let punch = placed(punch, true, -0.5 * thickness);
-    let has_room =
-        |travel: &f64| die.is_none_or(|die| gap(&punch, &placed(die, false, 0.5 * thickness), *travel).0 >= thickness);
-    let digits = |mm: f64| down(mm).max(rounded(mm.min(0.1)));
-    let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(has_room);
-    placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
+    /// A share of the punch's size for which its drawn height and the die leave room.
+    fn travel_for(&self, punch: &Tool, blank: f64) -> Picked {
+        let (die, thickness) = (self.tool(Role::Die), self.thickness.value);
+        let height = (punch.profile.last().y - punch.profile.first().y).abs();
+        let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
+        let most = if height > thickness { size.min(height) } else { size };
+        // Where the tools touch the flat sheet.
+        let placed = |tool: &Tool, highest: bool, z: f64| {
+            let touching = tool.profile.extreme(highest, blank).map_or(0.0, |p| p.y);
+            Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
+        };
+        let punch = placed(punch, true, -0.5 * thickness);
+        let die = die.map(|die| placed(&die, false, 0.5 * thickness));
+        let has_room = |travel: &f64| die.as_ref().is_none_or(|die| gap(&punch, die, *travel).0 >= thickness);
+        let digits = |mm: f64| down(mm).max(rounded(mm.min(0.1)));
+        let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(has_room);
+        placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
+    }
 }

@@ -1,6 +1,6 @@
 //! Case files to begin with: a few wanted sizes, and everything else picked by stated rules.
 //!
-//! A template is a case with `<placeholders>`, `cup.toml`, and the function beside it that derives their sizes.
+//! A template is a file, such as `cup.toml`: its inputs, and a case with `<placeholders>`, whose sizes a function derives.
 //!
 //! ```
 //! let cup = stampflow::author::templates::find("cup")?;
@@ -11,54 +11,91 @@
 //! ```
 
 mod air_bend;
-mod bulge;
-mod conical_cup;
-mod cup;
-mod erichsen;
-mod hat_section;
-mod hemispherical_cup;
+mod clamped;
+mod cups;
 mod inputs;
 mod redraw;
 mod sheet;
 mod sizes;
-mod stretch_dome;
-mod u_bend;
-mod v_bend;
+mod strips;
 
 pub use crate::assess::design as rules;
-pub use inputs::{Choice, Kind};
-pub use sheet::{FRICTION, SHEET, typical};
+pub use inputs::Choice;
+pub(super) use inputs::Inputs;
+pub(super) use sheet::{LAW, Sheet, swift};
 
 use crate::assess::size;
-use crate::author::writer::{Values, plain};
+use crate::author::writer::{Values, joined, mm, plain, profile_text};
 use crate::case::CaseError;
+use crate::geometry::Point;
 use crate::model::Geometry;
 use crate::units::{did_you_mean, rounded, significant};
-use inputs::{CLEARANCE, HOLDER_PRESSURE, Inputs, NOSE, SHOULDER, STRIP_CLEARANCE};
 use rules::Picked;
-use sheet::Sheet;
-use sizes::{draw_ratio, ensure, nose, throat, warning};
+use serde::Deserialize;
+use sizes::{draw_ratio, ensure, newtons, nose, throat};
 use std::fmt::Write;
+use std::sync::LazyLock;
 
-/// A kind of case that is written from a few sizes.
-#[derive(Clone, Copy, Debug)]
+/// Function that derives the values of a template's placeholders.
+type Sizes = fn(&Inputs, &Sheet) -> Result<Values, CaseError>;
+
+/// Kind of case that is written from a few sizes.
+#[derive(Clone, Debug)]
 pub struct Template {
     /// Name, as `stampflow new` takes it.
     pub name: &'static str,
     /// Description in one line.
-    pub about: &'static str,
-    /// Its own options; those of the sheet, [`SHEET`], come on top.
-    pub own: &'static [Choice],
-    /// Case file with placeholders.
+    pub about: String,
+    /// Its own options; those of the sheet come on top.
+    pub own: Vec<Choice>,
     text: &'static str,
-    /// Derives the values of the placeholders.
-    sizes: fn(&Inputs, &Sheet) -> Result<Values, CaseError>,
+    sizes: Sizes,
+}
+
+/// Beginning of a template's file.
+#[derive(Deserialize)]
+struct Header {
+    #[serde(default)]
+    about: String,
+    inputs: Vec<Choice>,
+}
+
+/// Every template.
+pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
+    let files: [(&str, &str, Sizes); 10] = [
+        ("cup", include_str!("cup.toml"), cups::cup),
+        ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
+        ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
+        ("redraw", include_str!("redraw.toml"), redraw::sizes),
+        ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
+        ("bulge", include_str!("bulge.toml"), clamped::bulge),
+        ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
+        ("hat-section", include_str!("hat_section.toml"), strips::hat_section),
+        ("v-bend", include_str!("v_bend.toml"), strips::v_bend),
+        ("u-bend", include_str!("u_bend.toml"), strips::u_bend),
+    ];
+    let template = |(name, file, sizes): (&'static str, &'static str, Sizes)| {
+        let (Header { about, inputs }, text) = header(file);
+        Template { name, about, own: inputs, text, sizes }
+    };
+    files.map(template).into()
+});
+
+/// Inputs of the sheet, which every template has, and the text of its material.
+pub(super) static SHEET: LazyLock<(Vec<Choice>, &'static str)> = LazyLock::new(|| {
+    let (header, text) = header(include_str!("sheet.toml"));
+    (header.inputs, text)
+});
+
+fn header(file: &'static str) -> (Header, &'static str) {
+    let (header, text) = file.split_once("---\n").expect("a header and a text");
+    (toml::from_str(header).expect("the header is well written"), text)
 }
 
 impl Template {
     /// All options, those of the sheet last.
-    pub fn options(&self) -> impl Iterator<Item = &'static Choice> + use<> {
-        self.own.iter().chain(SHEET)
+    pub fn options(&self) -> impl Iterator<Item = &Choice> {
+        self.own.iter().chain(&SHEET.0)
     }
 
     /// Writes the text of a case file from option names and their values with units.
@@ -84,21 +121,7 @@ impl Template {
     }
 }
 
-/// Every template.
-pub const TEMPLATES: &[Template] = &[
-    cup::TEMPLATE,
-    hemispherical_cup::TEMPLATE,
-    conical_cup::TEMPLATE,
-    redraw::TEMPLATE,
-    stretch_dome::TEMPLATE,
-    bulge::TEMPLATE,
-    erichsen::TEMPLATE,
-    hat_section::TEMPLATE,
-    v_bend::TEMPLATE,
-    u_bend::TEMPLATE,
-];
-
-/// The template of a name.
+/// Returns the template of a name.
 ///
 /// # Errors
 /// When there is none; the message names all.
@@ -112,17 +135,15 @@ pub fn find(name: &str) -> Result<&'static Template, CaseError> {
 
 /// All templates with their options, as text.
 pub fn list() -> String {
-    let sheet = ("every template".to_owned(), SHEET);
+    let groups = TEMPLATES.iter().map(|t| (format!("{}\n  {}", t.name, t.about), &t.own));
     let mut text = String::new();
-    for (title, options) in TEMPLATES.iter().map(|t| (format!("{}\n  {}", t.name, t.about), t.own)).chain([sheet]) {
+    for (title, options) in groups.chain([("every template".to_owned(), &SHEET.0)]) {
         let _ = writeln!(text, "{title}");
-        for choice in options {
-            let option = format!("--{} {}", choice.key, choice.kind.placeholder);
-            let diameter = choice.diameter.map_or(String::new(), |key| format!("; or --{key}"));
-            let _ = writeln!(text, "    {option:<26} {} [{}]{diameter}", choice.about, choice.default);
+        for Choice { key, value, default, about, diameter } in options {
+            let diameter = diameter.as_ref().map_or(String::new(), |key| format!("; or --{key}"));
+            let _ = writeln!(text, "    {:<26} {about} [{default}]{diameter}", format!("--{key} {value}"));
         }
         text.push('\n');
     }
-    text.truncate(text.trim_end().len());
-    text + "\n"
+    text.trim_end().to_owned() + "\n"
 }

@@ -1,29 +1,10 @@
 //! A cup drawn twice: a wider one first, then through a smaller die.
 
-use super::cup::{Cup, RIM_SHOULDER, TRIM, declared_trim};
-use super::sizes::{newtons, round_pressure};
+use super::cups::{Cup, declared_trim};
+use super::sizes::Draw;
 use super::*;
-use crate::author::writer::{joined, mm, profile_text};
-use crate::geometry::Point;
 use rules::REDRAW_RATIO;
 use std::f64::consts::PI;
-
-pub(super) const TEMPLATE: Template = Template {
-    name: "redraw",
-    about: "a cup too high for one draw, in two stages: drawn wider, then redrawn",
-    own: &[
-        Choice::length("punch-radius", "30 mm", "radius of the second punch").or_diameter("punch-diameter"),
-        Choice::length("height", "60 mm", "height of the whole cup; the second draw stops at nine tenths of it"),
-        Choice::new("trim", Kind::SHARE, "8 %", TRIM),
-        Choice::length("first-radius", "1.3 punch radii", "radius of the first punch").or_diameter("first-diameter"),
-        Choice::length("nose", "6 thicknesses", "radius of both punches' corners"),
-        Choice { about: "radius of both dies' corners", ..RIM_SHOULDER },
-        Choice::length("clearance", "t √β", "gap between punch and die, both draws"),
-        HOLDER_PRESSURE,
-    ],
-    text: include_str!("redraw.toml"),
-    sizes,
-};
 
 /// Share of the wanted height that the second draw forms [–].
 const REDRAWN: f64 = 0.9;
@@ -32,7 +13,7 @@ const CONE: f64 = 40.0;
 /// Least width between the cones over the thickness \[–\].
 const LEAST_CLAMPED: f64 = 0.1;
 
-fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+pub(super) fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let cup = Cup::read(inputs, sheet, inputs.pick("trim", declared_trim))?;
     let blank = cup.blank(t);
@@ -57,44 +38,29 @@ fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     };
     let help = "make --first-radius larger, or --nose, --shoulder or --clearance smaller";
     ensure(ring.clamped() >= LEAST_CLAMPED * t, what, help)?;
-    let wide = throat(first.value, &clearance);
-    let flat = [wide.value + shoulder.value, blank.value];
-    let pressure = round_pressure(inputs, sheet, ratio, first.value, flat);
     // Height of the first cup, which has the same area.
     let (middle, nose) = (first.value + 0.5 * t, cup.nose.value + 0.5 * t);
     let bottom = rules::cup_area(middle, nose, nose);
     let first_height = nose + (PI * blank.value * blank.value - bottom) / (2.0 * PI * middle) + 0.5 * t;
     let first_height = first_height / (1.0 + cup.trim.value);
-    let mut sizes = sheet.values(false);
+    let draw = Draw { punch: first.value, corner: cup.nose.value, ratio, clearance, shoulder, blank };
+    let (mut sizes, pressure) = draw.values(inputs, sheet, ratio)?;
     // With usual elements the second force oscillates as nodes leave the shoulder.
-    sizes.elements(blank.value, shoulder.value.min(cup.nose.value), 2);
-    sizes.set("wall_height", plain(cup.height), "");
-    sizes.set("first", plain(first.value), "");
-    sizes.set("second", plain(cup.radius), "");
-    sizes.set("warning", warning(ratio), "");
+    sizes.elements(draw.blank.value, ring.shoulder.min(ring.nose), 2);
+    let lengths = [("wall_height", cup.height), ("first", first.value), ("second", cup.radius)];
+    lengths.into_iter().for_each(|(name, length)| sizes.set(name, plain(length), ""));
     sizes.set("diameter", plain(2.0 * cup.radius), "");
-    sizes.lengths([
-        ("blank", &blank),
-        ("radius", &first),
-        ("nose", &cup.nose),
-        ("throat", &wide),
-        ("shoulder", &shoulder),
-    ]);
-    sizes.lengths([("travel", &rules::drawn_travel(first_height, shoulder.value, t))]);
-    sizes.holder(Geometry::Axisymmetric, flat, &pressure)?;
     let [radius, nose] = [cup.radius, cup.nose.value].map(Picked::input);
     // The rim has thickened twice and is shorter than by its area: drawn on, it would leave the die.
-    let travel =
-        Picked::by(REDRAWN * (cup.height - t), "nine tenths of the height: the rest stays on the die (declared)");
-    sizes.lengths([("second_radius", &radius), ("second_nose", &nose), ("move", &travel)]);
+    let why = "nine tenths of the height: the rest stays on the die (declared)";
+    let (travel, second) =
+        (rules::drawn_travel(first_height, ring.shoulder, t), Picked::by(REDRAWN * (cup.height - t), why));
+    sizes.lengths([("radius", &first), ("nose", &cup.nose), ("travel", &travel)]);
+    sizes.lengths([("second_radius", &radius), ("second_nose", &nose), ("move", &second)]);
     sizes.set("second_die", ring.die(), &joined(&["throat and shoulder", &plain(ring.throat), &plain(ring.shoulder)]));
     sizes.set("sleeve", ring.sleeve(4.0 * first_height), "");
-    let area = PI * (ring.outer.powi(2) - ring.throat.powi(2));
-    sizes.set(
-        "second_force",
-        newtons(pressure.value * area),
-        "the first holder's pressure on the sleeve's ring (declared)",
-    );
+    let force = newtons(pressure * (PI * (ring.outer.powi(2) - ring.throat.powi(2))));
+    sizes.set("second_force", force, "the first holder's pressure on the sleeve's ring (declared)");
     Ok(sizes)
 }
 

@@ -1,8 +1,7 @@
 //! Sizes that several templates derive.
 
-use super::inputs::Inputs;
 use super::rules::{self, CAREFUL_RATIO, LIMITING_RATIO, Picked};
-use super::sheet::Sheet;
+use super::{Inputs, Sheet};
 use crate::author::writer::{Values, joined, plain};
 use crate::case::CaseError;
 use crate::model::{Extent, Geometry};
@@ -12,6 +11,12 @@ impl Values {
     pub fn elements(&mut self, blank: f64, corner: f64, times: usize) {
         let why = format!("{} per 90° of the smallest radius, were they equal; finer there", 10 * times);
         self.set("elements", times * rules::elements(blank, corner), &why);
+    }
+
+    /// Sets blank and die, and elements for the smaller of the shoulder and the punch's corner \[mm\].
+    pub fn die(&mut self, blank: &Picked, throat: &Picked, shoulder: &Picked, corner: f64) {
+        self.elements(blank.value, shoulder.value.min(corner), 1);
+        self.lengths([("blank", blank), ("throat", throat), ("shoulder", shoulder)]);
     }
 
     /// Sets a holder that presses on a flat from the end of the shoulder to the edge \[mm\], by a pressure \[MPa\].
@@ -29,14 +34,49 @@ impl Values {
         let whole = Extent::of(geometry, None);
         let force = pressure.value * (whole.area(edge) - whole.area(end));
         self.lengths([("holder", &Picked::by(end, "where the die's shoulder ends"))]);
-        match geometry {
-            Geometry::Axisymmetric => self.set("force", newtons(force), &joined(&["of the whole ring", &pressure.why])),
-            Geometry::PlaneStrain => {
-                let why = joined(&["per mm of depth, both sides together", &pressure.why]);
-                self.set("force", format!("\"{force:.1} N/mm\""), &why);
-            }
-        }
+        let (force, of) = match geometry {
+            Geometry::Axisymmetric => (newtons(force), "of the whole ring"),
+            Geometry::PlaneStrain => (format!("\"{force:.1} N/mm\""), "per mm of depth, both sides together"),
+        };
+        self.set("force", force, &joined(&[of, &pressure.why]));
         Ok(())
+    }
+}
+
+/// Round part that is drawn with a holder.
+pub(super) struct Draw {
+    /// Radius of the punch and of its corner \[mm\].
+    pub punch: f64,
+    pub corner: f64,
+    /// Draw ratio \[–\].
+    pub ratio: f64,
+    pub clearance: Picked,
+    pub shoulder: Picked,
+    pub blank: Picked,
+}
+
+impl Draw {
+    /// Values of sheet, blank, die and holder, and the holder's pressure \[MPa\], which is that of a draw ratio.
+    ///
+    /// # Errors
+    /// When there is nothing to hold.
+    pub fn values(&self, inputs: &Inputs, sheet: &Sheet, pressure_ratio: f64) -> Result<(Values, f64), CaseError> {
+        let Self { punch, corner, ratio, clearance, shoulder, blank } = self;
+        let throat = throat(*punch, clearance);
+        let flat = [throat.value + shoulder.value, blank.value];
+        let (t, strength) = (sheet.thickness, sheet.tensile_strength);
+        let rule = || rules::holder_pressure(pressure_ratio, 2.0 * punch, flat, t, strength);
+        let pressure = inputs.pick("holder-pressure", rule);
+        let is_near = *ratio > CAREFUL_RATIO;
+        let warning = format!(
+            " The draw ratio of {ratio:.2} is close to the limit of one draw ({CAREFUL_RATIO} for DC04, 4ming): it may tear."
+        );
+        let mut sizes = sheet.values(false);
+        sizes.die(blank, &throat, shoulder, *corner);
+        sizes.set("diameter", plain(2.0 * punch), "");
+        sizes.set("warning", if is_near { warning } else { String::new() }, "");
+        sizes.holder(Geometry::Axisymmetric, flat, &pressure)?;
+        Ok((sizes, pressure.value))
     }
 }
 
@@ -63,22 +103,6 @@ pub(super) fn draw_ratio(blank_for: impl Fn(f64) -> f64, height: f64, punch: f64
         )
     };
     ensure(wanted <= LIMITING_RATIO, what, &help).map(|()| wanted)
-}
-
-/// Pressure of a round part's holder, on a flat from the end of the shoulder to the edge \[mm\].
-pub(super) fn round_pressure(inputs: &Inputs, sheet: &Sheet, ratio: f64, punch: f64, flat: [f64; 2]) -> Picked {
-    let rule = || rules::holder_pressure(ratio, 2.0 * punch, flat, sheet.thickness, sheet.tensile_strength);
-    inputs.pick("holder-pressure", rule)
-}
-
-/// Warning near the limit of one draw.
-pub(super) fn warning(ratio: f64) -> String {
-    if ratio <= CAREFUL_RATIO {
-        return String::new();
-    }
-    format!(
-        " The draw ratio of {ratio:.2} is close to the limit of one draw ({CAREFUL_RATIO} for DC04, 4ming): it may tear."
-    )
 }
 
 /// Ring force as TOML, rounded up.
