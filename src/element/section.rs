@@ -4,40 +4,21 @@ use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6};
 use crate::material::PointLaw;
 use crate::material::flow::{StressUpdate, Tangent, Triple};
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 use nalgebra::SMatrix;
 
-/// Integration of an element's section.
+/// Integration of elements through the thickness.
 #[derive(Clone, Copy, Debug)]
-pub struct Section<'a> {
+pub struct Section<'a, L> {
+    /// Law of the thickness points.
+    pub law: &'a L,
     /// Points of an element that bends; a membrane has one, in the middle.
     pub rule: &'a [ThicknessPoint],
-    /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
-    /// membrane has no transverse stiffness before its first stretch.
+    /// Least tension of a membrane over its yield force \[–\], in the matrix only: a flat membrane has no transverse stiffness
+    /// before its first stretch.
     pub slack_tension: f64,
     /// True if the matrix is left out.
     pub forces_alone: bool,
-}
-
-/// Law and state of the thickness points of one element.
-pub struct ThicknessIntegrand<'a, L: PointLaw> {
-    /// Law of the points.
-    pub law: &'a L,
-    /// State of each point at the start of the step.
-    pub points: &'a [L::PointState],
-    /// Memory of each point from iteration to iteration; updated.
-    pub iterates: &'a mut [L::Iterate],
-    /// Result of each point; overwritten.
-    pub updates: &'a mut [StressUpdate],
-}
-
-/// Internal forces and matrix of an element.
-#[derive(Clone, Copy, Debug)]
-pub struct Internal {
-    /// Bᵀ S \[N, N mm\].
-    pub force: Vector6,
-    /// Bᵀ C B + geometric stiffness; `None` if it was left out.
-    pub matrix: Option<Matrix6>,
 }
 
 /// Stiffness C of a section, by its strains.
@@ -78,7 +59,12 @@ fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     let square = zeta * zeta + half * half * tangent.across;
     let coupled = [0, 1, 2].map(|j| zeta * own[j] + coupling[j]);
     let bending = [0, 1, 2].map(|j| square * own[j] + 2.0 * zeta * coupling[j]);
-    add_blocks(c, own, coupled, bending);
+    for ((i, j), [ss, st, tt]) in [((0, 0), own), ((2, 0), coupled), ((2, 2), bending)] {
+        c[(i, j)] += ss;
+        c[(i + 1, j)] += st;
+        c[(i + 1, j + 1)] += tt;
+    }
+    c[(KAPPA_S, EPS_T)] += coupled[1];
     let [p, q] = tangent.outer.map(|g| [g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3], g[4]]);
     let q = q.map(|q| v * q);
     for j in 0..5 {
@@ -89,26 +75,19 @@ fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     }
 }
 
-/// Adds the blocks of membrane, coupling and bending, each ss, sθ, θθ.
-#[inline]
-fn add_blocks(c: &mut Matrix5, membrane: Triple, coupling: Triple, bending: Triple) {
-    for (place, [ss, st, tt]) in [((0, 0), membrane), ((2, 0), coupling), ((2, 2), bending)] {
-        c[place] += ss;
-        c[(place.0 + 1, place.1)] += st;
-        c[(place.0 + 1, place.1 + 1)] += tt;
-    }
-    c[(KAPPA_S, EPS_T)] += coupling[1];
-}
-
-impl Section<'_> {
-    /// Forces and matrix of an element of `volume` \[mm³, or mm²\] that was `thickness` \[mm\] thick.
-    pub fn internal<L: PointLaw>(
+impl<L: PointLaw> Section<'_, L> {
+    /// Forces Bᵀ S \[N, N mm\] and matrix of an element of `volume` \[mm³, or mm²\] that was `thickness` \[mm\] thick.
+    ///
+    /// The points of the element are those of the start of the step; the iterates are advanced, the updates overwritten.
+    pub fn internal(
         &self,
         current: &Current,
         volume: f64,
         thickness: f64,
-        integrand: &mut ThicknessIntegrand<L>,
-    ) -> Internal {
+        points: &[L::PointState],
+        iterates: &mut [L::Iterate],
+        updates: &mut [StressUpdate],
+    ) -> (Vector6, Option<Matrix6>) {
         let e = &current.strain;
         let (mut s, mut c) = (Generalised::zeros(), Matrix5::zeros());
         let mut yield_stress = 0.0;
@@ -117,8 +96,7 @@ impl Section<'_> {
             let (zeta, half, v) = (0.5 * thickness * at.xi, 0.5 * thickness * at.half, volume * at.weight);
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
             let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];
-            let (point, iterate) = (&integrand.points[i], &mut integrand.iterates[i]);
-            let (update, tangent) = integrand.law.respond(point, iterate, strain, spread);
+            let (update, tangent) = self.law.respond(&points[i], &mut iterates[i], strain, spread);
             if !self.forces_alone {
                 add_point(&mut c, zeta, half, v, &tangent);
             }
@@ -126,18 +104,18 @@ impl Section<'_> {
             s[KAPPA_T] += half * v * update.moment[1];
             s += resultants(zeta, v, update.stress);
             yield_stress = update.yield_stress;
-            integrand.updates[i] = update;
+            updates[i] = update;
         }
         let b = current.strain_displacement();
         let force = b.transpose() * s;
         if self.forces_alone {
-            return Internal { force, matrix: None };
+            return (force, None);
         }
         c.fill_upper_triangle_with_lower_triangle();
         let mut matrix = b.transpose() * (c * b) + current.geometric_stiffness(&s);
         if !current.bends() && self.slack_tension > 0.0 {
             matrix += current.transverse_stiffness((self.slack_tension * volume * yield_stress - s[EPS_S]).max(0.0));
         }
-        Internal { force, matrix: Some(matrix) }
+        (force, Some(matrix))
     }
 }

@@ -122,11 +122,8 @@ pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     let stretches = names.chunk_by(|a, b| a == b).map(|same| {
         let nodes = from..from + same.len();
         from = nodes.end;
-        Stretch {
-            band: same[0],
-            along: [end(nodes.start), end(nodes.end)],
-            elements: nodes.start.min(elements)..nodes.end.min(elements),
-        }
+        let elements = nodes.start.min(elements)..nodes.end.min(elements);
+        Stretch { band: same[0], along: [end(nodes.start), end(nodes.end)], elements }
     });
     stretches.filter(|stretch| !stretch.elements.is_empty()).collect()
 }

@@ -18,7 +18,6 @@
 
 mod bands;
 mod events;
-mod fit;
 mod meridian;
 mod moment;
 mod ring;
@@ -31,8 +30,7 @@ pub use ring::{CutRing, Ring};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
 use crate::solver::solution::Frame;
-use fit::Fit;
-use meridian::Meridian;
+use meridian::{Fit, Meridian};
 use std::ops::Range;
 
 /// Largest sag of a straight leg over the thickness \[–\]: on 1 mm the thinnest leaf of a usual feeler gauge.

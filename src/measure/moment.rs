@@ -1,6 +1,6 @@
 //! Resolution of the section's moment by the thickness points.
 
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 use crate::solver::solution::{Frame, PointRecord};
 
 /// Estimates the largest quadrature error of the meridional moment through the thickness, over its largest value \[–\].

@@ -1,8 +1,7 @@
 //! The sheet before forming.
 
 use super::Theory;
-use crate::numerics::lobatto::{self, ThicknessPoint};
-use crate::numerics::midpoint_rule;
+use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +38,8 @@ impl Blank {
     /// The points through the thickness.
     pub fn points(&self) -> Vec<ThicknessPoint> {
         match self.rule {
-            ThicknessRule::Parts if self.layers > 1 => midpoint_rule::rule(self.layers),
-            _ => lobatto::rule(self.layers),
+            ThicknessRule::Parts if self.layers > 1 => midpoint(self.layers),
+            _ => lobatto(self.layers),
         }
     }
 }

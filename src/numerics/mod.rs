@@ -1,15 +1,12 @@
 //! Numerical methods that know nothing of forming.
 
-mod bisection;
 pub mod block_tridiagonal;
 mod grid;
 pub mod least_squares;
-pub mod lobatto;
-pub mod midpoint_rule;
 mod piecewise_linear;
 mod power;
+pub mod quadrature;
 
-pub use bisection::bisect;
 pub use grid::Grid;
 pub use piecewise_linear::{PiecewiseLinear, interpolated};
 pub use power::Power;
@@ -21,4 +18,16 @@ pub struct ValueAndSlope {
     pub value: f64,
     /// df/dx.
     pub slope: f64,
+}
+
+/// Halves the bracket from `low`, where `is_below` holds, to `high`, where it does not; `low` may be the larger number.
+///
+/// 50 halvings use up the digits of a bracket of order one.
+pub fn bisect(low: f64, high: f64, halvings: usize, mut is_below: impl FnMut(f64) -> bool) -> [f64; 2] {
+    let (mut low, mut high) = (low, high);
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        if is_below(middle) { low = middle } else { high = middle }
+    }
+    [low, high]
 }

@@ -44,12 +44,8 @@ impl PiecewiseLinear {
 
     /// Slope of the line that leads up to `x`; 0 up to the first point and beyond the last.
     pub fn slope_before(&self, x: f64) -> f64 {
-        let after = self.points.partition_point(|p| p.0 < x);
-        if after == 0 || after == self.points.len() {
-            return 0.0;
-        }
-        let ((x0, v0), (x1, v1)) = (self.points[after - 1], self.points[after]);
-        (v1 - v0) / (x1 - x0)
+        let line = self.points.windows(2).find(|line| line[0].0 < x && x <= line[1].0);
+        line.map_or(0.0, |line| (line[1].1 - line[0].1) / (line[1].0 - line[0].0))
     }
 
     /// Integral up to the place where the rising value comes to `value`, the last line extended as needed.

@@ -105,7 +105,6 @@ fn closing_model(model: &Model, way: f64) -> Model {
     model
 }
 
-/// Hides the closing from an observer, who may still end it.
 struct Unseen<'a>(&'a mut dyn Observer);
 
 impl Observer for Unseen<'_> {

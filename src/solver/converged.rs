@@ -37,7 +37,6 @@ impl<'a> Converged<'a> {
         self.evaluation.updates.iter().map(|update| update.increment).fold(0.0, f64::max)
     }
 
-    /// State at the end of the step, at the temperatures of its start.
     pub fn advanced(&self) -> State {
         let Self { step, trial, evaluation, .. } = self;
         let Step { model, state, dt, .. } = **step;

@@ -81,7 +81,6 @@ pub(super) struct Pass {
     pub most: usize,
 }
 
-/// Corrects a trial to equilibrium at the end of its step.
 pub(super) fn correct(
     step: &Step,
     trial: &mut Trial,

@@ -3,7 +3,7 @@
 
 use super::evaluation::{Evaluation, Linearisation, largest};
 use super::step::Step;
-use super::terms::{bead, contact, gas, holder, sheet, unloading};
+use super::terms::{bead, contact, gas, holder, sheet};
 use super::trial::Trial;
 use crate::model::Edge;
 
@@ -24,7 +24,7 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
     bead::add(step, trial, out);
     sheet::stabilise(step, trial, out);
     let gas = gas::add(step, trial, out);
-    let unloading = unloading::add(step, out);
+    let unloading = unload(step, out);
     if let Some(kept) = &mut trial.kept {
         if at.iteration == 0 { kept.take_matrix(&out.system) } else { out.system.take_matrix(kept) }
     }
@@ -33,6 +33,15 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
     constrain(step, out);
     measure_residual(step, internal.max(contact).max(gas).max(unloading), out);
     true
+}
+
+/// Adds the forces of removed tools, which fade over the run; returns the largest initial one of a node.
+fn unload(step: &Step, out: &mut Evaluation) -> f64 {
+    let left = 1.0 - step.end() / step.model.duration;
+    for (rhs, force) in out.system.rhs.iter_mut().zip(&step.context.unloading) {
+        *rhs += force * left;
+    }
+    largest(&step.context.unloading)
 }
 
 /// Symmetry on the axis, the held edge, and no rotations where no element resists them.

@@ -89,7 +89,6 @@ pub(super) struct HeldRate {
     pub beyond_cap: f64,
 }
 
-/// Evaluation of a trial; allocated once for a run.
 #[derive(Default)]
 pub(super) struct Evaluation {
     /// H with −r on its right-hand side.

@@ -1,7 +1,6 @@
 //! Solver of the flow approach: explicit predictor, implicit corrector.
 
 mod augmented_lagrangian;
-mod budget;
 mod closing;
 mod converged;
 mod corrector;
@@ -25,8 +24,6 @@ mod step;
 mod step_record;
 mod termination;
 mod terms;
-#[cfg(test)]
-mod test_model;
 mod time_step;
 pub mod trace;
 mod trial;
@@ -34,7 +31,6 @@ mod trial;
 use crate::model::Model;
 use crate::solver::solution::{Heat, StageSolution, StepRecord, Stop, StopKind};
 use crate::solver::state::State;
-use budget::Budget;
 use converged::Converged;
 use evaluation::Evaluation;
 use no_equilibrium::{creeping, interrupted, no_equilibrium};
@@ -42,7 +38,7 @@ use run_context::RunContext;
 use std::mem::swap;
 use step::Step;
 use termination::Termination;
-use time_step::StepControl;
+use time_step::{Budget, StepControl};
 use trial::Trial;
 
 pub use closing::closing_way;

@@ -57,13 +57,11 @@ pub(super) fn creeping(
     })
 }
 
-/// Stop by the observer.
 pub(super) fn interrupted(state: &State) -> Stop {
     let text = format!("interrupted at {}: the results up to there are kept", reached(state));
     Stop::new(StopKind::Interrupted, text)
 }
 
-/// Travel reached, or the time where there is no travel.
 pub(super) fn reached(state: &State) -> String {
     match state.travel > 0.0 {
         true => format!("{} of travel", Amount::place(state.travel)),

@@ -51,11 +51,9 @@ impl Start {
     }
 
     pub(super) fn count(self, effort: &mut Effort) {
-        *match self {
-            Start::Predictor => &mut effort.predictor,
-            Start::Secant => &mut effort.secant,
-            Start::Softened | Start::SoftenedInSteps => &mut effort.softened,
-        } += 1;
+        effort.predictor += usize::from(self == Start::Predictor);
+        effort.secant += usize::from(self == Start::Secant);
+        effort.softened += usize::from(!self.softening().is_empty());
     }
 }
 
@@ -71,19 +69,18 @@ pub(super) fn solve<'s>(
     rejected: &mut usize,
     observer: &mut dyn Observer,
 ) -> Result<(Start, Converged<'s>), Outcome> {
-    let mut last = None;
+    let mut outcome = Outcome::BEGUN;
     for &start in if step.number == 1 { Start::FIRST } else { Start::USUAL } {
-        let outcome = attempt(step, trial, evaluation, start, observer);
+        outcome = attempt(step, trial, evaluation, start, observer);
         if outcome.converged {
             return Ok((start, Converged::new(step, trial, evaluation, outcome)));
         }
         *rejected += 1;
-        last = Some(outcome);
         if outcome.interrupted {
             break;
         }
     }
-    Err(last.unwrap_or(Outcome::BEGUN))
+    Err(outcome)
 }
 
 fn attempt(
@@ -118,16 +115,12 @@ fn attempt(
         spent = secant.iterations;
     }
     let mut outcome = correct(trial, evaluation, matrix, most);
+    let most_rounds = if settings.contact == ContactMethod::AugmentedLagrangian { MOST_ROUNDS } else { 0 };
     let mut rounds = 1;
-    if settings.contact == ContactMethod::AugmentedLagrangian {
-        for round in 0..MOST_ROUNDS {
-            if !outcome.converged || !augmented_lagrangian::shift(trial, evaluation, round) {
-                break;
-            }
-            spent += outcome.iterations;
-            rounds += 1;
-            outcome = correct(trial, evaluation, matrix, most);
-        }
+    while rounds <= most_rounds && outcome.converged && augmented_lagrangian::shift(trial, evaluation, rounds - 1) {
+        spent += outcome.iterations;
+        rounds += 1;
+        outcome = correct(trial, evaluation, matrix, most);
     }
     Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
 }

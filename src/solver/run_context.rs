@@ -11,7 +11,7 @@ use crate::element::section;
 use crate::geometry::Profile;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 use crate::solver::state::State;
 use crate::solver::state::nonlocal_average::NonlocalAverage;
 use nalgebra::Vector3;
@@ -105,7 +105,6 @@ impl<'a> RunContext<'a> {
         }
     }
 
-    /// Tools that may touch the sheet, with their indices.
     pub fn acting_tools(&self) -> impl Iterator<Item = (usize, &ActiveTool)> {
         self.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent())
     }

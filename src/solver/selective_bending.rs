@@ -9,7 +9,7 @@
 
 use crate::geometry::{Arc, Point};
 use crate::model::{Edge, Model, Theory, Tool};
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 use crate::solver::state::State;
 
 /// Distance from a curved node within which elements bend, over the thickness \[–\]: some lengths √(t R). With 2 the load of
@@ -35,7 +35,6 @@ impl Selection {
         Self { corners: corners.filter(|(_, arc)| t > limit * (arc.radius + 0.5 * t)).collect() }
     }
 
-    /// Bending flags of the elements for a step from `state`.
     pub fn bending(&self, model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
         if model.blank.theory != Theory::Selective {
             return vec![model.blank.theory == Theory::Bending; state.thickness.len()];

@@ -48,7 +48,6 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     from_flat(model, observer)
 }
 
-/// Closes the holder first where it cannot lie on the flat blank.
 fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     let Some(way) = closing_way(model) else {
         return run_from(model, State::flat(model, mesh::nodes(model)), observer);
@@ -64,7 +63,6 @@ fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     StageSolution { closing: before.closing, ..run_from(&stage.model, state, observer) }
 }
 
-/// The model cut to the sheet, the first state of a stage, and the trimmed rim.
 fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed>) {
     let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
@@ -97,8 +95,8 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.ironed = vec![0.0; state.thickness.len()];
     if begin.anneal {
         for point in state.points.iter_mut() {
-            *point =
-                MaterialPoint { strain: 0.0, stress: [0.0; 3], carried: [0.0; 3], back: Default::default(), ..*point };
+            let MaterialPoint { porosity, porosity_rate, strain_rate, .. } = *point;
+            *point = MaterialPoint { porosity, porosity_rate, strain_rate, ..MaterialPoint::default() };
         }
     }
     let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));
@@ -137,9 +135,9 @@ fn trim(state: &mut State, radius: f64) {
     cut([&mut state.bends, &mut state.steady], elements);
     cut([&mut state.membrane, &mut state.temperature_rates], elements);
     state.points.truncate_rows(elements);
-    [&mut state.pressure, &mut state.shift]
-        .into_iter()
-        .for_each(|per_pair| per_pair.truncate_columns(STATIONS * elements));
+    for pairs in [&mut state.pressure, &mut state.shift] {
+        pairs.truncate_columns(STATIONS * elements);
+    }
 }
 
 /// Axial displacement at which tool `j` waits just off the formed sheet \[mm\].

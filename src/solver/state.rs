@@ -11,7 +11,7 @@ use crate::geometry::Point;
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory, Tool};
 use crate::numerics::Grid;
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 
 /// Thickness point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

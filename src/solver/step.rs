@@ -1,4 +1,4 @@
-//! Data of a step that all its iterations share.
+//! Start of a step: what all its iterations share.
 
 use super::restraints::{BeadPosition, Seal};
 use super::run_context::{RunContext, references};
@@ -21,7 +21,6 @@ const FLOOR: f64 = 100.0;
 /// Strain increment of a cut-off point over the cut-off \[–\].
 pub(super) const CUT_OFF_ZONE: f64 = 10.0;
 
-/// Data of a step that all its iterations share.
 pub(super) struct Step<'a> {
     pub context: &'a RunContext<'a>,
     pub model: &'a Model,
@@ -78,6 +77,8 @@ impl<'a> Step<'a> {
         let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
         let speed_ratio =
             if before > 0.0 { (model.travel_at(state.time + dt) - state.travel) / (before * dt) } else { 1.0 };
+        // v₀ of friction is a share of the process speed, which is at least one thickness per run.
+        let least_speed = model.speed.max(model.blank.thickness / model.duration);
         let (flow_points, elastoplastic_points) = match model.mode {
             Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around, &bends), Grid::default()),
             _ => (Grid::default(), elastoplastic_points(model, state, dt, &around)),
@@ -90,7 +91,7 @@ impl<'a> Step<'a> {
             process_time,
             number,
             speed_ratio,
-            slip_scale: slip_speed(model) * process_time,
+            slip_scale: model.settings.slip_speed * least_speed * process_time,
             rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
             half_thickness_difference: half_thickness_difference(&references, &state.thickness),
@@ -133,11 +134,6 @@ impl<'a> Step<'a> {
         let layered = self.context.rule.len() > 1;
         (0..self.bends.len()).filter(move |&e| layered && !self.bends[e])
     }
-}
-
-/// Regularisation speed v₀ of friction \[mm/s\]: a share of the process speed, which is at least one thickness per run.
-fn slip_speed(model: &Model) -> f64 {
-    model.settings.slip_speed * model.speed.max(model.blank.thickness / model.duration)
 }
 
 /// Flow around each thickness point: nonlocal mean of the last rates of the points at the same depth.
@@ -230,8 +226,10 @@ pub(super) fn half_thickness_difference(references: &[Reference], thickness: &[f
 }
 
 fn faces(references: &[Reference], state: &State) -> Vec<[f64; 2]> {
-    let elements = references.iter().zip(state.nodes.windows(2).zip(&state.thickness));
-    elements.map(|(reference, (pair, thickness))| reference.faces(pair[1][2] - pair[0][2], *thickness)).collect()
+    let face = |(e, reference): (usize, &Reference)| {
+        reference.faces(state.nodes[e + 1][2] - state.nodes[e][2], state.thickness[e])
+    };
+    references.iter().enumerate().map(face).collect()
 }
 
 /// Shear yield stress σ_y/√3 at the mean strain of each element \[MPa\].

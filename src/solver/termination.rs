@@ -73,7 +73,6 @@ impl Termination {
         (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
     }
 
-    /// Rules after the step from `before` to `state`.
     pub fn after(&self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Self {
         let mut now = Self { peak: self.peak.max(record.punch_force), ..self.clone() };
         if model.release.is_none() {

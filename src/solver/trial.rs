@@ -53,7 +53,6 @@ pub(super) struct Trial {
 }
 
 impl Trial {
-    /// Allocates for a run that begins with `state`.
     pub fn new(context: &RunContext, state: &State) -> Self {
         let (model, n) = (context.model, state.nodes.len());
         let constant = model.release == Some(ReleaseStiffness::Constant);
@@ -132,7 +131,6 @@ impl Trial {
         }
     }
 
-    /// Moves a share along the direction of the iteration.
     pub fn advance(&mut self, context: &RunContext, share: f64) {
         for (u, d) in self.moves.iter_mut().zip(&self.line.direction) {
             for k in 0..3 {

@@ -1,7 +1,7 @@
 //! Meridians made of known lines and arcs, and profiles of stress whose moment is known.
 
 use stampflow::measure::{Shape, moment_error, part_height, part_places};
-use stampflow::numerics::lobatto;
+use stampflow::numerics::quadrature::lobatto;
 use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
 /// A piece of a meridian: length \[mm\], turn \[°\], elements, and the last element's length over the first's.
@@ -236,7 +236,7 @@ fn places_lie_on_the_bends_and_legs_in_the_order_of_the_sheet() {
 
 /// One element with a stress over ξ.
 fn section(layers: usize, stress: impl Fn(f64) -> f64) -> Frame {
-    let layers = lobatto::rule(layers);
+    let layers = lobatto(layers);
     let point = |xi| PointRecord { stress_meridional: stress(xi), ..PointRecord::default() };
     let points = layers.iter().map(|layer| point(layer.xi)).collect();
     Frame { through: ThroughThickness { layers, points }, ..of_points(&[(10.0, 0.0), (11.0, 0.0)]) }

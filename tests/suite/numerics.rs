@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use stampflow::numerics::block_tridiagonal::{MAX_SHARED, System};
-use stampflow::numerics::lobatto::rule;
+use stampflow::numerics::quadrature::lobatto as rule;
 use stampflow::numerics::{Grid, PiecewiseLinear, bisect};
 
 /// Trust: √2 to the last digits, from either side; a bracket is 2^−n of the first.

@@ -167,10 +167,10 @@ fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
 #[test]
 fn plastic_moment_converges_with_the_layers() {
     use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::{Section, ThicknessIntegrand};
+    use stampflow::element::section::Section;
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
-    use stampflow::numerics::lobatto;
+    use stampflow::numerics::quadrature::lobatto;
 
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
@@ -179,16 +179,13 @@ fn plastic_moment_converges_with_the_layers() {
     let end = start.moved([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
     let error = |n: usize| {
-        let layers = lobatto::rule(n);
-        let section = Section { rule: &layers, slack_tension: 0.0, forces_alone: false };
-        let mut points = ThicknessIntegrand {
-            law: &rate_free(&hardening),
-            points: &vec![PointState::at(0.0); n],
-            iterates: &mut vec![Iterate::default(); n],
-            updates: &mut vec![StressUpdate::default(); n],
-        };
-        let internal = section.internal(&end, start.area() * t, t, &mut points);
-        (internal.force[5] / exact - 1.0).abs()
+        let layers = lobatto(n);
+        let law = rate_free(&hardening);
+        let section = Section { law: &law, rule: &layers, slack_tension: 0.0, forces_alone: false };
+        let points = vec![PointState::at(0.0); n];
+        let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![StressUpdate::default(); n]);
+        let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
+        (force[5] / exact - 1.0).abs()
     };
     let layers = [5, 7, 11, 21, 51];
     let errors = layers.map(error);
@@ -210,10 +207,10 @@ fn plastic_moment_converges_with_the_layers() {
 #[test]
 fn tension_that_bends_moves_the_neutral_fibre() {
     use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::{Section, ThicknessIntegrand};
+    use stampflow::element::section::Section;
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
-    use stampflow::numerics::midpoint_rule;
+    use stampflow::numerics::quadrature::midpoint;
 
     let (yield_stress, t, length, turn) = (200.0, 1.3, 0.8, 0.02);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
@@ -223,24 +220,20 @@ fn tension_that_bends_moves_the_neutral_fibre() {
     let none = StressUpdate::default();
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
-        let points = midpoint_rule::rule(n);
-        let section = Section { rule: &points, slack_tension: 0.0, forces_alone: false };
+        let points = midpoint(n);
+        let section = Section { law: &point, rule: &points, slack_tension: 0.0, forces_alone: false };
         let (mut tension, mut moment) = (0.0_f64, 0.0_f64);
         for i in 0..=100 {
             let tau = 0.005 * f64::from(i);
             let stretch = length * ((0.5 * t * tau * turn / length).exp() - 1.0);
             let end = start.moved([0.0, 0.0, -0.5 * turn], [stretch, 0.0, 0.5 * turn]).expect("sound");
-            let mut points = ThicknessIntegrand {
-                law: &point,
-                points: &vec![PointState::at(0.0); n],
-                iterates: &mut vec![Iterate::default(); n],
-                updates: &mut vec![none; n],
-            };
-            let internal = section.internal(&end, start.area() * t, t, &mut points);
+            let points = vec![PointState::at(0.0); n];
+            let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![none; n]);
+            let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
             // The force is that of the section as it is drawn out.
-            let found = internal.force[3] * (length + stretch) / length / (s * t);
+            let found = force[3] * (length + stretch) / length / (s * t);
             tension = tension.max((found - tau).abs());
-            moment = moment.max((internal.force[5] / (s * t * t / 4.0) - (1.0 - tau * tau)).abs());
+            moment = moment.max((force[5] / (s * t * t / 4.0) - (1.0 - tau * tau)).abs());
         }
         [tension, moment]
     };

@@ -6,7 +6,7 @@ use crate::common::shipped::{before_the_neck, shipped, solve};
 use crate::common::simple;
 use stampflow::case;
 use stampflow::element::kinematics::Reference;
-use stampflow::element::section::{Section, ThicknessIntegrand};
+use stampflow::element::section::Section;
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
@@ -14,7 +14,7 @@ use stampflow::material::{Elastic, Hardening, Material, YieldCriterion};
 use stampflow::measure::{CutRing, Shape};
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::numerics::lobatto;
+use stampflow::numerics::quadrature::{ThicknessPoint, lobatto};
 use stampflow::solver::solution::StageSolution;
 use stampflow::solver::{self, run};
 use std::f64::consts::TAU;
@@ -29,13 +29,13 @@ const LENGTH: f64 = 0.7;
 /// A plane-strain element that is strained step by step.
 struct Strip {
     points: Vec<Carried>,
-    layers: Vec<lobatto::ThicknessPoint>,
+    layers: Vec<ThicknessPoint>,
 }
 
 impl Strip {
     fn new(layers: usize) -> Self {
         let point = Carried { temperature: ROOM_TEMPERATURE, ..Carried::default() };
-        Self { points: vec![point; layers], layers: lobatto::rule(layers) }
+        Self { points: vec![point; layers], layers: lobatto(layers) }
     }
 
     /// Adds a membrane strain and a curvature [1/mm]; the force and the moment per mm of depth that go with them. The
@@ -61,15 +61,13 @@ impl Strip {
         }
         let mut trials = vec![Trial::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
-        let section = Section { rule: &self.layers, slack_tension: 0.0, forces_alone: false };
-        let mut points =
-            ThicknessIntegrand { law: &point, points: &self.points, iterates: &mut trials, updates: &mut responses };
-        let internal = section.internal(&end, start.area() * T, T, &mut points);
+        let section = Section { law: &point, rule: &self.layers, slack_tension: 0.0, forces_alone: false };
+        let (force, _) = section.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;
             at.strain += response.increment;
         }
-        [internal.force[3] * strain.exp(), internal.force[5]]
+        [force[3] * strain.exp(), force[5]]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use stampflow::material::Elastic;
 use stampflow::measure::{CutRing, Ring};
-use stampflow::numerics::lobatto;
+use stampflow::numerics::quadrature::{ThicknessPoint, lobatto};
 use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use std::f64::consts::TAU;
 
@@ -66,7 +66,7 @@ fn the_share_of_curling_is_that_of_the_shell_equation() {
 /// A wall of eight elements of 3 mm that goes from its bottom along the punch travel, or against it, leaning by an angle [rad];
 /// stress σ = c ζ in the hoop and half of it along, tension outside.
 fn wall(towards: f64, lean: f64, slope: f64) -> Frame {
-    let layers = lobatto::rule(9);
+    let layers = lobatto(9);
     let at = |i: usize| {
         let way = 3.0 * i as f64;
         NodeRecord { r: R + way * lean.sin(), z: towards * way * lean.cos(), theta: 0.0, thickness: T }
@@ -80,7 +80,7 @@ fn wall(towards: f64, lean: f64, slope: f64) -> Frame {
     };
     let elements: Vec<ElementRecord> = (0..8).map(element).collect();
     // The layers run towards the punch's face: inward in a wall whose rim lies behind the punch.
-    let point = |layer: &lobatto::ThicknessPoint| {
+    let point = |layer: &ThicknessPoint| {
         let outward = 0.5 * T * layer.xi * towards;
         PointRecord { stress_hoop: slope * outward, stress_meridional: 0.5 * slope * outward, ..PointRecord::default() }
     };

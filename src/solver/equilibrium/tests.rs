@@ -3,14 +3,70 @@
 use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
-use crate::material::{Elastic, Gtn, Hill48, Rate, ThermalLaw};
-use crate::model::{Bead, Face, Gas, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role, Tool};
+use crate::material::hardening::Swift;
+use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
+use crate::model::{
+    Bead, Blank, Edge, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
+    Settings, Tool,
+};
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
 use crate::solver::run;
 use crate::solver::run_context::RunContext;
 use crate::solver::state::State;
-use crate::solver::test_model::{NEWTON, bare, with_step};
 use nalgebra::Vector3;
+
+/// A blank of so many elements without tools, solved with Newton's matrix.
+pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, elements: usize) -> Model {
+    Model {
+        title: "test".into(),
+        notes: vec![],
+        geometry,
+        depth: None,
+        blank: Blank {
+            length,
+            thickness,
+            elements,
+            grading: Grading::Uniform,
+            theory,
+            layers: if theory == Theory::Membrane { 1 } else { 5 },
+            rule: Default::default(),
+            edge: Edge::Free,
+        },
+        material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
+        tools: vec![],
+        beads: vec![],
+        gas: vec![],
+        heat: None,
+        travel: 1.0,
+        schedule: None,
+        speed: 1.0,
+        duration: 1.0,
+        stop: Default::default(),
+        timed: true,
+        frames: vec![1.0],
+        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
+        mode: Mode::default(),
+        release: None,
+        forming_limit: None,
+    }
+}
+
+pub const NEWTON: Linearisation =
+    Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
+
+/// Calls `test` with the second step of a run from `state` and a predicted trial.
+pub fn with_step<T>(
+    model: &Model,
+    state: &State,
+    (dt, from_rest): (f64, bool),
+    test: impl FnOnce(&Step, &mut Trial, &mut Evaluation) -> T,
+) -> T {
+    let context = RunContext::new(model, state);
+    let step = Step::new(&context, state, dt, 2);
+    let (mut trial, mut evaluation) = (Trial::new(&context, state), Evaluation::new(&context, state));
+    trial.predict(&step, from_rest);
+    test(&step, &mut trial, &mut evaluation)
+}
 
 /// A cup with every load: tools, springs, bead and gas.
 fn model(geometry: Geometry, theory: Theory) -> Model {
@@ -60,9 +116,10 @@ fn matrix_is_the_derivative_of_the_residual() {
     }
 }
 
-/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C.
+/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C, and for the elastoplastic law with
+/// back-stresses that do not fade, on a sheet whose volume has changed.
 #[test]
-fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
+fn matrix_of_other_metals_is_the_derivative_of_the_residual() {
     for theory in [Theory::Bending, Theory::Membrane] {
         let mut voided = model(Geometry::Axisymmetric, theory);
         voided.material.gtn = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.03) });
@@ -73,21 +130,13 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
         let state = formed(&voided);
         assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);
-    }
-}
-
-/// Trust: as above, for the elastoplastic law with back-stresses that do not fade, on a sheet whose volume has changed.
-#[test]
-fn matrix_of_an_elastoplastic_sheet_is_the_derivative_of_the_residual() {
-    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
-        for theory in [Theory::Bending, Theory::Membrane] {
+        for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
             let mut elastoplastic = model(geometry, theory);
             elastoplastic.mode = Mode::ElastoViscoplastic;
             elastoplastic.material.elastic = Some(Elastic { young: 70_000.0, poisson: 0.33 });
             elastoplastic.material.chaboche[0].modulus = 300.0;
             let state = formed(&elastoplastic);
-            let most = state.dilation.iter().fold(0.0, |most: f64, dilation| most.max(dilation.abs()));
-            assert!(most > 1e-4, "{geometry:?}, {theory:?}: {most}");
+            assert!(state.dilation.iter().any(|dilation| dilation.abs() > 1e-4), "{geometry:?}, {theory:?}");
             check(&elastoplastic, &state);
         }
     }
@@ -105,21 +154,21 @@ fn unknown<'t>(trial: &'t mut Trial, context: &RunContext, k: usize) -> &'t mut 
     }
 }
 
-/// Column of an unknown in the matrix.
 fn column(system: &System, k: usize) -> Vec<f64> {
     let n = system.diagonal.len();
     let (j, d) = (k / 3, k % 3);
-    let block = |i: usize| match i {
+    let block = |i: usize| match i.wrapping_sub(j) {
         _ if k >= 3 * n => system.columns[i][k - 3 * n],
-        _ if i == j => system.diagonal[i].column(d).into_owned(),
-        _ if i == j + 1 => system.lower[i].column(d).into_owned(),
-        _ if i + 1 == j => system.upper[i].column(d).into_owned(),
+        0 => system.diagonal[i].column(d).into_owned(),
+        1 => system.lower[i].column(d).into_owned(),
+        usize::MAX => system.upper[i].column(d).into_owned(),
         _ => Vector3::zeros(),
     };
     let border = |s: usize| if k < 3 * n { system.rows[j][s][d] } else { system.corner[(s, k - 3 * n)] };
     (0..n).flat_map(|i| <[f64; 3]>::from(block(i))).chain((0..MAX_SHARED).map(border)).collect()
 }
 
+/// Compares every column of the matrix with central differences of the residual, off equilibrium.
 fn check(model: &Model, state: &State) {
     with_step(model, state, (0.05, false), |step, trial, evaluation| {
         for (i, x) in trial.moves.iter_mut().enumerate() {
@@ -132,7 +181,6 @@ fn check(model: &Model, state: &State) {
     });
 }
 
-/// Compares every column of the matrix with central differences of the residual.
 fn compare(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
     let context = step.context;
     // A velocity norm of zero: H is the derivative only without the membrane's least tension.

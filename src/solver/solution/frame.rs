@@ -2,7 +2,7 @@
 
 use crate::geometry::Point;
 use crate::model::Model;
-use crate::numerics::lobatto::ThicknessPoint;
+use crate::numerics::quadrature::ThicknessPoint;
 use crate::solver::state::{MaterialPoint, State};
 
 /// Element at one instant.

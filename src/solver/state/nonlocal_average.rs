@@ -17,18 +17,9 @@ pub struct NonlocalAverage {
     ends: Vec<f64>,
     /// Half the window \[mm\].
     reach: f64,
-    /// Ends of each window; empty for an element longer than it.
-    spans: Vec<[Place; 2]>,
-}
-
-/// A position on the sheet, or on its mirror image beyond the axis.
-#[derive(Clone, Copy, Debug, Default)]
-struct Place {
-    element: usize,
-    /// Distance from the element's first node \[mm\].
-    beyond: f64,
-    /// Length from the axis \[mm\]; negative on the mirror image.
-    at: f64,
+    /// Element at each end of a window, and length from the axis \[mm\], negative on the mirror image; no window for an element
+    /// longer than it.
+    spans: Vec<[(usize, f64); 2]>,
 }
 
 impl NonlocalAverage {
@@ -40,26 +31,15 @@ impl NonlocalAverage {
 
     fn over(lengths: impl Iterator<Item = f64>, reach: f64) -> Self {
         let ends = summed(lengths);
-        let last = ends.len() - 2;
-        let whole = ends[last + 1];
-        let find = |at: f64, element: &mut usize| {
-            let distance = at.abs();
-            while *element < last && ends[*element + 1] <= distance {
-                *element += 1;
-            }
-            while ends[*element] > distance {
-                *element -= 1;
-            }
-            Place { element: *element, beyond: distance - ends[*element], at }
-        };
-        let (mut low, mut high) = (0, 0);
+        let whole = ends[ends.len() - 1];
+        let inner = &ends[1..ends.len() - 1];
+        let place = |at: f64| (inner.partition_point(|end| *end <= at.abs()), at);
         let span = |pair: &[f64]| {
             let middle = 0.5 * (pair[0] + pair[1]);
-            if pair[1] - middle >= reach {
-                return [Place::default(); 2];
+            match pair[1] - middle >= reach {
+                true => [(0, 0.0); 2],
+                false => [place((middle - reach).max(-whole)), place(whole.min(middle + reach))],
             }
-            let from = (middle - reach).max(-whole);
-            [find(from, &mut low), find(whole.min(middle + reach), &mut high)]
         };
         Self { spans: ends.windows(2).map(span).collect(), ends, reach }
     }
@@ -72,13 +52,13 @@ impl NonlocalAverage {
     /// Mean of a value per element over each window; the sheet is mirrored at the axis and ends at the edge.
     pub fn means(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
         let sums = summed(self.ends.windows(2).enumerate().map(|(e, pair)| (pair[1] - pair[0]) * of(e)));
-        let up_to = |place: &Place| {
-            let sum = sums[place.element] + place.beyond * of(place.element);
-            if place.at < 0.0 { -sum } else { sum }
+        let up_to = |element: usize, at: f64| {
+            let sum = sums[element] + (at.abs() - self.ends[element]) * of(element);
+            if at < 0.0 { -sum } else { sum }
         };
-        let mean = |(e, [from, to]): (usize, &[Place; 2])| {
-            let length = to.at - from.at;
-            if length > 0.0 { (up_to(to) - up_to(from)) / length } else { of(e) }
+        let mean = |(e, [from, to]): (usize, &[(usize, f64); 2])| {
+            let length = to.1 - from.1;
+            if length > 0.0 { (up_to(to.0, to.1) - up_to(from.0, from.1)) / length } else { of(e) }
         };
         self.spans.iter().enumerate().map(mean).collect()
     }
@@ -100,26 +80,24 @@ fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::NonlocalAverage;
     use approx::assert_relative_eq;
-
-    fn windows(lengths: &[f64], reach: f64) -> NonlocalAverage {
-        NonlocalAverage::over(lengths.iter().copied(), reach)
-    }
 
     /// Trust: 1.5 mm on either side of the middle of an element of 1 mm are itself and its two neighbours; half of the
     /// second one's neighbour on the axis is its own mirror image.
     #[test]
     fn the_mean_is_that_of_the_length_within_reach() {
-        let thickness = [1.0, 0.7, 1.2];
-        assert_eq!(windows(&[2.0; 3], 1.0).section_thickness(&thickness), thickness);
         let values = [4.0, 1.0, 7.0, 2.0];
-        let near = windows(&[1.0; 4], 1.5);
-        for (e, mean) in [(1, (4.0 + 1.0 + 7.0) / 3.0), (0, (4.0 + 4.0 + 1.0) / 3.0), (3, (2.0 + 7.0) / 2.0)] {
-            assert_relative_eq!(near.means(|k| values[k])[e], mean, max_relative = 1e-14);
+        let unequal = 0.25 * 4.0 + 0.5 + 0.25 * 7.0;
+        for (lengths, reach, e, mean) in [
+            ([2.0; 4], 1.0, 2, 7.0),
+            ([1.0; 4], 1.5, 1, (4.0 + 1.0 + 7.0) / 3.0),
+            ([1.0; 4], 1.5, 0, (4.0 + 4.0 + 1.0) / 3.0),
+            ([1.0; 4], 1.5, 3, (2.0 + 7.0) / 2.0),
+            ([2.0, 1.0, 2.0, 1.0], 1.0, 1, unequal),
+        ] {
+            let windows = NonlocalAverage::over(lengths.into_iter(), reach);
+            assert_relative_eq!(windows.means(|k| values[k])[e], mean, max_relative = 1e-14);
         }
-        let unequal = windows(&[2.0, 1.0, 2.0, 1.0], 1.0);
-        assert_relative_eq!(unequal.means(|k| values[k])[1], 0.25 * 4.0 + 0.5 + 0.25 * 7.0, max_relative = 1e-14);
-        assert_relative_eq!(unequal.own_share(1), 0.5);
     }
 }

@@ -11,7 +11,6 @@ pub fn closing_force(step: &Step) -> f64 {
     beads.map(|(place, bead)| place.map_or(0.0, |place| place.length * bead.closing)).sum()
 }
 
-/// Adds the forces of the beads and their matrix.
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let system = &mut out.system;
     for (acting, (place, bead)) in out.bead_force.iter_mut().zip(step.beads.iter().zip(&step.model.beads)) {

@@ -16,7 +16,6 @@ use crate::solver::state::waiting_displacement;
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
-/// Adds the equations of pressed tools and their matrix.
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let (context, model) = (step.context, step.model);
     let closing = bead::closing_force(step);

@@ -5,4 +5,3 @@ pub mod contact;
 pub mod gas;
 pub mod holder;
 pub mod sheet;
-pub mod unloading;

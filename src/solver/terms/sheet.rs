@@ -2,7 +2,7 @@
 
 use crate::element::Node;
 use crate::element::kinematics::{EPS_S, EPS_T};
-use crate::element::section::{Internal, Section, ThicknessIntegrand};
+use crate::element::section::Section;
 use crate::element::surface::STATIONS;
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
@@ -42,7 +42,6 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     add_elements(step, &law, &step.flow_points, &mut trial.iterates, &trial.moves, at, out)
 }
 
-/// Adds the elements by the law of their points.
 fn add_elements<L: PointLaw>(
     step: &Step,
     law: &L,
@@ -53,6 +52,7 @@ fn add_elements<L: PointLaw>(
     out: &mut Evaluation,
 ) -> bool {
     let section = Section {
+        law,
         rule: &step.context.rule,
         slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0),
         forces_alone: at.residual_alone,
@@ -65,8 +65,8 @@ fn add_elements<L: PointLaw>(
             *rows = current.strain_displacement().fixed_rows::<2>(EPS_S).into_owned();
         }
         let (points, iterates, updates) = (points.row(e), iterates.row_mut(e), out.updates.row_mut(e));
-        let mut integrand = ThicknessIntegrand { law, points, iterates, updates };
-        let Internal { force, matrix } = section.internal(&current, step.volume[e], step.section[e], &mut integrand);
+        let (volume, thickness) = (step.volume[e], step.section[e]);
+        let (force, matrix) = section.internal(&current, volume, thickness, points, iterates, updates);
         let thickness = step.growth[e] * step.state.thickness[e] * (-stretch[0] - stretch[1]).exp();
         out.thickness[e] = thickness;
         out.thickness_rows[e] = current.stretch_rows() * -thickness;

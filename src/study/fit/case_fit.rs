@@ -1,7 +1,7 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Estimate, estimates, table};
-use crate::numerics::least_squares::{Ended, Limits, Parameter, minimise};
+use crate::numerics::least_squares::{Ended, Parameter, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
 use crate::results::comparison::{Computed, Point};
@@ -38,7 +38,8 @@ pub struct CaseFit {
     pub report: StudyReport,
 }
 
-const LIMITS: Limits = Limits { steps: 25, change: 1e-6 };
+const MOST_STEPS: usize = 25;
+const LEAST_CHANGE: f64 = 1e-6;
 /// Half of a central difference over the range: wide enough for the noise of single increments \[–\].
 const DIFFERENCE: f64 = 0.01;
 
@@ -144,7 +145,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
         });
         if all.len() < points.len() { Vec::new() } else { all }
     };
-    let minimum = minimise(&request.parameters, &mut run_all, LIMITS)
+    let minimum = minimise(&request.parameters, &mut run_all, MOST_STEPS, LEAST_CHANGE)
         .ok_or_else(|| StudyError::new("the fit was ended before its first step", "let it run"))?;
     if let Ended::Blind(j) = minimum.ended {
         let (key, value) = (&request.variables[j].key, minimum.values[j]);

@@ -5,7 +5,7 @@ use super::flow_curve::{FlowCurve, FlowPoint};
 use super::law::{HardeningKind, ParameterRange};
 use crate::material::hardening::Hardening;
 use crate::material::rate::{PowerRate, Rate};
-use crate::numerics::least_squares::{Limits, Parameter, minimise};
+use crate::numerics::least_squares::{Parameter, minimise};
 use crate::study::error::ensure;
 use crate::study::{StudyError, fail};
 use std::cmp::Ordering;
@@ -50,7 +50,8 @@ pub struct Direction {
     pub(super) r: Option<(f64, f64)>,
 }
 
-const LIMITS: Limits = Limits { steps: 200, change: 1e-9 };
+const MOST_STEPS: usize = 200;
+const LEAST_CHANGE: f64 = 1e-9;
 const FOLLOWED: usize = 3;
 /// Half of a central difference over the parameter \[–\].
 const DIFFERENCE: f64 = 1e-5;
@@ -135,8 +136,10 @@ impl LawFit {
             .collect();
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut all = |points: &[Vec<f64>]| points.iter().map(residuals).collect::<Vec<_>>();
-        let minima =
-            starts.iter().take(FOLLOWED).filter_map(|(_, start)| Some((minimise(start, &mut all, LIMITS)?, start)));
+        let minima = starts
+            .iter()
+            .take(FOLLOWED)
+            .filter_map(|(_, start)| Some((minimise(start, &mut all, MOST_STEPS, LEAST_CHANGE)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
         let solved = best.and_then(|(minimum, start)| Some((laws(&minimum.values)?, minimum, start)));
         let Some(((hardening, rate), minimum, parameters)) = solved else {

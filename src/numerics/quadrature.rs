@@ -1,4 +1,4 @@
-//! Gauss-Lobatto rules through the thickness, with points on both faces, where bending yields first.
+//! Rules through the thickness: Gauss-Lobatto's, with points on both faces, where bending yields first, and equal parts.
 
 /// A point of integration through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct ThicknessPoint {
 ///
 /// # References
 /// M. Abramowitz, I. Stegun, Handbook of Mathematical Functions (1964), 25.4.32.
-pub fn rule(n: usize) -> Vec<ThicknessPoint> {
+pub fn lobatto(n: usize) -> Vec<ThicknessPoint> {
     if n < 2 {
         return vec![ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
     }
@@ -37,6 +37,12 @@ pub fn rule(n: usize) -> Vec<ThicknessPoint> {
             ThicknessPoint { xi: x, weight: 1.0 / (degree * n as f64 * p * p), half: 0.0 }
         })
         .collect()
+}
+
+/// Middles of `n` equal parts of the thickness, for laws that integrate over a part.
+pub fn midpoint(n: usize) -> Vec<ThicknessPoint> {
+    let weight = 1.0 / n as f64;
+    (0..n).map(|i| ThicknessPoint { xi: (2 * i + 1) as f64 * weight - 1.0, weight, half: weight }).collect()
 }
 
 /// P_n(x) and P_{n−1}(x) by the three-term recurrence.
