@@ -1,6 +1,7 @@
 //! Strain paths held against a curve.
 
 use super::{Curve, Paths};
+use nalgebra::Vector2;
 
 /// Largest distance of a straight path from the line between its ends, over that line's length \[–\], a convention.
 pub const CROOKED: f64 = 0.1;
@@ -139,19 +140,16 @@ fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Rea
 }
 
 fn crookedness(path: &[[f64; 2]]) -> f64 {
-    let (start, end) = (path[0], path[path.len() - 1]);
-    let along = [end[0] - start[0], end[1] - start[1]];
-    let length = along[0].hypot(along[1]);
-    let longest = path.iter().map(|p| (p[0] - start[0]).hypot(p[1] - start[1])).fold(0.0, f64::max);
-    if longest < SHORTEST {
+    let from_start = |p: &[f64; 2]| Vector2::new(p[0] - path[0][0], p[1] - path[0][1]);
+    let along = from_start(&path[path.len() - 1]);
+    let length = along.norm();
+    if path.iter().map(|p| from_start(p).norm()).fold(0.0, f64::max) < SHORTEST {
         return 0.0;
     }
     let distance = |p: &[f64; 2]| {
-        let from = [p[0] - start[0], p[1] - start[1]];
         // The nearest point of the line itself, so that a way there and back counts.
-        let share = (from[0] * along[0] + from[1] * along[1]) / (length * length).max(f64::MIN_POSITIVE);
-        let share = share.clamp(0.0, 1.0);
-        (from[0] - share * along[0]).hypot(from[1] - share * along[1])
+        let share = from_start(p).dot(&along) / (length * length).max(f64::MIN_POSITIVE);
+        (from_start(p) - share.clamp(0.0, 1.0) * along).norm()
     };
     path.iter().map(distance).fold(0.0, f64::max) / length.max(SHORTEST)
 }

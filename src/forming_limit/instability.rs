@@ -10,7 +10,6 @@
 
 use super::plane::Plane;
 use super::{Curve, Kind, Sheet};
-use crate::material::FlowStress;
 use crate::material::law::LawError;
 use crate::numerics::bisect;
 use crate::units::{Amount, Digits};
@@ -24,49 +23,28 @@ const STEP: f64 = 1e-3;
 /// # Errors
 /// When the law has no maximum of the force, or begins with it.
 pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
-    Hardened::new(sheet, None).limit(1.0)
+    limit(sheet, None, 1.0)
 }
 
-/// Bracket of the hardening curve in the search of one limit, for the next.
-struct Hardened<'a> {
-    sheet: &'a Sheet<'a>,
-    /// Exponent of a power law in place of the sheet's own \[–\].
-    n: Option<f64>,
-    /// The flow stress at every [`STEP`] of strain, from the first on.
-    steps: Vec<FlowStress>,
-}
-
-impl<'a> Hardened<'a> {
-    fn new(sheet: &'a Sheet<'a>, n: Option<f64>) -> Self {
-        Self { sheet, n, steps: Vec::new() }
+/// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
+fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, LawError> {
+    if let Some(n) = n {
+        return Ok(power_law(n, 0.0, loss));
     }
-
-    /// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
-    fn limit(&mut self, loss: f64) -> Result<f64, LawError> {
-        if let Some(n) = self.n {
-            return Ok(power_law(n, 0.0, loss));
-        }
-        let sheet = self.sheet;
-        let holds = |law: FlowStress| law.slope > loss * law.stress;
-        let stable = |strain: f64| holds(sheet.hardening(strain));
-        if !stable(1e-6) {
-            let help = "give points, or marciniak_kuczynski where a rate law holds the sheet together";
-            return Err(LawError::new("the hardening law hardly hardens: its force falls from the start", help));
-        }
-        let steps = (LARGEST / STEP) as usize;
-        let mut at = |i: usize| {
-            if self.steps.len() < i {
-                self.steps.push(sheet.hardening(STEP * i as f64));
-            }
-            self.steps[i - 1]
-        };
-        let Some(i) = (1..=steps).find(|&i| !holds(at(i))) else {
-            let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
-            return Err(LawError::new(what, "give n, or points"));
-        };
-        let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
-        Ok(0.5 * (low + high))
+    let stable = |strain: f64| {
+        let law = sheet.hardening(strain);
+        law.slope > loss * law.stress
+    };
+    if !stable(1e-6) {
+        let help = "give points, or marciniak_kuczynski where a rate law holds the sheet together";
+        return Err(LawError::new("the hardening law hardly hardens: its force falls from the start", help));
     }
+    let Some(i) = (1..=(LARGEST / STEP) as usize).find(|i| !stable(STEP * *i as f64)) else {
+        let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
+        return Err(LawError::new(what, "give n, or points"));
+    };
+    let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
+    Ok(0.5 * (low + high))
 }
 
 /// The limit n/H − ε₀ of σ = K (ε₀ + ε̄)^n in closed form \[–\].
@@ -159,10 +137,10 @@ fn curve(
     what: &str,
     loss: impl Fn(&Proportional) -> f64,
 ) -> Result<Curve, LawError> {
-    let (plane, mut hardened) = (Plane::of(sheet.material), Hardened::new(sheet, n));
+    let plane = Plane::of(sheet.material);
     let point = |beta: f64| {
         let path = Proportional::new(plane, beta);
-        let strain = hardened.limit(loss(&path))?;
+        let strain = limit(sheet, n, loss(&path))?;
         Ok([path.strain[1] * strain, path.strain[0] * strain])
     };
     let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;

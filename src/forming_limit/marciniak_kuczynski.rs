@@ -17,7 +17,7 @@ use super::plane::Plane;
 use super::{Curve, Kind, Sheet};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits};
-use groove::{Failure, Groove};
+use groove::Groove;
 use std::ops::RangeInclusive;
 
 mod groove;
@@ -25,27 +25,23 @@ mod groove;
 /// Grooves that make sense \[–\]: nearer to 1 a step cannot tell them from none.
 const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
 
-/// A groove of `imperfection` times the sheet's thickness takes over.
-///
-/// Valid for straight strain paths; by Hill's condition with r̄ below 1 it ends in plane strain: beyond it is too high.
-/// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MarciniakKuczynski {
-    /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
-    #[serde(default = "imperfection", with = "As::<Fraction>")]
-    pub imperfection: f64,
-    /// Strain rate of the sheet \[1/s\]; 1 /s when not given, an assumption. A power law of the rate does not feel it.
-    #[serde(default = "strain_rate", with = "As::<Positive<StrainRate>>")]
-    pub strain_rate: f64,
+parameters! {
+    /// A groove of `imperfection` times the sheet's thickness takes over.
+    ///
+    /// Valid for straight strain paths; by Hill's condition with r̄ below 1 it ends in plane strain: beyond it is too high.
+    /// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
+    pub struct MarciniakKuczynski {
+        /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
+        #[serde(default = "imperfection")]
+        pub imperfection: "As::<Fraction>" = 0.995,
+        /// Strain rate of the sheet \[1/s\]; 1 /s when not given, an assumption. A power law of the rate does not feel it.
+        #[serde(default = "one")]
+        pub strain_rate: "As::<Positive<StrainRate>>" = "1 /s",
+    }
 }
 
 fn imperfection() -> f64 {
     MarciniakKuczynski::IMPERFECTION
-}
-
-fn strain_rate() -> f64 {
-    MarciniakKuczynski::STRAIN_RATE
 }
 
 /// A point of the curve, and the groove that made it.
@@ -65,9 +61,9 @@ impl MarciniakKuczynski {
     /// ε̄̇ where none is given \[1/s\]: an assumption, of the size that mechanical presses make.
     pub const STRAIN_RATE: f64 = 1.0;
     /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\], a usual convention.
-    pub const CRITICAL: f64 = groove::CRITICAL;
+    pub const CRITICAL: f64 = 10.0;
     /// Largest equivalent strain that is searched \[–\].
-    pub const LARGEST: f64 = groove::LARGEST;
+    pub const LARGEST: f64 = 4.0;
     /// Steps of equivalent strain, halved until two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
     const STEPS: [f64; 5] = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4];
     const AGREEMENT: f64 = 2e-3;
@@ -92,15 +88,11 @@ impl MarciniakKuczynski {
             .map(|beta| self.limit(sheet, beta))
             .collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
-        let law = match sheet.material.rate {
-            Some(_) => format!(
-                "the hardening law of the sheet at a strain rate of {rate} 1/s",
-                rate = Amount::norm(self.strain_rate)
-            ),
-            None => "the hardening law of the sheet".into(),
-        };
+        let rate = sheet.material.rate.map(|_| format!(" at a strain rate of {} 1/s", Amount::norm(self.strain_rate)));
         let note = format!(
-            "Forming limit: Marciniak and Kuczyński with f₀ = {groove} (an assumption unless it was fitted), by {law}; necked where the groove strains {times} times as fast.",
+            "Forming limit: Marciniak and Kuczyński with f₀ = {groove} (an assumption unless it was fitted), by the hardening \
+             law of the sheet{}; necked where the groove strains {times} times as fast.",
+            rate.unwrap_or_default(),
             groove = Amount::number(self.imperfection).to(Digits::Given(6)),
             times = Amount::number(Self::CRITICAL)
         );
@@ -117,7 +109,7 @@ impl MarciniakKuczynski {
         let path = Proportional::new(Plane::of(sheet.material), beta);
         let mut before = f64::NAN;
         for step in Self::STEPS {
-            let Some(strain) = self.strain_at(sheet, beta, angle, step)? else {
+            let Some(strain) = Groove::new(*self, sheet, beta, angle).neck(step)? else {
                 let most = Self::LARGEST;
                 let what =
                     format!("no groove necks below an equivalent strain of {most}, at a strain ratio of {beta:.3}");
@@ -135,8 +127,10 @@ impl MarciniakKuczynski {
 
     /// The groove that necks first.
     fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LawError> {
-        let step = Self::STEPS[0];
-        let at = |angle: f64| self.strain_at(sheet, beta, angle, step).map(|strain| strain.unwrap_or(f64::INFINITY));
+        let at = |angle: f64| {
+            let strain = Groove::new(*self, sheet, beta, angle).neck(Self::STEPS[0])?;
+            Ok::<f64, LawError>(strain.unwrap_or(f64::INFINITY))
+        };
         let apart = Self::STEEPEST / Self::ANGLES as f64;
         let mut best = (f64::INFINITY, 0.0);
         for i in 0..=Self::ANGLES {
@@ -151,17 +145,5 @@ impl MarciniakKuczynski {
             if at(low + third)? < at(high - third)? { high -= third } else { low += third }
         }
         Ok(0.5 * (low + high))
-    }
-
-    /// Equivalent strain of the sheet when the groove necks; `None` beyond [`Self::LARGEST`].
-    fn strain_at(&self, sheet: &Sheet, beta: f64, angle: f64, step: f64) -> Result<Option<f64>, LawError> {
-        let groove = Groove::new(self.imperfection, self.strain_rate, sheet, beta, angle);
-        groove.neck(step).map_err(|Failure { strain, ratio }| {
-            let what = format!(
-                "the groove's equations have no solution beyond an equivalent strain of {strain:.4}, where it strains {ratio:.1} \
-                 times as fast as the sheet, at a strain ratio of {beta:.3}"
-            );
-            LawError::new(what, "use hill or points; an imperfection nearer to 1 may help")
-        })
     }
 }

@@ -14,21 +14,15 @@ pub struct Instant {
 /// The strains of a run, the first instant being its start and the last one its end.
 ///
 /// At most [`Paths::MOST`] instants are kept: beyond as many steps every second one, every fourth, and so on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paths {
     /// Initial distance of the elements' middles from the axis \[mm\].
     pub s0: Vec<f64>,
     /// The kept instants, rising in time.
     pub instants: Vec<Instant>,
-    /// Stride of [`Self::stride`], and number of instants so far.
-    stride: usize,
+    /// Number of halvings of [`Self::stride`], and of instants so far.
+    halvings: u32,
     given: usize,
-}
-
-impl Default for Paths {
-    fn default() -> Self {
-        Self::starting(Vec::new())
-    }
 }
 
 impl Paths {
@@ -37,16 +31,16 @@ impl Paths {
 
     /// Paths without an instant, of elements at these initial distances from the axis \[mm\].
     pub fn starting(s0: Vec<f64>) -> Self {
-        Self { s0, instants: Vec::new(), stride: 1, given: 0 }
+        Self { s0, ..Self::default() }
     }
 
     /// Adds the instant after a step: it is the end until another one follows.
     pub fn record(&mut self, instant: Instant) {
-        if self.given > 0 && !(self.given - 1).is_multiple_of(self.stride) {
+        if self.given > 0 && !(self.given - 1).is_multiple_of(self.stride()) {
             self.instants.pop();
         }
         if self.instants.len() == Self::MOST {
-            self.stride *= 2;
+            self.halvings += 1;
             let mut number = 0..;
             self.instants.retain(|_| number.next().is_some_and(|i| i % 2 == 0));
         }
@@ -56,7 +50,7 @@ impl Paths {
 
     /// Every how many steps an instant is kept; the last one always is.
     pub fn stride(&self) -> usize {
-        self.stride
+        1 << self.halvings
     }
 
     /// The path of an element: minor and major strain at every instant, with the major direction of the end \[–\].

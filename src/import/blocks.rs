@@ -80,14 +80,14 @@ fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Pl
 pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>, ImportError> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();
-    let mut explosion = Explosion { drawing, blocks, open: Vec::new(), count: 0, placed: Vec::new() };
+    let mut explosion = Explosion { blocks, ..Explosion::default() };
     let identity = Placement { matrix: Matrix2::identity(), shift: Point::zeros() };
     explosion.entities(&drawing.entities, identity, None)?;
     Ok(explosion.placed)
 }
 
+#[derive(Default)]
 struct Explosion<'a> {
-    drawing: &'a Drawing,
     /// Blocks by their names in small letters.
     blocks: BTreeMap<String, &'a Block>,
     /// Blocks that are being placed, the innermost last.
@@ -101,9 +101,9 @@ impl<'a> Explosion<'a> {
     fn entities(&mut self, entities: &'a [Entity], outer: Placement, by: Option<&Source>) -> Result<(), ImportError> {
         for entity in entities {
             self.count(&entity.source)?;
-            let source = self.source(&entity.source, &outer, by);
-            let block = Some(&source).filter(|source| source.kind == "INSERT");
-            let block = block.and_then(|source| self.blocks.get(&source.block.to_lowercase()).copied());
+            let source = placed_source(&entity.source, &outer, by);
+            let name = Some(&source).filter(|source| source.kind == "INSERT").map(|source| source.block.to_lowercase());
+            let block = name.and_then(|name| self.blocks.get(&name).copied());
             let Some((block, inner)) = block.and_then(|block| Some((block, placements(entity, block.base)?))) else {
                 self.placed.push(Placed { source, entity, placement: outer });
                 continue;
@@ -133,22 +133,18 @@ impl<'a> Explosion<'a> {
         let what = format!("with its blocks the drawing has more than {ENTITIES} entities: {source} is one more");
         Err(source.error(what, "save the tools' layers only"))
     }
+}
 
-    /// Source of a placed entity, with the layer of its reference if it has none, or else the block's name as its layer.
-    fn source(&self, entity: &Source, placement: &Placement, by: Option<&Source>) -> Source {
-        let mut source = Source { at: placement.at(entity.at), ..entity.clone() };
-        if let Some(by) = by {
-            source.on_paper |= by.on_paper;
-            if source.layer == NO_LAYER {
-                source.layer.clone_from(if by.layer == NO_LAYER { &by.block } else { &by.layer });
-            }
-            if source.kind != "INSERT" {
-                source.block.clone_from(&by.block);
-            }
-        }
-        if matches!(source.line_type.to_uppercase().as_str(), "" | "BYLAYER") {
-            source.line_type = self.drawing.line_types.get(&source.layer).cloned().unwrap_or_default();
-        }
-        source
+/// Source of a placed entity, with the layer of its reference if it has none, or else the block's name as its layer.
+fn placed_source(entity: &Source, placement: &Placement, by: Option<&Source>) -> Source {
+    let mut source = Source { at: placement.at(entity.at), ..entity.clone() };
+    let Some(by) = by else { return source };
+    source.on_paper |= by.on_paper;
+    if source.layer == NO_LAYER {
+        source.layer.clone_from(if by.layer == NO_LAYER { &by.block } else { &by.layer });
     }
+    if source.kind != "INSERT" {
+        source.block.clone_from(&by.block);
+    }
+    source
 }

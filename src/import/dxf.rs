@@ -6,7 +6,6 @@
 use super::ImportError;
 use crate::geometry::Point;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::fmt;
 
 /// Largest file \[bytes\].
@@ -20,9 +19,6 @@ const POINTS: usize = 1_000_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
 
-/// Code page 1252 from 0x80 to 0x9F; other characters are those of Unicode.
-const WINDOWS: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
-
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     /// $INSUNITS, or 0.
@@ -31,8 +27,6 @@ pub(super) struct Drawing {
     pub is_metric: bool,
     pub entities: Vec<Entity>,
     pub blocks: Vec<Block>,
-    /// Line type of each layer.
-    pub line_types: BTreeMap<String, String>,
 }
 
 #[derive(Debug, Default)]
@@ -56,8 +50,6 @@ pub(super) struct Source {
     pub on_paper: bool,
     /// Point of an entity that is no curve \[drawing units\].
     pub at: Point,
-    /// Empty for that of the layer.
-    pub line_type: String,
     /// Block that it is in or refers to; empty for others.
     pub block: String,
 }
@@ -158,7 +150,6 @@ impl Entity {
             match code {
                 2 if source.kind == "INSERT" => source.block = value.to_owned(),
                 5 => source.handle = value.to_owned(),
-                6 => source.line_type = value.to_owned(),
                 8 => source.layer = value.to_owned(),
                 10 => source.at.x = value.parse().unwrap_or(0.0),
                 20 => source.at.y = value.parse().unwrap_or(0.0),
@@ -170,7 +161,7 @@ impl Entity {
     }
 }
 
-/// Text of the file: UTF-8, or the Windows code page of older files.
+/// Text of the file: UTF-8, or Latin-1 in older files.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     if bytes.len() > LARGEST {
         let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
@@ -181,13 +172,9 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
         let help = "save the drawing as DXF in text form (ASCII), version R12 or later";
         return Err(ImportError::new(what, help));
     }
-    let windows = |byte: &u8| match byte {
-        0x80..=0x9f => WINDOWS.chars().nth(usize::from(byte - 0x80)).unwrap_or_default(),
-        _ => char::from(*byte),
-    };
     Ok(match std::str::from_utf8(bytes) {
         Ok(text) => text.trim_start_matches('\u{feff}').into(),
-        Err(_) => bytes.iter().map(windows).collect::<String>().into(),
+        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect::<String>().into(),
     })
 }
 
@@ -208,7 +195,7 @@ enum Part {
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     let mut drawing = Drawing::default();
     let (mut section, mut opens, mut is_dxf, mut last_line) = ("", false, false, 0);
-    let (mut variable, mut layer, mut part, mut counts) = ("", None, Part::Other, [0; 2]);
+    let (mut variable, mut part, mut counts) = ("", Part::Other, [0; 2]);
     let mut lines = text.lines().map(str::trim).enumerate();
     while let Some((i, code)) = lines.next() {
         let Some((_, value)) = lines.next() else { break };
@@ -228,11 +215,6 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
             ("HEADER", 9, name) => variable = name,
             ("HEADER", 70, unit) if variable == "$INSUNITS" => drawing.unit = whole(unit),
             ("HEADER", 70, system) if variable == "$MEASUREMENT" => drawing.is_metric = whole(system) == 1,
-            ("TABLES", 0, kind) => layer = (kind == "LAYER").then_some(""),
-            ("TABLES", 2, name) if layer == Some("") => layer = Some(name),
-            ("TABLES", 6, line_type) => {
-                drawing.line_types.extend(layer.map(|layer| (layer.to_owned(), line_type.to_owned())));
-            }
             ("BLOCKS", 0, "BLOCK") => {
                 drawing.blocks.push(Block::default());
                 part = Part::Block;

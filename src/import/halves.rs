@@ -12,25 +12,21 @@ pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<
     let (right, left): (Vec<Chain>, Vec<Chain>) = parts.partition(|part| is_right(&part.pieces[0].0));
     let mirrored = |part: &Chain| Chain::stroke(part.pieces().map(Piece::across_axis), part.source(0));
     let left: Vec<Chain> = left.iter().map(mirrored).collect();
-    match (right.is_empty(), left.is_empty()) {
-        (false, true) => join(right, tool, frame),
-        (true, false) => {
-            frame.note(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
-            join(left, tool, frame)
-        }
-        (true, true) => Err(ImportError::new(
-            format!("all of the {tool}'s line lies on the axis"),
-            "draw the side of the tool that meets the sheet; --axis says where the axis is",
-        )),
-        (false, false) => {
-            let chain = join(right, tool, frame)?;
-            // The notes of the right half are true of the left one too.
-            let image = join(left, tool, &frame.clone())?;
-            compare(&chain, &image, tool, frame)?;
-            frame.note(format!("both halves of the {tool} are drawn and are alike: the right one is used"));
-            Ok(chain)
-        }
+    if right.is_empty() && left.is_empty() {
+        let help = "draw the side of the tool that meets the sheet; --axis says where the axis is";
+        return Err(ImportError::new(format!("all of the {tool}'s line lies on the axis"), help));
     }
+    if right.is_empty() {
+        frame.note(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
+        return join(left, tool, frame);
+    }
+    let chain = join(right, tool, frame)?;
+    if !left.is_empty() {
+        // The notes of the right half are true of the left one too.
+        compare(&chain, &join(left, tool, &frame.clone())?, tool, frame)?;
+        frame.note(format!("both halves of the {tool} are drawn and are alike: the right one is used"));
+    }
+    Ok(chain)
 }
 
 /// Parts of a stroke on either side of the axis, without those along it; points within a joint's width are on the axis.

@@ -12,7 +12,7 @@ use std::fmt;
 /// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
 const WORDS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ToolId {
     /// Number of the operation; `None` for the only one and for layers without a number.
     pub operation: Option<u32>,

@@ -34,7 +34,6 @@ pub use options::{DrawingUnit, Heading, Options, layer};
 use crate::geometry::{Point, Profile};
 use crate::model::Role;
 use layers::ToolId;
-use std::collections::BTreeSet;
 
 /// Reason why no section can be read from a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -112,22 +111,20 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let frame = frame::Frame::new(&drawing, options)?;
     let entities = blocks::exploded(&drawing)?;
     let layers = layers::layers(&entities, options, &frame)?;
-    let numbers: BTreeSet<Option<u32>> = layers.values().map(|tool| tool.operation).collect();
-    let mut strokes = Vec::new();
-    for tool in numbers.iter().flat_map(|operation| Role::ALL.map(|role| ToolId { operation: *operation, role })) {
-        strokes.push((tool, stroke::strokes(&entities, &layers, tool, &frame)?));
-    }
+    let mut tools: Vec<ToolId> = layers.values().copied().collect();
+    tools.sort_unstable();
+    tools.dedup();
+    let drawn = |tool: ToolId| Ok((tool, stroke::strokes(&entities, &layers, tool, &frame)?));
+    let mut strokes = tools.into_iter().map(drawn).collect::<Result<Vec<_>, ImportError>>()?;
     strokes.retain(|(_, drawn)| !drawn.is_empty());
     if strokes.is_empty() {
         return Err(layers::nothing_drawn(&layers));
     }
     if options.axis.is_none() {
-        axis::check(&strokes, &entities, &frame)?;
+        axis::check(&strokes, &frame)?;
     }
-    let mut chains = Vec::new();
-    for (tool, strokes) in strokes {
-        chains.push((tool, halves::right(strokes, tool, &frame)?));
-    }
+    let right = |(tool, strokes)| Ok((tool, halves::right(strokes, tool, &frame)?));
+    let chains = strokes.into_iter().map(right).collect::<Result<Vec<_>, ImportError>>()?;
     let heading = orient::heading(&chains, options.punch_moves, &frame)?;
     let mut later: Vec<Operation> = Vec::new();
     for (tool, chain) in chains {

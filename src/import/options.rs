@@ -74,8 +74,7 @@ impl FromStr for Heading {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let heading = [Self::Down, Self::Up].into_iter().find(|heading| heading.name() == text);
-        heading.ok_or_else(|| "give down, up".to_owned())
+        [Self::Down, Self::Up].into_iter().find(|way| way.name() == text).ok_or_else(|| "give down, up".to_owned())
     }
 }
 

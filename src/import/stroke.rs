@@ -5,7 +5,7 @@ use super::blocks::Placed;
 use super::chain::Chain;
 use super::dxf::{MOST, Place};
 use super::frame::Frame;
-use super::layers::{Layers, ToolId};
+use super::layers::{Layers, ToolId, list};
 use super::spline;
 use crate::geometry::{Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
@@ -44,9 +44,9 @@ pub(super) fn strokes(
     let mut annotations: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in others {
         if !ANNOTATIONS.split(' ').any(|kind| kind == source.kind) {
-            let help = match source.kind.as_str() {
-                "INSERT" => "its block is in another file, or lies across the drawing's plane: bind or explode it",
-                _ => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
+            let help = match source.kind == "INSERT" {
+                true => "its block is in another file, or lies across the drawing's plane: bind or explode it",
+                false => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
             };
             let place = frame.place(frame.point(source.at));
             return Err(source.error(format!("{source} at {place} cannot be part of the {tool}'s profile"), help));
@@ -54,8 +54,8 @@ pub(super) fn strokes(
         *annotations.entry(&source.kind).or_default() += 1;
     }
     if !annotations.is_empty() {
-        let annotations: Vec<String> = annotations.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        frame.note(format!("left out of the {tool}'s layer: {}", annotations.join(", ")));
+        let annotations = annotations.iter().map(|(kind, count)| format!("{count} {kind}"));
+        frame.note(format!("left out of the {tool}'s layer: {}", list(annotations)));
     }
     let splines = curves.iter().filter(|placed| placed.source.kind == "SPLINE").count();
     if splines > 0 {

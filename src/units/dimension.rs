@@ -63,27 +63,10 @@ const UNITS: &[(Dimension, &[(&str, f64)])] = &[
     (NONE, &[("mol", 1.0), ("%", 0.01)]),
 ];
 
-/// Other names of units in lower case, without the plural's s.
-const OTHER_NAMES: [(&str, &str); 18] = [
-    ("in", "inch inche in"),
-    ("mm", "millimetre millimeter mm"),
-    ("cm", "centimetre centimeter"),
-    ("m", "metre meter"),
-    ("um", "micron µm μm"),
-    ("N", "newton"),
-    ("kN", "kilonewton"),
-    ("lbf", "lb"),
-    ("tonf", "ton tonne t_f tf tonf_metric"),
-    ("tonf_us", "ton tonf_short"),
-    ("tonf_uk", "ton tonf_long"),
-    ("Pa", "pascal"),
-    ("s", "sec second"),
-    ("deg", "degree °"),
-    ("K", "kelvin"),
-    (CELSIUS, "c ºc celsiu"),
-    ("J", "joule"),
-    ("W", "watt"),
-];
+/// Units with other names of theirs in lower case, without the plural's s.
+const OTHER_NAMES: &str = "in inch inche in, mm millimetre millimeter mm, cm centimetre centimeter, m metre meter, \
+    um micron µm μm, N newton, kN kilonewton, lbf lb, tonf ton tonne t_f tf tonf_metric, tonf_us ton tonf_short, \
+    tonf_uk ton tonf_long, Pa pascal, s sec second, deg degree °, K kelvin, °C c ºc celsiu, J joule, W watt";
 
 /// Degrees of temperature, the only unit that does not start at zero, are read by themselves.
 pub(super) const CELSIUS: &str = "°C";
@@ -104,11 +87,16 @@ pub(super) fn find(name: &str) -> Option<(f64, Dimension)> {
 pub(super) fn did_you_mean(word: &str) -> String {
     let lower = word.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
-    let is_meant = |words: &str| words.split(' ').any(|word| word == lower || word == singular);
-    let mut likely: Vec<&str> =
-        OTHER_NAMES.iter().filter(|(_, words)| is_meant(words)).map(|(name, _)| *name).collect();
+    let likely = OTHER_NAMES.split(", ").filter_map(|names| {
+        let (name, others) = names.split_once(' ')?;
+        others.split(' ').any(|other| other == lower || other == singular).then_some(name)
+    });
+    let mut likely: Vec<&str> = likely.collect();
     if likely.is_empty() {
         likely = closest(word, names());
+    }
+    if likely.is_empty() {
+        return format!("known units: {}", names().collect::<Vec<_>>().join(", "));
     }
     // A ton with its force, because there are three.
     let tons = [("tonf", "metric"), ("tonf_us", "short"), ("tonf_uk", "long")];
@@ -116,8 +104,5 @@ pub(super) fn did_you_mean(word: &str) -> String {
         Some(((_, which), (newtons, _))) => format!("`{name}` ({which}, {:.3} kN)", 1e-3 * newtons),
         None => format!("`{name}`"),
     };
-    match likely.is_empty() {
-        true => format!("known units: {}", names().collect::<Vec<_>>().join(", ")),
-        false => format!("did you mean {}?", likely.iter().map(suggestion).collect::<Vec<_>>().join(" or ")),
-    }
+    format!("did you mean {}?", likely.iter().map(suggestion).collect::<Vec<_>>().join(" or "))
 }

@@ -30,19 +30,17 @@ pub(super) fn thickness(text: &str, number: f64, word: &str) -> Option<Result<f6
     }
     let gauge = number as usize;
     let steel = gauge.checked_sub(HEAVIEST).and_then(|i| STEEL.get(i)).filter(|_| gauge as f64 == number);
-    let Some(steel) = steel.map(|inches| inches * INCH) else {
-        let thinnest = HEAVIEST + STEEL.len() - 1;
-        let help =
-            format!("gauges are whole numbers from {HEAVIEST} to {thinnest}; else write the thickness in mm or in");
-        return Some(Err(QuantityError::new(format!("{text:?} is no gauge of sheet"), help)));
-    };
-    let aluminium = aluminium(gauge) * INCH;
-    Some(match word {
-        "ga_steel" => Ok(steel),
-        "ga_al" => Ok(aluminium),
-        _ => Err(QuantityError::new(
+    let (what, help) = match (steel.map(|inches| inches * INCH), aluminium(gauge) * INCH, word) {
+        (Some(steel), _, "ga_steel") => return Some(Ok(steel)),
+        (Some(_), aluminium, "ga_al") => return Some(Ok(aluminium)),
+        (Some(steel), aluminium, _) => (
             format!("{text:?} is {steel:.3} mm of steel and {aluminium:.3} mm of aluminium"),
             format!("write \"{gauge} ga_steel\" (Manufacturers' Standard Gauge) or \"{gauge} ga_al\" (Brown & Sharpe)"),
-        )),
-    })
+        ),
+        (None, ..) => (
+            format!("{text:?} is no gauge of sheet"),
+            "gauges are whole numbers from 3 to 30; else write the thickness in mm or in".to_owned(),
+        ),
+    };
+    Some(Err(QuantityError::new(what, help)))
 }

@@ -1,7 +1,6 @@
-//! Numbers as text.
+//! Numbers as text, and the word that was probably meant.
 
-/// Nine significant digits: more than anyone measures, and no binary noise at the end (31.4 mm, not
-/// 31.400000000000002 mm).
+/// The value to nine significant digits: without binary noise at the end.
 pub fn rounded(value: f64) -> f64 {
     significant(value, 9)
 }
@@ -19,11 +18,6 @@ pub fn trimmed(value: f64, decimals: i32) -> String {
     without_zeros(&text).to_owned()
 }
 
-/// A length \[mm\] to the micrometre: `30.5`.
-pub fn mm(length: f64) -> String {
-    trimmed(length, 3)
-}
-
 /// A decimal number without zeros at the end of its decimals.
 pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
@@ -32,4 +26,25 @@ pub fn without_zeros(text: &str) -> &str {
 /// Joins the parts that are not empty.
 pub fn joined(parts: impl IntoIterator<Item = String>, separator: &str) -> String {
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator)
+}
+
+/// The words closest to `word`, at most three: few edits, upper and lower case counted as half of one.
+pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let word: String = word.chars().take(64).collect();
+    let length = word.chars().count();
+    let allowed = 2 + 2 * usize::from(length > 2) + 2 * usize::from(length > 5);
+    let half_edits = |other: &str| {
+        let in_lower_case = strsim::levenshtein(&word.to_ascii_lowercase(), &other.to_ascii_lowercase());
+        strsim::levenshtein(&word, other) + in_lower_case
+    };
+    let mut near: Vec<_> = known.map(|known| (half_edits(known), known)).collect();
+    near.retain(|(d, known)| *d <= allowed && *d < 2 * known.chars().count());
+    near.sort_by_key(|(d, _)| *d);
+    let best = near.first().map_or(0, |(d, _)| *d);
+    near.into_iter().filter(|(d, _)| *d <= best + 1).map(|(_, k)| k).take(3).collect()
+}
+
+/// A question to stand before what is known, with a space at its end; nothing where no known word is close.
+pub(crate) fn did_you_mean<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
+    closest(word, known).first().map_or(String::new(), |near| format!("did you mean `{near}`? "))
 }

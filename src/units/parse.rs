@@ -43,10 +43,8 @@ impl QuantityError {
 pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     let text = text.trim();
     let Some((value, rest)) = split_number(text) else {
-        return Err(QuantityError::new(
-            format!("no number in {text:?}"),
-            "write a number and a unit, such as \"0.9 mm\"",
-        ));
+        let help = "write a number and a unit, such as \"0.9 mm\"";
+        return Err(QuantityError::new(format!("no number in {text:?}"), help));
     };
     if let Some(decimals) = rest.strip_prefix(',') {
         let point = format!("{}.{decimals}", &text[..text.len() - rest.len()]);
@@ -54,21 +52,19 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         return Err(QuantityError { with_point: Some(point), ..error });
     }
     let mut rest = rest.trim_start();
+    let whole = |value: f64, dimension: Dimension| Parsed { value, dimension, has_unit: true };
     if let Some(thickness) = gauge::thickness(text, value, rest) {
-        return Ok(Parsed { value: thickness?, dimension: dimension::LENGTH, has_unit: true });
+        return thickness.map(|thickness| whole(thickness, dimension::LENGTH));
     }
-    match rest {
-        CELSIUS => {
-            return Ok(Parsed { value: value + ZERO_CELSIUS, dimension: dimension::TEMPERATURE, has_unit: true });
-        }
-        THICKNESSES => {
-            let help = format!(
-                "write a length, such as \"6 mm\", or a force: write {value} tonf (tonnes-force) or {:.0} kN; t is thicknesses of the sheet",
-                9.806_65 * value
-            );
-            return Err(QuantityError::new(format!("{text:?} are thicknesses of the sheet"), help));
-        }
-        _ => {}
+    if rest == CELSIUS {
+        return Ok(whole(value + ZERO_CELSIUS, dimension::TEMPERATURE));
+    }
+    if rest == THICKNESSES {
+        let help = format!(
+            "write a length, such as \"6 mm\", or a force: write {value} tonf (tonnes-force) or {:.0} kN; t is thicknesses of the sheet",
+            9.806_65 * value
+        );
+        return Err(QuantityError::new(format!("{text:?} are thicknesses of the sheet"), help));
     }
     let mut parsed = Parsed { value, dimension: dimension::NONE, has_unit: !rest.is_empty() };
     while !rest.is_empty() {
@@ -98,11 +94,13 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
 
 /// Splits the longest leading decimal number off.
 fn split_number(text: &str) -> Option<(f64, &str)> {
-    let characters = text.char_indices().take(400);
-    let ends =
-        characters.take_while(|(_, c)| c.is_ascii_digit() || "+-−.eE".contains(*c)).map(|(i, c)| i + c.len_utf8());
-    let ends: Vec<usize> = ends.collect();
-    ends.iter().rev().find_map(|end| Some((text[..*end].replace('−', "-").parse().ok()?, &text[*end..])))
+    let is_part = |(_, c): &(usize, char)| c.is_ascii_digit() || "+-−.eE".contains(*c);
+    let characters: Vec<(usize, char)> = text.char_indices().take(400).take_while(is_part).collect();
+    characters
+        .iter()
+        .rev()
+        .map(|(i, c)| i + c.len_utf8())
+        .find_map(|end| Some((text[..end].replace('−', "-").parse().ok()?, &text[end..])))
 }
 
 /// The number of sheet thicknesses in "6 t"; `None` of any other text.
@@ -112,10 +110,9 @@ pub fn thicknesses(text: &str) -> Option<f64> {
 
 /// Splits `^2`, `2`, `²` or `³` off; no power is 1.
 fn split_power(text: &str) -> Option<(i32, &str)> {
-    for (sign, power) in [("²", 2), ("³", 3)] {
-        if let Some(rest) = text.strip_prefix(sign) {
-            return Some((power, rest));
-        }
+    let raised = |sign: char, power: i32| text.strip_prefix(sign).map(|rest| (power, rest));
+    if let Some(square_or_cube) = raised('²', 2).or_else(|| raised('³', 3)) {
+        return Some(square_or_cube);
     }
     let power = match text.strip_prefix('^') {
         Some(power) => power,

@@ -67,11 +67,8 @@ impl Quantity {
 
     /// Sets the error bar, which then limits the digits.
     pub fn with_error(self, error: ErrorBar) -> Self {
-        let amount = match error {
-            ErrorBar::Half(half) if half > 0.0 => self.amount.with_bar(half),
-            _ => self.amount,
-        };
-        Self { amount, error, ..self }
+        let half = if let ErrorBar::Half(half) = error { Some(half).filter(|half| *half > 0.0) } else { None };
+        Self { amount: half.map_or(self.amount, |half| self.amount.with_bar(half)), error, ..self }
     }
 }
 

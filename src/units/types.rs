@@ -47,8 +47,7 @@ impl Kind {
 
     /// Name and unit: `length, mm`.
     pub(crate) fn measured(&self) -> String {
-        let name = self.name.split_once(' ').map_or(self.name, |(_, name)| name);
-        format!("{name}, {}", self.unit)
+        format!("{}, {}", self.name.trim_start_matches("a ").trim_start_matches("an "), self.unit)
     }
 
     /// The examples, quoted where the case file wants quotes.
@@ -72,20 +71,17 @@ impl Kind {
 
 /// Reads text as a quantity: number, unit, dimension, range.
 fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
-    let (kind, found) = (Q::KIND, text.trim());
-    let parsed = parse(text)?;
+    let (kind, found, parsed) = (Q::KIND, text.trim(), parse(text)?);
     // A bare 8 would be 800 %.
     let is_bare_share = kind.unit == "%" && !parsed.has_unit;
     if parsed.dimension == kind.dimension() && !is_bare_share {
         return Q::checked(parsed.value, found);
     }
-    Err(match parsed.has_unit {
-        true => QuantityError::new(
-            format!("{found:?} is {}, wanted {}", parsed.dimension.describe(), kind.name),
-            format!("write for example {}", kind.written()),
-        ),
-        false => kind.missing_unit(found),
-    })
+    if !parsed.has_unit {
+        return Err(kind.missing_unit(found));
+    }
+    let what = format!("{found:?} is {}, wanted {}", parsed.dimension.describe(), kind.name);
+    Err(QuantityError::new(what, format!("write for example {}", kind.written())))
 }
 
 /// `FromStr`, `Deserialize` and `JsonSchema` of a quantity type.

@@ -5,7 +5,7 @@ use crate::assess::size::WIDTHS;
 use crate::import::Section;
 use crate::model::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::units::{mm, rounded};
+use crate::units::{rounded, trimmed};
 use std::ops::RangeInclusive;
 
 /// Placeholder thickness \[mm\].
@@ -80,18 +80,18 @@ impl<'a> DrawnTools<'a> {
     /// Sizes in words, which show a wrong unit: `punch radius 30 mm, die throat radius 31.25 mm, 180 mm wide in all`.
     pub fn size(&self) -> String {
         let half = across(self.geometry);
-        let punch = self.tool(Role::Punch).map(|punch| format!("punch {half} {} mm, ", mm(extent(&punch).1)));
+        let punch = self.tool(Role::Punch).map(|punch| format!("punch {half} {} mm, ", trimmed(extent(&punch).1, 3)));
         let throat = self.tool(Role::Die).and_then(|die| throat(&die));
-        let die = throat.map(|throat| format!("die throat {half} {} mm, ", mm(throat)));
-        format!("{}{}{} mm wide in all", punch.unwrap_or_default(), die.unwrap_or_default(), mm(self.width()))
+        let die = throat.map(|throat| format!("die throat {half} {} mm, ", trimmed(throat, 3)));
+        format!("{}{}{} mm wide in all", punch.unwrap_or_default(), die.unwrap_or_default(), trimmed(self.width(), 3))
     }
 
     /// Sizes that hardly fit a sheet and may come from a wrong unit.
     pub fn doubts(&self) -> Vec<String> {
         let (width, is_given, thickness) = (self.width(), self.thickness.is_given(), self.thickness.value);
-        let (mut doubts, t) = (Vec::new(), mm(thickness));
+        let (mut doubts, t) = (Vec::new(), trimmed(thickness, 3));
         if !(NARROW..=*WIDTHS.end()).contains(&width) {
-            let width = mm(width);
+            let width = trimmed(width, 3);
             doubts.push(format!("the tools are {width} mm wide in all, which is odd for a stamping: check --unit"));
         }
         if !is_given && !THICKNESSES.contains(&thickness) {
@@ -99,7 +99,7 @@ impl<'a> DrawnTools<'a> {
             doubts.push(format!("{what}: check --unit and --thickness"));
         }
         if let Some(clearance) = self.clearance().filter(|clearance| *clearance > WIDE * thickness) {
-            let (gap, times) = (mm(clearance), clearance / thickness);
+            let (gap, times) = (trimmed(clearance, 3), clearance / thickness);
             let placeholder = if is_given { "" } else { ", a placeholder" };
             doubts.push(format!(
                 "the drawing leaves {gap} mm between punch and die, {times:.1} times the sheet's thickness of {t} mm{placeholder}: \
