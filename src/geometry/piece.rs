@@ -50,6 +50,11 @@ pub(super) enum Foot {
     End { first: bool, point: Point },
 }
 
+/// Unit vector at an angle from +r towards +z \[rad\].
+fn direction(angle: f64) -> Point {
+    Point::new(angle.cos(), angle.sin())
+}
+
 impl Segment {
     /// Segment between two different points \[mm\].
     pub fn new(from: Point, to: Point) -> Self {
@@ -61,7 +66,6 @@ impl Segment {
 impl Arc {
     /// Arc about `center` \[mm\] starting at angle `start` \[rad\] and turning by `sweep` \[rad\].
     pub fn new(center: Point, radius: f64, start: f64, sweep: f64) -> Self {
-        let direction = |angle: f64| Point::new(angle.cos(), angle.sin());
         Self {
             center,
             radius,
@@ -79,11 +83,8 @@ impl Arc {
         let off = (center - middle).dot(&chord);
         let center = center - off * chord;
         let angle = |p: Point| (p.y - center.y).atan2(p.x - center.x);
-        let sweep = if counter_clockwise {
-            (angle(end) - angle(start)).rem_euclid(TAU)
-        } else {
-            -(angle(start) - angle(end)).rem_euclid(TAU)
-        };
+        let sense = if counter_clockwise { 1.0 } else { -1.0 };
+        let sweep = sense * (sense * (angle(end) - angle(start))).rem_euclid(TAU);
         (Self::new(center, (start - center).norm(), angle(start), sweep), off.abs())
     }
 
@@ -91,14 +92,12 @@ impl Arc {
     pub(super) fn joined(&self, next: &Arc) -> Self {
         let sweep = self.sweep + next.sweep;
         let radius = 0.5 * (next.ends[1] - self.ends[0]).norm() / (0.5 * sweep).abs().sin();
-        let radial = Point::new(self.start.cos(), self.start.sin());
-        Self::new(self.ends[0] - radius * radial, radius, self.start, sweep)
+        Self::new(self.ends[0] - radius * direction(self.start), radius, self.start, sweep)
     }
 
     /// Point at the fraction `f` (0..1) of the sweep.
     pub fn at(&self, f: f64) -> Point {
-        let angle = self.start + f * self.sweep;
-        self.center + self.radius * Point::new(angle.cos(), angle.sin())
+        self.center + self.radius * direction(self.start + f * self.sweep)
     }
 
     /// True if `x` lies within the angle of the arc.
@@ -155,7 +154,7 @@ impl Piece {
             Piece::Segment(s) => s.direction,
             Piece::Arc(a) => {
                 let angle = a.start + if last { a.sweep } else { 0.0 };
-                a.sweep.signum() * turned(Point::new(angle.cos(), angle.sin()))
+                a.sweep.signum() * turned(direction(angle))
             }
         }
     }

@@ -68,15 +68,11 @@ impl Profile {
                 return Err(ProfileError(format!("{away} ({})", at())));
             }
         }
-        let normal = |i: usize, last: bool| turned(pieces[i].tangent(last));
         let n = pieces.len();
         let vertex_normals = (0..=n).map(|v| {
-            let sum = match v {
-                0 => normal(0, false),
-                v if v == n => normal(n - 1, true),
-                v => normal(v - 1, true) + normal(v, false),
-            };
-            sum.normalize()
+            let before = if v > 0 { turned(pieces[v - 1].tangent(true)) } else { Point::zeros() };
+            let after = if v < n { turned(pieces[v].tangent(false)) } else { Point::zeros() };
+            (before + after).normalize()
         });
         let vertex_normals = vertex_normals.collect();
         let ends = [pieces[0].first(), pieces[n - 1].last()];

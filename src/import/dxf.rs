@@ -13,11 +13,13 @@ pub const LARGEST: usize = 50_000_000;
 /// Most lines and arcs of a tool; a section may have 2000.
 pub(super) const MOST: usize = 5000;
 
-/// Most entities of a drawing, and points and knots of its curves.
+/// Most entities of a drawing.
 pub(super) const ENTITIES: usize = 200_000;
-const POINTS: usize = 1_000_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
+
+/// Code page 1252 from 0x80 to 0x9F; other characters are those of Unicode.
+const WINDOWS: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
 
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
@@ -161,7 +163,7 @@ impl Entity {
     }
 }
 
-/// Text of the file: UTF-8, or Latin-1 in older files.
+/// Text of the file: UTF-8, or the Windows code page of older files.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     if bytes.len() > LARGEST {
         let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
@@ -172,10 +174,11 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
         let help = "save the drawing as DXF in text form (ASCII), version R12 or later";
         return Err(ImportError::new(what, help));
     }
-    Ok(match std::str::from_utf8(bytes) {
-        Ok(text) => text.trim_start_matches('\u{feff}').into(),
-        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect::<String>().into(),
-    })
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        return Ok(text.trim_start_matches('\u{feff}').into());
+    }
+    let windows = |byte: &u8| byte.checked_sub(0x80).and_then(|i| WINDOWS.chars().nth(i.into()));
+    Ok(bytes.iter().map(|byte| windows(byte).unwrap_or(char::from(*byte))).collect())
 }
 
 /// Owner of the next groups.
@@ -195,7 +198,7 @@ enum Part {
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     let mut drawing = Drawing::default();
     let (mut section, mut opens, mut is_dxf, mut last_line) = ("", false, false, 0);
-    let (mut variable, mut part, mut counts) = ("", Part::Other, [0; 2]);
+    let (mut variable, mut part, mut count) = ("", Part::Other, 0);
     let mut lines = text.lines().map(str::trim).enumerate();
     while let Some((i, code)) = lines.next() {
         let Some((_, value)) = lines.next() else { break };
@@ -229,19 +232,15 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
                 let Some(entities) = entities else { continue };
                 if code == 0 {
                     part = begun(value, last_line, entities);
-                    counts[0] += usize::from(part == Part::Entity);
+                    count += usize::from(part == Part::Entity);
                 } else if let Some(entity) = entities.last_mut().filter(|_| part != Part::Other) {
-                    let is_point = matches!((part, code), (Part::Entity, 10 | 40 | 41) | (Part::Vertex, 10));
-                    counts[1] += usize::from(is_point);
                     entity.read(part, (code, value), last_line)?;
                 }
             }
             _ => {}
         }
-        if counts[0] > ENTITIES || counts[1] > POINTS {
-            let what = format!(
-                "the drawing has more than {ENTITIES} entities or {POINTS} points: line {last_line} is one more"
-            );
+        if count > ENTITIES {
+            let what = format!("the drawing has more than {ENTITIES} entities: line {last_line} is one more");
             return Err(ImportError::new(what, "save the tools' layers only").at(last_line));
         }
     }
@@ -250,8 +249,8 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
         return Err(ImportError::new(what, "give a DXF file in text form (ASCII)"));
     }
     if !section.is_empty() {
-        let what =
-            format!("the drawing is cut short: it ends inside its {} section, at line {last_line}", cut(section));
+        let section = cut(section);
+        let what = format!("the drawing is cut short: it ends inside its {section} section, at line {last_line}");
         return Err(ImportError::new(what, AGAIN).at(last_line));
     }
     Ok(drawing)

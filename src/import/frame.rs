@@ -65,17 +65,16 @@ impl Frame {
 
 fn header_unit(drawing: &Drawing) -> Result<(DrawingUnit, &'static str), ImportError> {
     let name = drawing.unit.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
-    let (what, remedy) = match (name, name.and_then(|name| name.parse().ok())) {
-        (_, Some(unit)) => return Ok((unit, "$INSUNITS of the drawing")),
-        (Some(name), _) => {
-            let what = format!("the drawing's unit is {name} ($INSUNITS), which no tool is drawn in");
-            (what, "say what it is drawn in")
-        }
-        _ if drawing.is_metric => return Ok((DrawingUnit::MM, "$MEASUREMENT says metric, $INSUNITS names no unit")),
-        _ => {
-            let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
-            (what.to_owned(), "say which")
-        }
-    };
-    Err(ImportError::new(what, format!("{remedy}: --unit mm (or in, cm, m)")))
+    if let Some(unit) = name.and_then(|name| name.parse().ok()) {
+        return Ok((unit, "$INSUNITS of the drawing"));
+    }
+    if let Some(name) = name {
+        let what = format!("the drawing's unit is {name} ($INSUNITS), which no tool is drawn in");
+        return Err(ImportError::new(what, "say what it is drawn in: --unit mm (or in, cm, m)"));
+    }
+    if drawing.is_metric {
+        return Ok((DrawingUnit::MM, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+    }
+    let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
+    Err(ImportError::new(what, "say which: --unit mm (or in, cm, m)"))
 }

@@ -119,16 +119,3 @@ fn ordered(mut layers: Layers) -> Layers {
     }
     layers
 }
-
-#[cfg(test)]
-#[test]
-fn a_layer_has_an_operation() {
-    let with =
-        [("OP20_PUNCH", 20), ("op 30 - die", 30), ("PUNCH_OP5", 5), ("Stempel AFO20", 20), ("Stufe 2 Matrize", 2)];
-    for (layer, number) in with {
-        assert_eq!(operation(layer), Some(number), "{layer}");
-    }
-    for layer in ["Die 1", "OPEN2_DIE", "LOOP2", "OP99999999999"] {
-        assert_eq!(operation(layer), None, "{layer}");
-    }
-}

@@ -1,6 +1,7 @@
 //! How a drawing is to be understood.
 
 use crate::model::Role;
+use crate::units::parse;
 use std::str::FromStr;
 
 /// Options of the reader.
@@ -33,16 +34,8 @@ pub struct DrawingUnit(pub &'static str, pub f64);
 impl DrawingUnit {
     /// Millimetre.
     pub const MM: Self = Self("mm", 1.0);
-    /// Every unit, the likeliest first.
-    pub const ALL: [Self; 7] = [
-        Self::MM,
-        Self("cm", 10.0),
-        Self("m", 1000.0),
-        Self("in", 25.4),
-        Self("ft", 304.8),
-        Self("mil", 1e-3 * 25.4),
-        Self("um", 1e-3),
-    ];
+    /// Symbols of every unit, the likeliest first.
+    pub const ALL: [&str; 7] = ["mm", "cm", "m", "in", "ft", "mil", "um"];
 }
 
 /// Direction of the punch in the drawing, where y goes up.
@@ -65,8 +58,9 @@ impl FromStr for DrawingUnit {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let unit = Self::ALL.into_iter().find(|unit| unit.0 == text);
-        unit.ok_or_else(|| format!("give {}", Self::ALL.map(|unit| unit.0).join(", ")))
+        let symbol = Self::ALL.into_iter().find(|symbol| *symbol == text);
+        let unit = symbol.and_then(|symbol| Some(Self(symbol, parse(&format!("1 {symbol}")).ok()?.value)));
+        unit.ok_or_else(|| format!("give {}", Self::ALL.join(", ")))
     }
 }
 

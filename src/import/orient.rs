@@ -24,14 +24,14 @@ pub(super) fn heading(
     frame: &Frame,
 ) -> Result<Heading, ImportError> {
     let open = chains.iter().filter(|(tool, chain)| tool.role != Role::Holder && !is_outline(chain));
-    let walls = open.filter_map(|(tool, chain)| {
+    let mut walls = open.filter_map(|(tool, chain)| {
         let (a, b) = (chain.first(), chain.last());
         let rise = if a.x <= b.x { b.y - a.y } else { a.y - b.y };
         (rise.abs() > WALL).then_some((tool, if rise > 0.0 { Heading::Down } else { Heading::Up }))
     });
-    let walls: Vec<(&ToolId, Heading)> = walls.collect();
-    let other = walls.iter().find(|(_, heading)| *heading != walls[0].1);
-    let (heading, why) = match (option, walls.first(), other) {
+    let first = walls.next();
+    let other = walls.find(|(_, heading)| first.is_some_and(|(_, first)| first != *heading));
+    let (heading, why) = match (option, first, other) {
         (Some(option), ..) => (option, "as asked for".to_owned()),
         (None, Some((first, a)), Some((second, b))) => {
             let [a, b] = [a.name(), b.name()];
@@ -42,7 +42,7 @@ pub(super) fn heading(
                         after the wrong tool? --punch-moves down or up decides";
             return Err(ImportError::new(what, help));
         }
-        (None, Some((tool, heading)), None) => (*heading, format!("by the {tool}'s wall")),
+        (None, Some((tool, heading)), None) => (heading, format!("by the {tool}'s wall")),
         (None, None, _) => match (outline::heading(chains), chains.iter().find(|(_, chain)| is_outline(chain))) {
             (Some(heading), _) => heading,
             (None, None) => (Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()),

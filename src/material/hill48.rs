@@ -77,7 +77,7 @@ impl Hill48 {
 }
 
 impl YieldCondition for Hill48 {
-    fn metric(&self, e: Triple) -> Metric {
+    fn metric_towards(&self, e: Triple, _: Option<[f64; 2]>) -> Metric {
         let gradient = self.apply(e);
         Metric { gradient, matrix: self.matrix(), square: dot(e, gradient) }
     }

@@ -89,34 +89,6 @@ impl Hosford {
         (size * size + SHEAR_INVERSE * s[2] * s[2]).sqrt()
     }
 
-    /// Metric of an increment; the matrix is the chord to the carried stress `w` where there is one.
-    fn metric_by(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
-        let (major, minor, swapped) = ordered(e);
-        if major == 0.0 {
-            // No direction on the curve: Hill's matrix is as good as any.
-            return self.quadratic.metric(e);
-        }
-        let inverse = 1.0 / major;
-        let (beta, sum) = (minor * inverse, (major + minor) * inverse);
-        let w = w.and_then(|[s, t]| {
-            let [s, t] = if swapped { [t * inverse, s * inverse] } else { [s * inverse, t * inverse] };
-            (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
-        });
-        let Root { ratio, rate, inverse_square } = self.root(beta, sum, w);
-        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
-        let along = (major + minor * ratio) * inverse_square;
-        let across = along * ratio;
-        let bend = rate * inverse_square;
-        let bent = bend * beta;
-        let (own, mixed) = (inverse_square + bent * beta, ratio * inverse_square - bent);
-        let other = ratio * ratio * inverse_square + bend;
-        let shear = SHEAR * e[2];
-        let square = along * major + across * minor + shear * e[2];
-        let (gradient, [ss, tt]) =
-            if swapped { ([across, along, shear], [other, own]) } else { ([along, across, shear], [own, other]) };
-        Metric { gradient, matrix: [ss, mixed, tt, 0.0, 0.0, SHEAR], square }
-    }
-
     /// φ(1, x).
     fn size(&self, x: f64) -> f64 {
         let (y, r) = (1.0 - x, self.quadratic.ratio);
@@ -148,14 +120,33 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 }
 
 impl YieldCondition for Hosford {
-    fn metric(&self, e: Triple) -> Metric {
-        self.metric_by(e, None)
-    }
-
     /// On a flat part of the curve the stress ratio follows the strain's like a seventh root, and Newton's method overshoots; the
     /// chord to the strain of the carried stress is right at both.
-    fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
-        self.metric_by(e, Some(w))
+    fn metric_towards(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
+        let (major, minor, swapped) = ordered(e);
+        if major == 0.0 {
+            // No direction on the curve: Hill's matrix is as good as any.
+            return self.quadratic.metric(e);
+        }
+        let inverse = 1.0 / major;
+        let (beta, sum) = (minor * inverse, (major + minor) * inverse);
+        let w = w.and_then(|[s, t]| {
+            let [s, t] = if swapped { [t * inverse, s * inverse] } else { [s * inverse, t * inverse] };
+            (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
+        });
+        let Root { ratio, rate, inverse_square } = self.root(beta, sum, w);
+        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
+        let along = (major + minor * ratio) * inverse_square;
+        let across = along * ratio;
+        let bend = rate * inverse_square;
+        let bent = bend * beta;
+        let (own, mixed) = (inverse_square + bent * beta, ratio * inverse_square - bent);
+        let other = ratio * ratio * inverse_square + bend;
+        let shear = SHEAR * e[2];
+        let square = along * major + across * minor + shear * e[2];
+        let (gradient, [ss, tt]) =
+            if swapped { ([across, along, shear], [other, own]) } else { ([along, across, shear], [own, other]) };
+        Metric { gradient, matrix: [ss, mixed, tt, 0.0, 0.0, SHEAR], square }
     }
 }
 

@@ -66,12 +66,12 @@ impl LayerMetric {
 
 /// Convex yield condition.
 pub trait YieldCondition {
-    /// Metric of the strain increment `e`.
-    fn metric(&self, e: Triple) -> Metric;
+    /// Metric of the strain increment `e`, with a matrix for an iteration that may carry a stress `w`, of any size.
+    fn metric_towards(&self, e: Triple, w: Option<[f64; 2]>) -> Metric;
 
-    /// Metric of the strain increment `e`, with a matrix for an iteration that carries the stress `w`, of any size.
-    fn metric_towards(&self, e: Triple, _w: [f64; 2]) -> Metric {
-        self.metric(e)
+    /// Metric of the strain increment `e`.
+    fn metric(&self, e: Triple) -> Metric {
+        self.metric_towards(e, None)
     }
 
     /// Metric of a part from `e` − `k` to `e` + `k` by Gauss's two points, or by one without a spread; with the carried
@@ -80,8 +80,7 @@ pub trait YieldCondition {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64, inverse: f64| {
             let point = [e[0] + root * k[0], e[1] + root * k[1], e[2]];
-            let Some([s, t, ks, kt, _]) = w else { return self.metric(point) };
-            self.metric_towards(point, [s + inverse * ks, t + inverse * kt])
+            self.metric_towards(point, w.map(|[s, t, ks, kt, _]| [s + inverse * ks, t + inverse * kt]))
         };
         if k == [0.0; 2] {
             let Metric { gradient: [s, t, shear], matrix, square } = at(0.0, 0.0);

@@ -67,10 +67,10 @@ impl YieldCriterion {
 }
 
 impl YieldCondition for YieldCriterion {
-    fn metric(&self, e: Triple) -> Metric {
+    fn metric_towards(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
         match self {
-            Self::Hill48(hill) => hill.metric(e),
-            Self::Hosford(hosford) => hosford.metric(e),
+            Self::Hill48(hill) => hill.metric_towards(e, w),
+            Self::Hosford(hosford) => hosford.metric_towards(e, w),
         }
     }
 }

@@ -110,7 +110,7 @@ impl GtnCondition {
 }
 
 impl YieldCondition for GtnCondition {
-    fn metric(&self, e: Triple) -> Metric {
+    fn metric_towards(&self, e: Triple, _: Option<[f64; 2]>) -> Metric {
         let Place { m, kappa, along, across, dissipation: d, .. } = self.place(e);
         if d == 0.0 {
             return self.anisotropy.metric(e);
