@@ -45,7 +45,7 @@ pub fn report(case: &Case) -> Check {
     lines.extend(case.later().iter().enumerate().map(|(i, stage)| tools::stage(i + 2, stage)));
     lines.extend(case.compare.iter().map(|spec| {
         let missing = if spec.data.is_some() { "" } else { " (no data: add the CSV file to see it)" };
-        line("compare", spec.reference.display().to_string(), format!("{}{missing}", spec.against))
+        line("compare", spec.reference.display().to_string(), format!("{spec}{missing}"))
     }));
     let findings = before(case);
     Check {

@@ -17,65 +17,31 @@ pub const SOURCES: &str = "sources.toml";
 /// Kinds of reference, the hardest proof first.
 pub const KINDS: [&str; 5] = ["experiment", "producer", "benchmark", "cross-check", "closed form"];
 
-/// Comparison with a reference file.
-#[derive(Clone, Debug, PartialEq)]
+/// Comparison with a reference file: along a curve, or with the band that its values span.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spec {
     /// CSV file of the reference, units at the end of its headers.
     pub reference: PathBuf,
-    /// Contents; `None` if the file is optional and missing.
-    pub data: Option<Data>,
-    /// Quantity and tolerance.
-    pub against: Against,
+    /// Contents of the file; `None` if it is optional and missing.
+    pub data: Option<Csv>,
+    /// Source, if the file's folder names one.
+    pub source: Option<Source>,
+    /// Compared quantity.
+    pub quantity: ComparedQuantity,
+    /// Headers of a curve's abscissa and ordinate, or of the columns whose values, all rows of them, span a band.
+    pub columns: Vec<String>,
+    /// Header of each row's error of measurement, which widens a band on either side.
+    pub error: Option<String>,
+    /// Part of a curve that is judged, in the unit of its abscissa.
+    pub range: Option<(f64, f64)>,
+    /// Largest difference from a curve over the reference value \[–\].
+    pub tolerance: f64,
     /// Reason of the tolerance or the band, or of a difference.
     pub reason: String,
     /// True if the reference file may be missing.
     pub optional: bool,
     /// True if the input is not that of the reference: a difference is shown and is no failure.
     pub demonstration: bool,
-}
-
-/// Contents of a reference file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Data {
-    /// Rows.
-    pub csv: Csv,
-    /// Source, if its folder names one.
-    pub source: Option<Source>,
-}
-
-/// Kind of reference.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Against {
-    /// Points, each compared at its abscissa.
-    Curve(CurveSpec),
-    /// Interval that values without places span.
-    Band(BandSpec),
-}
-
-/// Comparison along a curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CurveSpec {
-    /// Compared quantity.
-    pub quantity: ComparedQuantity,
-    /// Header of the abscissa.
-    pub x: String,
-    /// Header of the compared column.
-    pub y: String,
-    /// Part of the curve that is judged, in the unit of the x column.
-    pub range: Option<(f64, f64)>,
-    /// Largest difference over the reference value \[–\].
-    pub tolerance: f64,
-}
-
-/// Comparison with the interval that measured values span.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BandSpec {
-    /// Compared quantity.
-    pub quantity: ComparedQuantity,
-    /// Headers of the columns whose values, all rows of them, span the band.
-    pub columns: Vec<String>,
-    /// Header of the column with each row's error of measurement, which widens the band on either side.
-    pub error: Option<String>,
 }
 
 /// Provenance of a reference file.
@@ -93,11 +59,11 @@ pub struct Source {
 }
 
 macro_rules! quantities {
-    ($($(#[doc = $doc:literal])+ $quantity:ident $name:literal $label:literal)+) => {
+    ($($(#[$attribute:meta])+ $quantity:ident $name:literal $label:literal)+) => {
         /// Compared quantity.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
         pub enum ComparedQuantity {
-            $($(#[doc = $doc])+ #[serde(rename = $name)] $quantity,)+
+            $($(#[$attribute])+ #[serde(rename = $name)] $quantity,)+
         }
 
         const NAMES: [&str; [$($name),+].len()] = [$($name),+];
@@ -107,6 +73,7 @@ macro_rules! quantities {
 
 quantities! {
     /// Punch force at equal travel, a curve.
+    #[default]
     PunchForce "punch_force" "force"
     /// Punch travel at equal force, a curve.
     Travel "travel" "travel"
@@ -156,30 +123,11 @@ impl ComparedQuantity {
     }
 }
 
-impl Against {
-    /// Compared quantity.
-    pub fn quantity(&self) -> ComparedQuantity {
-        match self {
-            Self::Curve(curve) => curve.quantity,
-            Self::Band(band) => band.quantity,
-        }
-    }
-
-    /// Headers of the reference file that are read.
-    pub fn headers(&self) -> Vec<&str> {
-        match self {
-            Self::Curve(curve) => vec![&curve.x, &curve.y],
-            Self::Band(band) => band.columns.iter().chain(&band.error).map(String::as_str).collect(),
-        }
-    }
-}
-
-impl fmt::Display for Against {
+impl fmt::Display for Spec {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = self.quantity().name();
-        match self {
-            Self::Curve(curve) => write!(f, "{name} within {} %", 100.0 * curve.tolerance),
-            Self::Band(_) => write!(f, "{name} within the band of the values"),
+        match self.quantity.is_curve() {
+            true => write!(f, "{} within {} %", self.quantity.name(), 100.0 * self.tolerance),
+            false => write!(f, "{} within the band of the values", self.quantity.name()),
         }
     }
 }
@@ -274,9 +222,9 @@ fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<
 impl Compare {
     /// Comparison of the table `path` with its reference; `limited` if the case has a forming limit.
     fn spec(&self, path: &str, limited: bool, source: &source::Source) -> Result<Spec, CaseError> {
-        let Self { reference, quantity, reason, optional, demonstration, .. } = self.clone();
-        let key = format!("{path}.reference");
-        let folder = source.folder.path;
+        let Self { reference, quantity, x, y, range, tolerance, band, error, reason, optional, demonstration } =
+            self.clone();
+        let (key, folder) = (format!("{path}.reference"), source.folder.path);
         let [first, second] = [folder.join("../reference_data").join(&reference), folder.join(&reference)];
         let named = Named { file: &reference, what: "reference", example: EXAMPLE, key: &key };
         let read = named.first(&[&first, &second], source)?;
@@ -289,55 +237,52 @@ impl Compare {
         let help = "add [forming_limit] with hill = true, or points";
         let known = limited || quantity != ComparedQuantity::StrainPath;
         source.require(known, &format!("{path}.quantity"), what, help)?;
-        let against = if quantity.is_curve() { self.curve(path, source)? } else { self.band(path, source)? };
-        let Some((file, lines, csv)) = read else {
-            return Ok(Spec { reference: first, data: None, against, reason, optional, demonstration });
-        };
-        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
-            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
-            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
-        }
-        let data = Some(Data { csv, source: provenance(file, &key, source)? });
-        Ok(Spec { reference: file.to_owned(), data, against, reason, optional, demonstration })
-    }
 
-    fn curve(&self, path: &str, source: &source::Source) -> Result<Against, CaseError> {
-        let Self { quantity, x, y, range, tolerance, .. } = self.clone();
-        let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
-        check_keys(path, &["band", "error"], &["x", "y", "tolerance"], &help, source)?;
+        let (along, across) = (["x", "y", "tolerance"], ["band", "error"]);
+        let (foreign, needed, help) = if quantity.is_curve() {
+            (&across[..], &along[..], "along a curve: give x, y and tolerance")
+        } else {
+            let help = "with the band that values span: give `band` the columns that hold them, as in \
+                        band = [\"low_mm\", \"high_mm\"]";
+            (&["x", "y", "range", "tolerance"][..], &across[..1], help)
+        };
+        let help = format!("`{}` is compared {help}", quantity.name());
+        source.refuse(path, foreign, "does not apply here", &help)?;
+        let written = source.written(path, needed);
+        if let Some(missing) = needed.iter().find(|key| !written.contains(key)) {
+            return Err(source.error(path, format!("`{missing}` is missing in {path}"), help));
+        }
         let range = range.map(|[from, to]| (from.value(), to.value()));
         if let Some((from, to)) = range {
             let what = format!("`range` must rise, found {from} to {to}");
             source.require(from < to, &format!("{path}.range"), what, format!("write range = [{to}, {from}]"))?;
         }
-        let (x, y, tolerance) = (x.unwrap_or_default(), y.unwrap_or_default(), tolerance.map_or(0.0, |t| t.value()));
-        Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
-    }
-
-    fn band(&self, path: &str, source: &source::Source) -> Result<Against, CaseError> {
-        let Self { quantity, band, error, .. } = self.clone();
-        let help = format!(
-            "`{}` is compared with the band that values span: give `band` the columns that hold them, as in \
-             band = [\"low_mm\", \"high_mm\"]",
-            quantity.name()
-        );
-        check_keys(path, &["x", "y", "range", "tolerance"], &["band"], &help, source)?;
-        let columns = band.unwrap_or_default();
+        let columns = band.unwrap_or_else(|| x.into_iter().chain(y).collect());
         source.require(!columns.is_empty(), &format!("{path}.band"), "`band` names no column", &help)?;
-        Ok(Against::Band(BandSpec { quantity, columns, error }))
+        let tolerance = tolerance.map_or(0.0, |tolerance| tolerance.value());
+        let (reference, data, origin) = match read {
+            None => (first, None, None),
+            Some((file, lines, csv)) => {
+                if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+                    let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+                    return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
+                }
+                (file.to_owned(), Some(csv), provenance(file, &key, source)?)
+            }
+        };
+        let source = origin;
+        Ok(Spec {
+            reference,
+            data,
+            source,
+            quantity,
+            columns,
+            error,
+            range,
+            tolerance,
+            reason,
+            optional,
+            demonstration,
+        })
     }
-}
-
-fn check_keys(
-    table: &str,
-    foreign: &[&str],
-    needed: &[&str],
-    help: &str,
-    source: &source::Source,
-) -> Result<(), CaseError> {
-    source.refuse(table, foreign, "does not apply here", help)?;
-    let written = source.written(table, needed);
-    let missing = needed.iter().find(|key| !written.contains(key));
-    let what = format!("`{}` is missing in {table}", missing.unwrap_or(&""));
-    source.require(missing.is_none(), table, what, help)
 }

@@ -116,9 +116,9 @@ pub fn as_json<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> V
             columns.iter().map(|column| (column.header(), column.values.iter().copied().map(rounded).collect()));
         json!({
             "case": case,
-            "quantity": comparison.spec.against.quantity().name(),
+            "quantity": comparison.spec.quantity.name(),
             "reference": comparison.spec.reference,
-            "source": comparison.source(),
+            "source": comparison.spec.source,
             "worst": comparison.worst(),
             "accepted": comparison.accepted(),
             "verdict": comparison.outcome(),
@@ -131,10 +131,10 @@ pub fn as_json<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> V
 }
 
 fn row((case, comparison): &(String, Comparison)) -> [String; 6] {
-    let kind = comparison.source().map(|source| source.kind().to_owned());
+    let kind = comparison.spec.source.as_ref().map(|source| source.kind().to_owned());
     let computed = comparison.farthest().map(|amount| amount.to_string());
     let [kind, computed, target] = [kind, computed, comparison.target()].map(|text| text.unwrap_or("–".to_owned()));
-    let quantity = comparison.spec.against.quantity().label().to_owned();
+    let quantity = comparison.spec.quantity.label().to_owned();
     [case.clone(), kind, quantity, computed, target, comparison.outcome()]
 }
 
@@ -143,7 +143,7 @@ fn reasons(all: &[(String, Comparison)]) -> String {
     let mut lines: Vec<String> = Vec::new();
     for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {
         let reason = comparison.spec.reason.trim_end_matches('.');
-        let (quantity, miss) = (comparison.spec.against.quantity().label(), comparison.worst().unwrap_or_default());
+        let (quantity, miss) = (comparison.spec.quantity.label(), comparison.worst().unwrap_or_default());
         lines.push(format!("{case}, {quantity} {miss}: {reason}."));
     }
     let first = |(i, line): &(usize, &String)| !lines[..*i].contains(line);
@@ -154,7 +154,8 @@ fn reasons(all: &[(String, Comparison)]) -> String {
 fn counts(all: &[(String, Comparison)]) -> String {
     let line = |name: &&str| {
         let known = all.iter().map(|(_, comparison)| comparison).filter(|c| c.verdict != Verdict::NoData);
-        let own: Vec<_> = known.filter(|c| c.source().is_some_and(|source| source.kind() == *name)).collect();
+        let own: Vec<_> =
+            known.filter(|c| c.spec.source.as_ref().is_some_and(|source| source.kind() == *name)).collect();
         let inside = own.iter().filter(|c| c.verdict == Verdict::In).count();
         (!own.is_empty()).then(|| format!("{name}: {inside} of {} inside", own.len()))
     };

@@ -2,9 +2,9 @@
 
 use super::*;
 use stampflow::assess;
-use stampflow::results::error_bars::{Number, Origin};
-use stampflow::study::verify::{self, BEGINNING, FILE, Verification};
-use stampflow::units::{Amount, ErrorBar, rounded};
+use stampflow::results::error_bars::{Contribution, Number, Origin};
+use stampflow::study::verify::{self, BEGINNING, FILE, Outcome, Verification};
+use stampflow::units::{Amount, ErrorBar, Quantity, rounded};
 use std::time::Instant;
 
 options! {
@@ -73,30 +73,27 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
 
 /// Every number with its error bar and what that is made of, notes, and every run.
 fn as_json(verification: &Verification) -> Value {
-    let parts = |number: &Number| -> Vec<Value> {
-        let parts = number.contributions.iter().map(|part| {
-            let (error, order) = (rounded(part.error), part.order.map(rounded));
-            let (direction, share) = (part.direction.replace([' ', '-'], "_"), rounded(part.share));
-            let extrapolated = part.extrapolated;
-            json!({ "direction": direction, "share": share, "error": error, "order": order, "extrapolated": extrapolated })
-        });
-        parts.collect()
+    let part = |part: &Contribution| {
+        let (error, order, share) = (rounded(part.error), part.order.map(rounded), rounded(part.share));
+        let (direction, extrapolated) = (part.direction.replace([' ', '-'], "_"), part.extrapolated);
+        json!({ "direction": direction, "share": share, "error": error, "order": order, "extrapolated": extrapolated })
     };
-    let numbers = verification.bars.numbers.iter().map(|number| {
-        let (quantity, error_bar) = (&number.quantity, number.half().map(rounded));
-        let (value, unit) = (rounded(quantity.amount.value), quantity.amount.unit.spelled());
-        let why_none = if let ErrorBar::Missing(why) = &quantity.error { Some(why) } else { None };
-        let (key, parts) = (quantity.key, parts(number));
+    let number = |number: &Number| {
+        let Quantity { key, amount, error, .. } = &number.quantity;
+        let why_none = if let ErrorBar::Missing(why) = error { Some(why) } else { None };
+        let (value, unit, error_bar) = (rounded(amount.value), amount.unit.spelled(), number.half().map(rounded));
+        let parts: Vec<Value> = number.contributions.iter().map(part).collect();
         json!({
             "key": key, "value": value, "unit": unit, "error_bar": error_bar, "why_none": why_none, "parts": parts
         })
-    });
-    let runs = verification.outcomes.iter().map(|run| {
+    };
+    let run = |run: &Outcome| {
         let (direction, end) = (run.direction.map(|direction| direction.key()), &run.end);
         json!({
             "direction": direction, "times": run.times, "stages": end.stages, "end": end.kind, "complete": end.complete
         })
-    });
-    let (numbers, runs): (Vec<Value>, Vec<Value>) = (numbers.collect(), runs.collect());
+    };
+    let numbers: Vec<Value> = verification.bars.numbers.iter().map(number).collect();
+    let runs: Vec<Value> = verification.outcomes.iter().map(run).collect();
     json!({ "numbers": numbers, "told": verification.bars.notes, "runs": runs })
 }

@@ -1,7 +1,7 @@
 //! Forces over the punch travel, or the gas pressure over the height of the dome.
 
 use super::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
-use super::palette::{BLACK, color};
+use super::palette::BLACK;
 use super::{Axis, StageView};
 use crate::measure;
 use crate::solver::solution::StepRecord;
@@ -15,9 +15,6 @@ const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
-    if !view.load_band.is_empty() {
-        panel = panel.with_band("Error band", &view.load_band, color(0));
-    }
     let mut notes = Vec::new();
     if view.model().travel > 0.0 {
         let unit = view.extent().force_unit();

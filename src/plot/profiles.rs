@@ -1,7 +1,6 @@
 //! Thickness, porosity, temperature and strains over the blank at the kept frames, and thickness along the part.
 
 use super::chart::{Chart, Panel, Series, Style};
-use super::palette::color;
 use super::{StageView, bands};
 use crate::plot::axis::{Axis, capitalised};
 use crate::solver::solution::ElementRecord;
@@ -25,11 +24,6 @@ pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
         return None;
     }
     let mut chart = over_blank(view, "thickness", &THICKNESS, LEAST * initial)?;
-    if !view.thickness_band.is_empty() {
-        let panel = chart.panels.remove(0);
-        let last = color(panel.series.len().saturating_sub(1));
-        chart.panels.push(panel.with_band("Error band", &view.thickness_band, last));
-    }
     chart.panels.extend(bands::panel(view, LEAST * initial));
     Some(chart)
 }

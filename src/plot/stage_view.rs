@@ -47,10 +47,6 @@ pub struct StageView<'a> {
     pub bars: Vec<Amount>,
     /// Verdict on the whole case as JSON, if it was judged.
     pub verdict: Option<serde_json::Value>,
-    /// Error band of the punch force, of the stage with the largest: travel, lower and upper side.
-    pub(crate) load_band: Vec<[f64; 3]>,
-    /// Error band of the final thickness, of the last stage: initial distance from the axis, lower and upper side.
-    pub(crate) thickness_band: Vec<[f64; 3]>,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -105,8 +101,6 @@ impl<'a> StageView<'a> {
             pictures: Pictures::default(),
             bars: Vec::new(),
             verdict: None,
-            load_band: Vec::new(),
-            thickness_band: Vec::new(),
             assessment: OnceLock::new(),
         }
     }

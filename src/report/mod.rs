@@ -58,7 +58,7 @@ impl<'a> Report<'a> {
         let before = assess::before(&solution.case);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let mut views = solution.views_with(&assumed);
-        bars.into_iter().for_each(|bars| bars.draw(&mut views, &solution.stages));
+        bars.into_iter().for_each(|bars| bars.draw(&mut views));
         let views = views.into_iter().map(StageView::without_captions);
         Self {
             solution,

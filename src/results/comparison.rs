@@ -6,12 +6,11 @@ mod output;
 pub use computed::Computed;
 pub(super) use output::{PREFIX, files, is_comparison};
 
-use crate::case::comparison::{Against, BandSpec, ComparedQuantity as Q, CurveSpec, Spec};
+use crate::case::comparison::{ComparedQuantity as Q, Spec};
 use crate::case::{Case, Solution};
 use crate::numerics::interpolated;
 use crate::table::{Column, Csv, Record, Unit};
 use crate::units::{Amount, Digits};
-use std::path::Path;
 
 /// Reference below which no relative difference is taken \[mm, N, N/mm\]: nobody measures so finely.
 const NOTHING: f64 = 1e-9;
@@ -32,17 +31,6 @@ pub enum Verdict {
     NotReached,
     /// The reference file is optional and missing.
     NoData,
-}
-
-/// Reference with the computed values.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Compared {
-    /// The reference file is missing.
-    NoData,
-    /// Points of a curve.
-    Points(Vec<Point>),
-    /// Band.
-    Band(Band),
 }
 
 /// Reference value and its computed counterpart, in solver units.
@@ -75,8 +63,10 @@ pub struct Band {
 pub struct Comparison {
     /// Request of the case.
     pub spec: Spec,
-    /// Reference with the computed values.
-    pub compared: Compared,
+    /// Points of a reference curve with the computed values; else empty.
+    pub points: Vec<Point>,
+    /// Band with the computed values, if the reference is one.
+    pub band: Option<Band>,
     /// Agreement.
     pub verdict: Verdict,
     /// Computed curve that the compared values were taken from.
@@ -104,50 +94,52 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 /// A computed curve is interpolated at the reference's abscissae, each where it is reached first, and held for one interval
 /// beyond either end. A band is that of all measured values, each with its error.
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
-    let (x, y) = computed.columns(spec.against.quantity());
-    let path = spec.reference.as_path();
-    let reference = spec.data.as_ref().map(|data| Reference { path, csv: &data.csv });
-    let (compared, verdict) = match (reference, &spec.against) {
-        (None, _) if spec.optional => (Compared::NoData, Verdict::NoData),
-        (None, _) => return Err(CompareError(format!("{} is not there", path.display()))),
-        (Some(reference), Against::Curve(against)) => {
-            let points = reference.points(against, [&x, &y])?;
-            let mut judged = points.iter().filter(|point| point.judged);
-            if let Some(Point { x, reference: value, line, .. }) = judged.clone().find(|p| p.reference.abs() < NOTHING)
-            {
-                let remedy = "which no relative difference can be taken from; narrow `range`";
-                let value = four_digits(*value);
-                return reference.refuse(format!(", line {line}: the reference value is {value} at {x}, {remedy}"));
-            }
-            let is_beyond =
-                |point: &Point| point.difference().is_some_and(|d| d.abs() > against.tolerance || d.is_nan());
-            let needs_all = matches!(against.quantity, Q::ThicknessAtS0 | Q::ThicknessAtRadius);
-            let verdict = match judged.clone().any(is_beyond) {
-                _ if needs_all && !computed.complete => Verdict::NotReached,
-                true => Verdict::Out,
-                false if judged.all(|point| point.computed.is_some()) => Verdict::In,
-                false => Verdict::NotReached,
-            };
-            (Compared::Points(points), verdict)
+    let (x, y) = computed.columns(spec.quantity);
+    let (mut points, mut band) = (Vec::new(), None);
+    let verdict = if spec.data.is_none() && spec.optional {
+        Verdict::NoData
+    } else if spec.quantity.is_curve() {
+        let reference = Reference::new(spec)?;
+        points = reference.points([&x, &y])?;
+        let mut judged = points.iter().filter(|point| point.judged);
+        if let Some(Point { x, reference: value, line, .. }) = judged.clone().find(|p| p.reference.abs() < NOTHING) {
+            let (value, remedy) =
+                (four_digits(*value), "which no relative difference can be taken from; narrow `range`");
+            return reference.refuse(format!(", line {line}: the reference value is {value} at {x}, {remedy}"));
         }
-        (Some(reference), Against::Band(against)) => {
-            let band = reference.band(against, [&x, &y], computed)?;
-            let inside = |outside| if outside == 0.0 { Verdict::In } else { Verdict::Out };
-            (Compared::Band(band), band.outside().map_or(Verdict::NotReached, inside))
+        let is_beyond = |point: &Point| point.difference().is_some_and(|d| d.abs() > spec.tolerance || d.is_nan());
+        let needs_all = matches!(spec.quantity, Q::ThicknessAtS0 | Q::ThicknessAtRadius);
+        match judged.clone().any(is_beyond) {
+            _ if needs_all && !computed.complete => Verdict::NotReached,
+            true => Verdict::Out,
+            false if judged.all(|point| point.computed.is_some()) => Verdict::In,
+            false => Verdict::NotReached,
+        }
+    } else {
+        band = Some(Reference::new(spec)?.band([&x, &y], computed)?);
+        match band.and_then(|band| band.outside()) {
+            Some(0.0) => Verdict::In,
+            Some(_) => Verdict::Out,
+            None => Verdict::NotReached,
         }
     };
-    Ok(Comparison { spec: spec.clone(), compared, verdict, x, y })
+    Ok(Comparison { spec: spec.clone(), points, band, verdict, x, y })
 }
 
-/// File of a reference.
+/// Reference file with its contents.
 struct Reference<'a> {
-    path: &'a Path,
+    spec: &'a Spec,
     csv: &'a Csv,
 }
 
-impl Reference<'_> {
+impl<'a> Reference<'a> {
+    fn new(spec: &'a Spec) -> Result<Self, CompareError> {
+        let missing = || CompareError(format!("{} is not there", spec.reference.display()));
+        Ok(Self { spec, csv: spec.data.as_ref().ok_or_else(missing)? })
+    }
+
     fn refuse<T>(&self, what: String) -> Result<T, CompareError> {
-        Err(CompareError(format!("{}{what}", self.path.display())))
+        Err(CompareError(format!("{}{what}", self.spec.reference.display())))
     }
 
     /// Values of a column in the unit of the computed one, `None` where empty, and the factor to that unit.
@@ -185,9 +177,10 @@ impl Reference<'_> {
         Ok((self.csv.rows.iter().map(value).collect::<Result<_, _>>()?, factor))
     }
 
-    fn points(&self, spec: &CurveSpec, [x, y]: [&Column; 2]) -> Result<Vec<Point>, CompareError> {
-        let ((xs, of_x), (ys, _)) = (self.column(&spec.x, x)?, self.column(&spec.y, y)?);
-        let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    fn points(&self, [x, y]: [&Column; 2]) -> Result<Vec<Point>, CompareError> {
+        let headers = &self.spec.columns;
+        let ((xs, of_x), (ys, _)) = (self.column(&headers[0], x)?, self.column(&headers[1], y)?);
+        let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let range = low * of_x..=high * of_x;
         let mut rising: Vec<(f64, f64)> = Vec::with_capacity(x.values.len());
         for point in x.values.iter().copied().zip(y.values.iter().copied()) {
@@ -203,11 +196,12 @@ impl Reference<'_> {
         if points.iter().any(|point| point.judged) {
             return Ok(points);
         }
-        self.refuse(format!(" has no rows in columns `{}` and `{}` within the range asked for", spec.x, spec.y))
+        self.refuse(format!(" has no rows in columns `{}` and `{}` within the range asked for", headers[0], headers[1]))
     }
 
     /// Band of measured and computed values; an unfinished run has no value at the end.
-    fn band(&self, spec: &BandSpec, [x, y]: [&Column; 2], computed: &Computed) -> Result<Band, CompareError> {
+    fn band(&self, [x, y]: [&Column; 2], computed: &Computed) -> Result<Band, CompareError> {
+        let spec = self.spec;
         let errors = spec.error.as_ref().map_or(Ok(Vec::new()), |header| Ok(self.column(header, y)?.0))?;
         if let Some(row) = errors.iter().position(|error| error.is_some_and(|error| error < 0.0)) {
             let (line, column) = (self.csv.rows[row].line, spec.error.as_deref().unwrap_or_default());

@@ -1,6 +1,6 @@
-//! Error bars of a verified case: on its numbers and curves, and on the lights of its verdict.
+//! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
-use crate::assess::{self, Answer, Finding, Kind, Light, largest_force};
+use crate::assess::{self, Answer, Finding, Kind, Light};
 use crate::case::Solution;
 use crate::plot::StageView;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
@@ -59,10 +59,6 @@ pub struct ErrorBars {
     pub numbers: Vec<Number>,
     /// Sentences on whatever is no small error.
     pub notes: Vec<String>,
-    /// Band of the punch force of the stage with the largest: travel \[mm\], lower and upper side \[N, or N/mm\].
-    pub load: Vec<[f64; 3]>,
-    /// Band of the part's thickness: initial distance from the axis, lower and upper side \[mm\].
-    pub thickness: Vec<[f64; 3]>,
     /// Number of refined runs.
     pub runs: usize,
     /// True if they are one coarser run.
@@ -221,33 +217,26 @@ impl ErrorBars {
     /// Sentences below the answer's numbers: origin of the bars, numbers without one and why, and all notes.
     pub fn sentences(&self) -> Vec<String> {
         let answer = || self.numbers.iter().filter(|number| number.origin == Origin::Answer);
-        let mut without: Vec<(&str, Vec<String>)> = Vec::new();
-        for Quantity { label, error, .. } in answer().map(|number| &number.quantity) {
-            let ErrorBar::Missing(why) = error else { continue };
-            match without.iter_mut().find(|(known, _)| known == why) {
-                Some((_, labels)) => labels.push((*label).to_owned()),
-                None => without.push((why, vec![(*label).to_owned()])),
-            }
-        }
-        if answer().all(|number| number.half().is_none()) && without.len() <= 1 {
+        let reason = |number: &Number| match &number.quantity.error {
+            ErrorBar::Missing(why) => Some((number.quantity.label, why.clone())),
+            _ => None,
+        };
+        let without: Vec<(&str, String)> = answer().filter_map(reason).collect();
+        if answer().all(|number| number.half().is_none()) && without.iter().all(|(_, why)| *why == without[0].1) {
             // A run without a step has no numbers either.
-            let why = without.first().map_or(self.why.as_str(), |(why, _)| why);
-            let notes = self.notes.iter().filter(|note| note.as_str() != why).cloned();
+            let why = without.first().map_or(&self.why, |(_, why)| why);
+            let notes = self.notes.iter().filter(|note| *note != why).cloned();
             return [format!("no error bars: {why}")].into_iter().chain(notes).collect();
         }
         let what = "what mesh, steps and contact leave open; laws and friction are no part of them";
-        let without = without.into_iter().map(|(why, labels)| format!("{}: no error bar, {why}", joined(labels, ", ")));
+        let without = without.into_iter().map(|(label, why)| format!("{label}: no error bar, {why}"));
         [format!("{}: {what}", self.method())].into_iter().chain(without).chain(self.notes.iter().cloned()).collect()
     }
 
-    /// Gives the views of all stages their error bars and bands.
-    pub(crate) fn draw(&self, views: &mut [StageView], stages: &[crate::StageSolution]) {
-        let (peak, last) = (largest_force(stages).map(|(i, _)| i), views.len().wrapping_sub(1));
-        for (i, view) in views.iter_mut().enumerate() {
-            view.bars = self.numbers.iter().map(|number| number.quantity.amount).collect();
-            view.load_band = if Some(i) == peak { self.load.clone() } else { Vec::new() };
-            view.thickness_band = if i == last { self.thickness.clone() } else { Vec::new() };
-        }
+    /// Gives the views of all stages their error bars.
+    pub(crate) fn draw(&self, views: &mut [StageView]) {
+        let bars: Vec<_> = self.numbers.iter().map(|number| number.quantity.amount).collect();
+        views.iter_mut().for_each(|view| view.bars.clone_from(&bars));
     }
 }
 

@@ -110,7 +110,7 @@ impl<'a> Results<'a> {
 
     /// Adds error bars.
     pub fn verified(mut self, bars: Option<&'a ErrorBars>) -> Self {
-        bars.into_iter().for_each(|bars| bars.draw(&mut self.views, &self.solution.stages));
+        bars.into_iter().for_each(|bars| bars.draw(&mut self.views));
         Self { bars, ..self }
     }
 

@@ -34,7 +34,7 @@ pub struct Member {
     name: String,
     /// The solved case.
     pub solution: Solution,
-    bars: ErrorBars,
+    /// Its numbers, with error bars, and curves.
     outcome: Outcome,
     /// Worst light of its verdict, with the labels of its rows.
     light: Cell,
@@ -83,7 +83,7 @@ pub fn check(candidates: &[Candidate], curves: &[MeasuredCurve]) -> Result<(), S
         ensure(is_alike, what, help)?;
     }
     for curve in curves {
-        let points = curve.points(&Computed::nothing(first.case.model()));
+        let points = Computed::nothing(first.case.model()).points(&curve.spec);
         points.map_err(|error| StudyError::new(error.to_string(), "check the columns and their units"))?;
     }
     Ok(())
@@ -111,9 +111,8 @@ impl SideBySide {
             watch.ran(solved.len(), candidates.len());
             Ok(())
         });
-        ended.map_err(|reason: String| {
-            StudyError::new(format!("a case cannot be run: {reason}"), "try `stampflow check` on each")
-        })?;
+        let failed = |reason: String| format!("a case cannot be run: {reason}");
+        ended.map_err(|reason| StudyError::new(failed(reason), "try `stampflow check` on each"))?;
         let members = candidates.iter().zip(solved).enumerate();
         let members = members.map(|(i, (candidate, solved))| Member::new(i, candidate, solved)).collect();
         Ok(Self { members, curves })
@@ -145,29 +144,31 @@ impl SideBySide {
             table.rows.push(vec![label.into(), member.mark.clone().into(), value, change, beyond.into()]);
         };
         self.members.iter().for_each(|member| add("Verdict", member, member.light.clone(), "".into(), ""));
-        let end = |member: &Member| member.outcome.end.why.to_string().into();
-        self.members.iter().for_each(|member| add("End", member, end(member), "".into(), ""));
+        self.members
+            .iter()
+            .for_each(|member| add("End", member, member.outcome.end.why.as_str().into(), "".into(), ""));
         for number in self.numbers() {
             let first = self.members[0].number(number);
             for (i, member) in self.members.iter().enumerate() {
                 let own = member.number(number);
-                let difference = first.filter(|_| i > 0).zip(own).map(|(first, own)| {
-                    let change = own.value - first.value;
+                let (change, beyond) = first.filter(|_| i > 0).zip(own).map_or(("".into(), ""), |(first, own)| {
+                    let base = first.quantity.amount;
+                    let change = own.quantity.amount.value - base.value;
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                    let open = first.bar.unwrap_or(0.0) + own.bar.unwrap_or(0.0);
-                    let is_beyond = change.abs() > SAME * first.value.abs() && change.abs() > open;
-                    (Amount::new(change, first.unit, first.digits).into(), if is_beyond { "yes" } else { "no" })
+                    let is_beyond = |(a, b)| change.abs() > SAME * base.value.abs() && change.abs() > a + b;
+                    let beyond =
+                        first.half().zip(own.half()).map_or("", |bars| if is_beyond(bars) { "yes" } else { "no" });
+                    (Amount::new(change, base.unit, base.digits).into(), beyond)
                 });
-                let (change, beyond) = difference.unwrap_or(("".into(), ""));
-                add(number.quantity.label, member, own.map_or_else(|| "–".into(), Cell::from), change, beyond);
+                let value = own.map_or_else(|| "–".into(), |own| own.quantity.amount.into());
+                add(number.quantity.label, member, value, change, beyond);
             }
         }
         for (i, curve) in self.curves.iter().enumerate() {
-            for member in &self.members {
-                if let Some((misfit, used, all)) = member.misfit(curve) {
-                    let note = format!("at {used} of {all} points");
-                    add(&format!("Misfit of curve {}, r.m.s.", i + 1), member, misfit.into(), note.into(), "");
-                }
+            for (member, misfit) in self.members.iter().filter_map(|member| Some((member, member.misfit(curve)?))) {
+                let (misfit, used, all) = misfit;
+                let note = format!("at {used} of {all} points");
+                add(&format!("Misfit of curve {}, r.m.s.", i + 1), member, misfit.into(), note.into(), "");
             }
         }
         table
@@ -199,7 +200,7 @@ impl SideBySide {
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
         let (x, y) = Computed::nothing(model).columns(quantity);
         for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
-            let points = measured.points(&Computed::nothing(model)).unwrap_or_default();
+            let points = Computed::nothing(model).points(&measured.spec).unwrap_or_default();
             let points: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.reference)).collect();
             let style = Style::Circles { color: color(self.members.len() + i) };
             series.push(Series::new(format!("{}: {}", i + 1, measured.name()), points, style));
@@ -235,8 +236,8 @@ impl Member {
         let light = Cell::Light(light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
         let letter = (b'A'..=b'Z').nth(i).map(|letter| char::from(letter).to_string());
         let mark = letter.unwrap_or_else(|| (i + 1).to_string());
-        let outcome = Outcome::of(&solution, None);
-        Self { mark, name: candidate.name(), solution, bars, outcome, light }
+        let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
+        Self { mark, name: candidate.name(), solution, outcome, light }
     }
 
     /// Mark and name: `B: friction=0.12`.
@@ -244,14 +245,14 @@ impl Member {
         format!("{}: {}", self.mark, self.name)
     }
 
-    fn number(&self, number: &Number) -> Option<Amount> {
-        self.bars.numbers.iter().find(|own| own.is(number)).map(|own| own.quantity.amount)
+    fn number(&self, number: &Number) -> Option<&Number> {
+        self.outcome.numbers.iter().find(|own| own.is(number))
     }
 
     /// Root mean square of computed less measured, the number of points that the run has, and of all points.
     fn misfit(&self, curve: &MeasuredCurve) -> Option<(Amount, usize, usize)> {
         let computed = Computed::of(self.solution.stages.first()?);
-        let points = curve.points(&computed).ok()?;
+        let points = computed.points(&curve.spec).ok()?;
         let squares: Vec<f64> = points.iter().filter_map(|p| Some((p.computed? - p.reference).powi(2))).collect();
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
         let amount = Amount::new(rms, computed.columns(curve.spec.quantity).1.unit, Digits::Significant(3));

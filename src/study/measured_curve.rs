@@ -2,22 +2,18 @@
 
 use super::{StudyError, fail};
 use crate::case::Case;
-use crate::case::comparison::{Against, ComparedQuantity, CurveSpec, Spec};
+use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::case::files::{self, Disk, Files};
-use crate::model::Model;
-use crate::plot::Axis;
-use crate::results::comparison::{CompareError, Computed, Point};
+use crate::results::comparison::Computed;
 use crate::table::{Csv, CsvError, Record};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A measured curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredCurve {
-    /// Its file.
-    pub path: PathBuf,
-    /// Its quantity and columns.
-    pub spec: CurveSpec,
-    csv: Csv,
+    /// Its file, quantity and columns.
+    pub spec: Spec,
+    /// Header of the points' standard deviations.
     scatter: Option<String>,
 }
 
@@ -47,49 +43,39 @@ impl MeasuredCurve {
             return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
         };
         let [x, y] = [x, y].map(|i| csv.header.fields.get(i).unwrap_or_default().to_owned());
-        let spec = CurveSpec { quantity, x, y, range: None, tolerance: f64::INFINITY };
-        Ok(Self::new(path.to_owned(), spec, last_frame(csv)))
+        let (reference, data, columns) = (path.to_owned(), Some(last_frame(csv)), vec![x, y]);
+        let spec = Spec { reference, data, quantity, columns, tolerance: f64::INFINITY, ..Spec::default() };
+        Ok(Self::new(spec))
     }
 
     /// Curves that a case is compared with.
     pub fn of_case(case: &Case) -> Vec<Self> {
-        let curve = |spec: &Spec| {
-            let Against::Curve(curve) = &spec.against else { return None };
-            Some(Self::new(spec.reference.clone(), curve.clone(), spec.data.as_ref()?.csv.clone()))
-        };
-        case.compare.iter().filter_map(curve).collect()
+        let curves = case.compare.iter().filter(|spec| spec.quantity.is_curve() && spec.data.is_some());
+        curves.cloned().map(Self::new).collect()
     }
 
-    fn new(path: PathBuf, spec: CurveSpec, csv: Csv) -> Self {
-        let unit = |i: usize| csv.unit(i).ok().map(|(unit, _)| unit);
-        let y = csv.column(&spec.y).and_then(unit);
-        let is_scatter = |(i, name): &(usize, &str)| has_word(name, &SCATTER) && unit(*i).is_some() && unit(*i) == y;
-        let scatter = csv.header.fields.iter().enumerate().find(is_scatter).map(|(_, name)| name.to_owned());
-        Self { path, spec, csv, scatter }
-    }
-
-    /// Its points with the computed values.
-    pub fn points(&self, computed: &Computed) -> Result<Vec<Point>, CompareError> {
-        computed.points(&self.spec, &self.path, &self.csv)
+    fn new(spec: Spec) -> Self {
+        let scatter = spec.data.as_ref().and_then(|csv| {
+            let unit = |i: usize| csv.unit(i).ok().map(|(unit, _)| unit);
+            let y = csv.column(&spec.columns[1]).and_then(unit);
+            let is_scatter =
+                |(i, name): &(usize, &str)| has_word(name, &SCATTER) && unit(*i).is_some() && unit(*i) == y;
+            csv.header.fields.iter().enumerate().find(is_scatter).map(|(_, name)| name.to_owned())
+        });
+        Self { spec, scatter }
     }
 
     /// Standard deviation of each point; `None` if one has none.
     pub fn deviations(&self, computed: &Computed) -> Option<Vec<f64>> {
-        let spec = CurveSpec { y: self.scatter.clone()?, ..self.spec.clone() };
-        let sizes = computed.points(&spec, &self.path, &self.csv).ok()?.into_iter().map(|point| point.reference);
+        let columns = vec![self.spec.columns[0].clone(), self.scatter.clone()?];
+        let sizes = computed.points(&Spec { columns, ..self.spec.clone() }).ok()?.into_iter().map(|p| p.reference);
         let sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
-        (sizes.len() == self.points(computed).ok()?.len()).then_some(sizes)
-    }
-
-    /// Axes of abscissa and ordinate, in solver units.
-    pub fn axes(&self, model: &Model) -> [Axis; 2] {
-        let (x, y) = Computed::nothing(model).columns(self.spec.quantity);
-        [x.axis(), y.axis()]
+        (sizes.len() == computed.points(&self.spec).ok()?.len()).then_some(sizes)
     }
 
     /// Name of its file.
     pub fn name(&self) -> String {
-        self.path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+        self.spec.reference.file_name().unwrap_or_default().to_string_lossy().into_owned()
     }
 }
 

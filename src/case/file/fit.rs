@@ -35,7 +35,7 @@ pub fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     };
     let throat = throat(die);
     if let Some((throat, punch)) = throat.zip(punch) {
-        clearance(model, punch, die, throat, &key("die", "throat"), source)?;
+        clearance(model, [punch, die], (throat, &key("die", "throat")), source)?;
     }
     let end = shoulder_end(die);
     if let Some(throat) = throat.filter(|_| end > length * (1.0 + ROUNDED)) {
@@ -64,14 +64,8 @@ pub fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     source.require(inner < length, &inner_key, what, "make it smaller, or drop it")
 }
 
-fn clearance(
-    model: &Model,
-    punch: &Tool,
-    die: &Tool,
-    throat: f64,
-    throat_key: &str,
-    source: &Source,
-) -> Result<(), CaseError> {
+fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), source: &Source) -> Result<(), CaseError> {
+    let (throat, throat_key) = throat;
     let t = rounded(model.blank.thickness);
     let least = LEAST_CLEARANCE * t;
     if widens(punch, model.travel) {

@@ -1,14 +1,13 @@
 //! Computed values of a stage for comparison.
 
 use super::{CompareError, Point, Reference};
-use crate::case::comparison::{ComparedQuantity as Q, CurveSpec};
+use crate::case::comparison::{ComparedQuantity as Q, Spec};
 use crate::forming_limit::Paths;
 use crate::model::{Extent, Model};
 use crate::results::tables::edge_diameter;
 use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::{element, step};
-use crate::table::{Column, Csv, Field, Unit};
-use std::path::Path;
+use crate::table::{Column, Field, Unit};
 
 /// Computed values of a stage for comparison.
 #[derive(Clone, Copy, Debug)]
@@ -48,9 +47,9 @@ impl<'a> Computed<'a> {
     }
 
     /// Judged points of a reference curve with the computed values; a reference may be 0.
-    pub fn points(&self, spec: &CurveSpec, path: &Path, csv: &Csv) -> Result<Vec<Point>, CompareError> {
+    pub fn points(&self, spec: &Spec) -> Result<Vec<Point>, CompareError> {
         let (x, y) = self.columns(spec.quantity);
-        let points = Reference { path, csv }.points(spec, [&x, &y])?;
+        let points = Reference::new(spec)?.points([&x, &y])?;
         Ok(points.into_iter().filter(|point| point.judged).collect())
     }
 

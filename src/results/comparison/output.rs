@@ -1,7 +1,7 @@
 //! Comparisons in words, as tables and as pictures.
 
-use super::{Band, Compared, Comparison, Point, Verdict, four_digits};
-use crate::case::comparison::{Against, ComparedQuantity as Q, Source};
+use super::{Band, Comparison, Point, Verdict, four_digits};
+use crate::case::comparison::ComparedQuantity as Q;
 use crate::plot::chart::{Chart, Panel, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color};
 use crate::plot::{Axis, StageView};
@@ -21,11 +21,6 @@ const MEASURED: Style = Style::Area { fill: (238, 174, 132), edge: Some((213, 94
 const WIDENED: Style = Style::Area { fill: (249, 224, 206), edge: Some((213, 94, 0)) };
 
 impl Comparison {
-    /// Source of the reference, if its folder names one.
-    pub fn source(&self) -> Option<&Source> {
-        self.spec.data.as_ref()?.source.as_ref()
-    }
-
     /// True if a validation must fail; a demonstration is never a failure.
     pub fn is_failure(&self) -> bool {
         matches!(self.verdict, Verdict::Out | Verdict::NotReached) && !self.spec.demonstration
@@ -42,21 +37,16 @@ impl Comparison {
         if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
     }
 
-    /// Points of the reference; empty of a band.
-    pub fn points(&self) -> &[Point] {
-        if let Compared::Points(points) = &self.compared { points } else { &[] }
-    }
-
     /// Judged point with the largest relative difference.
     pub fn worst_point(&self) -> Option<&Point> {
         let size = |p: &Point| p.difference().map_or(-1.0, f64::abs);
-        let judged = self.points().iter().filter(|point| point.judged);
+        let judged = self.points.iter().filter(|point| point.judged);
         judged.max_by(|a, b| size(a).total_cmp(&size(b))).filter(|p| p.computed.is_some())
     }
 
     /// Largest difference, in short: `+2.1 %`, `3.4 mm above (+0.7 %)` with as many decimals as the band's end.
     pub fn worst(&self) -> Option<String> {
-        let Compared::Band(band) = &self.compared else {
+        let Some(band) = self.band else {
             return self.worst_point()?.difference().map(|d| format!("{:+.1} %", 100.0 * d));
         };
         let outside = band.outside()?;
@@ -79,22 +69,22 @@ impl Comparison {
 
     /// Accepted range: `5 %` of a curve, `467.3 to 468.5 mm`.
     pub fn accepted(&self) -> String {
-        match (&self.spec.against, &self.compared) {
-            (Against::Curve(curve), _) => format!("{} %", rounded(100.0 * curve.tolerance)),
-            (_, Compared::Band(band)) => interval_text(band.accepted, self.y.unit),
-            _ => "–".to_owned(),
+        match self.band {
+            Some(band) => interval_text(band.accepted, self.y.unit),
+            None if self.spec.quantity.is_curve() => format!("{} %", rounded(100.0 * self.spec.tolerance)),
+            None => "–".to_owned(),
         }
     }
 
     /// Outcome in a sentence: `punch_force against osu.csv: in, worst +2.1 % at punch travel = 20 mm (tolerance 5 %)`.
     pub fn sentence(&self) -> String {
-        let worst = match (&self.compared, self.worst()) {
-            (Compared::Band(Band { computed: Some(computed), .. }), Some(worst)) => {
-                format!(", {}, {worst} of {}", interval_text(*computed, self.y.unit), self.accepted())
+        let worst = match (self.band.and_then(|band| band.computed), self.worst()) {
+            (Some(computed), Some(worst)) => {
+                format!(", {}, {worst} of {}", interval_text(computed, self.y.unit), self.accepted())
             }
             _ => self.worst_at().map_or(String::new(), |at| format!(", worst {at} (tolerance {})", self.accepted())),
         };
-        format!("{} against {}: {}{worst}", self.spec.against.quantity().name(), self.file(), self.outcome())
+        format!("{} against {}: {}{worst}", self.spec.quantity.name(), self.file(), self.outcome())
     }
 
     fn file(&self) -> String {
@@ -103,30 +93,25 @@ impl Comparison {
 
     /// Computed value with the largest difference: of a band the one farthest out of it, or nearest to its end.
     pub fn farthest(&self) -> Option<Amount> {
-        let value = match &self.compared {
-            Compared::Band(Band { computed, accepted: [least, most], .. }) => {
-                computed.map(|[low, high]| if least - low > high - most { low } else { high })
-            }
-            _ => self.worst_point()?.computed,
+        let Some(Band { computed, accepted: [least, most], .. }) = self.band else {
+            return Some(self.amount(self.worst_point()?.computed?));
         };
-        value.map(|value| self.amount(value))
+        computed.map(|[low, high]| self.amount(if least - low > high - most { low } else { high }))
     }
 
     /// Target of that value: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
     pub fn target(&self) -> Option<String> {
-        match (&self.spec.against, &self.compared) {
-            (Against::Curve(curve), _) => {
-                let reference = self.amount(self.worst_point()?.reference);
-                Some(format!("{reference} ± {}", Amount::given_share(curve.tolerance)))
-            }
-            (_, Compared::Band(band)) => {
-                let [low, high] = band.accepted.map(|end| self.amount(end));
-                let ((number, unit), (of_high, _)) = (low.parts(), high.parts());
-                let from = if high.parts().1 == unit { number.clone() } else { low.to_string() };
-                Some(if number == of_high { high.to_string() } else { format!("{from}–{high}") })
-            }
-            _ => None,
-        }
+        let Some(band) = self.band else {
+            let reference = self.amount(self.worst_point()?.reference);
+            return Some(format!("{reference} ± {}", Amount::given_share(self.spec.tolerance)));
+        };
+        let [low, high] = band.accepted.map(|end| self.amount(end));
+        let ((number, unit), (of_high, unit_of_high)) = (low.parts(), high.parts());
+        Some(match (number == of_high, unit == unit_of_high) {
+            (true, true) => high.to_string(),
+            (_, true) => format!("{number}–{high}"),
+            _ => format!("{low}–{high}"),
+        })
     }
 
     /// Value of the compared quantity, to three digits.
@@ -137,18 +122,18 @@ impl Comparison {
     /// Result as a table, NaN where the run did not get: a row per point of a curve, or one of a band; no columns without data.
     pub fn table(&self) -> Table {
         let unit = self.y.unit;
-        let (mut columns, differences) = match &self.compared {
-            Compared::NoData => return Table::new(Vec::new()),
-            Compared::Points(points) => {
-                let values = |value: fn(&Point) -> f64| points.iter().map(value).collect();
+        let (mut columns, differences) = match self.band {
+            None if self.points.is_empty() => return Table::new(Vec::new()),
+            None => {
+                let values = |value: fn(&Point) -> f64| self.points.iter().map(value).collect();
                 let columns = vec![
                     Column::new(self.x.key, self.x.label, self.x.unit, values(|p| p.x)),
                     Column::new("reference", "Reference", unit, values(|p| p.reference)),
                     Column::new("computed", "Computed", unit, values(|p| p.computed.unwrap_or(f64::NAN))),
                 ];
-                (columns, points.iter().map(Point::difference).collect())
+                (columns, self.points.iter().map(Point::difference).collect())
             }
-            Compared::Band(band) => {
+            Some(band) => {
                 let ([low, high], outside) = (band.computed.unwrap_or([f64::NAN; 2]), band.outside());
                 let columns = [
                     ("measured_low", "Least measured", band.measured[0]),
@@ -174,13 +159,14 @@ impl Comparison {
         let computed = Series::new("Computed", curve.clone(), Style::curve(0));
         let reference = self.compared_points(|point| Some(point.reference));
         let (low, high) = bounds(curve.iter().chain(&reference).map(|point| point.0));
-        let (panels, columns, text) = match (&self.spec.against, &self.compared) {
-            (Against::Curve(spec), Compared::Points(points)) => {
+        let (panels, text) = match self.band {
+            None if self.points.is_empty() => return None,
+            None => {
                 let all = self.compared_points(|point| Some(100.0 * point.difference()?));
-                let end = 100.0 * DRAWN * spec.tolerance;
+                let end = 100.0 * DRAWN * self.spec.tolerance;
                 let drawn: Vec<_> = all.iter().copied().filter(|point| point.1.abs() <= end).collect();
-                let differences = if 2 * (all.len() - drawn.len()) > points.len() { all } else { drawn };
-                let tolerance = rounded(100.0 * spec.tolerance);
+                let differences = if 2 * (all.len() - drawn.len()) > self.points.len() { all } else { drawn };
+                let tolerance = rounded(100.0 * self.spec.tolerance);
                 let level = |value: f64| vec![(low, value), (high, value)];
                 let below = [
                     Series::new(format!("Tolerance ±{tolerance} %"), level(tolerance), TOLERANCE),
@@ -190,14 +176,14 @@ impl Comparison {
                 ];
                 let circles = Series::new("Reference", reference, Style::Circles { color: color(1) });
                 let below = Panel::fit(x.clone(), Axis::named("Difference", Unit::Percent), 150.0, 0.0).with(below);
-                let judged = points.iter().filter(|point| point.judged);
+                let judged = self.points.iter().filter(|point| point.judged);
                 let missed = judged.clone().filter(|point| point.computed.is_none()).count();
                 let missed = format!("{missed} of {} reference points were not reached", judged.count());
                 let worst = self.worst_at().map(|worst| format!("largest difference {worst}"));
                 let text = joined(worst.into_iter().chain([missed]), "; ");
-                (vec![Panel::fit(x, y, 270.0, 0.0).with([computed, circles]), below], spec.y.clone(), text)
+                (vec![Panel::fit(x, y, 270.0, 0.0).with([computed, circles]), below], text)
             }
-            (Against::Band(spec), Compared::Band(band)) => {
+            Some(band) => {
                 let area = |name: &str, ends: [f64; 2], style| {
                     let corners = [(low, ends[0]), (high, ends[0]), (high, ends[1]), (low, ends[1])];
                     Series::new(format!("{name}, {}", interval_text(ends, self.y.unit)), corners.to_vec(), style)
@@ -215,11 +201,11 @@ impl Comparison {
                 let text = band.computed.zip(self.worst());
                 let text = text.map(|(ends, worst)| format!("computed {}: {worst}", interval_text(ends, self.y.unit)));
                 let text = text.unwrap_or_else(|| "the run ended before the compared value".to_owned());
-                (vec![Panel::fit(x, y, 350.0, 0.0).with(series)], spec.columns.join(", "), text)
+                (vec![Panel::fit(x, y, 350.0, 0.0).with(series)], text)
             }
-            _ => return None,
         };
-        let from = self.source().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
+        let columns = &self.spec.columns[usize::from(self.band.is_none())..].join(", ");
+        let from = self.spec.source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
         let notes = [
             format!("Reference: {}, {columns}: {from}.", self.file()),
             format!("Accepted: {}; {text}.", self.accepted()),
@@ -230,7 +216,7 @@ impl Comparison {
     }
 
     fn compared_points(&self, y: impl Fn(&Point) -> Option<f64>) -> Vec<(f64, f64)> {
-        self.points().iter().filter_map(|point| Some((point.x, y(point)?))).collect()
+        self.points.iter().filter_map(|point| Some((point.x, y(point)?))).collect()
     }
 }
 
@@ -245,7 +231,7 @@ pub(in crate::results) fn files(results: &Results) -> Files {
     let mut files = Vec::new();
     let Some(view) = results.views.first() else { return files };
     for (i, comparison) in results.comparisons.iter().enumerate() {
-        let stem = format!("{PREFIX}{}_{}", i + 1, comparison.spec.against.quantity().name());
+        let stem = format!("{PREFIX}{}_{}", i + 1, comparison.spec.quantity.name());
         if let Some(chart) = comparison.chart(view) {
             files.push((format!("{stem}.csv"), csv(&comparison.table())));
             files.extend(view.pictures.files(&stem, &chart));

@@ -93,7 +93,7 @@ impl CaseFitRequest {
         let computed = Computed::of(solution.stages.first().ok_or("nothing was solved")?);
         let pair = |curve: &MeasuredCurve| {
             let (x, y) = computed.columns(curve.spec.quantity);
-            let points = curve.points(&computed).map_err(|error| error.to_string())?;
+            let points = computed.points(&curve.spec).map_err(|error| error.to_string())?;
             Ok((points, x.values.into_iter().zip(y.values).collect()))
         };
         self.curves.iter().map(pair).collect()
@@ -108,7 +108,7 @@ impl CaseFitRequest {
             let sizes = deviations.unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
             let weight = |(p, size): (&Point, f64)| if p.computed.is_some() { 1.0 / size } else { 0.0 };
             let weights: Vec<f64> = points.iter().zip(sizes).map(weight).collect();
-            let what = format!("{} does not overlap the run", curve.path.display());
+            let what = format!("{} does not overlap the run", curve.spec.reference.display());
             ensure(weights.iter().any(|w| *w > 0.0), what, "check its unit and where its travel begins")?;
             all.push(weights);
         }
@@ -191,9 +191,9 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
             Series::new("Fitted run", after, Style::curve(0)),
             Series::new(file, measured, Style::Circles { color: BLACK }),
         ];
-        let [x, y] = curve.axes(model.model());
+        let (x, y) = Computed::nothing(model.model()).columns(curve.spec.quantity);
         let name = if charts.is_empty() { "fit".to_owned() } else { format!("fit_{}", charts.len() + 1) };
-        charts.push((name, Chart::new("", vec![Panel::fit(x, y, 350.0, 0.0).with(series)], Vec::new())));
+        charts.push((name, Chart::new("", vec![Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series)], Vec::new())));
     }
     if failed > 0 {
         notes.push(format!("{failed} runs failed or ended before the curves do."));

@@ -70,8 +70,7 @@ impl Tension {
 
     fn new(csv: &Csv, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
         let not = [&SCATTER[..], &WIDTH].concat();
-        let column =
-            |any: &[&str], none: &[&str], units: &[Unit]| Column::find(csv, name, any, none, units).transpose();
+        let column = |any: &[&str], none: &[&str], units: &[Unit]| Column::find(csv, name, any, none, units);
         let scatter_column = column(&SCATTER, &[], &[Unit::MPa])?;
         let width_column = column(&WIDTH, &[], &RATIO)?;
         let curve = column(&["strain"], &[&not[..], &["rate"]].concat(), &RATIO)?;
@@ -137,14 +136,15 @@ impl Tension {
 
 impl Column {
     /// The first column whose header has one word and none of the others.
-    fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Option<Result<Self, StudyError>> {
-        let mut headers = csv.header.fields.iter().enumerate();
-        let (place, header) = headers.find(|(_, header)| has_word(header, any) && !has_word(header, none))?;
+    fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Result<Option<Self>, StudyError> {
+        let is = |header: &str| has_word(header, any) && !has_word(header, none);
+        let found = csv.header.fields.iter().enumerate().find(|(_, header)| is(header));
+        let Some((place, header)) = found else { return Ok(None) };
         let (unit, factor) = match csv.unit(place) {
             Err(_) if units.contains(&Unit::None) => (Unit::None, 1.0),
             Ok((Unit::Percent, _)) => (Unit::Percent, 0.01),
             Ok(unit) => unit,
-            Err(error) => return Some(fail(format!("{file}: {error}"), NAMES)),
+            Err(error) => return fail(format!("{file}: {error}"), NAMES),
         };
         let what = format!("{file}: column `{header}` is in {}, which does not fit its name", unit.symbol());
         let measure = match header {
@@ -152,7 +152,7 @@ impl Column {
             header if has_word(header, &["true", "log", "logarithmic", "cauchy"]) => Measure::True,
             _ => Measure::Engineering,
         };
-        Some(ensure(units.contains(&unit), what, NAMES).map(|()| Self { place, measure, factor }))
+        ensure(units.contains(&unit), what, NAMES).map(|()| Some(Self { place, measure, factor }))
     }
 
     fn logarithmic(self, strain: f64) -> f64 {

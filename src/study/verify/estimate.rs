@@ -1,7 +1,6 @@
-//! Discretisation error of a number, and of a curve, from its values on other levels of refinement.
+//! Discretisation error of a number from its values on other levels of refinement.
 
 use super::{Direction, Outcome};
-use crate::numerics::interpolated;
 use crate::results::error_bars::{Contribution, Number};
 use crate::units::{ErrorBar, Unit};
 
@@ -26,9 +25,6 @@ const SOLVED: f64 = 10.0;
 /// A number jumps if the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this share.
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
-
-/// Reach of an error to either side, over the length of the curve \[–\]: curves that cross agree by chance.
-const REACH: f64 = 0.04;
 
 /// Directions of refinement, each with its runs from coarse to fine.
 pub(super) type Refined<'a> = [(Direction, Vec<&'a Outcome>)];
@@ -86,35 +82,4 @@ pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) ->
     let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(least) } else { 0.0 };
     let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
     Number { quantity, contributions, ..number.clone() }
-}
-
-/// Error band around a curve: abscissa, lower and upper side. The errors of finer curves count as far as they come.
-pub(super) fn band(own: &Outcome, directions: &Refined, curve: fn(&Outcome) -> &[(f64, f64)]) -> Vec<[f64; 3]> {
-    if directions.is_empty() {
-        return Vec::new();
-    }
-    let half = |&(x, value): &(f64, f64)| {
-        let errors = directions.iter().map(|(direction, runs)| {
-            let finer = runs.iter().filter_map(|run| value_at(curve(run), x));
-            estimate(*direction, &std::iter::once(value).chain(finer).collect::<Vec<_>>()).error
-        });
-        errors.sum::<f64>()
-    };
-    let x: Vec<f64> = curve(own).iter().map(|point| point.0).collect();
-    let half = envelope(&x, &curve(own).iter().map(half).collect::<Vec<_>>());
-    curve(own).iter().zip(half).map(|((x, value), half)| [*x, value - half, value + half]).collect()
-}
-
-/// Largest error within reach of each place, smoothed over the same reach: nowhere below the error itself.
-pub(super) fn envelope(x: &[f64], half: &[f64]) -> Vec<f64> {
-    let reach = REACH * (x.last().unwrap_or(&0.0) - x.first().unwrap_or(&0.0));
-    let near = |at: &f64| x.partition_point(|x| *x < at - reach)..x.partition_point(|x| *x <= at + reach);
-    let largest: Vec<f64> = x.iter().map(|at| half[near(at)].iter().copied().fold(0.0, f64::max)).collect();
-    x.iter().map(|at| largest[near(at)].iter().sum::<f64>() / near(at).len() as f64).collect()
-}
-
-/// Value of a curve, held for one interval beyond its end.
-fn value_at(curve: &[(f64, f64)], x: f64) -> Option<f64> {
-    let [.., before, last] = curve else { return None };
-    (x <= last.0 + (last.0 - before.0)).then(|| interpolated(curve, x))
 }

@@ -26,7 +26,7 @@ mod numbers;
 mod tests;
 
 pub use direction::Direction;
-use estimate::{band, with_bar};
+use estimate::with_bar;
 pub use numbers::{End, Outcome};
 
 use crate::case::{Case, Solution};
@@ -133,7 +133,7 @@ impl Verification {
         refined.sort_by(|a, b| (a.times, a.direction).partial_cmp(&(b.times, b.direction)).expect("finite factors"));
         let of = |direction: Direction| refined.iter().filter(move |run| run.direction == Some(direction));
         let directions = Direction::ALL.into_iter().chain([Direction::Together]);
-        let mut counted: Vec<(Direction, Vec<&Outcome>)> = directions
+        let counted: Vec<(Direction, Vec<&Outcome>)> = directions
             .filter(|direction| of(*direction).next().is_some())
             .map(|direction| (direction, of(direction).filter(|run| run.end.is_like(&base.end)).collect()))
             .collect();
@@ -151,14 +151,10 @@ impl Verification {
             Some(reason) => number.without_bar(reason),
             None => with_bar(number, &counted, tolerance),
         });
-        let numbers = numbers.collect();
-        counted.retain(|_| reason.is_none());
         let finer_that_differs = refined.iter().find(|run| run.times > 1.0 && run.ends_otherwise(&base));
         let bars = ErrorBars {
-            numbers,
+            numbers: numbers.collect(),
             notes: notes(&base, &refined),
-            load: band(&base, &counted, |run| &run.load),
-            thickness: band(&base, &counted, |run| &run.thickness),
             runs: refined.len(),
             is_quick: refined.iter().any(|run| run.direction == Some(Direction::Together)),
             finer_that_differs: finer_that_differs.map(Outcome::refinement),
