@@ -9,7 +9,7 @@
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
 use super::plane::Plane;
-use super::{Curve, Kind, Sheet};
+use super::{Curve, Sheet};
 use crate::material::law::LawError;
 use crate::numerics::bisect;
 use crate::units::{Amount, Digits};
@@ -94,7 +94,7 @@ pub struct Hill {
 impl Hill {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let what = "Hill's localised necking on the left, Swift's diffuse necking on the right,";
-        curve(Kind::Hill(*self), self.n, sheet, what, |path| match path.strain {
+        curve("Hill and Swift", self.n, sheet, what, |path| match path.strain {
             [_, minor] if minor > 0.0 => diffuse(path),
             [major, minor] => major + minor,
         })
@@ -120,7 +120,7 @@ pub struct Swift {
 
 impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
-        curve(Kind::Swift(*self), self.n, sheet, "Swift's diffuse necking", diffuse)
+        curve("Swift", self.n, sheet, "Swift's diffuse necking", diffuse)
     }
 }
 
@@ -131,7 +131,7 @@ fn diffuse(Proportional { strain: [e1, e2], stress: [s1, s2] }: &Proportional) -
 
 /// Curve where hardening no longer outruns the loss H of a path.
 fn curve(
-    kind: Kind,
+    name: &'static str,
     n: Option<f64>,
     sheet: &Sheet,
     what: &str,
@@ -147,5 +147,5 @@ fn curve(
     let law = n.map_or("the hardening law of the sheet".into(), |n| {
         format!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
     });
-    Curve::new(kind, sheet, points, vec![format!("Forming limit: {what} by {law}.")])
+    Ok(Curve::new(name, points, vec![format!("Forming limit: {what} by {law}.")])?.computed(sheet))
 }

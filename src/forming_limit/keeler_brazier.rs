@@ -12,7 +12,7 @@
 //! Micro Alloying 75 (1977) 517–530 (not read). The shape on both sides: AHSS Insights, Forming Limit Curves, WorldAutoSteel
 //! (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
 
-use super::{Curve, Kind, Sheet, uniform_strain};
+use super::{Curve, Sheet, uniform_strain};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits, joined};
 
@@ -63,6 +63,6 @@ impl KeelerBrazier {
             flc0 = Amount::ratio(flc0).to(Digits::Decimals(4))
         )];
         let points = vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]];
-        Curve::new(Kind::KeelerBrazier(*self), sheet, points, notes)
+        Curve::new("Keeler-Brazier", points, notes)
     }
 }

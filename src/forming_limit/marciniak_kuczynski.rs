@@ -14,7 +14,7 @@
 
 use super::instability::{Proportional, ratios};
 use super::plane::Plane;
-use super::{Curve, Kind, Sheet};
+use super::{Curve, Sheet};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits};
 use groove::Groove;
@@ -96,7 +96,7 @@ impl MarciniakKuczynski {
             groove = Amount::number(self.imperfection).to(Digits::Given(6)),
             times = Amount::number(Self::CRITICAL)
         );
-        Curve::new(Kind::MarciniakKuczynski(*self), sheet, points, vec![note])
+        Ok(Curve::new("Marciniak-Kuczyński", points, vec![note])?.computed(sheet))
     }
 
     /// The limit of a strain ratio β, converged in the step.

@@ -71,28 +71,12 @@ impl Kind {
     /// When the kind does not hold for the sheet, or its equations have no solution.
     pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         match self {
-            Self::Points(kind) => kind.curve(sheet),
+            Self::Points(kind) => kind.curve(),
             Self::KeelerBrazier(kind) => kind.curve(sheet),
             Self::Hill(kind) => kind.curve(sheet),
             Self::Swift(kind) => kind.curve(sheet),
             Self::MarciniakKuczynski(kind) => kind.curve(sheet),
         }
-    }
-
-    /// Name of its curve.
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Points(_) => "Points",
-            Self::KeelerBrazier(_) => "Keeler-Brazier",
-            Self::Hill(_) => "Hill and Swift",
-            Self::Swift(_) => "Swift",
-            Self::MarciniakKuczynski(_) => "Marciniak-Kuczyński",
-        }
-    }
-
-    /// Whether its curve follows from the sheet's yield condition.
-    fn feels_yield_condition(&self) -> bool {
-        matches!(self, Self::Hill(_) | Self::Swift(_) | Self::MarciniakKuczynski(_))
     }
 }
 
@@ -102,11 +86,6 @@ impl Kind {
 /// sheet surely bears.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// How it was made, to make it again of another material.
-    kind: Kind,
-    /// Initial thickness \[mm\] and temperature \[K\] that it was made for.
-    thickness: f64,
-    temperature: f64,
     /// Whether nothing is known to the right of its last point.
     ends: bool,
     /// Minor and major logarithmic strain \[–\], the minor rising.
@@ -122,7 +101,7 @@ impl Curve {
     ///
     /// # Errors
     /// When there are fewer than two, or the minor strain does not rise.
-    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<String>) -> Result<Self, LawError> {
+    fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<String>) -> Result<Self, LawError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
             return Err(LawError::new(what, "give more points"));
@@ -132,29 +111,20 @@ impl Curve {
             let what = format!("the minor strain must rise from point to point, but {after:.4} follows {before:.4}");
             return Err(LawError::new(what, "write the points from left to right"));
         }
+        Ok(Self { ends: false, points, name, notes })
+    }
+
+    /// Curve that follows from the yield condition of a sheet, which may end it in plane strain.
+    fn computed(mut self, sheet: &Sheet) -> Self {
         let plane = Plane::of(sheet.material);
-        let ends = kind.feels_yield_condition() && plane.overrates_biaxial();
-        if ends {
+        self.ends = plane.overrates_biaxial();
+        if self.ends {
             let r = Amount::number(plane.ratio());
-            notes.push(format!(
+            self.notes.push(format!(
                 "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high."
             ));
         }
-        let (name, thickness, temperature) = (kind.name(), sheet.thickness, sheet.temperature);
-        Ok(Self { kind, thickness, temperature, ends, points, name, notes })
-    }
-
-    /// The curve of the same kind for the same sheet of another material; one that does not follow from the material stays.
-    ///
-    /// # Errors
-    /// As [`Kind::curve`].
-    pub fn of_material(&self, material: &Material) -> Result<Self, LawError> {
-        self.kind.curve(&Sheet { material, thickness: self.thickness, temperature: self.temperature })
-    }
-
-    /// Whether it stands for measured points.
-    pub fn is_measured(&self) -> bool {
-        matches!(self.kind, Kind::Points(_))
+        self
     }
 
     /// Minor strain beyond which its computation is known to be wrong, if there is one \[–\].

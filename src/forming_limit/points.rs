@@ -1,6 +1,6 @@
 //! A measured curve.
 
-use super::{Curve, Kind, Sheet};
+use super::Curve;
 use crate::material::law::LawError;
 
 /// Strains of a measured curve.
@@ -35,7 +35,7 @@ pub struct Points {
 }
 
 impl Points {
-    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
+    pub(super) fn curve(&self) -> Result<Curve, LawError> {
         let points: Vec<[f64; 2]> =
             self.points.iter().map(|point| point.map(|strain| self.strain.logarithmic(strain))).collect();
         // The comparisons are also false for NaN.
@@ -52,6 +52,6 @@ impl Points {
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
         let notes = vec![format!("Forming limit: points of the case, {measure}.")];
-        Curve::new(Kind::Points(self.clone()), sheet, points, notes)
+        Curve::new("Points", points, notes)
     }
 }

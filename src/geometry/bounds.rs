@@ -35,8 +35,15 @@ impl Bounds {
 impl Piece {
     pub(crate) fn bounds(&self) -> Bounds {
         let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
-        let Piece::Arc(arc) = self else { return ends };
-        let poles = [Point::x(), Point::y(), -Point::x(), -Point::y()].map(|way| arc.center + arc.radius * way);
-        poles.into_iter().filter(|pole| arc.faces(*pole)).fold(ends, Bounds::with)
+        self.poles().fold(ends, Bounds::with)
+    }
+
+    /// Points of an arc where it is parallel to an axis.
+    pub(crate) fn poles(&self) -> impl Iterator<Item = Point> + use<> {
+        let arc = if let Piece::Arc(arc) = *self { Some(arc) } else { None };
+        let poles = [Point::x(), Point::y(), -Point::x(), -Point::y()].map(|way| {
+            arc.map(|arc| arc.center + arc.radius * way).filter(|pole| arc.is_some_and(|arc| arc.faces(*pole)))
+        });
+        poles.into_iter().flatten()
     }
 }

@@ -44,7 +44,11 @@ impl Profile {
                 _ => {}
             }
         }
-        self.tightest_vertex()?;
+        let tips = self.end_tangents().into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
+        let inner = self.vertices().map(|v| (v.point, v.turn));
+        if let Some((at, _)) = inner.chain(tips).find(|(_, turn)| *turn > KINK) {
+            return Err(OffsetError::TooTight { radius: 0.0, at });
+        }
         let mut line = self.corner_on_axis(by, true).into_iter().collect::<Vec<_>>();
         for piece in moved.into_iter().chain(self.corner_on_axis(by, false)) {
             join(&mut line, piece, by);
@@ -53,15 +57,6 @@ impl Profile {
         match offset.fold() {
             Some(Fold::Back { at, .. } | Fold::Crossing { at, .. }) => Err(OffsetError::Crosses { at }),
             None => Ok(offset),
-        }
-    }
-
-    fn tightest_vertex(&self) -> Result<(), OffsetError> {
-        let tips = self.end_tangents().into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
-        let inner = self.vertices().map(|v| (v.point, v.turn));
-        match inner.chain(tips).find(|(_, turn)| *turn > KINK) {
-            Some((at, _)) => Err(OffsetError::TooTight { radius: 0.0, at }),
-            None => Ok(()),
         }
     }
 

@@ -185,7 +185,7 @@ impl Piece {
     }
 
     /// Parts before and after a point of the piece; one without length is left out.
-    pub(super) fn split(&self, point: Point) -> [Option<Piece>; 2] {
+    pub(crate) fn split(&self, point: Point) -> [Option<Piece>; 2] {
         let halves = match self {
             Piece::Segment(s) => [Piece::line(s.from, point), Piece::line(point, s.to)],
             Piece::Arc(a) => {

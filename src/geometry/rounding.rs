@@ -24,30 +24,28 @@ impl Profile {
         let n = pieces.len();
         let is_smooth = |turn: f64| turn > STRAIGHT && turn < CORNER;
         // Tangent shared at the vertex before each piece, where the chain is smooth there.
-        let shared: Vec<Option<Point>> = (0..=n)
-            .map(|v| {
-                if v == 0 || v == n {
-                    let (end, own) = self.end_tangents()[usize::from(v == n)];
-                    // With its mirror image beyond the axis the chain is level there.
-                    let smooth = on_axis(&end) && is_smooth(turn_on_axis(own).abs());
-                    return smooth.then(|| Point::new(own.x.signum(), 0.0));
-                }
-                let (before, after) = (&pieces[v - 1], &pieces[v]);
-                let (a, b) = (before.tangent(true), after.tangent(false));
-                let (la, lb) = (before.length(), after.length());
-                let tangent = match la / lb {
-                    // A straight wall that runs into an arc has the say alone.
-                    ratio if ratio > WALL => a,
-                    ratio if ratio < 1.0 / WALL => b,
-                    // The arc through three points has its tangent nearer to the shorter chord's.
-                    _ => (a * lb + b * la).normalize(),
-                };
-                is_smooth(turn(a, b).abs()).then_some(tangent)
-            })
-            .collect();
+        let shared = |v: usize| {
+            if v == 0 || v == n {
+                let (end, own) = self.end_tangents()[usize::from(v == n)];
+                // With its mirror image beyond the axis the chain is level there.
+                let smooth = on_axis(&end) && is_smooth(turn_on_axis(own).abs());
+                return smooth.then(|| Point::new(own.x.signum(), 0.0));
+            }
+            let (before, after) = (&pieces[v - 1], &pieces[v]);
+            let (a, b) = (before.tangent(true), after.tangent(false));
+            let (la, lb) = (before.length(), after.length());
+            let tangent = match la / lb {
+                // A straight wall that runs into an arc has the say alone.
+                ratio if ratio > WALL => a,
+                ratio if ratio < 1.0 / WALL => b,
+                // The arc through three points has its tangent nearer to the shorter chord's.
+                _ => (a * lb + b * la).normalize(),
+            };
+            is_smooth(turn(a, b).abs()).then_some(tangent)
+        };
         let rounded = pieces.iter().enumerate().flat_map(|(i, piece)| {
             let own = piece.tangent(false);
-            let (start, end) = (shared[i].unwrap_or(own), shared[i + 1].unwrap_or(own));
+            let (start, end) = (shared(i).unwrap_or(own), shared(i + 1).unwrap_or(own));
             match piece {
                 Piece::Segment(s) if start != own || end != own => biarc(s.from, start, s.to, end),
                 _ => vec![*piece],

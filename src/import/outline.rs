@@ -12,7 +12,7 @@
 //! Of a body that is drawn as far as the axis, the inner end is where its face meets the axis.
 
 use super::ImportError;
-use super::chain::{Chain, with_ends};
+use super::chain::Chain;
 use super::dxf::Source;
 use super::frame::Frame;
 use super::layers::ToolId;
@@ -90,8 +90,11 @@ fn area(chain: &Chain) -> f64 {
 
 /// Pieces before and after the point with the largest first measure, and within `join` of it the largest second one.
 fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2] {
-    let pieces = chain.pieces().enumerate();
-    let points: Vec<(usize, Point)> = pieces.flat_map(|(i, piece)| corners(piece).map(move |p| (i, p))).collect();
+    let points = chain
+        .pieces()
+        .enumerate()
+        .flat_map(|(i, piece)| [piece.first(), piece.last()].into_iter().chain(piece.poles()).map(move |p| (i, p)));
+    let points: Vec<(usize, Point)> = points.collect();
     let most = points.iter().map(|(_, p)| by(*p)[0]).fold(f64::NEG_INFINITY, f64::max);
     let first = points.into_iter().filter(|(_, p)| by(*p)[0] >= most - join);
     let (i, at) = first.max_by(|a, b| by(a.1)[1].total_cmp(&by(b.1)[1])).expect("a chain has pieces");
@@ -101,22 +104,9 @@ fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2]
     [before, b.into_iter().chain(chain.pieces[i + 1..].iter().cloned()).collect()]
 }
 
-/// Ends of a piece, and the points of an arc where it is parallel to x or y.
-fn corners(piece: &Piece) -> impl Iterator<Item = Point> + use<> {
-    let poles = match piece {
-        Piece::Arc(arc) => [Point::x(), Point::y(), -Point::x(), -Point::y()]
-            .map(|way| Some(arc.center + arc.radius * way).filter(|pole| arc.faces(*pole))),
-        Piece::Segment(_) => [None; 4],
-    };
-    [piece.first(), piece.last()].into_iter().chain(poles.into_iter().flatten())
-}
-
 fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
     if (at - piece.first()).norm() <= join {
         return [None, Some(*piece)];
     }
-    if matches!(piece, Piece::Segment(_)) || (at - piece.last()).norm() <= join {
-        return [Some(*piece), None];
-    }
-    [Some(with_ends(piece, piece.first(), at)), Some(with_ends(piece, at, piece.last()))]
+    if (at - piece.last()).norm() <= join { [Some(*piece), None] } else { piece.split(at) }
 }

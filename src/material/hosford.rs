@@ -48,13 +48,6 @@ pub struct Hosford {
     inverse_weight: f64,
 }
 
-/// Inner root: x, x'(β) or the chord that stands for it, and 1/φ².
-struct Root {
-    ratio: f64,
-    rate: f64,
-    inverse_square: f64,
-}
-
 impl Hosford {
     /// For r̄ > 0 and a ≥ 2.
     pub fn new(r: f64, exponent: f64) -> Self {
@@ -134,7 +127,7 @@ impl YieldCondition for Hosford {
             let [s, t] = if swapped { [t * inverse, s * inverse] } else { [s * inverse, t * inverse] };
             (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
         });
-        let Root { ratio, rate, inverse_square } = self.root(beta, sum, w);
+        let [ratio, rate, inverse_square] = self.root(beta, sum, w);
         // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
         let along = (major + minor * ratio) * inverse_square;
         let across = along * ratio;

@@ -54,12 +54,6 @@ impl YieldCriterion {
         }
     }
 
-    /// σ_θ/σ_s where the sheet does not strain along θ \[–\].
-    pub fn plane_strain_ratio(&self) -> f64 {
-        let [s, t, _] = self.stress([1.0, 0.0, 0.0]);
-        t / s
-    }
-
     /// Yield stress of equi-biaxial tension over that of tension \[–\].
     pub fn biaxial_factor(&self) -> f64 {
         1.0 / self.equivalent_stress([1.0, 1.0, 0.0])

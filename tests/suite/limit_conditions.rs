@@ -79,8 +79,7 @@ fn a_computed_curve_of_hill_1948_ends_where_r_is_below_one() {
         assert!(ends.knows(-0.3) && ends.knows(0.0) && !ends.knows(1e-6), "{}", ends.name);
         assert!(ends.notes.iter().any(|note| note.to_string().contains("ends in plane strain")), "{:?}", ends.notes);
         assert_eq!(ends.major_at(0.3), ends.plane_strain());
-        let again = ends.of_material(&hosford).expect("a curve");
-        assert!(again.knows(0.1) && again == kind.curve(&sheet(&hosford)).expect("a curve"));
+        assert!(kind.curve(&sheet(&hosford)).expect("a curve").knows(0.1));
         assert!(kind.curve(&sheet(&sheet_of(Hill48::default()))).expect("a curve").ends_at().is_none());
     }
     let steels = Kind::KeelerBrazier(KeelerBrazier { n: Some(0.2), thickness: None });

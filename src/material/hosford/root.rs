@@ -1,6 +1,6 @@
 //! The inner root of Hosford's condition: the stress ratio x whose normal has the strain ratio β.
 
-use super::{Hosford, Root};
+use super::Hosford;
 
 /// Step over its distances to 0 and to 1 after which x is right to round-off \[–\]: Halley's method is of third order.
 const LAST: f64 = 1e-6;
@@ -11,52 +11,44 @@ const SAME: f64 = 1e-7;
 /// Most iterations of the inner root: halving alone needs fifty.
 const MOST: usize = 60;
 
-/// A step of the inner root.
-#[derive(Clone, Copy)]
-struct Halley {
-    /// Residual, its part that goes with 1 + β, and the step towards its root.
-    value: f64,
-    between: f64,
-    step: f64,
-}
-
 impl Hosford {
-    /// The ratio whose normal goes with 1 and β, from the carried ratio `w`; `sum` is 1 + β, without the round-off of β.
-    pub(super) fn root(&self, beta: f64, sum: f64, w: Option<f64>) -> Root {
+    /// The ratio x whose normal goes with 1 and β, x'(β) or the chord from the carried ratio `w`, and 1/φ²; `sum` is 1 + β,
+    /// without the round-off of β.
+    pub(super) fn root(&self, beta: f64, sum: f64, w: Option<f64>) -> [f64; 3] {
         let weight = self.quadratic.ratio * sum;
         let start = w.unwrap_or_else(|| self.guess(beta, sum));
-        let first = self.halley(beta, weight, start);
+        let [first, first_between, mut step] = self.halley(beta, weight, start);
         let (mut low, mut high) = (-1.0, 1.0);
-        let (mut x, mut at) = (start, first);
+        let (mut x, mut value) = (start, first);
         for _ in 0..MOST {
-            if at.value > 0.0 {
+            if value > 0.0 {
                 high = x
             } else {
                 low = x
             }
-            let next = x - at.step;
-            let settled = at.step.abs() <= ROUND_OFF.max(LAST * (x * (1.0 - x)).abs());
+            let next = x - step;
+            let settled = step.abs() <= ROUND_OFF.max(LAST * (x * (1.0 - x)).abs());
             x = if settled || next >= low && next <= high { next } else { 0.5 * (low + high) };
             if settled || high - low <= ROUND_OFF {
                 break;
             }
-            at = self.halley(beta, weight, x);
+            [value, _, step] = self.halley(beta, weight, x);
         }
         let (y, r) = (1.0 - x, self.quadratic.ratio);
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         let across = y * between;
         let inverse_square = self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight);
-        let turn = if w.is_some() { -first.value * sum / (sum + first.between) } else { 0.0 };
+        let turn = if w.is_some() { -first * sum / (sum + first_between) } else { 0.0 };
         let rate = if turn.abs() > SAME {
             (x - start) / turn
         } else {
             (1.0 + across) / ((self.exponent() - 1.0) * (own + sum * between))
         };
-        Root { ratio: x, rate, inverse_square }
+        [x, rate, inverse_square]
     }
 
-    /// A step of Halley's method; Newton's at the ends.
-    fn halley(&self, beta: f64, weight: f64, x: f64) -> Halley {
+    /// Residual, its part that goes with 1 + β, and a step of Halley's method towards the root; Newton's at the ends.
+    fn halley(&self, beta: f64, weight: f64, x: f64) -> [f64; 3] {
         let (y, more) = (1.0 - x, self.exponent() - 2.0);
         let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
         let (along, across) = (x * own, y * between);
@@ -67,7 +59,7 @@ impl Hosford {
         let newton = value / ((1.0 + more) * both);
         let bend = 0.5 * more * newton * (y * own - x * between);
         let step = if space == 0.0 { newton } else { newton * space / (space - bend) };
-        Halley { value, between: across, step }
+        [value, across, step]
     }
 
     /// Linear between the known ratios of pure shear, tension, plane strain and equi-biaxial stretching: exact for Hill's.
