@@ -123,6 +123,13 @@ impl ComparedQuantity {
     }
 }
 
+impl Spec {
+    /// Name of the reference file without its folders.
+    pub fn file(&self) -> String {
+        self.reference.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+}
+
 impl fmt::Display for Spec {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.quantity.is_curve() {

@@ -3,11 +3,11 @@
 use super::study::StudyOptions;
 use super::*;
 use rayon::prelude::*;
-use stampflow::case::comparison::KINDS;
+use stampflow::case::comparison::{KINDS, Spec};
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
-use stampflow::study::MeasuredCurve;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
+use stampflow::study::measured_curve;
 use stampflow::units::rounded;
 
 options! {
@@ -52,11 +52,7 @@ pub fn compare(args: &Args) -> Result<Code> {
 }
 
 /// Cases with variants of the first, and measured curves.
-pub fn to_compare(
-    files: &[PathBuf],
-    variants: &Variants,
-    set: &[String],
-) -> Result<(Vec<Candidate>, Vec<MeasuredCurve>)> {
+pub fn to_compare(files: &[PathBuf], variants: &Variants, set: &[String]) -> Result<(Vec<Candidate>, Vec<Spec>)> {
     let (curves, cases): (Vec<&PathBuf>, Vec<&PathBuf>) = files.iter().partition(|file| is_curve(file));
     let mut changes = vec![Vec::new()];
     for text in &variants.also {
@@ -69,7 +65,7 @@ pub fn to_compare(
             candidates.push(Candidate { case, overrides: own.clone() });
         }
     }
-    let curves = curves.into_iter().map(|path| MeasuredCurve::load(path)).collect::<Result<Vec<_>, _>>()?;
+    let curves = curves.into_iter().map(|path| measured_curve(path)).collect::<Result<Vec<_>, _>>()?;
     check(&candidates, &curves)?;
     Ok((candidates, curves))
 }

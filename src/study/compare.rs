@@ -4,9 +4,9 @@ use super::error::ensure;
 use super::run::Silent;
 use super::variable::split_pair;
 use super::verify::{Outcome, Watch, quick};
-use super::{BaseCase, Cell, MeasuredCurve, ReportTable, StudyError, StudyReport, fail, parallel_map};
+use super::{BaseCase, Cell, ReportTable, StudyError, StudyReport, fail, parallel_map};
 use crate::assess::{self, Light};
-use crate::case::comparison::ComparedQuantity;
+use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::case::{Case, Solution};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::color;
@@ -45,7 +45,7 @@ pub struct Member {
 pub struct SideBySide {
     /// The runs.
     pub members: Vec<Member>,
-    curves: Vec<MeasuredCurve>,
+    curves: Vec<Spec>,
 }
 
 /// Numbers that differ by less, over their size, are the same \[–\].
@@ -66,7 +66,7 @@ impl Candidate {
 }
 
 /// Checks that cases and curves have something in common.
-pub fn check(candidates: &[Candidate], curves: &[MeasuredCurve]) -> Result<(), StudyError> {
+pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<(), StudyError> {
     let Some(first) = candidates.first().filter(|_| candidates.len() + curves.len() > 1) else {
         let help = "give another case, a variant such as --also \"friction=0.12\", or a curve.csv";
         return fail("there is nothing to compare with: one is not enough", help);
@@ -83,7 +83,7 @@ pub fn check(candidates: &[Candidate], curves: &[MeasuredCurve]) -> Result<(), S
         ensure(is_alike, what, help)?;
     }
     for curve in curves {
-        let points = Computed::nothing(first.case.model()).points(&curve.spec);
+        let points = Computed::nothing(first.case.model()).points(curve);
         points.map_err(|error| StudyError::new(error.to_string(), "check the columns and their units"))?;
     }
     Ok(())
@@ -93,7 +93,7 @@ impl SideBySide {
     /// Solves the cases, but for the first if it is `known`, each with quick error bars.
     pub fn solve(
         candidates: &[Candidate],
-        curves: Vec<MeasuredCurve>,
+        curves: Vec<Spec>,
         known: Option<(Solution, ErrorBars)>,
         threads: usize,
         watch: &dyn Watch,
@@ -120,7 +120,7 @@ impl SideBySide {
 
     /// Labels of runs and measured curves.
     pub fn legend(&self) -> Vec<String> {
-        let curves = self.curves.iter().enumerate().map(|(i, curve)| format!("{}: {}", i + 1, curve.name()));
+        let curves = self.curves.iter().enumerate().map(|(i, curve)| format!("{}: {}", i + 1, curve.file()));
         self.members.iter().map(Member::label).chain(curves).collect()
     }
 
@@ -199,11 +199,11 @@ impl SideBySide {
         let mut series = self.series(|member| curve(&member.outcome).to_vec());
         let model = self.members.first().filter(|_| !series.is_empty())?.solution.case.model();
         let (x, y) = Computed::nothing(model).columns(quantity);
-        for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.spec.quantity == quantity) {
-            let points = Computed::nothing(model).points(&measured.spec).unwrap_or_default();
+        for (i, measured) in self.curves.iter().enumerate().filter(|(_, curve)| curve.quantity == quantity) {
+            let points = Computed::nothing(model).points(measured).unwrap_or_default();
             let points: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.reference)).collect();
             let style = Style::Circles { color: color(self.members.len() + i) };
-            series.push(Series::new(format!("{}: {}", i + 1, measured.name()), points, style));
+            series.push(Series::new(format!("{}: {}", i + 1, measured.file()), points, style));
         }
         Some(Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series))
     }
@@ -250,12 +250,12 @@ impl Member {
     }
 
     /// Root mean square of computed less measured, the number of points that the run has, and of all points.
-    fn misfit(&self, curve: &MeasuredCurve) -> Option<(Amount, usize, usize)> {
+    fn misfit(&self, curve: &Spec) -> Option<(Amount, usize, usize)> {
         let computed = Computed::of(self.solution.stages.first()?);
-        let points = computed.points(&curve.spec).ok()?;
+        let points = computed.points(curve).ok()?;
         let squares: Vec<f64> = points.iter().filter_map(|p| Some((p.computed? - p.reference).powi(2))).collect();
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-        let amount = Amount::new(rms, computed.columns(curve.spec.quantity).1.unit, Digits::Significant(3));
+        let amount = Amount::new(rms, computed.columns(curve.quantity).1.unit, Digits::Significant(3));
         (!squares.is_empty()).then_some((amount, squares.len(), points.len()))
     }
 }

@@ -1,21 +1,11 @@
 //! Measured curves: a CSV file whose columns name their quantities and end with their units.
 
 use super::{StudyError, fail};
-use crate::case::Case;
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::case::files::{self, Disk, Files};
 use crate::results::comparison::Computed;
 use crate::table::{Csv, CsvError, Record};
 use std::path::Path;
-
-/// A measured curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeasuredCurve {
-    /// Its file, quantity and columns.
-    pub spec: Spec,
-    /// Header of the points' standard deviations.
-    scatter: Option<String>,
-}
 
 /// A quantity, words of its abscissa and of its ordinate.
 type Rule = (ComparedQuantity, &'static [&'static str], &'static [&'static str]);
@@ -32,51 +22,29 @@ const OTHER: [&str; 4] = ["holder", "edge", "binder", "error"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \
                        maybe one such as standard_deviation_kN";
 
-impl MeasuredCurve {
-    /// Reads a curve, whose columns name its quantity.
-    pub fn load(path: &Path) -> Result<Self, StudyError> {
-        let csv = read_csv(path, EXAMPLE)?;
-        let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
-        let find = |any: &[&str]| csv.header.fields.iter().position(|name| is(name, any));
-        let Some((quantity, x, y)) = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)))
-        else {
-            return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
-        };
-        let [x, y] = [x, y].map(|i| csv.header.fields.get(i).unwrap_or_default().to_owned());
-        let (reference, data, columns) = (path.to_owned(), Some(last_frame(csv)), vec![x, y]);
-        let spec = Spec { reference, data, quantity, columns, tolerance: f64::INFINITY, ..Spec::default() };
-        Ok(Self::new(spec))
-    }
+/// Reads a measured curve, whose columns name its quantity.
+pub fn measured_curve(path: &Path) -> Result<Spec, StudyError> {
+    let csv = read_csv(path, EXAMPLE)?;
+    let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
+    let find = |any: &[&str]| csv.header.fields.iter().find(|name| is(name, any)).map(str::to_owned);
+    let curve = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, vec![find(x)?, find(y)?])));
+    let Some((quantity, columns)) = curve else {
+        return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
+    };
+    let (reference, data) = (path.to_owned(), Some(last_frame(csv)));
+    Ok(Spec { reference, data, quantity, columns, tolerance: f64::INFINITY, ..Spec::default() })
+}
 
-    /// Curves that a case is compared with.
-    pub fn of_case(case: &Case) -> Vec<Self> {
-        let curves = case.compare.iter().filter(|spec| spec.quantity.is_curve() && spec.data.is_some());
-        curves.cloned().map(Self::new).collect()
-    }
-
-    fn new(spec: Spec) -> Self {
-        let scatter = spec.data.as_ref().and_then(|csv| {
-            let unit = |i: usize| csv.unit(i).ok().map(|(unit, _)| unit);
-            let y = csv.column(&spec.columns[1]).and_then(unit);
-            let is_scatter =
-                |(i, name): &(usize, &str)| has_word(name, &SCATTER) && unit(*i).is_some() && unit(*i) == y;
-            csv.header.fields.iter().enumerate().find(is_scatter).map(|(_, name)| name.to_owned())
-        });
-        Self { spec, scatter }
-    }
-
-    /// Standard deviation of each point; `None` if one has none.
-    pub fn deviations(&self, computed: &Computed) -> Option<Vec<f64>> {
-        let columns = vec![self.spec.columns[0].clone(), self.scatter.clone()?];
-        let sizes = computed.points(&Spec { columns, ..self.spec.clone() }).ok()?.into_iter().map(|p| p.reference);
-        let sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
-        (sizes.len() == computed.points(&self.spec).ok()?.len()).then_some(sizes)
-    }
-
-    /// Name of its file.
-    pub fn name(&self) -> String {
-        self.spec.reference.file_name().unwrap_or_default().to_string_lossy().into_owned()
-    }
+/// Standard deviation of each point of a curve; `None` if one has none.
+pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> {
+    let csv = curve.data.as_ref()?;
+    let unit = |name: &str| csv.column(name).and_then(|i| csv.unit(i).ok()).map(|(unit, _)| unit);
+    let y = unit(&curve.columns[1]);
+    let scatter = csv.header.fields.iter().find(|name| has_word(name, &SCATTER) && y.is_some() && unit(name) == y)?;
+    let columns = vec![curve.columns[0].clone(), scatter.to_owned()];
+    let sizes = computed.points(&Spec { columns, ..curve.clone() }).ok()?.into_iter().map(|point| point.reference);
+    let sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
+    (sizes.len() == computed.points(curve).ok()?.len()).then_some(sizes)
 }
 
 pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {

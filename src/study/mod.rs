@@ -45,7 +45,7 @@ pub use condition::Condition;
 pub use error::StudyError;
 use error::fail;
 pub use evaluate::{EarlierRuns, Evaluation, Plan, Study, begin, evaluate, parallel_map};
-pub use measured_curve::MeasuredCurve;
+pub use measured_curve::measured_curve;
 pub use report::{Cell, ReportTable, StudyReport};
 pub use run::{Design, Evaluated, Run};
 pub use run_table::RunTable;

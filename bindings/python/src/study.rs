@@ -9,10 +9,10 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::study::Watch;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::fit::{CaseFitRequest, Reduction, Tests, fit_case, fit_laws};
+use stampflow::study::fit::{CaseFitRequest, Tests, fit_case, fit_laws};
 use stampflow::study::{
-    BaseCase, EarlierRuns, Evaluation, LimitSearch, MeasuredCurve, RunTable, Scatter, SearchRequest, Shard, Side,
-    Study, StudyError, StudyReport, Sweep, begin, evaluate,
+    BaseCase, EarlierRuns, Evaluation, LimitSearch, RunTable, Scatter, SearchRequest, Shard, Side, Study, StudyError,
+    StudyReport, Sweep, begin, evaluate, measured_curve,
 };
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -96,14 +96,7 @@ fn run(
 /// Fits hardening laws to tension tests.
 #[pyfunction]
 pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
-    let tests = Tests {
-        tests: files,
-        reduction: Reduction { young: None, offset: 0.002, from: None, to: None },
-        section: None,
-        gauge: None,
-        rate: Vec::new(),
-        direction: Vec::new(),
-    };
+    let tests = Tests { tests: files, ..Tests::default() };
     let fits = tests.curves().and_then(|curves| fit_laws(curves, None));
     results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
 }
@@ -126,7 +119,7 @@ pub fn compare(
             candidates.push(Candidate { case: varied, overrides });
         }
     }
-    let curves = curves.into_iter().map(|path| MeasuredCurve::load(&path));
+    let curves = curves.into_iter().map(|path| measured_curve(&path));
     let curves = curves.collect::<Result<Vec<_>, _>>().map_err(wrong)?;
     check(&candidates, &curves).map_err(wrong)?;
     let (all, raised) =

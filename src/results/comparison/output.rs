@@ -84,11 +84,7 @@ impl Comparison {
             }
             _ => self.worst_at().map_or(String::new(), |at| format!(", worst {at} (tolerance {})", self.accepted())),
         };
-        format!("{} against {}: {}{worst}", self.spec.quantity.name(), self.file(), self.outcome())
-    }
-
-    fn file(&self) -> String {
-        self.spec.reference.file_name().unwrap_or_default().to_string_lossy().into_owned()
+        format!("{} against {}: {}{worst}", self.spec.quantity.name(), self.spec.file(), self.outcome())
     }
 
     /// Computed value with the largest difference: of a band the one farthest out of it, or nearest to its end.
@@ -207,7 +203,7 @@ impl Comparison {
         let columns = &self.spec.columns[usize::from(self.band.is_none())..].join(", ");
         let from = self.spec.source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
         let notes = [
-            format!("Reference: {}, {columns}: {from}.", self.file()),
+            format!("Reference: {}, {columns}: {from}.", self.spec.file()),
             format!("Accepted: {}; {text}.", self.accepted()),
             format!("Reason: {}.", self.spec.reason.trim_end_matches('.')),
         ];

@@ -1,13 +1,15 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
 use super::estimate::{Estimate, estimates, table};
+use crate::case::comparison::Spec;
 use crate::numerics::least_squares::{Ended, Parameter, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::BLACK;
 use crate::results::comparison::{Computed, Point};
 use crate::study::error::ensure;
+use crate::study::measured_curve::{deviations, measured_curve};
 use crate::study::variable::{check_distinct, written};
-use crate::study::{BaseCase, MeasuredCurve, StudyError, StudyFile, StudyReport, Variable, Watch, parallel_map};
+use crate::study::{BaseCase, StudyError, StudyFile, StudyReport, Variable, Watch, parallel_map};
 use crate::units::significant;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -18,7 +20,7 @@ pub struct CaseFitRequest {
     base: BaseCase,
     variables: Vec<Variable>,
     parameters: Vec<Parameter>,
-    curves: Vec<MeasuredCurve>,
+    curves: Vec<Spec>,
     /// Standard deviations of all points, if every curve has them.
     deviations: Option<Vec<Vec<f64>>>,
 }
@@ -67,15 +69,16 @@ impl CaseFitRequest {
         };
         let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
         let curves = match to {
-            [] => MeasuredCurve::of_case(&base.case(&[])?),
-            to => to.iter().map(|path| MeasuredCurve::load(path)).collect::<Result<_, _>>()?,
+            [] => base.case(&[])?.compare,
+            to => to.iter().map(|path| measured_curve(path)).collect::<Result<_, _>>()?,
         };
+        let curves: Vec<Spec> = curves.into_iter().filter(|c| c.quantity.is_curve() && c.data.is_some()).collect();
         let what = "there is no curve to fit to, and the case has no [[compare]] with one";
         ensure(!curves.is_empty(), what, "give --to curve.csv")?;
         let mut request = Self { base, variables, parameters, curves, deviations: None };
         let case = request.base.case(&request.settings(&request.starts()))?;
         let computed = Computed::nothing(case.model());
-        request.deviations = request.curves.iter().map(|curve| curve.deviations(&computed)).collect();
+        request.deviations = request.curves.iter().map(|curve| deviations(curve, &computed)).collect();
         Ok(request)
     }
 
@@ -91,9 +94,9 @@ impl CaseFitRequest {
         let case = self.base.case(&self.settings(values)).map_err(|error| error.to_string())?;
         let solution = BaseCase::solve(case, watch)?;
         let computed = Computed::of(solution.stages.first().ok_or("nothing was solved")?);
-        let pair = |curve: &MeasuredCurve| {
-            let (x, y) = computed.columns(curve.spec.quantity);
-            let points = computed.points(&curve.spec).map_err(|error| error.to_string())?;
+        let pair = |curve: &Spec| {
+            let (x, y) = computed.columns(curve.quantity);
+            let points = computed.points(curve).map_err(|error| error.to_string())?;
             Ok((points, x.values.into_iter().zip(y.values).collect()))
         };
         self.curves.iter().map(pair).collect()
@@ -108,7 +111,7 @@ impl CaseFitRequest {
             let sizes = deviations.unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
             let weight = |(p, size): (&Point, f64)| if p.computed.is_some() { 1.0 / size } else { 0.0 };
             let weights: Vec<f64> = points.iter().zip(sizes).map(weight).collect();
-            let what = format!("{} does not overlap the run", curve.spec.reference.display());
+            let what = format!("{} does not overlap the run", curve.reference.display());
             ensure(weights.iter().any(|w| *w > 0.0), what, "check its unit and where its travel begins")?;
             all.push(weights);
         }
@@ -180,7 +183,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     }
     let (model, mut charts) = (request.base.case(&[])?, Vec::new());
     for (((curve, (_, before)), (points, after)), weights) in request.curves.iter().zip(first).zip(last).zip(&weights) {
-        let (file, left_out, all) = (curve.name(), weights.iter().filter(|w| **w == 0.0).count(), points.len());
+        let (file, left_out, all) = (curve.file(), weights.iter().filter(|w| **w == 0.0).count(), points.len());
         if left_out > 0 {
             let reason = "are left out: the run at the start ended before them";
             notes.push(format!("{left_out} of {all} points of {file} {reason}."));
@@ -191,7 +194,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
             Series::new("Fitted run", after, Style::curve(0)),
             Series::new(file, measured, Style::Circles { color: BLACK }),
         ];
-        let (x, y) = Computed::nothing(model.model()).columns(curve.spec.quantity);
+        let (x, y) = Computed::nothing(model.model()).columns(curve.quantity);
         let name = if charts.is_empty() { "fit".to_owned() } else { format!("fit_{}", charts.len() + 1) };
         charts.push((name, Chart::new("", vec![Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series)], Vec::new())));
     }

@@ -1,7 +1,7 @@
 //! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::law::straight_line;
-use super::tension::{Tension, TensionRow};
+use super::tension::{FlowPoint, Tension};
 use crate::study::error::ensure;
 use crate::study::{StudyError, fail};
 use crate::units::{Amount, joined, significant};
@@ -41,17 +41,6 @@ pub struct FlowCurve {
     pub sentence: String,
 }
 
-/// A point of a flow curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlowPoint {
-    /// True plastic strain \[–\].
-    pub strain: f64,
-    /// True stress \[MPa\].
-    pub stress: f64,
-    /// Standard deviation of the stress \[MPa\].
-    pub scatter: Option<f64>,
-}
-
 /// Stress range of the elastic line over the stress at 1 % strain: between seating and yield \[–\].
 const ELASTIC: [f64; 2] = [0.1, 0.4];
 /// Fewest points of a line.
@@ -77,9 +66,9 @@ impl FlowCurve {
             young => Some(elastic_line(test, young)?),
         };
         let (offset, toe) = (reduction.offset, line.map_or(0.0, |(_, toe)| toe));
-        let elastic = |row: &TensionRow| line.map_or(0.0, |(young, _)| row.stress / young);
+        let elastic = |row: &FlowPoint| line.map_or(0.0, |(young, _)| row.stress / young);
         // Plastic strain and engineering stress.
-        let reduced = |row: &TensionRow| {
+        let reduced = |row: &FlowPoint| {
             let sum = if test.is_plastic { row.strain + elastic(row) } else { row.strain - toe };
             let plastic = if test.is_plastic { row.strain } else { sum - elastic(row) };
             (plastic, row.stress * (-sum).exp())
@@ -101,10 +90,7 @@ impl FlowCurve {
         };
         let across = |i: &usize| Some((all[*i].0, test.rows[*i].width? + POISSON * elastic(&test.rows[*i])));
         let r = r_value(used.iter().filter_map(across).collect());
-        let point = |i: usize| {
-            let TensionRow { stress, scatter, .. } = test.rows[i];
-            FlowPoint { strain: all[i].0, stress, scatter }
-        };
+        let point = |i: usize| FlowPoint { strain: all[i].0, ..test.rows[i] };
         let points: Vec<FlowPoint> = used.into_iter().map(point).collect();
         let source = if reduction.young.is_none() { "slope of the elastic line" } else { "E as given" };
         let young = line.map(|(young, _)| young);
@@ -135,7 +121,7 @@ impl FlowCurve {
 fn elastic_line(test: &Tension, young: Option<f64>) -> Result<(f64, f64), StudyError> {
     let help = "give --young \"210 GPa\"";
     let at = test.rows.iter().find(|row| row.strain >= 0.01).or(test.rows.last()).map_or(0.0, |row| row.stress);
-    let is_elastic = |row: &&TensionRow| (ELASTIC[0] * at..=ELASTIC[1] * at).contains(&row.stress);
+    let is_elastic = |row: &&FlowPoint| (ELASTIC[0] * at..=ELASTIC[1] * at).contains(&row.stress);
     let before = test.rows.iter().take_while(|row| row.strain < 0.01).filter(is_elastic);
     let points: Vec<(f64, f64)> = before.map(|row| (row.stress, row.strain)).collect();
     let count = points.len();

@@ -1,8 +1,9 @@
 //! Hardening laws fitted to tension tests, with a power of the rate if the tests differ in their rate.
 
 use super::estimate::{Estimate, estimates};
-use super::flow_curve::{FlowCurve, FlowPoint};
+use super::flow_curve::FlowCurve;
 use super::law::{HardeningKind, ParameterRange};
+use super::tension::FlowPoint;
 use crate::material::hardening::Hardening;
 use crate::material::rate::{PowerRate, Rate};
 use crate::numerics::least_squares::{Parameter, minimise};

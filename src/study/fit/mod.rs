@@ -10,8 +10,8 @@ mod tension;
 
 pub use case_fit::{CaseFit, CaseFitRequest, fit_case};
 pub use estimate::Estimate;
-pub use flow_curve::{FlowCurve, FlowPoint, Reduction, Tests};
+pub use flow_curve::{FlowCurve, Reduction, Tests};
 pub use law::HardeningKind;
 pub use law_fit::{Direction, LawFit, LawFits, fit_laws};
 pub use law_report::material_text;
-pub use tension::Tension;
+pub use tension::{FlowPoint, Tension};

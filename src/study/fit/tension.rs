@@ -11,14 +11,14 @@ use std::path::Path;
 pub struct Tension {
     /// Name of the file.
     pub name: String,
-    pub(super) rows: Vec<TensionRow>,
+    pub(super) rows: Vec<FlowPoint>,
     pub(super) is_plastic: bool,
 }
 
+/// Point of a test or of a flow curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TensionRow {
-    line: usize,
-    /// True strain, without the elastic part if the test is plastic \[–\].
+pub struct FlowPoint {
+    /// True strain; of a flow curve or a plastic test without the elastic part \[–\].
     pub strain: f64,
     /// True stress \[MPa\].
     pub stress: f64,
@@ -92,7 +92,7 @@ impl Tension {
             let per = |column: Column, size: f64| Column { factor: column.factor / size, ..column };
             (per(elongation, gauge), per(force, section))
         };
-        let mut rows = Vec::new();
+        let (mut rows, mut lines) = (Vec::new(), Vec::new());
         for row in &csv.rows {
             let at = format!("{name}, line {}", row.line);
             let [count, wanted] = [row.fields.len(), csv.header.fields.len()];
@@ -113,19 +113,20 @@ impl Tension {
             let what = format!("{at}: a standard deviation of {} MPa", scatter.unwrap_or(0.0));
             ensure(scatter.is_none_or(|s| s > 0.0), what, "it must be above 0, or empty in all rows")?;
             let width = width_column.zip(number(width_column)?).map(|(column, width)| column.logarithmic(width));
-            rows.push(TensionRow { line: row.line, strain, stress: stress * longer, scatter, width });
+            rows.push(FlowPoint { strain, stress: stress * longer, scatter, width });
+            lines.push(row.line);
         }
         if rows.iter().any(|row| row.scatter.is_none()) {
             rows.iter_mut().for_each(|row| row.scatter = None);
         }
         let what = format!("{name} has {} rows with strain and stress, fewer than {FEWEST}", rows.len());
         ensure(rows.len() >= FEWEST, what, EXAMPLE)?;
-        let largest = |value: fn(&TensionRow) -> f64| rows.iter().map(value).max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let largest = |value: fn(&FlowPoint) -> f64| rows.iter().map(value).max_by(|a, b| a.abs().total_cmp(&b.abs()));
         let is_tension = largest(|row| row.strain) > Some(0.0) && largest(|row| row.stress) > Some(0.0);
         let what = format!("{name} is a test in compression: its strains or stresses are negative");
         ensure(is_tension, what, "for a law of hardening, give both positive")?;
         let mut furthest = f64::NEG_INFINITY;
-        for TensionRow { line, strain, .. } in &rows {
+        for (FlowPoint { strain, .. }, line) in rows.iter().zip(lines) {
             let what = format!("{name}, line {line}: the strain goes back from {furthest:.4} to {strain:.4}");
             ensure(*strain >= furthest - BACK, what, "one test a file, without unloading: cut out what goes back")?;
             furthest = furthest.max(*strain);
