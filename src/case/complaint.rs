@@ -107,8 +107,9 @@ fn in_plain_words(message: &str) -> String {
         w if w.starts_with("enum ") || w.ends_with("enum") => "a word in quotes",
         other => other,
     };
-    let mut found = found.trim_start_matches("invalid type: ").trim_start_matches("invalid value: ").to_owned();
-    for (rust, plain) in [
+    const PLAIN: [(&str, &str); 10] = [
+        ("invalid type: ", ""),
+        ("invalid value: ", ""),
         ("invalid length 0", "an empty list"),
         ("invalid length 1", "a list of one"),
         ("floating point", "number"),
@@ -117,8 +118,7 @@ fn in_plain_words(message: &str) -> String {
         ("unit variant", "a name alone"),
         ("string", "text"),
         ("map", "table"),
-    ] {
-        found = found.replace(rust, plain);
-    }
+    ];
+    let found = PLAIN.iter().fold(found.to_owned(), |found, (rust, plain)| found.replace(rust, plain));
     format!("found {found}, wanted {wanted}")
 }

@@ -1,27 +1,4 @@
 //! Case files: TOML → `CaseFile` (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
-//!
-//! This is the only place that knows TOML. Twelve lines are enough for a cup that runs:
-//!
-//! ```
-//! let case = stampflow::case::parse(
-//!     r#"title = "Cup"
-//!        geometry = "axisymmetric"
-//!        [blank]
-//!        radius = "55 mm"
-//!        thickness = "1 mm"
-//!        [material.hardening]
-//!        swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-//!        [tools]
-//!        punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
-//!        die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-//!        holder = { inner_radius = "32 mm", force = "10 kN" }
-//!     "#,
-//!     "cup.toml",
-//!     &[],
-//! )?;
-//! assert_eq!(case.model().blank.thickness, 1.0);
-//! # Ok::<(), stampflow::case::CaseError>(())
-//! ```
 
 pub mod comparison;
 mod complaint;
@@ -164,16 +141,6 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 }
 
 /// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
-///
-/// ```
-/// # use stampflow::{case, case::files::Memory};
-/// let mut files = Memory::default();
-/// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
-/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);
-/// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
-/// assert_eq!(case.model().heat.as_ref().unwrap().initial.at(40.0), 423.15);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 ///
 /// # Errors
 /// Those of [`parse`].

@@ -64,32 +64,21 @@ fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
 
 /// Returns the dotted path of every key that holds a value, `tools.punch.travel`; of lists the keys of the first entry,
 /// `stages.0.trim`.
-pub fn keys() -> Vec<String> {
-    let mut keys = Vec::new();
+pub fn keys() -> BTreeSet<String> {
+    let mut keys = BTreeSet::new();
     collect(&SCHEMA, "", &mut keys);
     keys
 }
 
-fn collect(node: &Value, path: &str, keys: &mut Vec<String>) {
-    let tables: Vec<&Value> = alternatives(node).chain(reference(node)).filter(|node| node["type"] != "null").collect();
-    let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
-    let before = keys.len();
-    tables.iter().for_each(|table| collect(table, path, keys));
-    for (key, value) in node.get("properties").and_then(Value::as_object).into_iter().flatten() {
-        collect(value, &deeper(key), keys);
+fn collect(node: &Value, path: &str, keys: &mut BTreeSet<String>) {
+    let forms: Vec<&Value> = alternatives(node).chain(reference(node)).filter(|node| node["type"] != "null").collect();
+    forms.iter().for_each(|form| collect(form, path, keys));
+    let properties = node.get("properties").and_then(Value::as_object);
+    let entry = node.get("items").filter(|entry| entry.get("$ref").is_some()).map(|entry| ("0", entry));
+    for (key, value) in properties.into_iter().flatten().map(|(key, value)| (key.as_str(), value)).chain(entry) {
+        collect(value, &if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }, keys);
     }
-    let entries = node.get("items").filter(|entry| entry.get("$ref").is_some());
-    entries.into_iter().for_each(|entry| collect(entry, &deeper("0"), keys));
-    // A key that takes a value or a table is listed as both.
-    let is_plain = |kind: &Value| kind != "object" && kind != "null";
-    let plain = |node: &Value| match &node["type"] {
-        Value::Array(kinds) => kinds.iter().any(is_plain),
-        kind => kind.is_string() && is_plain(kind),
-    };
-    let is_value = plain(node) || tables.iter().any(|table| table.get("$ref").is_none() && plain(table));
-    if (keys.len() == before || is_value) && !path.is_empty() {
-        keys.push(path.to_owned());
+    if forms.is_empty() && properties.is_none() && entry.is_none() {
+        keys.insert(path.to_owned());
     }
-    let mut seen = BTreeSet::new();
-    keys.retain(|key| seen.insert(key.clone()));
 }

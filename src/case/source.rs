@@ -12,17 +12,8 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
-/// Most entries of lists, by the end of their path.
-const LISTS: [(&str, usize); 8] = [
-    ("beads", 20),
-    ("notes", 50),
-    ("compare", 50),
-    ("band", 20),
-    ("output.frames", 1000),
-    ("forming_limit.points", 1000),
-    ("punch.motion", 1000),
-    ("profile", 2000),
-];
+/// Most entries of a list.
+const ENTRIES: usize = 10_000;
 
 /// Longest title and longest other text, which plots and messages repeat \[characters\].
 const TITLE: usize = 200;
@@ -45,9 +36,8 @@ impl<'t> Source<'t> {
         match DeTable::parse(text) {
             Ok(mut tree) => {
                 resolve_thicknesses(tree.get_mut());
-                let (root, notes, stage) =
-                    (DeValue::Table(tree.get_ref().clone()), RefCell::default(), RefCell::default());
-                Ok(Self { shown, text, tree, root, folder, notes, stage })
+                let root = DeValue::Table(tree.get_ref().clone());
+                Ok(Self { shown, text, tree, root, folder, notes: RefCell::default(), stage: RefCell::default() })
             }
             Err(error) => Err(complaint::not_toml(&error, text, shown)),
         }
@@ -67,16 +57,14 @@ impl<'t> Source<'t> {
     }
 
     fn check_lengths(&self, path: &str, value: &DeValue) -> Result<(), CaseError> {
+        let (size, most, unit) = match value {
+            DeValue::Array(list) => (list.len(), ENTRIES, "entries"),
+            DeValue::String(text) => (text.chars().count(), if path == "title" { TITLE } else { TEXT }, "characters"),
+            _ => (0, 0, ""),
+        };
+        let what = format!("`{path}` has {size} {unit}, more than {most}");
+        self.require(size <= most, path, what, "plots and messages repeat it: keep it short")?;
         let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
-        if let DeValue::Array(list) = value {
-            let most = LISTS.iter().find(|(key, _)| path.ends_with(key)).map_or(usize::MAX, |(_, most)| *most);
-            let what = format!("`{path}` has {} entries, more than {most}", list.len());
-            self.require(list.len() <= most, &deeper(&most.to_string()), what, "leave out what is not needed")?;
-        } else if let DeValue::String(text) = value {
-            let (length, most) = (text.chars().count(), if path == "title" { TITLE } else { TEXT });
-            let what = format!("`{path}` has {length} characters, more than {most}");
-            self.require(length <= most, path, what, "plots and messages repeat it: keep it short")?;
-        }
         entries(value).into_iter().try_for_each(|(key, _, value)| self.check_lengths(&deeper(&key), value.get_ref()))
     }
 

@@ -24,9 +24,8 @@ pub struct Blank {
     /// Initial thickness, 0.001 to 50 mm.
     thickness: Positive<Length>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
-    #[serde(default = "default_elements")]
-    #[schemars(range(min = 2, max = 2000))]
-    elements: i64,
+    #[schemars(range(min = 2, max = 2000), extend("default" = 100))]
+    elements: Option<i64>,
     /// Distribution of element sizes.
     #[serde(default)]
     #[schemars(extend("default" = "radii"))]
@@ -45,10 +44,6 @@ pub struct Blank {
     edge: Edge,
 }
 
-fn default_elements() -> i64 {
-    100
-}
-
 /// Thicknesses of sheet, foil to plate \[mm\].
 const THICKNESS: RangeInclusive<f64> = 1e-3..=50.0;
 /// Largest distance from the axis or the middle to the edge \[mm\]: three times the beds of the largest presses.
@@ -64,7 +59,7 @@ const ELASTIC: i64 = 15;
 const RELEASED: i64 = 25;
 
 fn thickness_points(case: &CaseFile) -> (ThicknessRule, i64) {
-    let is_released = case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some()));
+    let is_released = case.stages.iter().any(|stage| stage.release().is_some());
     let mut modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]).flatten();
     match case.geometry {
         _ if is_released => (ThicknessRule::Lobatto, RELEASED),
@@ -105,7 +100,7 @@ impl CaseFile {
         } else {
             count(source, "blank.layers", file.layers.unwrap_or(usual), 3..=101)?
         };
-        let elements = count(source, "blank.elements", file.elements, 2..=2000)?;
+        let elements = count(source, "blank.elements", file.elements.unwrap_or(100), 2..=2000)?;
         let Blank { grading, theory, edge, .. } = *file;
         Ok(model::Blank { length, thickness, elements, grading, theory, layers, rule, edge })
     }

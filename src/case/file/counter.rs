@@ -59,7 +59,7 @@ impl Counter<'_> {
             (self.die_with_face(&line, shoulder.value(), depth)?, depth)
         } else {
             let (end, tangent) = (line.last().x, line.pieces()[line.pieces().len() - 1].tangent(true));
-            let has_face = role == Role::Punch || end >= context.sheet.length || tangent.y >= -STEEP;
+            let has_face = role == Role::Punch || end >= context.blank.length || tangent.y >= -STEEP;
             let what = format!(
                 "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a wall at \
                  r = {end:.3} mm"
@@ -112,7 +112,7 @@ impl Counter<'_> {
 
     /// Die around a punch that has moved by `depth` \[mm\], with a face where the flat sheet lies.
     fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
-        let sheet = &self.context.sheet;
+        let sheet = self.context.blank;
         let die =
             line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, REACH * sheet.length).map_err(|error| {
                 let (key, help) = match error {

@@ -3,7 +3,7 @@
 use super::CaseFile;
 use super::material::only;
 use super::tools::ToolKeys;
-use super::untagged::untagged;
+use super::values::untagged;
 use crate::case::{CaseError, source::Source};
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;
@@ -63,7 +63,7 @@ impl<'a> Frictions<'a> {
     pub fn law(&self, role: Role, source: &Source) -> Result<model::Friction, CaseError> {
         let law = |law: Friction, path: &str| match law {
             Friction::Coefficient(coefficient) => Ok(coefficient.value().into()),
-            Friction::Law(table) => only(model::Friction::named(table), path, source),
+            Friction::Law(table) => only(model::Friction::named(table), None, path, source),
         };
         let tool = role.name();
         if let Some(own) = self.tools[role as usize] {

@@ -1,6 +1,5 @@
 //! `[gas]`: pressure on the faces of the sheet.
 
-use super::tools::Sheet;
 use super::values::History;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::{extent, shoulder_end};
@@ -47,7 +46,7 @@ struct GasFace {
 }
 
 impl Gas {
-    pub fn model(&self, tools: &[Tool], sheet: &Sheet, source: &Source) -> Result<Vec<model::Gas>, CaseError> {
+    pub fn model(&self, tools: &[Tool], length: f64, source: &Source) -> Result<Vec<model::Gas>, CaseError> {
         let tool = |role: Role| tools.iter().find(|t| t.role == role);
         let duration = self.duration.filter(|_| tool(Role::Punch).is_none()).map(Dimensioned::value);
         let lower = tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0));
@@ -62,13 +61,11 @@ impl Gas {
                 source.note(format!("gas acts up to {what}, {}", Amount::size(r)));
                 Some(r)
             });
-            gas.push(model::Gas { face, pressure, within: within.unwrap_or(sheet.length) });
+            gas.push(model::Gas { face, pressure, within: within.unwrap_or(length) });
         }
         let held = gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count();
-        let (what, help) = (
-            "both faces hold a strain rate, and there is one sheet",
-            "give one of the faces a pressure: the other follows",
-        );
+        let what = "both faces hold a strain rate, and there is one sheet";
+        let help = "give one of the faces a pressure: the other follows";
         source.require(held < 2, "gas.upper.strain_rate", what, help)?;
         let help = "add lower = { pressure = \"5 MPa\" } or upper";
         source.require(!gas.is_empty(), "gas", "[gas] has no pressure", help)?;

@@ -1,7 +1,7 @@
 //! `[heat]`: initial temperature of the flat sheet, and heat flow.
 
 use super::lines::Named;
-use super::untagged::untagged;
+use super::values::untagged;
 use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::extent;
 use crate::model::{self, HeatFlow, Role, Tool};

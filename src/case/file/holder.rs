@@ -1,6 +1,6 @@
 //! Holder's force and draw beads.
 
-use super::tools::{Holder, Sheet};
+use super::tools::{Holder, ToolContext};
 use super::values::{HolderForce, Stiffness, radius_of};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
@@ -39,11 +39,11 @@ pub struct Spring {
 
 impl Holder {
     /// Support of the holder: exactly one of force, pressure, gap and spring.
-    pub fn support(&self, profile: &Profile, die: &Tool, sheet: &Sheet, source: &Source) -> Result<Motion, CaseError> {
-        let extent = sheet.extent;
+    pub fn support(&self, profile: &Profile, die: &Tool, context: &ToolContext) -> Result<Motion, CaseError> {
+        let ToolContext { blank, extent, source, .. } = *context;
         source.one_of("tools.holder", &["force", "pressure", "gap", "spring"], "keep one of them")?;
         if let Some(gap) = self.gap {
-            let (gap, t) = (gap.value(), sheet.thickness);
+            let (gap, t) = (gap.value(), blank.thickness);
             let what = format!("the holder's gap of {gap} mm is less than the sheet's thickness of {t} mm");
             let help = format!("at least {t} mm; 1.02 to 1.1 times is usual");
             source.require(gap >= t, "tools.holder.gap", what, help)?;
@@ -51,14 +51,11 @@ impl Holder {
         }
         if let Some(pressure) = self.pressure {
             let inner = profile.least_r().max(shoulder_end(die));
-            let area = (extent.area(sheet.length) - extent.area(inner)).max(0.0);
+            let area = (extent.area(blank.length) - extent.area(inner)).max(0.0);
             let force = pressure.value() * area;
-            let total = Amount::force(force, extent.force_unit());
-            let pressure = Amount::given_stress(pressure.value());
-            let area = Amount::new(area, Unit::None, Digits::Significant(4));
-            let note =
-                format!("the holder's force is its pressure on the initial area, {pressure} on {area} mm², {total}");
-            source.note(note);
+            let (total, pressure) = (Amount::force(force, extent.force_unit()), Amount::given_stress(pressure.value()));
+            let on = format!("{pressure} on {} mm²", Amount::new(area, Unit::None, Digits::Significant(4)));
+            source.note(format!("the holder's force is its pressure on the initial area, {on}, {total}"));
             return Ok(Motion::Pressed(Press::constant(force)));
         }
         if let Some(spring) = self.spring {
@@ -77,28 +74,27 @@ impl Holder {
     }
 }
 
-pub fn beads(written: &[Bead], tools: &[Tool], sheet: &Sheet, source: &Source) -> Result<Vec<model::Bead>, CaseError> {
+pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>, CaseError> {
+    let ToolContext { extent, source, .. } = *context;
     let tool = |role: Role| tools.iter().find(|t| t.role == role);
-    let geometry = sheet.extent.geometry();
+    let (geometry, edge) = (extent.geometry(), context.blank.length);
     let mut beads = Vec::new();
-    for (i, bead) in written.iter().enumerate() {
+    for (i, bead) in context.written.beads.iter().enumerate() {
         let path = format!("tools.beads.{i}");
         let lengths = [bead.at, bead.diameter, bead.at];
         let (key, at) = radius_of(source, &path, geometry, ["at", "diameter", "at"], lengths)?;
         let what = "a bead needs a die to sit on";
         let die = tool(Role::Die).ok_or_else(|| source.error(&path, what, "add [tools.die], or drop the bead"))?;
-        let (flat, edge) = (shoulder_end(die), sheet.length);
-        let what = format!(
-            "a bead at {at} mm is not on the flange, from the die's shoulder at {flat:.3} mm to the edge at {edge} mm"
-        );
+        let flat = shoulder_end(die);
+        let flange = format!("the flange, from the die's shoulder at {flat:.3} mm to the edge at {edge} mm");
+        let what = format!("a bead at {at} mm is not on {flange}");
         source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
         let (restraining, closing) = (bead.restraining.value(), bead.closing.map_or(0.0, Dimensioned::value));
         beads.push(model::Bead { at, restraining, closing });
     }
-    let line = |bead: &model::Bead| sheet.extent.times() * bead.line(geometry);
-    let closing: f64 = beads.iter().map(|bead| bead.closing * line(bead)).sum();
+    let closing: f64 = beads.iter().map(|bead| bead.closing * (extent.times() * bead.line(geometry))).sum();
     if let Some(Motion::Pressed(press)) = tool(Role::Holder).map(|holder| &holder.motion) {
-        let (unit, least) = (sheet.extent.force_unit().symbol(), press.force.smallest());
+        let (unit, least) = (extent.force_unit().symbol(), press.force.smallest());
         let what = format!("closing the beads takes {closing:.0} {unit}, the holder has only {least:.0} {unit}");
         let help = "raise the holder's force, or lower the closing force";
         source.require(closing <= 0.0 || closing < least, "tools.beads.0", what, help)?;

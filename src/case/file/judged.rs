@@ -140,7 +140,7 @@ impl CaseFile {
             let key = "springback.ring";
             let help = "drop it: a ring is cut from an axisymmetric cup";
             source.require(self.geometry == Geometry::Axisymmetric, key, "a strip has no ring to cut", help)?;
-            let released = self.stages.last().is_some_and(|stage| stage.release.is_some());
+            let released = self.stages.last().is_some_and(|stage| stage.release().is_some());
             let what = "the last stage takes no tools away: the moment that remains in the wall is not known";
             let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to \
                         [material]";

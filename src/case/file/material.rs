@@ -1,6 +1,6 @@
 //! `[material]`: elastic constants and exactly one law of each kind.
 
-use super::untagged::untagged;
+use super::values::untagged;
 use crate::case::{CaseError, source::Source};
 use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
@@ -159,9 +159,11 @@ impl Material {
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         source.require(YIELD.contains(&stress), HARDENING, what, help)?;
         let yield_criterion = self.yield_criterion(source)?;
-        let rate = self.rate.map(|table| only(Rate::named(table), "material.rate", source)).transpose()?;
-        let thermal =
-            self.softening.map(|table| only(ThermalLaw::named(table), "material.softening", source)).transpose()?;
+        let rate = self.rate.map(|table| only(Rate::named(table), None, "material.rate", source)).transpose()?;
+        let thermal = self
+            .softening
+            .map(|table| only(ThermalLaw::named(table), None, "material.softening", source))
+            .transpose()?;
         let mut gtn = self.voids;
         if let Some(gtn) = &mut gtn {
             gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
@@ -184,17 +186,15 @@ impl Material {
     }
 
     fn hardening(&self, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
-        let laws = match <[_; 1]>::try_from(self.hardening.clone().map_or(Vec::new(), Hardening::named)) {
-            Ok([law]) => return prepared(law, elastic.map(|e| e.young), HARDENING, source),
-            Err(laws) => laws,
-        };
+        let laws = self.hardening.clone().map_or(Vec::new(), Hardening::named);
         let names: Vec<String> = laws.iter().map(|law| format!("`{}`", law.name())).collect();
-        let Some(second) = laws.get(1) else {
-            let help = format!("write one of [{HARDENING}.…]: {}", Hardening::NAMES.join(", "));
-            return Err(source.error(HARDENING, "the material has no hardening law", help));
-        };
-        let what = format!("the material has {} hardening laws: {}", names.len(), names.join(" and "));
-        Err(source.error(&format!("{HARDENING}.{}", second.name()), what, "keep one of them"))
+        if let Some(second) = laws.get(1) {
+            let what = format!("the material has {} hardening laws: {}", names.len(), names.join(" and "));
+            return Err(source.error(&format!("{HARDENING}.{}", second.name()), what, "keep one of them"));
+        }
+        let help = format!("write one of [{HARDENING}.…]: {}", Hardening::NAMES.join(", "));
+        source.require(!laws.is_empty(), HARDENING, "the material has no hardening law", help)?;
+        only(laws, elastic.map(|elastic| elastic.young), HARDENING, source)
     }
 
     fn yield_criterion(&self, source: &Source) -> Result<YieldCriterion, CaseError> {
@@ -238,14 +238,10 @@ pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, sourc
     Ok(mode)
 }
 
-pub fn only<F: Family>(laws: Vec<F>, path: &str, source: &Source) -> Result<F, CaseError> {
-    match <[F; 1]>::try_from(laws) {
-        Ok([law]) => prepared(law, None, path, source),
-        Err(laws) => Err(not_one(laws.len(), path, &F::NAMES.join(", "), source)),
-    }
-}
-
-fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+/// The only law of a table, its parameters checked; `young` is Young's modulus of the sheet \[MPa\].
+pub fn only<F: Family>(laws: Vec<F>, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+    let one = <[F; 1]>::try_from(laws);
+    let [law] = one.map_err(|laws| not_one(laws.len(), path, &F::NAMES.join(", "), source))?;
     let name = law.name();
     law.prepared(young).map_err(|mut error| {
         error.message = format!("{name}: {}", error.message);

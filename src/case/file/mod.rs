@@ -19,7 +19,6 @@ mod points;
 mod section;
 mod stages;
 mod tools;
-mod untagged;
 mod values;
 
 pub(super) use forming_limit::FormingLimit;
@@ -41,7 +40,7 @@ use material::checked_mode;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use stages::{FirstStage, Stage};
-use tools::{Sheet, ToolContext, Tools};
+use tools::{ToolContext, Tools};
 
 /// Forming case: blank, material, tools.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -123,11 +122,10 @@ impl CaseFile {
         let what = "an elastic sheet cannot change between bending and membrane";
         source.require(!changes, "blank.theory", what, "write blank.theory = \"bending\", or mode = \"flow\"")?;
         let drive = self.drive(blank.length, source)?;
-        let sheet = Sheet { extent, length: blank.length, thickness: blank.thickness };
-        let context = ToolContext { written: &self.tools, standing: &[], sheet, travel: drive.travel, source };
+        let (written, travel) = (&self.tools, drive.travel);
+        let context = ToolContext { written, standing: &[], blank: &blank, extent, travel, source };
         let tools = context.tools(&Frictions::new(self))?;
-        let sheet = &context.sheet;
-        let gas = self.gas.as_ref().map(|gas| gas.model(&tools, sheet, source)).transpose()?;
+        let gas = self.gas.as_ref().map(|gas| gas.model(&tools, blank.length, source)).transpose()?;
         let heat = self.heat.as_ref().map(|heat| heat.model(&tools, source)).transpose()?;
         if heat.is_none() && (material.thermal.is_some() || material.hardening.temperatures().is_some()) {
             source.note("without [heat] the sheet is at 20 °C throughout");
@@ -138,7 +136,7 @@ impl CaseFile {
         let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
         let timed =
             drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || self.gas.is_some();
-        let beads = holder::beads(&self.tools.beads, &tools, sheet, source)?;
+        let beads = holder::beads(&tools, &context)?;
         drive::check_settings(&self.solver, source)?;
         drive::check_stop(&self.stop, &tools, source)?;
         let model = Model {

@@ -45,7 +45,7 @@ pub fn convert(
 ) -> Result<(Profile, Points), CaseError> {
     let source = context.source;
     let (text, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(source)?;
-    let rows = distinct(read(&text, &csv, context.sheet.extent.geometry())?, file, source);
+    let rows = distinct(read(&text, &csv, context.extent.geometry())?, file, source);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(text.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));

@@ -3,8 +3,7 @@
 use super::counter::Counter;
 use super::points::{self, Points};
 use super::tools::ToolContext;
-use super::untagged::untagged;
-use super::values::place_of;
+use super::values::{place_of, untagged};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Arc, Fold, Piece, Point, Profile};
 use crate::model::Role;
@@ -236,14 +235,14 @@ impl Drawn {
 
     /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
     pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
-        let (length, name, source) = (context.sheet.length, role.name(), context.source);
+        let (length, name, source) = (context.blank.length, role.name(), context.source);
         // The die lies above the sheet, the others below.
         let side = if role == Role::Die { 1.0 } else { -1.0 };
         let Some(first) = self.profile.extreme(side < 0.0, length) else {
             let what = format!("the {name} lies beyond the blank's edge at {length} mm");
             return Err(source.error(&self.path, what, "check the r coordinates and the size of the blank"));
         };
-        let shift = side * 0.5 * context.sheet.thickness - first.y;
+        let shift = side * 0.5 * context.blank.thickness - first.y;
         if shift.abs() > 1e-6 {
             let by = Amount::size(shift);
             source.note(format!("the {name}'s profile is moved by {by} along z to touch the flat sheet"));

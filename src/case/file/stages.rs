@@ -5,9 +5,8 @@ use super::drive::equally_spaced;
 use super::friction::Frictions;
 use super::limits;
 use super::material::checked_mode;
-use super::tools::{Die, Holder, Punch, Sheet, ToolContext, ToolKeys, Tools};
-use super::untagged::{inline_schema, untagged};
-use super::values::{History, count, radius_of};
+use super::tools::{Die, Holder, Punch, ToolContext, ToolKeys, Tools};
+use super::values::{History, count, radius_of, untagged};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
 use crate::model::{self, Beginning, Edge, Mode, Model, Motion, Press, ReleaseStiffness, Role, StopRules, Tool};
@@ -18,8 +17,7 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 
 const FIRST: &str = "forming";
-/// Most later stages of a case, and letters of a name.
-const MOST: usize = 50;
+/// Most letters of a stage's name.
 const LONGEST: usize = 40;
 /// Share of the travel over which a holder's force goes over to that of the next stage \[–\].
 const RAMP: f64 = 0.2;
@@ -62,7 +60,7 @@ pub struct Stage {
     pub mode: Option<Mode>,
     /// Takes the tools away: the contact forces fade to zero, and the sheet springs back. True, or the stiffness of the
     /// iterations: "updated", which true means, or "constant".
-    pub release: Option<Release>,
+    release: Option<Release>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
     speed: Option<Positive<Speed>>,
     /// Instead of the speed; 1 s where no tool goes anywhere and it is not given.
@@ -73,25 +71,31 @@ pub struct Stage {
 }
 
 /// Release of the tools: the stiffness of its iterations, or none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Release(pub Option<ReleaseStiffness>);
+#[derive(Clone, Copy, Debug, JsonSchema)]
+#[schemars(untagged, inline)]
+pub enum Release {
+    Switch(bool),
+    Stiffness(ReleaseStiffness),
+}
 
 untagged!(
     [] Release, "true, false, \"updated\" or \"constant\"",
-    switch(on) => Ok(Release(on.then_some(ReleaseStiffness::Updated))),
-    text(name) => ReleaseStiffness::deserialize(name.into_deserializer()).map(|stiffness| Release(Some(stiffness)))
+    switch(on) => Ok(Release::Switch(on)),
+    text(name) => ReleaseStiffness::deserialize(name.into_deserializer()).map(Release::Stiffness)
 );
 
-inline_schema!([] Release, "Release", |generator| {
-    let (switch, stiffness) = (generator.subschema_for::<bool>(), generator.subschema_for::<ReleaseStiffness>());
-    schemars::json_schema!({ "anyOf": [switch, stiffness] })
-});
+impl Stage {
+    pub fn release(&self) -> Option<ReleaseStiffness> {
+        match self.release? {
+            Release::Switch(on) => on.then_some(ReleaseStiffness::Updated),
+            Release::Stiffness(stiffness) => Some(stiffness),
+        }
+    }
+}
 
 pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
-    let what = format!("a case has {} later stages, more than {MOST}", file.stages.len());
-    source.require(file.stages.len() <= MOST, &format!("stages.{MOST}"), what, "leave out what is not needed")?;
     let mut stages = vec![model::Stage { name, model: first, begin: Beginning::default() }];
     let mut frictions = Frictions::new(file);
     for (i, written) in file.stages.iter().enumerate() {
@@ -199,13 +203,9 @@ impl StageContext<'_> {
     }
 
     fn pace(&self, model: &mut Model) -> Result<(), CaseError> {
-        let (mut travel, mut furthest) = (0.0, Role::Punch);
-        for tool in self.tools.keys() {
-            let path = path_of(&tool).map_or(0.0, |path| path.y.hypot(path.x));
-            if path > travel {
-                (travel, furthest) = (path, tool.role);
-            }
-        }
+        let moves = self.tools.keys().filter_map(|tool| Some((path_of(&tool)?, tool.role)));
+        let moves = moves.map(|(path, role)| (path.y.hypot(path.x), role));
+        let (travel, furthest) = moves.fold((0.0, Role::Punch), |most, next| if next.0 > most.0 { next } else { most });
         let length = self.first.blank.length;
         let (path, blank) = (rounded(travel), rounded(length));
         let what = format!("a move of {path} mm is more than {FURTHEST} times the blank's {blank} mm");
@@ -238,10 +238,9 @@ impl StageContext<'_> {
         let help = "give it a shape as in [tools], or drop it";
         self.require(is_shaped || model.tool(role).is_some(), role.name(), what, help)?;
         if is_shaped {
-            let Model { blank, travel, .. } = &*model;
-            let sheet = Sheet { extent: model.extent(), length: blank.length, thickness: blank.thickness };
-            let context = ToolContext { written: self.tools, standing, sheet, travel: *travel, source: self.source };
-            let profile = context.new_profile(role)?;
+            let (extent, travel) = (model.extent(), model.travel);
+            let (written, blank, source) = (self.tools, &model.blank, self.source);
+            let profile = ToolContext { written, standing, blank, extent, travel, source }.new_profile(role)?;
             let friction = frictions.law(role, self.source)?;
             model.tools.retain(|tool| tool.role != role);
             model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
@@ -286,7 +285,7 @@ impl StageContext<'_> {
 
     /// Sets release and mode; the flow law's sheet springs back elastically.
     fn release(&self, model: &mut Model) -> Result<(), CaseError> {
-        model.release = self.written.release.and_then(|release| release.0);
+        model.release = self.written.release();
         let released = model.release.is_some();
         if let Some(tool) = self.tools.keys().find(|tool| released && path_of(tool).is_some()) {
             let help = "drop `move` and `aside`, or the release";

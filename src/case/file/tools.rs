@@ -58,6 +58,7 @@ macro_rules! tool {
                     profile: self.profile.as_ref(),
                     friction: self.friction,
                     moves: [self.aside, self.axial],
+                    shapes: Self::SHAPES,
                     is_shaped: self.profile.is_some() $(|| self.$shape.is_some())+,
                 }
             }
@@ -72,6 +73,8 @@ pub struct ToolKeys<'a> {
     pub friction: Option<Friction>,
     /// Away from the axis or symmetry plane and along z.
     pub moves: [Option<Length>; 2],
+    /// Keys of shapes other than a profile.
+    pub shapes: &'static [&'static str],
     /// True if it has a shape, which in a later stage makes it a new tool.
     pub is_shaped: bool,
 }
@@ -140,58 +143,52 @@ tool! {
 }
 
 /// Spherical nose (plane strain: cylindrical).
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [{ "required": ["radius"] }, { "required": ["diameter"] }]))]
 pub struct Hemispherical {
     /// Radius of the nose and of the wall.
-    pub radius: Option<Positive<Length>>,
+    radius: Option<Positive<Length>>,
     /// Diameter, instead of `radius`, of a round punch.
-    pub diameter: Option<Positive<Length>>,
+    diameter: Option<Positive<Length>>,
 }
 
 /// Flat face, corner and straight wall.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Flat {
     /// Radius of the wall (axisymmetric).
-    pub radius: Option<Positive<Length>>,
+    radius: Option<Positive<Length>>,
     /// Diameter of the wall, instead of `radius`.
-    pub diameter: Option<Positive<Length>>,
+    diameter: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    pub half_width: Option<Positive<Length>>,
+    half_width: Option<Positive<Length>>,
     /// Radius of the corner.
-    pub nose: Positive<Length>,
+    nose: Positive<Length>,
 }
 
 /// Gently curved face, corner and straight wall.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Crowned {
     /// Radius of the wall (axisymmetric).
-    pub radius: Option<Positive<Length>>,
+    radius: Option<Positive<Length>>,
     /// Diameter of the wall, instead of `radius`.
-    pub diameter: Option<Positive<Length>>,
+    diameter: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    pub half_width: Option<Positive<Length>>,
+    half_width: Option<Positive<Length>>,
     /// Radius of curvature of the face, larger than the punch's own radius.
-    pub face: Positive<Length>,
+    face: Positive<Length>,
     /// Radius of the corner.
-    pub nose: Positive<Length>,
-}
-
-pub struct Sheet {
-    pub extent: Extent,
-    /// From the axis or symmetry plane \[mm\].
-    pub length: f64,
-    pub thickness: f64,
+    nose: Positive<Length>,
 }
 
 pub struct ToolContext<'a> {
     pub written: &'a Tools,
     /// Tools that remain from the stage before.
     pub standing: &'a [model::Tool],
-    pub sheet: Sheet,
+    pub blank: &'a model::Blank,
+    pub extent: Extent,
     /// Punch travel of the whole run \[mm\].
     pub travel: f64,
     pub source: &'a Source<'a>,
@@ -211,22 +208,15 @@ impl ToolContext<'_> {
     }
 
     pub fn new_profile(&self, role: Role) -> Result<Profile, CaseError> {
-        if let Some(profile) = self.keys(role).and_then(|tool| tool.profile) {
-            let (shapes, help) = match role {
-                Role::Punch => (Punch::SHAPES, "keep one of the shapes"),
-                Role::Die => (
-                    Die::SHAPES,
-                    "the radius is in the profile: change it there or in its drawing, or write throat and shoulder instead",
-                ),
-                Role::Holder => (Holder::SHAPES, "keep one of them"),
-            };
+        if let Some(ToolKeys { profile: Some(profile), shapes, .. }) = self.keys(role) {
             let table = format!("tools.{}", role.name());
-            let shape = self.source.written(&table, shapes).first().copied();
-            let what = format!("the {} has both a profile and `{}`", role.name(), shape.unwrap_or_default());
-            self.source.require(shape.is_none(), &format!("{table}.profile"), what, help)?;
+            let shape = self.source.written(&table, shapes).first().copied().unwrap_or("");
+            let what = format!("the {} has both a profile and `{shape}`", role.name());
+            let help = "the radius is in the profile: change it there or in its drawing, or drop the profile";
+            self.source.require(shape.is_empty(), &format!("{table}.profile"), what, help)?;
             return profile.placed(role, self);
         }
-        let thickness = self.sheet.thickness;
+        let thickness = self.blank.thickness;
         match (role, &self.written.punch, &self.written.die, &self.written.holder) {
             (Role::Punch, Some(punch), ..) => self.punch(punch, thickness),
             (Role::Die, _, Some(Die { throat, throat_diameter, shoulder, .. }), _) => {
@@ -247,17 +237,19 @@ impl ToolContext<'_> {
     fn punch(&self, punch: &Punch, thickness: f64) -> Result<Profile, CaseError> {
         let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
                     profile = [..] or \"punch.csv\"";
-        let keys = ["radius", "diameter", "half_width"];
         self.source.one_of("tools.punch", Punch::SHAPES, help)?;
-        if let Some(shape) = &punch.hemispherical {
-            let (path, lengths) = ("tools.punch.hemispherical", [shape.radius, shape.diameter, shape.radius]);
-            Ok(Profile::hemispherical_punch(self.radius(path, ["radius", "diameter", "radius"], lengths)?, thickness))
-        } else if let Some(shape) = &punch.flat {
-            let radius = self.radius("tools.punch.flat", keys, [shape.radius, shape.diameter, shape.half_width])?;
-            Ok(Profile::flat_punch(radius, self.nose("flat", shape.nose, radius)?, thickness))
-        } else if let Some(shape) = &punch.crowned {
-            let radius = self.radius("tools.punch.crowned", keys, [shape.radius, shape.diameter, shape.half_width])?;
-            let (nose, face) = (self.nose("crowned", shape.nose, radius)?, shape.face.value());
+        let of = |shape: &str, lengths| {
+            self.radius(&format!("tools.punch.{shape}"), ["radius", "diameter", "half_width"], lengths)
+        };
+        if let Some(Hemispherical { radius, diameter }) = punch.hemispherical {
+            let (path, keys) = ("tools.punch.hemispherical", ["radius", "diameter", "radius"]);
+            Ok(Profile::hemispherical_punch(self.radius(path, keys, [radius, diameter, radius])?, thickness))
+        } else if let Some(Flat { radius, diameter, half_width, nose }) = punch.flat {
+            let radius = of("flat", [radius, diameter, half_width])?;
+            Ok(Profile::flat_punch(radius, self.nose("flat", nose, radius)?, thickness))
+        } else if let Some(Crowned { radius, diameter, half_width, face, nose }) = punch.crowned {
+            let radius = of("crowned", [radius, diameter, half_width])?;
+            let (nose, face) = (self.nose("crowned", nose, radius)?, face.value());
             let [f, r, n] = [face, radius, nose].map(rounded);
             let what = format!("a crowned face of radius {f} mm does not fit a punch of {r} mm, nose {n} mm");
             let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
@@ -276,7 +268,7 @@ impl ToolContext<'_> {
         keys: [&'static str; 3],
         lengths: [Option<Positive<Length>>; 3],
     ) -> Result<f64, CaseError> {
-        let (key, value) = radius_of(self.source, table, self.sheet.extent.geometry(), keys, lengths)?;
+        let (key, value) = radius_of(self.source, table, self.extent.geometry(), keys, lengths)?;
         self.size(&format!("{table}.{key}"), value)
     }
 
@@ -296,9 +288,7 @@ impl ToolContext<'_> {
         // A flat shorter than round-off is none.
         Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose })
     }
-}
 
-impl ToolContext<'_> {
     pub fn tools(&self, frictions: &Frictions) -> Result<Vec<model::Tool>, CaseError> {
         let mut tools: Vec<model::Tool> = Vec::new();
         for ToolKeys { role, .. } in self.written.keys() {
@@ -307,12 +297,12 @@ impl ToolContext<'_> {
             source.refuse(&table, &["move", "aside"], why, help)?;
             let die = tools.iter().find(|tool| tool.role == Role::Die);
             let help = "add [tools.die], or drop the holder and clamp the edge";
-            let has_die = role != Role::Holder || die.is_some();
-            source.require(has_die, &table, "a holder needs a die to press against", help)?;
+            let what = "a holder needs a die to press against";
+            source.require(role != Role::Holder || die.is_some(), &table, what, help)?;
             let profile = self.new_profile(role)?;
             let motion = match (role, &self.written.holder, die) {
                 (Role::Punch, ..) => Motion::Travel,
-                (Role::Holder, Some(holder), Some(die)) => holder.support(&profile, die, &self.sheet, source)?,
+                (Role::Holder, Some(holder), Some(die)) => holder.support(&profile, die, self)?,
                 _ => Motion::Fixed,
             };
             tools.push(model::Tool { role, profile, friction: frictions.law(role, source)?, motion });

@@ -1,24 +1,81 @@
-//! Values that several tables share: histories, forces in all or per depth, lengths from the axis.
+//! Values that several tables share: histories, forces in all or per depth, lengths from the axis; enums by the kind of TOML value.
 
-use super::untagged::{inline_schema, untagged};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
 use crate::model::{Extent, Geometry};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Force, Kind, Length, LineForce, NonNegative, Positive, Stress, parse, rounded};
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Error, IntoDeserializer};
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 /// Least force that differs from round-off \[N or N/mm\].
 const LEAST: f64 = 1e-6;
 
+/// Implements `Deserialize` for an enum with one variant per kind of value; errors inside a variant keep their place.
+macro_rules! untagged {
+    (
+        [$($generic:ident: $bound:ident),*] $type:ty, $expecting:expr
+        $(, switch($switch:ident) => $of_switch:expr)?
+        $(, text($text:ident) => $of_text:expr)?
+        $(, number($number:ident) => $of_number:expr)?
+        $(, list => $of_list:expr)?
+        $(, table => $of_table:expr)?
+    ) => {
+        impl<'de, $($generic: $bound + serde::Deserialize<'de>),*> serde::Deserialize<'de> for $type {
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                struct Kinds<T>(std::marker::PhantomData<T>);
+                impl<'de, $($generic: $bound + serde::Deserialize<'de>),*> serde::de::Visitor<'de> for Kinds<$type> {
+                    type Value = $type;
+
+                    fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                        f.write_str($expecting)
+                    }
+                    $(
+                    fn visit_bool<E: serde::de::Error>(self, $switch: bool) -> Result<$type, E> {
+                        $of_switch
+                    }
+                    )?
+                    $(
+                    fn visit_str<E: serde::de::Error>(self, $text: &str) -> Result<$type, E> {
+                        $of_text
+                    }
+                    )?
+                    $(
+                    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<$type, E> {
+                        self.visit_f64(number as f64)
+                    }
+
+                    fn visit_f64<E: serde::de::Error>(self, $number: f64) -> Result<$type, E> {
+                        $of_number
+                    }
+                    )?
+                    $(
+                    fn visit_seq<A: serde::de::SeqAccess<'de>>(self, list: A) -> Result<$type, A::Error> {
+                        serde::Deserialize::deserialize(serde::de::value::SeqAccessDeserializer::new(list)).map($of_list)
+                    }
+                    )?
+                    $(
+                    fn visit_map<A: serde::de::MapAccess<'de>>(self, table: A) -> Result<$type, A::Error> {
+                        serde::Deserialize::deserialize(serde::de::value::MapAccessDeserializer::new(table)).map($of_table)
+                    }
+                    )?
+                }
+                from.deserialize_any(Kinds::<$type>(std::marker::PhantomData))
+            }
+        }
+    };
+}
+pub(super) use untagged;
+
 /// Value as text, or a list of points `[x, value]` with x rising.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged, inline)]
 pub enum History<X, V> {
     Constant(V),
-    /// Straight between the points.
+    // Straight between the points.
     Points(Vec<(X, V)>),
 }
 
@@ -27,14 +84,6 @@ untagged!(
     text(text) => V::deserialize(text.into_deserializer()).map(History::Constant),
     number(value) => V::deserialize(value.into_deserializer()).map(History::Constant),
     list => History::Points
-);
-
-inline_schema!(
-    [X: JsonSchema, V: JsonSchema] History<X, V>, format!("{}Over{}", V::schema_name(), X::schema_name()),
-    |generator| {
-        let (value, points) = (generator.subschema_for::<V>(), generator.subschema_for::<Vec<(X, V)>>());
-        schemars::json_schema!({ "anyOf": [value, points] })
-    }
 );
 
 impl<X: Dimensioned, V: Copy> History<X, V> {
@@ -82,13 +131,21 @@ untagged!(
     number(value) => Extensive::read(&value.to_string())
 );
 
-inline_schema!(
-    [W: Dimensioned, P: Dimensioned] Extensive<W, P>, format!("{} in all or per depth", W::KIND.name),
-    |_generator| {
-        let quantity = [W::KIND, P::KIND].map(Kind::measured).join(", or ");
-        schemars::json_schema!({ "type": "string", "examples": [W::KIND.examples[0], P::KIND.examples[0]], "x-quantity": quantity })
+impl<W: Dimensioned, P: Dimensioned> JsonSchema for Extensive<W, P> {
+    fn inline_schema() -> bool {
+        true
     }
-);
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("{} in all or per depth", W::KIND.name).into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let quantity = [W::KIND, P::KIND].map(Kind::measured).join(", or ");
+        let examples = [W::KIND.examples[0], P::KIND.examples[0]];
+        json_schema!({ "type": "string", "examples": examples, "x-quantity": quantity })
+    }
+}
 
 impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     fn read<E: Error>(text: &str) -> Result<Self, E> {
@@ -101,35 +158,30 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     /// Value in the units of the extent.
     pub fn in_extent(self, path: &str, extent: Extent, source: &Source) -> Result<f64, CaseError> {
         let key = path.split('.').rfind(|key| key.parse::<usize>().is_err()).unwrap_or(path);
-        let (per_length, in_all) = match key {
-            "stiffness" => ("such as stiffness = \"50 N/mm^2\"".into(), "such as stiffness = \"5 kN/mm\"".into()),
-            _ => (
-                format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth"),
-                format!("write a force, such as {key} = \"80 kN\""),
-            ),
-        };
-        let (value, what, help) = match (self, extent) {
+        let is_force = key != "stiffness";
+        let value = match (self, extent) {
             (Self::InAll(_), Extent::PerDepth) => {
-                (None, format!("in plane strain without blank.depth `{key}` is per mm of depth"), per_length)
+                let force = format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth");
+                let help = if is_force { force } else { "such as stiffness = \"50 N/mm^2\"".into() };
+                let what = format!("in plane strain without blank.depth `{key}` is per mm of depth");
+                return Err(source.error(path, what, help));
             }
             (Self::PerDepth(_), Extent::Ring) => {
-                (None, format!("in an axisymmetric case `{key}` is that of the whole ring"), in_all)
+                let force = format!("write a force, such as {key} = \"80 kN\"");
+                let help = if is_force { force } else { "such as stiffness = \"5 kN/mm\"".into() };
+                return Err(source.error(
+                    path,
+                    format!("in an axisymmetric case `{key}` is that of the whole ring"),
+                    help,
+                ));
             }
-            (given, _) => {
-                let value = match (given, extent) {
-                    (Self::PerDepth(value), Extent::Depth(depth)) => value.value() * depth,
-                    (Self::PerDepth(value), _) => value.value(),
-                    (Self::InAll(value), _) => value.value(),
-                };
-                let what = format!("this `{key}` is next to nothing");
-                (
-                    Some(value).filter(|value| *value == 0.0 || *value >= LEAST),
-                    what,
-                    "check the unit, or write 0 for none".into(),
-                )
-            }
+            (Self::PerDepth(value), Extent::Depth(depth)) => value.value() * depth,
+            (Self::PerDepth(value), Extent::PerDepth) => value.value(),
+            (Self::InAll(value), _) => value.value(),
         };
-        value.ok_or_else(|| source.error(path, what, help))
+        let what = format!("this `{key}` is next to nothing");
+        source.require(value == 0.0 || value >= LEAST, path, what, "check the unit, or write 0 for none")?;
+        Ok(value)
     }
 }
 
