@@ -1,12 +1,9 @@
 //! `[blank]`.
 
-use super::CaseFile;
 use super::values::{count, radius_of};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
 use crate::model::{self, Edge, Extent, Geometry, Grading, Mode, Theory, ThicknessRule};
 use crate::units::{Dimensioned, Length, Positive, rounded};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use std::ops::RangeInclusive;
 
 /// Flat sheet before forming.

@@ -1,8 +1,8 @@
 //! Tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
+use super::CaseError;
 use super::section::{Drawn, Origin, Section, SectionTable};
 use super::tools::ToolContext;
-use crate::case::CaseError;
 use crate::geometry::{CavityError, Profile};
 use crate::model::Role;
 use crate::units::{Amount, Dimensioned};

@@ -1,14 +1,16 @@
-//! Drive and duration of the run, its kept instants, `[solver]` and `[stop]`.
+//! Drive and duration of the run, its kept instants, `[solver]` and `[stop]`; limits on the size of a case.
 
-use super::CaseFile;
 use super::values::count;
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
+use crate::forming_limit::Paths;
+use crate::geometry::Piece;
 use crate::model::tool_sizes::throat;
-use crate::model::{Role, Settings, StopRules, Tool};
+use crate::model::{Model, Role, Settings, Stage, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
+use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
+use crate::solver::state::MaterialPoint;
 use crate::units::{Dimensioned, Length, NonNegative, Positive, Time, rounded};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
 
 /// Distance of frames over the travel below which they are one \[–\].
 const SAME: f64 = 1e-9;
@@ -161,4 +163,58 @@ impl Output {
 /// Instants of a run \[s\], the last one its end.
 pub fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
     (1..count).map(|i| duration * i as f64 / count as f64).chain([duration]).collect()
+}
+
+/// Most rows of `profile.csv`: kept frames times elements.
+const ROWS: usize = 500_000;
+/// Memory of a run, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
+const MEMORY: usize = 500_000_000;
+/// Most chords that replace the arcs of one tool.
+const CHORDS: f64 = 20_000.0;
+
+/// Key that gives the number of kept frames of a stage, the first one being stage 0.
+pub fn frames_key(stage: usize, source: &Source) -> String {
+    match stage {
+        0 if source.has("output.frames") => "output.frames".into(),
+        0 => "output.count".into(),
+        later => format!("stages.{}.frames", later - 1),
+    }
+}
+
+pub fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
+    let (mut total, mut largest) = (0, (0, String::new(), ""));
+    for (i, Stage { model, .. }) in stages.iter().enumerate() {
+        let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
+        // Every frame is landed on, and no step is longer than the longest.
+        let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
+        let with_path = if model.forming_limit.is_some() { elements } else { 0 };
+        let of_points = elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>());
+        let of_frames = frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()) + of_points;
+        let of_steps = steps * size_of::<StepRecord>() + steps.min(Paths::MOST) * with_path * size_of::<[f64; 2]>();
+        total += of_frames + of_steps;
+        let of_frames = (of_frames, frames_key(i, source), "keep fewer frames, or fewer elements");
+        let of_steps = (of_steps, "solver.max_step".into(), "take longer steps, or fewer elements");
+        largest =
+            [of_frames, of_steps].into_iter().fold(largest, |most, next| if next.0 > most.0 { next } else { most });
+    }
+    let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
+    let what = format!("the stages ({}) fill {gigabytes:.2} GB, more than {most:.2} GB", stages.len());
+    source.require(total <= MEMORY, &largest.1, what, largest.2)
+}
+
+pub fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
+    let (frames, elements) = (model.frames.len(), model.blank.elements);
+    let rows = frames * elements;
+    let what = format!("{frames} frames of {elements} elements are {rows} rows, more than {ROWS}");
+    source.require(rows <= ROWS, frames_key, what, format!("keep at most {} frames", ROWS / elements))?;
+    let Some(facets) = model.settings.facets else { return Ok(()) };
+    for tool in &model.tools {
+        let sweep = |piece: &Piece| if let Piece::Arc(arc) = piece { arc.sweep.abs() } else { 0.0 };
+        let quarters = tool.profile.pieces().iter().map(sweep).sum::<f64>() / FRAC_PI_2;
+        let chords = quarters * facets as f64;
+        let what = format!("the {}'s arcs make {chords:.0} chords, more than {CHORDS}", tool.role.name());
+        let help = format!("at most facets = {:.0}", CHORDS / quarters - 0.5);
+        source.require(chords <= CHORDS, "solver.facets", what, help)?;
+    }
+    Ok(())
 }

@@ -1,14 +1,12 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
 use super::material::{blame, not_one};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski, Points, Sheet, Strain, Swift};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
 use crate::units::{Amount, Dimensioned, Fraction, Number, ZERO_CELSIUS};
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Forming limit curve, exactly one: `points`, `measured`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,16 +1,13 @@
 //! `friction` of a tool, or of its side of the sheet.
 
-use super::CaseFile;
 use super::material::only;
 use super::tools::ToolKeys;
 use super::values::untagged;
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;
 use crate::model::{self, Role};
 use crate::units::{Dimensioned, Fraction};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use serde::de::IntoDeserializer;
 
 /// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.

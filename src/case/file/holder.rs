@@ -2,14 +2,12 @@
 
 use super::tools::{Holder, ToolContext};
 use super::values::{HolderForce, Stiffness, radius_of};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::geometry::Profile;
 use crate::model::tool_sizes::shoulder_end;
 use crate::model::{self, Extent, Motion, Press, Role, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Amount, Digits, Dimensioned, Length, LineForce, NonNegative, Positive, Unit};
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

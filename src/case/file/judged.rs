@@ -1,12 +1,10 @@
 //! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`.
 
-use super::CaseFile;
 use super::values::HolderForce;
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, CaseFile, JsonSchema, Source};
 use crate::measure::Ring;
 use crate::model::{Extent, Geometry};
 use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Positive};
-use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 

@@ -1,7 +1,7 @@
 //! `[material]`: elastic constants and exactly one law of each kind.
 
 use super::values::untagged;
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
 use crate::material::rate::RateTable;
@@ -11,8 +11,6 @@ use crate::material::{
 };
 use crate::model::Mode;
 use crate::units::{Amount, Digits, Dimensioned, Fraction, Number, Positive, Stress};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use std::ops::RangeInclusive;
 

@@ -8,24 +8,21 @@ mod drive;
 mod fit;
 mod forming_limit;
 mod friction;
-mod gas;
-mod heat;
 mod holder;
 mod judged;
-mod limits;
-mod lines;
 mod material;
 mod points;
 mod section;
 mod stages;
+mod surroundings;
 mod tools;
 mod values;
 
 pub(super) use forming_limit::FormingLimit;
 pub use judged::{Press, Springback, TitleBlock};
-pub(super) use lines::Named;
 pub use material::YieldCondition;
 pub(super) use material::{Anisotropy, Material};
+pub(super) use points::Named;
 
 use super::{CaseError, comparison::Compare, source::Source};
 use crate::model::{self, Friction, Geometry, Mode, Model, Settings, StopRules, Theory, Tool};
@@ -33,13 +30,12 @@ use crate::units::Dimensioned;
 use blank::Blank;
 use drive::Output;
 use friction::{Frictions, Sides};
-use gas::Gas;
-use heat::Heat;
 use judged::WrittenPress;
 use material::checked_mode;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use stages::{FirstStage, Stage};
+use surroundings::{Gas, Heat};
 use tools::{ToolContext, Tools};
 
 /// Forming case: blank, material, tools.
@@ -101,7 +97,7 @@ impl CaseFile {
     /// Models of all stages; notes on what was assumed go to the source.
     pub fn stages(&self, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
         let stages = stages::stages(self, self.first(source)?, source)?;
-        limits::of_stages(&stages, source)?;
+        drive::of_stages(&stages, source)?;
         for (i, stage) in stages.iter().enumerate() {
             let before = i.checked_sub(1).map(|before| &stages[before].model);
             // Values of the case have been checked above: these are the limits of the solver.
@@ -163,7 +159,7 @@ impl CaseFile {
             forming_limit,
         };
         fit::check(&model, source)?;
-        limits::of_model(&model, &limits::frames_key(0, source), source)?;
+        drive::of_model(&model, &drive::frames_key(0, source), source)?;
         fit::collisions(&model, source)?;
         Ok(model)
     }

@@ -4,12 +4,10 @@ use super::counter::Counter;
 use super::points::{self, Points};
 use super::tools::ToolContext;
 use super::values::{place_of, untagged};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::geometry::{Arc, Fold, Piece, Point, Profile};
 use crate::model::Role;
 use crate::units::{Amount, Dimensioned, Length, NonNegative, Positive};
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.01;

@@ -1,19 +1,15 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
-use super::CaseFile;
-use super::drive::equally_spaced;
+use super::drive::{self, equally_spaced};
 use super::friction::Frictions;
-use super::limits;
 use super::material::checked_mode;
 use super::tools::{Die, Holder, Punch, ToolContext, ToolKeys, Tools};
 use super::values::{History, count, radius_of, untagged};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
 use crate::geometry::Point;
 use crate::model::{self, Beginning, Edge, Mode, Model, Motion, Press, ReleaseStiffness, Role, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Length, Positive, Speed, Time, rounded};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use serde::de::IntoDeserializer;
 
 const FIRST: &str = "forming";
@@ -183,7 +179,7 @@ impl StageContext<'_> {
         let help = "write `release = true` instead: the contact forces fade, and the sheet springs back";
         let held = !model.tools.is_empty() || model.release.is_some();
         self.require(held, key, "no tool is left, and nothing holds the sheet", help)?;
-        limits::of_model(&model, &frames_key, self.source)?;
+        drive::of_model(&model, &frames_key, self.source)?;
         Ok(model::Stage { name: self.written.name.clone(), model, begin })
     }
 

@@ -4,12 +4,10 @@ use super::friction::{Friction, Frictions};
 use super::holder::{Bead, Spring};
 use super::section::Section;
 use super::values::{History, HolderForce, radius_of};
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::geometry::Profile;
 use crate::model::{self, Extent, Motion, Role};
 use crate::units::{Dimensioned, Length, NonNegative, Positive, Speed, Stress, Time, rounded};
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Least radius of a tool, and least opening \[mm\].
 const SMALLEST: f64 = 1e-3;

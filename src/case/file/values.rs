@@ -1,12 +1,11 @@
 //! Values that several tables share: histories, forces in all or per depth, lengths from the axis; enums by the kind of TOML value.
 
-use crate::case::{CaseError, source::Source};
+use super::{CaseError, Deserialize, Source};
 use crate::geometry::Point;
 use crate::model::{Extent, Geometry};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Dimensioned, Force, Kind, Length, LineForce, NonNegative, Positive, Stress, parse, rounded};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::Deserialize;
 use serde::de::{Error, IntoDeserializer};
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
