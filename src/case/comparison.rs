@@ -218,7 +218,7 @@ fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<
         let what = format!("cannot read {}: {why}", sources.display());
         source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")
     };
-    let text = match source.folder.files.text(&sources, files::CSV) {
+    let text = match source.file(&sources, files::CSV) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         text => text.map_err(|error| unreadable(&error.to_string()))?,
     };

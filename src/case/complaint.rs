@@ -79,8 +79,7 @@ pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
         let help = example.map_or_else(|| help.to_owned(), |line| format!("write for example {line}"));
         (format!("`{}`{joint} {}", last_name(&path), in_plain_words(what)), help)
     };
-    let label = if path.is_empty() { "here".into() } else { path };
-    source.error_at(span, what, label, help)
+    source.error_at(span, what, if path.is_empty() { "here".into() } else { path }, help)
 }
 
 /// Key at the end of a path, with the index behind it if it is an entry of an array.

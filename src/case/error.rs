@@ -9,6 +9,8 @@ use std::sync::Arc;
 
 /// Longest quote in a message \[characters\].
 const LONGEST: usize = 300;
+/// Longest line of a file that is drawn \[bytes\].
+const LONGEST_LINE: usize = 250;
 
 /// A case that cannot be solved as it is written.
 #[derive(Clone, Debug, thiserror::Error, Diagnostic)]
@@ -88,6 +90,13 @@ impl CaseError {
     /// The whole message with the line and a caret, 100 columns wide; control characters are [`visible`].
     pub fn render(&self, colours: bool) -> String {
         let text = self.source_code.inner();
+        // The neighbours of a line are drawn with it, but no column beyond 65 535.
+        let around = |line: usize| text.lines().skip(line.saturating_sub(2)).take(3);
+        let is_long = |(line, _): &(usize, usize)| around(*line).any(|text| text.len() > LONGEST_LINE);
+        if let Some((line, column)) = self.position().filter(is_long) {
+            let what = format!("{}: {} (line {line}, column {column})", self.source_code.name(), self.what);
+            return Self { what, span: None, ..self.clone() }.render(colours);
+        }
         // An end of a line is left whole: before its second character stands none.
         let moved = |at: usize| text.get(..at).map_or(at, |before| visible(before.trim_end_matches('\r')).len());
         let span = self.span.map(|span| {

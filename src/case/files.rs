@@ -3,7 +3,6 @@
 //! Larger files than [`CASE`] and [`CSV`] are refused before they are read, and so are pipes and devices.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
@@ -91,18 +90,6 @@ impl Files for Memory {
     fn read(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
         let bytes = self.0.get(&plain(path)).ok_or_else(missing)?;
         if bytes.len() > limit { Err(too_large(limit)) } else { Ok(bytes.clone()) }
-    }
-}
-
-/// Files that note the paths of those that are read, in order.
-pub(super) struct Noted<'a> {
-    pub files: &'a dyn Files,
-    pub paths: RefCell<Vec<PathBuf>>,
-}
-
-impl Files for Noted<'_> {
-    fn read(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
-        self.files.read(path, limit).inspect(|_| self.paths.borrow_mut().push(path.to_owned()))
     }
 }
 

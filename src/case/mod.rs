@@ -21,9 +21,8 @@ use crate::material::RValues;
 use crate::model::{Model, Stage};
 use crate::solver::solution::StageSolution;
 use crate::solver::{Observer, solve};
-use files::{Disk, Files, Folder, Noted, too_large};
+use files::{Disk, Files, Folder, too_large};
 use source::Source;
-use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -149,10 +148,9 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &too_large(files::CASE)));
     }
-    let reads = Noted { files, paths: RefCell::new(vec![path.clone()]) };
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
-    let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
+    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
     let source = Source::parse(&shown, &text, folder)?;
     let mut file = source.read()?;
     sources::forget_replaced(&mut file, overrides);
@@ -172,7 +170,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         title_block: file.report,
         r_values,
         derived: source.take_notes(),
-        inputs: reads.paths.take(),
+        inputs: [path.clone()].into_iter().chain(source.read.take()).collect(),
         path,
     })
 }

@@ -7,7 +7,9 @@ use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::Deserialize;
 use std::cell::RefCell;
+use std::io;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
@@ -26,6 +28,8 @@ pub struct Source<'t> {
     root: DeValue<'t>,
     pub folder: Folder<'t>,
     notes: RefCell<Vec<String>>,
+    /// Paths of the files that were read beside the case, in order.
+    pub read: RefCell<Vec<PathBuf>>,
     /// Index and name of the later stage to which `tools.…` refers.
     stage: RefCell<Option<(usize, String)>>,
 }
@@ -37,10 +41,16 @@ impl<'t> Source<'t> {
             Ok(mut tree) => {
                 resolve_thicknesses(tree.get_mut());
                 let root = DeValue::Table(tree.get_ref().clone());
-                Ok(Self { shown, text, tree, root, folder, notes: RefCell::default(), stage: RefCell::default() })
+                let (notes, read, stage) = Default::default();
+                Ok(Self { shown, text, tree, root, folder, notes, read, stage })
             }
             Err(error) => Err(complaint::not_toml(&error, text, shown)),
         }
+    }
+
+    /// Text of a file that the case names.
+    pub fn file(&self, path: &Path, limit: usize) -> io::Result<String> {
+        self.folder.files.text(path, limit).inspect(|_| self.read.borrow_mut().push(path.to_owned()))
     }
 
     pub fn read(&self) -> Result<CaseFile, CaseError> {
@@ -108,8 +118,7 @@ impl<'t> Source<'t> {
         let path = self.whole(path);
         let path = diameter_key(&path).filter(|twin| !self.locate(&path).1 && self.locate(twin).1).unwrap_or(path);
         let (span, _) = self.locate(&path);
-        let label = if path.is_empty() { "here".into() } else { path };
-        self.error_at(span, what.into(), label, help.into())
+        self.error_at(span, what.into(), if path.is_empty() { "here".into() } else { path }, help.into())
     }
 
     pub fn require(

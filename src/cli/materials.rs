@@ -1,7 +1,7 @@
 //! `stampflow materials`: the built-in library.
 
 use super::*;
-use stampflow::case::library::{self, Entry};
+use stampflow::case::library::{self, Description, Entry};
 
 const NOTES: &str = "
 Computed from each law: Rp0.2 at a plastic strain of 0.2 %; Rm, Ag (uniform
@@ -27,7 +27,8 @@ pub fn materials(args: &Args) -> Result<Code> {
         return emit(args.json.json, all.iter().map(as_json).collect(), || table(&HEADERS, rows) + NOTES);
     };
     let entry = library::material(name)?;
-    let Entry { name, title, text, notes, licence, stands_for, .. } = &entry;
+    let Entry { name, text, about, .. } = &entry;
+    let Description { title, notes, licence, stands_for, .. } = about;
     let stands_for = stands_for.iter().map(|s| format!("stands for {}; {}", s.grades.join(", "), s.because));
     let notes = stands_for.chain(notes.iter().cloned()).chain([format!("licence: {licence}")]);
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}");
@@ -39,21 +40,22 @@ fn row(entry: &Entry) -> [String; 9] {
     let number = |value: Option<f64>, decimals: usize| value.map(|value| format!("{value:.decimals$}"));
     [
         Some(entry.name.to_owned()),
-        entry.stands_for.as_ref().and_then(|stands| stands.grades.first()).cloned(),
+        entry.about.stands_for.as_ref().and_then(|stands| stands.grades.first()).cloned(),
         number(Some(entry.proof_stress()), 0),
         number(entry.tensile_strength(), 0),
         number(entry.uniform_elongation().map(|share| 100.0 * share), 0),
         Some(entry.material.yield_criterion.ratio().to_string()),
         number(entry.n(), 3),
         number(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
-        entry.thickness.as_ref().map(|thickness| thickness.replace(" to ", "–")),
+        entry.about.thickness.as_ref().map(|thickness| thickness.replace(" to ", "–")),
     ]
     .map(|value| value.unwrap_or("–".to_owned()))
 }
 
 /// The row, title, notes and source, and the table to paste.
 fn as_json(entry: &Entry) -> Value {
-    let Entry { title, notes, source, licence, text, .. } = entry;
+    let Entry { about, text, .. } = entry;
+    let (Description { title, notes, licence, .. }, source) = (about, about.source());
     let mut value = json!({ "title": title, "notes": notes, "source": source, "licence": licence, "case": text });
     HEADERS.into_iter().zip(row(entry)).for_each(|(key, cell)| value[key] = cell.into());
     value

@@ -23,7 +23,7 @@ impl Suggested {
 
 /// Sheets of the library and the grades that they stand for; a space would end a word of the shell.
 static SHEETS: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let grades = library::materials().into_iter().flatten().filter_map(|entry| entry.stands_for);
+    let grades = library::materials().into_iter().flatten().filter_map(|entry| entry.about.stands_for);
     let grades = grades.flat_map(|stands| stands.grades).filter(|grade| !grade.contains(' '));
     library::names().map(str::to_owned).chain(grades).collect()
 });

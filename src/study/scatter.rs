@@ -228,7 +228,7 @@ const THICKNESS_DEVIATIONS: f64 = 3.0;
 /// Default `KEY=DISTRIBUTION` texts of a case, and notes on them.
 fn default_scatter(case: &Case) -> (Vec<String>, Vec<String>) {
     let (mut vary, mut notes) = friction(case);
-    let Some((sheet, class)) = case.sheet().and_then(|sheet| Some((sheet.name, sheet.class?))) else {
+    let Some((sheet, class)) = case.sheet().and_then(|sheet| Some((sheet.name, sheet.about.class?))) else {
         let note = "Strength and thickness do not scatter: the library has no tolerances of this sheet. Give yours, \
                     such as --vary \"strength=normal ± 5 %\".";
         notes.push(note.into());

@@ -14,17 +14,21 @@ fn every_material_loads_runs_and_cites_its_source() {
     let all = library::materials().unwrap_or_else(|e| panic!("{}", e.render(false)));
     assert!(all.len() >= 13);
     for entry in &all {
-        assert!(entry.source.contains("20") || entry.source.contains("19"), "{}: no year", entry.name);
-        assert!(["A", "B", "C"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
-        let declared = entry.source.contains("declared");
-        assert_eq!(entry.grade == "C", declared, "{}: an assumed law is called so", entry.name);
+        assert!(entry.about.source().contains("20") || entry.about.source().contains("19"), "{}: no year", entry.name);
+        assert!(
+            ["A", "B", "C"].contains(&entry.about.grade.as_str()) && !entry.about.licence.is_empty(),
+            "{}",
+            entry.name
+        );
+        let declared = entry.about.source().contains("declared");
+        assert_eq!(entry.about.grade == "C", declared, "{}: an assumed law is called so", entry.name);
         let n = entry.n().expect("a load maximum");
         // Austenitic steel comes to 0.57.
         assert!((0.05..0.6).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
-        assert_eq!(named.sources.material.as_ref(), Some(&entry.source));
-        assert!(named.derived[0].to_string().contains(&entry.source), "{:?}", named.derived);
+        assert_eq!(named.sources.material.as_ref(), Some(&entry.about.source()));
+        assert!(named.derived[0].to_string().contains(&entry.about.source()), "{:?}", named.derived);
         let pasted = parsed(entry.text.trim_start_matches("[material]"), "");
         assert_eq!(pasted.unwrap_or_else(|e| panic!("{e}")).model().material, entry.material);
         let limit = parsed(&format!("name = \"{}\"", entry.name), "[forming_limit]\nmarciniak_kuczynski = {}");
@@ -43,7 +47,7 @@ fn every_material_loads_runs_and_cites_its_source() {
             );
         }
         let check = stampflow::assess::check::report(&named).to_string();
-        assert!(check.contains(&entry.source), "{check}");
+        assert!(check.contains(&entry.about.source()), "{check}");
     }
 }
 

@@ -67,7 +67,7 @@ impl Sheet {
         let (mut values, mut material) = (Values::default(), Values::default());
         let mut why = String::new();
         if let Some((entry, word)) = &self.entry {
-            let of = entry.thickness.as_ref();
+            let of = entry.about.thickness.as_ref();
             why = of.map_or(why, |of| format!("the material's numbers are of a sheet of {of}"));
             let named = if word == entry.name { String::new() } else { format!("named as {word}: ") };
             material.set("table", "[material]", "");

@@ -37,21 +37,15 @@ impl Counter<'_> {
         let by = table.by.ok_or_else(|| source.missing(path, "by"))?.value();
         let original = self.original("offset_of")?;
         if role == Role::Punch || table.shoulder.is_none() {
-            let help =
-                "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-            source.refuse(
-                path,
-                &["shoulder", "closed_at"],
-                "belongs to a die made from a punch, with its shoulder",
-                help,
-            )?;
+            let why = "belongs to a die made from a punch, with its shoulder";
+            let help = "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. }, or drop it";
+            source.refuse(path, &["shoulder", "closed_at"], why, help)?;
         }
         let axis = if role == Role::Punch { original.last().x } else { original.first().x };
         let what = format!("the {other} does not reach the axis, it begins at r = {axis:.4} mm: its offset is open");
         source.require(axis <= 1e-6, path, what, format!("draw the {name}, or give the {other} a bottom"))?;
         let line = original.offset(by).map_err(|error| {
-            let help =
-                format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
+            let help = format!("make `by` smaller or the hollow of the {other} wider (z = 0: the flat sheet's middle)");
             self.error("by", format!("the {other} has no offset of {by} mm: {error}"), help)
         })?;
         let (die, closed_at) = if let Some(shoulder) = table.shoulder {
@@ -60,10 +54,8 @@ impl Counter<'_> {
         } else {
             let (end, tangent) = (line.last().x, line.pieces()[line.pieces().len() - 1].tangent(true));
             let has_face = role == Role::Punch || end >= context.blank.length || tangent.y >= -STEEP;
-            let what = format!(
-                "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a wall at \
-                 r = {end:.3} mm"
-            );
+            let what =
+                format!("the {other}'s wall goes down inside of the blank, at r = {end:.3} mm: its offset has no face");
             let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
             source.require(has_face, path, what, help)?;
             let (profile, shift) = source.silently(|| self.placed(line.reversed()))?;
@@ -105,33 +97,31 @@ impl Counter<'_> {
             return Err(self.error(key, what, "give one of them a shape of its own"));
         }
         self.context.profile(self.of)?.ok_or_else(|| {
-            let what = format!("there is no {other} to make the {name} from");
-            self.error(key, what, format!("add [tools.{other}]"))
+            self.error(key, format!("there is no {other} to make the {name} from"), format!("add [tools.{other}]"))
         })
     }
 
     /// Die around a punch that has moved by `depth` \[mm\], with a face where the flat sheet lies.
     fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
-        let sheet = self.context.blank;
-        let die =
-            line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, REACH * sheet.length).map_err(|error| {
-                let (key, help) = match error {
-                    CavityError::Below { .. } => {
-                        ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
-                    }
-                    CavityError::Above { .. } => {
-                        ("shoulder", "draw the punch's wall further down, or close the tools earlier")
-                    }
-                    CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
-                };
-                let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
-                self.error(key, format!("the die around the punch: {error}"), help)
-            })?;
-        let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), sheet.length);
+        let blank = self.context.blank;
+        let die = line.shifted(depth).cavity(0.5 * blank.thickness, shoulder, REACH * blank.length);
+        let die = die.map_err(|error| {
+            let (key, help) = match error {
+                CavityError::Below { .. } => {
+                    ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
+                }
+                CavityError::Above { .. } => {
+                    ("shoulder", "draw the punch's wall further down, or close the tools earlier")
+                }
+                CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
+            };
+            let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
+            self.error(key, format!("the die around the punch: {error}"), help)
+        })?;
+        let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), blank.length);
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
         let (smaller, path) = (end - edge, format!("{}.shoulder", self.path));
-        let help =
-            format!("the blank must reach past the shoulder to rest on the die: make that {smaller:.3} mm smaller");
+        let help = format!("the blank must reach past the shoulder to rest on the die: make that {smaller:.3} mm less");
         self.context.source.require(end <= edge, &path, what, help)?;
         Ok(die)
     }

@@ -123,8 +123,7 @@ pub fn check_stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<
     source.require(touched, path, what, "add [tools.die], or drop it")?;
     let opens = tools.iter().any(|die| die.role == Role::Die && throat(die).is_some());
     let what = "`drawn_through` asks for a cup that is pushed through the die, and no die is open";
-    let help = "drop it, or give the die a throat";
-    source.require(!rules.drawn_through || opens, "stop.drawn_through", what, help)
+    source.require(!rules.drawn_through || opens, "stop.drawn_through", what, "drop it, or give the die a throat")
 }
 
 impl Output {
@@ -132,13 +131,11 @@ impl Output {
     pub fn frames(&self, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
         let Drive { travel, duration, .. } = *drive;
         let Some(list) = &self.frames else {
-            let n = count(source, "output.count", self.count.unwrap_or(4), 1..=1000)?;
-            return Ok(equally_spaced(duration, n));
+            return Ok(equally_spaced(duration, count(source, "output.count", self.count.unwrap_or(4), 1..=1000)?));
         };
         source.one_of("output", &["frames", "count"], "keep one of them")?;
         let what = "`frames` are punch travels, and there is no punch";
-        let help = "write count = 8 for as many instants, equally spaced";
-        source.require(travel > 0.0, "output.frames", what, help)?;
+        source.require(travel > 0.0, "output.frames", what, "write count = 8 for as many instants, equally spaced")?;
         let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
         for (i, frame) in frames.iter().enumerate() {
             let what = format!("a frame at {} mm lies beyond the travel of {} mm", rounded(*frame), rounded(travel));

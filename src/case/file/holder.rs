@@ -48,8 +48,7 @@ impl Holder {
             return Ok(Motion::Gap(gap));
         }
         if let Some(pressure) = self.pressure {
-            let inner = profile.least_r().max(shoulder_end(die));
-            let area = (extent.area(blank.length) - extent.area(inner)).max(0.0);
+            let area = (extent.area(blank.length) - extent.area(profile.least_r().max(shoulder_end(die)))).max(0.0);
             let force = pressure.value() * area;
             let (total, pressure) = (Amount::force(force, extent.force_unit()), Amount::given_stress(pressure.value()));
             let on = format!("{pressure} on {} mm²", Amount::new(area, Unit::None, Digits::Significant(4)));

@@ -256,6 +256,5 @@ pub fn not_one(count: usize, path: &str, names: &str, source: &Source) -> CaseEr
         return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
     }
     let number = if path.contains("friction") { "write a coefficient, such as friction = 0.1, or " } else { "" };
-    let help = format!("{number}give one of {names}, or drop [{path}]");
-    source.error(path, format!("[{path}] names no law"), help)
+    source.error(path, format!("[{path}] names no law"), format!("{number}give one of {names}, or drop [{path}]"))
 }

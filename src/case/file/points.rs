@@ -186,7 +186,7 @@ impl Named<'_> {
     /// Reads the first of some files that exists.
     pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>, CaseError> {
         for &path in paths {
-            let text = match source.folder.files.text(path, files::CSV) {
+            let text = match source.file(path, files::CSV) {
                 Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => continue,
                 text => text.map_err(|error| {
                     let what = format!("the {} file \"{}\" cannot be read: {error}", self.what, self.file);

@@ -98,14 +98,16 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
         let path = format!("stages.{i}");
         check_name(&written.name, &format!("{path}.name"), source)?;
         let what = format!("two stages are called `{}`", written.name);
-        let help = "name them apart: each has its own folder";
         let is_new = stages.iter().all(|other| other.name != written.name);
-        source.require(is_new, &format!("{path}.name"), what, help)?;
+        source.require(is_new, &format!("{path}.name"), what, "name them apart: each has its own folder")?;
         source.enter_stage(Some((i, &written.name)));
         let (first, before) = (&stages[0].model, &stages[i].model);
         let Stage { punch, die, holder, .. } = written.clone();
         let tools = Tools { punch, die, holder, beads: Vec::new() };
-        stages.push(StageContext { written, tools: &tools, before, first, source, path }.stage(&mut frictions)?);
+        written.remove.iter().for_each(|role| frictions.tools[*role as usize] = None);
+        tools.keys().for_each(|tool| frictions.add(&tool));
+        let (tools, frictions) = (&tools, &frictions);
+        stages.push(StageContext { written, tools, frictions, before, first, source, path }.stage()?);
     }
     source.enter_stage(None);
     Ok(stages)
@@ -127,6 +129,8 @@ fn path_of(tool: &ToolKeys) -> Option<Point> {
 struct StageContext<'a> {
     written: &'a Stage,
     tools: &'a Tools,
+    /// Those of the stages before, and this one's.
+    frictions: &'a Frictions<'a>,
     before: &'a Model,
     first: &'a Model,
     source: &'a Source<'a>,
@@ -138,8 +142,7 @@ impl StageContext<'_> {
         self.source.require(ok, &format!("{}.{key}", self.path), what, help)
     }
 
-    /// Builds the stage; `frictions` are those of the stages before.
-    fn stage(&self, frictions: &mut Frictions) -> Result<model::Stage, CaseError> {
+    fn stage(&self) -> Result<model::Stage, CaseError> {
         if !self.before.gas.is_empty() {
             self.source.note("gas acts in the first stage only");
         }
@@ -148,20 +151,11 @@ impl StageContext<'_> {
             let what = format!("there is no {} to remove", role.name());
             self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
             model.tools.retain(|tool| tool.role != *role);
-            frictions.tools[*role as usize] = None;
-        }
-        for tool in self.tools.keys() {
-            let (why, help) =
-                ("is for tools of the first stage", "drop it: in a later stage `move` and `force` drive the tools");
-            let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
-            self.source.refuse(&format!("{}.{}", self.path, tool.role.name()), &stray, why, help)?;
-            frictions.add(&tool);
         }
         self.pace(&mut model)?;
-        let standing = model.tools.clone();
         let mut meets = Vec::new();
         for tool in self.tools.keys() {
-            self.tool(&tool, &standing, frictions, &mut model)?;
+            self.tool(&tool, &mut model)?;
             meets.extend(tool.is_shaped.then_some(tool.role));
         }
         self.press(&mut model, &mut meets)?;
@@ -222,29 +216,26 @@ impl StageContext<'_> {
         Ok(())
     }
 
-    fn tool(
-        &self,
-        written: &ToolKeys,
-        standing: &[Tool],
-        frictions: &Frictions,
-        model: &mut Model,
-    ) -> Result<(), CaseError> {
+    fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<(), CaseError> {
         let ToolKeys { role, is_shaped, .. } = *written;
+        let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
+        let (table, why) = (format!("{}.{}", self.path, role.name()), "is for tools of the first stage");
+        self.source.refuse(&table, &stray, why, "drop it: in a later stage `move` and `force` drive the tools")?;
         let what = format!("there is no {} in this stage", role.name());
         let help = "give it a shape as in [tools], or drop it";
         self.require(is_shaped || model.tool(role).is_some(), role.name(), what, help)?;
         if is_shaped {
             let (extent, travel) = (model.extent(), model.travel);
-            let (written, blank, source) = (self.tools, &model.blank, self.source);
+            let (written, standing, blank, source) = (self.tools, &model.tools[..], &model.blank, self.source);
             let profile = ToolContext { written, standing, blank, extent, travel, source }.new_profile(role)?;
-            let friction = frictions.law(role, self.source)?;
+            let friction = self.frictions.law(role, self.source)?;
             model.tools.retain(|tool| tool.role != role);
             model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
             model.tools.sort_by_key(|tool| tool.role as usize);
         }
         for tool in model.tools.iter_mut().filter(|tool| tool.role == role) {
             if written.friction.is_some() && !is_shaped {
-                tool.friction = frictions.law(role, self.source)?;
+                tool.friction = self.frictions.law(role, self.source)?;
             }
             tool.motion = path_of(written).map_or(tool.motion.clone(), Motion::Path);
         }
