@@ -27,8 +27,8 @@ fn every_material_loads_runs_and_cites_its_source() {
         assert!((0.05..0.6).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
-        assert_eq!(named.sources.material.as_ref(), Some(&entry.about.source()));
-        assert!(named.derived[0].to_string().contains(&entry.about.source()), "{:?}", named.derived);
+        assert_eq!(named.sources.material.as_deref(), Some(entry.about.source()));
+        assert!(named.derived[0].to_string().contains(entry.about.source()), "{:?}", named.derived);
         let pasted = parsed(entry.text.trim_start_matches("[material]"), "");
         assert_eq!(pasted.unwrap_or_else(|e| panic!("{e}")).model().material, entry.material);
         let limit = parsed(&format!("name = \"{}\"", entry.name), "[forming_limit]\nmarciniak_kuczynski = {}");
@@ -47,7 +47,7 @@ fn every_material_loads_runs_and_cites_its_source() {
             );
         }
         let check = stampflow::assess::check::report(&named).to_string();
-        assert!(check.contains(&entry.about.source()), "{check}");
+        assert!(check.contains(entry.about.source()), "{check}");
     }
 }
 
