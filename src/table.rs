@@ -1,8 +1,6 @@
 //! Named columns of numbers with units: headers of files and labels of axes come from the same [`Column`].
 
 mod csv;
-#[cfg(feature = "app")]
-pub(crate) mod fields;
 
 pub use crate::units::Unit;
 pub use csv::{Csv, CsvError, Record};

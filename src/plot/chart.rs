@@ -132,12 +132,8 @@ pub struct Annotation {
 pub enum AnnotationKind {
     /// Text begins at the point.
     Start,
-    /// Text is centred on the point.
-    Middle,
     /// Text ends at the point.
     End,
-    /// Large text centred here, with a leader to a dot at the point.
-    Callout((f64, f64)),
     /// Text above all curves, with a thin vertical line to a dot at the point; flags never overlap.
     Flag,
 }
@@ -205,9 +201,13 @@ impl Panel {
         self
     }
 
+    pub(super) fn is_section(&self) -> bool {
+        matches!(self.scale, Scale::Section { .. })
+    }
+
     /// True for a small section, which is drawn without axes.
     pub fn has_no_axes(&self) -> bool {
-        self.is_small && matches!(self.scale, Scale::Section { .. })
+        self.is_small && self.is_section()
     }
 
     /// Ranges of x and y: the given window, or the least one that holds every point.

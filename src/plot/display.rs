@@ -1,6 +1,6 @@
 //! Conversion of charts to the units of [`DisplaySettings`](crate::units::DisplaySettings).
 
-use super::chart::{AnnotationKind, Chart, Panel, Scale, bounds};
+use super::chart::{Chart, Panel, Scale, bounds};
 use crate::plot::Axis;
 use crate::units::DisplayUnit;
 
@@ -21,17 +21,12 @@ impl Panel {
         let ((x, x_unit), (y, y_unit)) = (self.x.displayed(sizes[0]), self.y.displayed(sizes[1]));
         let along = |v: &mut f64| *v = convert(&x, x_unit, *v);
         let up = |v: &mut f64| *v = convert(&y, y_unit, *v);
-        let point = |(a, b): &mut (f64, f64)| {
+        let mut point = |(a, b): &mut (f64, f64)| {
             along(a);
             up(b);
         };
-        self.series.iter_mut().flat_map(|series| &mut series.points).for_each(point);
-        for annotation in &mut self.annotations {
-            point(&mut annotation.at);
-            if let AnnotationKind::Callout(label) = &mut annotation.kind {
-                point(label);
-            }
-        }
+        self.series.iter_mut().flat_map(|series| &mut series.points).for_each(&mut point);
+        self.annotations.iter_mut().map(|annotation| &mut annotation.at).for_each(point);
         match &mut self.scale {
             Scale::Fit { least, .. } => *least *= y_unit.map_or(1.0, |unit| unit.factor),
             Scale::Section { x, y } | Scale::Window { x, y, .. } => {

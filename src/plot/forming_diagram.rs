@@ -5,11 +5,11 @@ use super::chart::{Chart, Color, Panel, Scale, Series, Style, bounds};
 use super::palette::{BLACK, GREY, color};
 use super::{Captions, StageView};
 use crate::assess::CAREFUL;
-use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
+use crate::forming_limit::{Assessment, Curve, Judged};
 use crate::model::Geometry;
 use crate::plot::Axis;
+use crate::plot::fields::element::S0;
 use crate::table::Unit;
-use crate::table::fields::element::S0;
 use crate::units::{Amount, Digits};
 
 /// Points of a drawn path, and number of paths beside that of the least margin.
@@ -22,7 +22,7 @@ const STRIP_HEIGHT: f64 = 350.0;
 const AROUND: f64 = 0.25;
 const LEAST_AROUND: f64 = 0.08;
 const ABOVE: f64 = 0.12;
-const FINE: usize = 100;
+const FINE: usize = 200;
 /// Zones, apart for colour-blind readers and in grey: the darker the worse.
 const SAFE: Color = (232, 244, 248);
 const MARGINAL: Color = (252, 226, 156);
@@ -42,14 +42,13 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Geometry::PlaneStrain => ("major strain and forming limit", strip(view, assessment, limit)),
     };
     if view.pictures.engineering_strain {
-        let is_strain = [view.model().geometry == Geometry::Axisymmetric, true];
+        let is_round = view.model().geometry == Geometry::Axisymmetric;
         let Scale::Window { x, y, .. } = &mut panel.scale else { return None };
-        let ends =
-            [x, y].into_iter().zip(is_strain).filter(|axis| axis.1).flat_map(|(range, _)| [&mut range.0, &mut range.1]);
-        ends.for_each(|strain| *strain = strain.exp_m1());
-        for point in panel.series.iter_mut().flat_map(|series| &mut series.points) {
-            *point = (if is_strain[0] { point.0.exp_m1() } else { point.0 }, point.1.exp_m1());
-        }
+        let points = panel.series.iter_mut().flat_map(|series| &mut series.points);
+        let (minor, major) = points.map(|point| (&mut point.0, &mut point.1)).unzip::<_, _, Vec<_>, Vec<_>>();
+        major.into_iter().chain([&mut y.0, &mut y.1]).for_each(|strain| *strain = strain.exp_m1());
+        let minor = minor.into_iter().chain([&mut x.0, &mut x.1]).filter(|_| is_round);
+        minor.for_each(|strain| *strain = strain.exp_m1());
     }
     let states_sources = matches!(view.pictures.captions, Captions::Own | Captions::Full);
     let sources = limit.notes.iter().filter(|_| states_sources).map(ToString::to_string);
@@ -79,13 +78,18 @@ fn points(of: &[[f64; 2]]) -> Vec<(f64, f64)> {
 /// Minor and major logarithmic strain of every place, with the paths of some.
 fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let elements = &assessment.elements;
-    let path = |e: usize| thinned(&view.stage.paths.of(e));
+    let path = |e: usize| {
+        let path = view.stage.paths.of(e);
+        let every = path.len().div_ceil(PATH_POINTS).max(1);
+        path.iter().rev().step_by(every).map(|p| (p[0], p[1])).collect::<Vec<_>>()
+    };
     let (worst, every) = (worst(assessment), elements.len().div_ceil(PATHS).max(1));
 
     let (low, high) = bounds(elements.iter().map(|e| e.minor).chain([0.0]));
     let around = (AROUND * (high - low)).max(LEAST_AROUND);
     let left = low - around;
-    let curve = limit_points(limit, (left, high + around));
+    let minor = |i: usize| left + (high + around - left) * i as f64 / FINE as f64;
+    let curve: Vec<[f64; 2]> = (0..=FINE).map(|i| [minor(i), limit.major_at(minor(i))]).collect();
     let majors = elements.iter().map(|e| e.major);
     let (least, largest) = bounds(majors.chain(curve.iter().map(|p| p[1])).chain([0.0]));
     let top = (1.0 + ABOVE) * largest;
@@ -118,7 +122,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let drawn: Vec<[f64; 2]> = curve.into_iter().filter(|p| p[0] <= p[1] && limit.knows(p[0])).collect();
     series.push(Series::new(limit_label(limit), points(&drawn), LIMIT));
     let worst_path = path(worst);
-    let end = worst_path.last().copied().into_iter().collect();
+    let end = worst_path.first().copied().into_iter().collect();
     series.push(Series::silent(worst_path, Style::solid(color(1), 2.2)));
     series.push(Series::new(worst_label(&elements[worst]), end, Style::Circles { color: color(1) }));
     let [x, y] = strain_axes(view.pictures.engineering_strain);
@@ -174,21 +178,11 @@ fn worst(assessment: &Assessment) -> usize {
     assessment.elements.iter().position(|element| element == worst).unwrap_or(0)
 }
 
-/// Points of the limit over a range of minor strains: its own, and evenly spaced ones between them.
-fn limit_points(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
-    let even = (0..=FINE).map(|i| low + (high - low) * i as f64 / FINE as f64);
-    let own = curve.points().iter().map(|p| p[0]).filter(|minor| (low..=high).contains(minor));
-    let mut minors: Vec<f64> = even.chain(own).collect();
-    minors.sort_by(f64::total_cmp);
-    minors.into_iter().map(|minor| [minor, curve.major_at(minor)]).collect()
-}
-
 fn summary(view: &StageView, assessment: &Assessment) -> String {
     let mut text = match &assessment.reached {
         Some(reached) => {
             let (s0, travel) = (Amount::place(reached.s0), Amount::place(reached.travel).to(Digits::Decimals(2)));
-            let time = Amount::time(reached.time).to(Digits::Decimals(4));
-            let time = if view.model().timed { format!(" ({time})") } else { String::new() };
+            let time = if view.model().timed { format!(" ({})", Amount::time(reached.time)) } else { String::new() };
             format!("The limit is reached at s0 = {s0}, at {travel} of travel{time}.")
         }
         None if assessment.open().is_some() => {
@@ -199,22 +193,7 @@ fn summary(view: &StageView, assessment: &Assessment) -> String {
     let worst = assessment.worst();
     if !worst.is_open() {
         let margin = Amount::ratio(worst.margin()).to(Digits::Decimals(3));
-        let (s0, share) = (Amount::place(worst.s0), percent(worst.ratio()));
-        text += &format!(
-            " Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit."
-        );
-    }
-    let (crooked, all, most) = (assessment.crooked(), assessment.elements.len(), percent(CROOKED));
-    if crooked > 0 {
-        text += &format!(
-            " {crooked} of {all} paths leave a straight line by more than {most} of their length: limits are measured on straight ones."
-        );
+        text += &format!(" Least margin in major strain {margin} at s0 = {}.", Amount::place(worst.s0));
     }
     text
-}
-
-fn thinned(path: &[[f64; 2]]) -> Vec<(f64, f64)> {
-    let every = path.len().div_ceil(PATH_POINTS).max(1);
-    let last = path.last().filter(|_| !(path.len() - 1).is_multiple_of(every));
-    path.iter().step_by(every).chain(last).map(|p| (p[0], p[1])).collect()
 }

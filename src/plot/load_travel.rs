@@ -4,9 +4,9 @@ use super::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
 use super::palette::BLACK;
 use super::{Axis, StageView};
 use crate::measure;
+use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 use crate::solver::solution::StepRecord;
 use crate::table::Field;
-use crate::table::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 use crate::units::Amount;
 
 /// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.

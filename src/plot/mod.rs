@@ -6,6 +6,7 @@ mod bands;
 pub mod chart;
 mod dimensions;
 mod display;
+pub(crate) mod fields;
 pub mod forming_diagram;
 mod frame_recorder;
 pub(crate) mod load_travel;

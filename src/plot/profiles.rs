@@ -3,10 +3,10 @@
 use super::chart::{Chart, Panel, Series, Style};
 use super::{StageView, bands};
 use crate::plot::axis::{Axis, capitalised};
-use crate::solver::solution::ElementRecord;
-use crate::table::fields::element::{
+use crate::plot::fields::element::{
     POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
 };
+use crate::solver::solution::ElementRecord;
 use crate::table::{Field, Unit};
 
 /// Least span of the axis of a thickness over the initial one \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].

@@ -4,9 +4,9 @@ use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
 use crate::measure::{FLANGE, Place, part_places};
 use crate::plot::Axis;
+use crate::plot::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
 use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::Unit;
-use crate::table::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
 use crate::units::Amount;
 
 /// Least span of a stress axis \[MPa\].

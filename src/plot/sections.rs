@@ -1,11 +1,11 @@
 //! Outlines of sheet and tools in a section.
 
-use super::chart::{Annotation, AnnotationKind, Panel, Scale, Series, Style, bounds};
+use super::chart::{Panel, Scale, Series, Style, bounds};
 use super::palette::{BLACK, GREY, PALE, WHITE};
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Extent, Geometry, Model, Role};
+use crate::plot::fields::element::{R, Z};
 use crate::solver::solution::{Frame, NodeRecord};
-use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
 /// Largest angle of a chord of an arc \[rad\], and its largest distance from the arc over the picture's width.
@@ -123,43 +123,6 @@ pub(super) fn cross((x, y): (f64, f64), half: f64) -> impl Iterator<Item = Serie
     styles.into_iter().flat_map(move |style| {
         [half, -half].map(|up| Series::silent(vec![(x - half, y + up), (x + half, y - up)], style))
     })
-}
-
-/// Font size and mean width of a letter of callouts \[px\], and places tried along each direction.
-const LETTER_HEIGHT: f64 = 20.0;
-const LETTER_WIDTH: f64 = 13.5;
-const STEPS: u32 = 24;
-/// Distance of a callout from the sheet \[px\].
-const CLEARANCE: f64 = 9.0;
-
-/// Callout of a point at the nearest place where its text covers no sheet, in the first of some scales \[mm/px\] that has
-/// one. `side` is 1, or −1 for the mirror image; `left` bounds the text \[mm\].
-pub(super) fn callout(
-    text: String,
-    at: (f64, f64),
-    (side, left): (f64, f64),
-    frame: &Frame,
-    [(_, right), (top, bottom)]: [(f64, f64); 2],
-    scales: [f64; 2],
-) -> Annotation {
-    let size = |mm: f64| ((0.5 * LETTER_WIDTH * text.chars().count() as f64 + 6.0) * mm, 0.9 * LETTER_HEIGHT * mm);
-    let corner = |(half, high): (f64, f64)| ((right - half).max(left + half), top + high);
-    let nodes = 0..frame.nodes.len();
-    let surfaces: Vec<(f64, f64)> = nodes.flat_map(|i| [1.0, -1.0].map(|face| surface(frame, i, face))).collect();
-    let steps = |from: f64, to: f64| (0..=STEPS).map(move |i| from + (to - from) * f64::from(i) / f64::from(STEPS));
-    let distance = |p: &(f64, f64)| (p.0 - at.0).hypot(p.1 - at.1);
-    let nearest = |mm: f64| {
-        let ((half, high), gap) = (size(mm), CLEARANCE * mm);
-        let corner = corner((half, high));
-        let places = steps(left + half, corner.0).flat_map(|x| steps(corner.1, bottom - high).map(move |y| (x, y)));
-        let covers = |p: &(f64, f64), q: &(f64, f64)| {
-            (p.0 - q.0).abs().min((p.0 + q.0).abs()) < half + gap && (p.1 - q.1).abs() < high + 1.5 * gap
-        };
-        let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
-        free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
-    };
-    let (x, y) = scales.into_iter().find_map(nearest).unwrap_or_else(|| corner(size(scales[0])));
-    Annotation::new(AnnotationKind::Callout((side * x, y)), text, (side * at.0, at.1))
 }
 
 /// Reference: a rectangle at the middle becomes one of twice the width, one beside it stays two.

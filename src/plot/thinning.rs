@@ -1,4 +1,4 @@
-//! Thinning as colours: one scale for all pictures of a stage, the thinner the darker. Thickening has fewer, wider colours.
+//! Thinning as colours: one scale for all pictures of a stage, the thinner the darker.
 
 use super::chart::{Color, Panel, Scale, Series, Style, bounds};
 use super::palette::{BLACK, viridis};
@@ -10,10 +10,11 @@ use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.
 const LIGHTEST: f64 = 0.92;
-/// Widths of a colour that are tried \[%\], and the most colours on either side of zero.
+/// Share of the colour map at the blank's thickness if some of the sheet is thicker.
+const UNCHANGED: f64 = 0.55;
+/// Widths of a colour that are tried \[%\], and the most colours.
 const STEPS: [f64; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
-const MOST_THINNER: usize = 8;
-const MOST_THICKER: usize = 4;
+const MOST: i32 = 24;
 /// Least number of colours, so that a level sheet does not show its round-off.
 const LEAST: i32 = 4;
 /// Round-off over a colour's width.
@@ -25,10 +26,9 @@ const VISIBLE: f64 = 3.0;
 pub(super) struct Thinning {
     /// Thickness of the blank \[mm\].
     initial: f64,
-    /// Width of a colour below and above the blank's thickness \[%\].
-    thinner: f64,
-    thicker: f64,
-    /// Colours, in steps of the thicker below zero and of the thinner above.
+    /// Width of a colour \[%\].
+    step: f64,
+    /// Colours, in steps from zero, a border between two.
     levels: Range<i32>,
 }
 
@@ -45,31 +45,22 @@ impl Thinning {
 
     fn over(initial: f64, thickness: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = bounds(thickness.into_iter().map(|t| percent(initial, t)).chain([0.0]));
-        let colors = |side: f64, step: f64| (side / step - SLACK).ceil().max(0.0) as usize;
-        let finest = |side: f64, least: f64, most: usize| {
-            let fits = |step: &f64| *step >= least && colors(side, *step) <= most;
-            STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1])
-        };
-        let thinner = finest(high, 0.0, MOST_THINNER);
-        let thicker = finest(-low, thinner, MOST_THICKER);
-        let start = -(colors(-low, thicker) as i32);
-        Self { initial, thinner, thicker, levels: start..(colors(high, thinner) as i32).max(start + LEAST) }
+        let levels = |step: f64| (low / step + SLACK).floor() as i32..(high / step - SLACK).ceil() as i32;
+        let fits = |step: &f64| levels(*step).len() as i32 <= MOST;
+        let step = STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1]);
+        let Range { start, end } = levels(step);
+        Self { initial, step, levels: start..end.max(start + LEAST) }
     }
 
     fn level(&self, thickness: f64) -> i32 {
-        let percent = percent(self.initial, thickness);
-        let level = (percent / self.step(percent) + SLACK).floor() as i32;
+        let level = (percent(self.initial, thickness) / self.step + SLACK).floor() as i32;
         level.clamp(self.levels.start, self.levels.end - 1)
     }
 
-    /// Width of a colour on the side of zero of a percentage or level \[%\].
-    fn step(&self, side: f64) -> f64 {
-        if side < 0.0 { self.thicker } else { self.thinner }
-    }
-
     fn color(&self, level: i32) -> Color {
-        let done = (f64::from(level - self.levels.start) + 0.5) / self.levels.len() as f64;
-        viridis(LIGHTEST * (1.0 - done))
+        let (start, end) = (f64::from(self.levels.start), f64::from(self.levels.end));
+        let (zero, middle) = (if start < 0.0 { UNCHANGED } else { LIGHTEST }, f64::from(level) + 0.5);
+        viridis(if level < 0 { zero + (LIGHTEST - zero) * middle / start } else { zero * (1.0 - middle / end) })
     }
 
     /// One half of the section, or both, drawn `times` as thick as it is.
@@ -93,7 +84,7 @@ impl Thinning {
 
     /// Colour bar.
     pub fn scale(&self) -> Panel {
-        let at = |level: i32| f64::from(level) * self.step(f64::from(level));
+        let at = |level: i32| f64::from(level) * self.step;
         let colors = self.levels.clone().map(|level| {
             let (from, to) = (at(level), at(level + 1));
             Series::silent(vec![(from, 0.0), (to, 0.0), (to, 1.0), (from, 1.0)], Style::area(self.color(level)))
@@ -118,15 +109,13 @@ pub(super) fn thickness_note(times: f64) -> String {
     }
 }
 
-/// Reference: by hand: 10 % thicker to 39 % thinner are ten steps of 5 %.
+/// Reference: by hand: 10 % thicker to 39 % thinner are 25 steps of 2 %, ten of 5 %.
 #[cfg(test)]
 #[test]
 fn zero_is_a_border_between_colours() {
     let thickness = [0.61, 0.98, 1.0, 1.0 + 1e-12, 1.06, 1.1];
     let scale = Thinning::over(1.0, thickness);
-    assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (5.0, 5.0, -2..8));
+    assert_eq!((scale.step, scale.levels.clone()), (5.0, -2..8));
     assert_eq!(thickness.map(|t| scale.level(t)), [7, 0, 0, 0, -2, -2]);
     assert_eq!(scale.scale().ranges(), [(-10.0, 40.0), (0.0, 1.0)]);
-    let cup = Thinning::over(1.0, [1.38, 0.916]);
-    assert_eq!((cup.thicker, cup.thinner, cup.levels), (10.0, 2.0, -4..5));
 }

@@ -132,23 +132,15 @@ pub(super) struct NewFolders(Vec<PathBuf>);
 
 impl NewFolders {
     pub fn make(folder: &Path) -> io::Result<Self> {
-        let missing: Vec<_> =
-            folder.ancestors().take_while(|dir| !dir.as_os_str().is_empty() && !dir.exists()).collect();
-        let mut made = Self(Vec::new());
-        for dir in missing.into_iter().rev() {
-            match fs::create_dir(dir) {
-                Ok(()) => made.0.push(dir.to_owned()),
-                // Made by another process meanwhile.
-                Err(_) if dir.is_dir() => {}
-                Err(error) => return Err(error),
-            }
-        }
+        let missing = folder.ancestors().take_while(|dir| !dir.as_os_str().is_empty() && !dir.exists());
+        let made = Self(missing.map(Path::to_owned).collect());
+        fs::create_dir_all(folder)?;
         Ok(made)
     }
 }
 
 impl Drop for NewFolders {
     fn drop(&mut self) {
-        self.0.iter().rev().for_each(|dir| _ = fs::remove_dir(dir));
+        self.0.iter().for_each(|dir| _ = fs::remove_dir(dir));
     }
 }

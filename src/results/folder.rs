@@ -4,24 +4,19 @@
 //! |---|---|---|
 //! | `.cup.lock` | number of the process that writes | taken over |
 //! | `.cup.part` | results being written; after the exchange the earlier ones | removed |
-//! | `.cup.ready`, `.cup.move` | complete results on their way into `cup` file by file | moved in |
 //!
 //! Files of other origin are hard-linked into the new set before the exchange. The set goes in file by file if folders cannot be
 //! exchanged: no support by the system, a program standing in the folder (`--out .`), more than [`MOST_CARRIED`] other files.
-//! If nothing can be made beside the folder (a mounted disk, a protected parent), the names stand inside it.
+//! If nothing can be made beside the folder (a protected parent), the names stand inside it.
 
 use super::file::{Lock, NewFolders, WriteError, can_write, fill, folder_of, hidden};
 use rayon::prelude::*;
-use std::cmp::Reverse;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// More files of other origin than this are not linked at every run.
 const MOST_CARRIED: usize = 2000;
-
-/// Levels of folders that results may have: `1-draw/profile.csv`.
-const RESULT_DEPTH: usize = 2;
 
 /// Decides by the folder and the path from it whether a file belongs to the set that is replaced.
 pub type IsOurs = fn(&Path, &Path) -> bool;
@@ -34,8 +29,6 @@ pub struct ResultFolder {
     /// Without links.
     path: PathBuf,
     part: PathBuf,
-    ready: PathBuf,
-    moving: PathBuf,
     is_ours: IsOurs,
     written: Vec<PathBuf>,
     _lock: Lock,
@@ -43,7 +36,7 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Locks a folder, which need not exist, and heals what a killed run left; fails if another process writes there.
+    /// Locks a folder, which need not exist, and removes what a killed run left; fails if another process writes there.
     pub fn open(named: &Path, is_ours: IsOurs) -> Result<Self, WriteError> {
         let open = || {
             let named = if named.as_os_str().is_empty() { Path::new(".") } else { named };
@@ -52,19 +45,21 @@ impl ResultFolder {
                 Ok(_) => fs::canonicalize(named)?,
                 Err(_) => fs::canonicalize(folder_of(named))?.join(named.file_name().ok_or(ErrorKind::InvalidInput)?),
             };
-            if path.exists() && !path.is_dir() {
-                return Err(ErrorKind::NotADirectory.into());
+            if path.exists() {
+                fs::read_dir(&path)?;
+                can_write(&path.join("probe")).map_err(|error| error.source)?;
             }
-            let (names, lock) = locked(&path)?;
-            let [part, ready, moving] = ["part", "ready", "move"].map(|ending| hidden(&names, ending));
-            let (part, ready, moving) = (part?, ready?, moving?);
+            let (part, lock) = match beside(&path) {
+                Err(error) if path.is_dir() && error.kind() != ErrorKind::ResourceBusy => {
+                    beside(&path.join(env!("CARGO_PKG_NAME")))?
+                }
+                names => names?,
+            };
+            if part.exists() {
+                fs::remove_dir_all(&part)?;
+            }
             let (named, written) = (named.to_owned(), Vec::new());
-            let folder = Self { named, path, part, ready, moving, is_ours, written, _lock: lock, _parents: parents };
-            folder.heal()?;
-            if folder.path.exists() {
-                can_write(&folder.path.join("probe")).map_err(|error| error.source)?;
-            }
-            Ok(folder)
+            Ok(Self { named, path, part, is_ours, written, _lock: lock, _parents: parents })
         };
         open().map_err(|source| WriteError::new(named, source))
     }
@@ -78,8 +73,7 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Replaces the earlier set by the new one and returns the paths of its files; after a failure the folder is as it was, or
-    /// the next [`open`](Self::open) completes it.
+    /// Replaces the earlier set by the new one and returns the paths of its files.
     pub fn commit(self) -> Result<Vec<PathBuf>, WriteError> {
         self.replace().map_err(|source| WriteError::new(&self.named, source))?;
         Ok(self.written.iter().map(|name| self.named.join(name)).collect())
@@ -99,7 +93,8 @@ impl ResultFolder {
             return Ok(());
         }
         fs::set_permissions(&self.part, fs::metadata(&self.path)?.permissions())?;
-        if self.can_be_exchanged() {
+        let stands_in = std::env::current_dir().is_ok_and(|here| here.starts_with(&self.path));
+        if !stands_in && !self.part.starts_with(&self.path) {
             match self.carry(&self.path, &self.part) {
                 Err(error) if error.kind() == ErrorKind::StorageFull => return Err(unchanged(&error)),
                 Ok(true) if exchange(&self.part, &self.path).is_ok() => {
@@ -111,45 +106,30 @@ impl ResultFolder {
                 _ => {}
             }
         }
-        fs::rename(&self.part, &self.ready)?;
-        self.heal()
+        self.replace_each()
     }
 
-    /// Completes or removes what a killed run left.
-    fn heal(&self) -> io::Result<()> {
-        if self.ready.exists() {
-            fs::create_dir_all(&self.path)?;
-            let mut stale = entries(&self.path, RESULT_DEPTH)?;
-            stale.retain(|name| (self.is_ours)(&self.path, name) && self.ready.join(name).symlink_metadata().is_err());
-            // The list of stages in the folder itself decides whose the files below are: it goes last.
-            stale.sort_by_key(|name| Reverse(name.components().count()));
-            for path in stale.iter().map(|name| self.path.join(name)) {
-                fs::remove_file(&path)?;
-                let _ = fs::remove_dir(folder_of(&path));
-            }
-            fs::rename(&self.ready, &self.moving)?;
+    /// Moves the files in one by one and removes those of the earlier set that the new one has not.
+    fn replace_each(&self) -> io::Result<()> {
+        let is_stale = |name: &PathBuf| (self.is_ours)(&self.path, name) && !self.written.contains(name);
+        let stale: Vec<_> = entries(&self.path)?.into_iter().filter(is_stale).collect();
+        for name in &self.written {
+            let (from, to) = (self.part.join(name), self.path.join(name));
+            fs::create_dir_all(folder_of(&to))?;
+            // The folder may be a disk of its own.
+            fs::rename(&from, &to).or_else(|_| fs::copy(&from, &to).map(drop))?;
         }
-        if self.moving.exists() {
-            fs::create_dir_all(&self.path)?;
-            for name in entries(&self.moving, usize::MAX)? {
-                let to = self.path.join(&name);
-                fs::create_dir_all(folder_of(&to))?;
-                fs::rename(self.moving.join(&name), to)?;
-            }
-            sync(&self.path);
-            fs::remove_dir_all(&self.moving)?;
+        for path in stale.iter().map(|name| self.path.join(name)) {
+            fs::remove_file(&path)?;
+            let _ = fs::remove_dir(folder_of(&path));
         }
-        if self.part.exists() { fs::remove_dir_all(&self.part) } else { Ok(()) }
-    }
-
-    fn can_be_exchanged(&self) -> bool {
-        let stands_in = std::env::current_dir().is_ok_and(|here| here.starts_with(&self.path));
-        !stands_in && !self.part.starts_with(&self.path)
+        sync(&self.path);
+        fs::remove_dir_all(&self.part)
     }
 
     /// Links files of other origin that the target has not; false if they are too many.
     fn carry(&self, from: &Path, to: &Path) -> io::Result<bool> {
-        let names = entries(from, usize::MAX)?;
+        let names = entries(from)?;
         for name in names.iter().filter(|name| !(self.is_ours)(from, name)).take(MOST_CARRIED) {
             let (source, target) = (from.join(name), to.join(name));
             if source.is_dir() && !source.is_symlink() {
@@ -169,51 +149,29 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Takes the lock beside a folder, or inside it if nothing can be made beside it; also the path whose hidden names are used.
-fn locked(path: &Path) -> io::Result<(PathBuf, Lock)> {
-    let inside = path.join(env!("CARGO_PKG_NAME"));
-    let beside = match path.file_name() {
-        Some(_) if !path.exists() || device(path)? == device(folder_of(path))? => Lock::take(&hidden(path, "lock")?),
-        _ => Err(ErrorKind::InvalidInput.into()),
-    };
-    match beside {
-        Err(error) if path.is_dir() && error.kind() != ErrorKind::ResourceBusy => {
-            Ok((inside.clone(), Lock::take(&hidden(&inside, "lock")?)?))
-        }
-        lock => Ok((path.to_owned(), lock?)),
-    }
+/// Path of the new set beside a folder, and the lock.
+fn beside(folder: &Path) -> io::Result<(PathBuf, Lock)> {
+    Ok((hidden(folder, "part")?, Lock::take(&hidden(folder, "lock")?)?))
 }
 
-/// Paths of files, links and empty folders below a folder, down to a number of levels.
-fn entries(folder: &Path, depth: usize) -> io::Result<Vec<PathBuf>> {
-    let (mut found, mut folders) = (Vec::new(), vec![PathBuf::new()]);
-    while let Some(inside) = folders.pop() {
-        let mut is_empty = inside != Path::new("");
-        for entry in fs::read_dir(folder.join(&inside))? {
+/// Paths of files, links and empty folders below a folder; of more than [`MOST_CARRIED`] those of its two upper levels.
+fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    fn add(folder: &Path, inside: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
+        for entry in fs::read_dir(folder.join(inside))? {
             let entry = entry?;
-            let name = inside.join(entry.file_name());
-            is_empty = false;
-            if !entry.file_type()?.is_dir() {
+            let (name, before) = (inside.join(entry.file_name()), found.len());
+            if entry.file_type()?.is_dir() && (inside == Path::new("") || before <= MOST_CARRIED) {
+                add(folder, &name, found)?;
+            }
+            if found.len() == before {
                 found.push(name);
-            } else if name.components().count() < depth && found.len() <= MOST_CARRIED {
-                folders.push(name);
             }
         }
-        if is_empty {
-            found.push(inside);
-        }
+        Ok(())
     }
+    let mut found = Vec::new();
+    add(folder, Path::new(""), &mut found)?;
     Ok(found)
-}
-
-#[cfg(unix)]
-fn device(path: &Path) -> io::Result<u64> {
-    Ok(std::os::unix::fs::MetadataExt::dev(&fs::metadata(path)?))
-}
-
-#[cfg(not(unix))]
-fn device(_: &Path) -> io::Result<u64> {
-    Ok(0)
 }
 
 #[cfg(any(target_os = "linux", target_os = "macos"))]
@@ -234,40 +192,4 @@ fn sync(folder: &Path) {
 
 fn unchanged(error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{error}; the earlier results are as they were"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: each state is what a killed run leaves at one step of `replace`; `2` are complete new results.
-    #[test]
-    fn what_a_killed_run_left_is_healed_and_other_files_stay() {
-        let old = [("cup/r-a", "1"), ("cup/s/r-b", "1"), ("cup/note", "mine"), ("cup/s/photo", "mine")];
-        let (kept, new) = (["r-a=1", "s/r-b=1"].as_slice(), ["r-a=2"].as_slice());
-        for (left, results) in [
-            (&[][..], kept),
-            (&[(".cup.part/r-a", "half"), (".cup.part/note", "mine")], kept),
-            (&[(".cup.ready/r-a", "2")], new),
-            (&[(".cup.ready/r-a", "2"), (".cup.ready/note", "mine"), (".cup.lock", "1")], new),
-            (&[(".cup.move/r-a", "2")], &["r-a=2", "s/r-b=1"]),
-        ] {
-            let root = temp_dir::TempDir::new().unwrap();
-            for (name, text) in old.iter().chain(left) {
-                fs::create_dir_all(folder_of(&root.path().join(name))).unwrap();
-                fs::write(root.path().join(name), text).unwrap();
-            }
-            let (cup, is_ours) =
-                (root.path().join("cup"), |_: &Path, path: &Path| !path.ends_with("note") && !path.ends_with("photo"));
-            drop(ResultFolder::open(&cup, is_ours).unwrap());
-            let mut expected = [results, &["note=mine", "s/photo=mine"]].concat();
-            expected.sort_unstable();
-            let text = |name: &PathBuf| fs::read_to_string(cup.join(name)).unwrap();
-            let found = entries(&cup, 9).unwrap();
-            let mut found: Vec<_> = found.iter().map(|name| format!("{}={}", name.display(), text(name))).collect();
-            found.sort();
-            assert_eq!(found, expected, "{left:?}");
-            assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1, "{left:?} leaves litter");
-        }
-    }
 }

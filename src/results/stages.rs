@@ -3,11 +3,11 @@
 use super::csv::csv_with_texts;
 use super::{Files, Results};
 use crate::case::Solution;
+use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
-use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
-use crate::units::{Amount, joined};
+use crate::units::Amount;
 
 /// Name of the table.
 pub(super) const FILE: &str = "stages.csv";
@@ -64,30 +64,23 @@ pub(super) fn files(results: &Results) -> Files {
     vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
 }
 
-/// One printed line per stage; empty if there is one only.
+/// One printed line per stage with the main numbers at its end; empty if there is one only.
 pub(super) fn printed(solution: &Solution) -> String {
     let lines = lines(solution);
     let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let figures = |stage: &StageSolution| {
+        let (last, unit) = (stage.steps.last()?, stage.model.extent().force_unit());
+        let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
+        let forces = [last.punch_force, last.holder_force].map(|force| Amount::force(force, unit));
+        let places = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
+        let ([travel, edge, middle], [punch, holder], thin) = (places, forces, Amount::thickness(last.thinnest));
+        Some(format!(
+            ": {time}travel {travel}, punch {punch}, holder {holder}, thinnest {thin}, edge at {edge}, middle at {middle}"
+        ))
+    };
     let each = lines.into_iter().enumerate().map(|(i, (name, stage))| {
         let reached = if stage.is_some_and(|stage| stage.stop.kind == StopKind::FullTravel) { " reached" } else { "" };
-        let figures = stage.and_then(figures).unwrap_or_default();
-        format!("{:>2} {name:<width$}  {}", i + 1, joined([format!("{}{reached}", stop(stage)), figures], ": "))
+        format!("{:>2} {name:<width$}  {}{reached}{}", i + 1, stop(stage), stage.and_then(figures).unwrap_or_default())
     });
     each.collect::<Vec<_>>().join("\n")
-}
-
-/// Main numbers at the end of a stage.
-fn figures(stage: &StageSolution) -> Option<String> {
-    let last = stage.steps.last()?;
-    let unit = stage.model.extent().force_unit();
-    let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
-    Some(format!(
-        "{time}travel {}, punch {}, holder {}, thinnest {}, edge at {}, middle at {}",
-        Amount::place(last.travel),
-        Amount::force(last.punch_force, unit),
-        Amount::force(last.holder_force, unit),
-        Amount::thickness(last.thinnest),
-        Amount::place(edge(stage, last)),
-        Amount::place(last.pole_height)
-    ))
 }

@@ -4,23 +4,23 @@ use super::csv::{csv_with_texts, number, records};
 use super::{StageView, csv};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
-use crate::model::{Geometry, Iteration, Model, PressureCap};
+use crate::model::{Extent, Geometry, Iteration, Model, PressureCap};
+use crate::plot::fields::element::{
+    BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
+    STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,
+};
+use crate::plot::fields::step::{
+    DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
+};
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
 use crate::plot::residual_stress::{PLACE, places_with_layers, released};
 use crate::solver::solution::{ElementRecord, Frame, IterationRecord, PointRecord, StageSolution, StepRecord};
 use crate::solver::trace::IterationHistory;
-use crate::table::fields::element::{
-    BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
-    STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,
-};
-use crate::table::fields::step::{
-    DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
-};
 use crate::table::{Column, Field, JOULES, Table, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 
-/// Columns of a step before and behind the diameter at the edge, and those of a sheet with voids and with a temperature.
-const BEFORE: [Field<StepRecord>; 7] = [
+/// Columns of a step, then those of a sheet with voids and with a temperature.
+const STEP: [Field<StepRecord>; 32] = [
     TRAVEL,
     PUNCH_FORCE,
     HOLDER_FORCE,
@@ -36,8 +36,6 @@ const BEFORE: [Field<StepRecord>; 7] = [
         Unit::Mm,
         |s| s.thinnest_s0,
     ),
-];
-const BEHIND: [Field<StepRecord>; 25] = [
     Field::new("work_external", "External work", Unit::Joule, |s| JOULES * s.work.external),
     Field::new("work_plastic", "Plastic work", Unit::Joule, |s| JOULES * s.work.plastic),
     Field::new("work_friction", "Friction work", Unit::Joule, |s| JOULES * s.work.friction),
@@ -89,30 +87,29 @@ const CYCLE: [Field<StepRecord>; 7] = [
     }),
 ];
 
-type IterationColumn = (&'static str, &'static str, Unit, fn(&IterationRecord) -> f64);
-const ITERATION: [IterationColumn; 11] = [
-    ("step", "Step", Unit::None, |i| i.step as f64),
-    ("travel", "Punch travel", Unit::Mm, |i| i.travel),
-    ("iteration", "Iteration", Unit::None, |i| i.iteration as f64),
-    ("velocity_norm", "Relative velocity increment", Unit::None, |i| i.velocity_norm),
-    ("residual_norm", "Relative residual", Unit::None, |i| i.residual_norm),
-    ("cut", "Share of the increment taken", Unit::None, |i| i.share),
-    ("active_contacts", "Active contacts", Unit::None, |i| i.active_contacts as f64),
-    ("worst_r", "Radius of the largest residual", Unit::Mm, |i| i.worst_r),
-    ("cut_off_elements", "Elements in cut-off", Unit::None, |i| i.cut_off as f64),
-    ("contacts", "Points in contact", Unit::None, |i| i.touching as f64),
-    ("sticking", "Points that stick", Unit::None, |i| i.sticking as f64),
+const ITERATION: [Field<IterationRecord>; 11] = [
+    Field::new("step", "Step", Unit::None, |i| i.step as f64),
+    Field::new("travel", "Punch travel", Unit::Mm, |i| i.travel),
+    Field::new("iteration", "Iteration", Unit::None, |i| i.iteration as f64),
+    Field::new("velocity_norm", "Relative velocity increment", Unit::None, |i| i.velocity_norm),
+    Field::new("residual_norm", "Relative residual", Unit::None, |i| i.residual_norm),
+    Field::new("cut", "Share of the increment taken", Unit::None, |i| i.share),
+    Field::new("active_contacts", "Active contacts", Unit::None, |i| i.active_contacts as f64),
+    Field::new("worst_r", "Radius of the largest residual", Unit::Mm, |i| i.worst_r),
+    Field::new("cut_off_elements", "Elements in cut-off", Unit::None, |i| i.cut_off as f64),
+    Field::new("contacts", "Points in contact", Unit::None, |i| i.touching as f64),
+    Field::new("sticking", "Points that stick", Unit::None, |i| i.sticking as f64),
 ];
 
 /// Forces, draw-in, energy and effort: one row per accepted step.
 pub fn load_travel(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
-    let column = |field: &Field<StepRecord>| field.column(extent, &stage.steps);
-    let edge = edge_diameter(model.geometry, model.blank.length, &stage.steps);
     let voids = model.material.gtn.iter().flat_map(|_| &VOIDS);
     let heat = model.heat.iter().flat_map(|_| &HEAT);
-    let behind = BEHIND.iter().chain(voids).chain(heat).map(column);
-    Table::new(BEFORE.iter().map(column).chain([edge]).chain(behind).collect())
+    let fields = STEP.iter().chain(voids).chain(heat);
+    let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
+    columns.insert(7, edge_diameter(model.geometry, model.blank.length, &stage.steps));
+    Table::new(columns)
 }
 
 /// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
@@ -126,12 +123,6 @@ pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord
 pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
     view.stage.steps.first().and(view.model().rate_control())?;
     Some(Table::new(CYCLE.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
-}
-
-/// Time on a cap of the pressure \[s\].
-pub(super) fn time_on_a_cap(stage: &StageSolution) -> f64 {
-    let before = std::iter::once(0.0).chain(stage.steps.iter().map(|s| s.time));
-    stage.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
 }
 
 /// Fields of an element apart from its place; porosity and temperature if the model has them.
@@ -198,48 +189,45 @@ pub(super) fn springback(view: &StageView) -> Option<String> {
     String::from_utf8(records(rows)).ok()
 }
 
-/// Columns of a strain path's place.
-const STRAINS: [(&str, &str); 2] =
-    [("strain_minor", "Minor true strain, mid-surface"), ("strain_major", "Major true strain, mid-surface")];
+const MINOR: [&str; 2] = ["strain_minor", "Minor true strain, mid-surface"];
+const MAJOR: [&str; 2] = ["strain_major", "Major true strain, mid-surface"];
 
 /// Points of a forming limit curve.
 pub(super) fn forming_limit(curve: &Curve) -> Table {
-    let column = |i: usize| curve.points().iter().map(|point| point[i]).collect();
-    Table::new([0, 1].map(|i| Column::new(STRAINS[i].0, STRAINS[i].1, Unit::None, column(i))).into())
+    let column = |i: usize, [key, label]: [&'static str; 2]| {
+        Column::new(key, label, Unit::None, curve.points().iter().map(|point| point[i]).collect())
+    };
+    Table::new(vec![column(0, MINOR), column(1, MAJOR)])
 }
 
 /// Strains and distance to the limit: one row per element and accepted step; the crookedness is that of the whole path.
 pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
     let (assessment, curve) = (view.forming_limit()?, view.model().forming_limit.as_ref()?);
     let (paths, extent) = (&view.stage.paths, view.extent());
-    let columns = [
-        S0.filled(extent, Vec::new()),
-        Column::new("time", "Time", Unit::Second, Vec::new()),
-        TRAVEL.filled(extent, Vec::new()),
-        Column::new(STRAINS[0].0, STRAINS[0].1, Unit::None, Vec::new()),
-        Column::new(STRAINS[1].0, STRAINS[1].1, Unit::None, Vec::new()),
-        STRAIN_MERIDIONAL.filled(extent, Vec::new()),
-        STRAIN_HOOP.filled(extent, Vec::new()),
-        Column::new("limit_major", "Major strain of the limit", Unit::None, Vec::new()),
-        Column::new("margin", "Margin in major strain", Unit::None, Vec::new()),
-        Column::new(
-            "crookedness",
-            "Distance of the path from a straight line, over its length",
-            Unit::None,
-            Vec::new(),
-        ),
-    ];
-    let mut table = Table::new(columns.into());
+    let mut columns: [Vec<f64>; 10] = Default::default();
     for (e, judged) in assessment.elements.iter().enumerate() {
         for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {
             let [meridional, hoop] = instant.strains[e];
             let limit = if curve.knows(minor) { curve.major_at(minor) } else { f64::NAN };
-            let strains = [minor, major, meridional, hoop, limit, limit - major];
-            let row = [judged.s0, instant.time, instant.travel].into_iter().chain(strains).chain([judged.crookedness]);
-            table.columns.iter_mut().zip(row).for_each(|(column, value)| column.values.push(value));
+            let place = [judged.s0, instant.time, instant.travel, minor, major, meridional, hoop];
+            let row = place.into_iter().chain([limit, limit - major, judged.crookedness]);
+            columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
-    Some(table)
+    let [s0, time, travel, minor, major, meridional, hoop, limit, margin, crookedness] = columns;
+    let plain = |[key, label]: [&'static str; 2], values| Column::new(key, label, Unit::None, values);
+    Some(Table::new(vec![
+        S0.filled(extent, s0),
+        TIME.filled(extent, time),
+        TRAVEL.filled(extent, travel),
+        plain(MINOR, minor),
+        plain(MAJOR, major),
+        STRAIN_MERIDIONAL.filled(extent, meridional),
+        STRAIN_HOOP.filled(extent, hoop),
+        plain(["limit_major", "Major strain of the limit"], limit),
+        plain(["margin", "Margin in major strain"], margin),
+        plain(["crookedness", "Distance of the path from a straight line, over its length"], crookedness),
+    ]))
 }
 
 /// Name of a matrix in case files and tables.
@@ -251,25 +239,23 @@ pub fn matrix_key(matrix: Iteration) -> &'static str {
     }
 }
 
-fn iteration_table(iterations: &[IterationRecord]) -> Table {
-    let columns = ITERATION
-        .map(|(key, label, unit, value)| Column::new(key, label, unit, iterations.iter().map(value).collect()));
-    Table::new(columns.into())
+fn iteration_table<'a>(iterations: impl Iterator<Item = &'a IterationRecord> + Clone) -> Table {
+    let extent = Extent::of(Geometry::Axisymmetric, None);
+    Table::new(ITERATION.iter().map(|field| field.column(extent, iterations.clone())).collect())
 }
 
 /// Iterations of the corrector, of rejected steps too, as CSV.
 pub fn iterations(iterations: &[IterationRecord]) -> Vec<u8> {
-    csv(&iteration_table(iterations))
+    csv(&iteration_table(iterations.iter()))
 }
 
 /// Iterations of one step with several matrices as CSV, with the method, the start and the matrix of each row.
 pub fn step_iterations(histories: &[IterationHistory]) -> Vec<u8> {
     let rows = || histories.iter().flat_map(|history| history.rows.iter().map(move |row| (history.matrix, row)));
-    let all: Vec<IterationRecord> = rows().map(|(_, row)| *row).collect();
     let texts = [
         ("method", rows().map(|(method, _)| matrix_key(method).to_owned()).collect()),
         ("start", rows().map(|(_, row)| row.start.key().to_owned()).collect()),
         ("matrix", rows().map(|(_, row)| matrix_key(row.matrix).to_owned()).collect()),
     ];
-    csv_with_texts(&iteration_table(&all), &texts)
+    csv_with_texts(&iteration_table(rows().map(|(_, row)| row)), &texts)
 }

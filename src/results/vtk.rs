@@ -13,10 +13,10 @@
 
 use super::{Files, StageView, tables};
 use crate::model::Model;
+use crate::plot::fields::element::S0;
 use crate::plot::thinning::percent;
 use crate::plot::{animation, sections};
 use crate::solver::solution::Frame;
-use crate::table::fields::element::S0;
 use crate::table::{Column, Unit};
 use std::fmt::{Display, Write};
 

@@ -4,7 +4,7 @@ use super::annotations::{self, Flags};
 use super::polygon::clipped;
 use super::shapes::{self, pen};
 use super::text::{LABEL, SPACING, TICK, clean, style, width};
-use super::ticks::{Ticked, label, spread, tick_count, values};
+use super::ticks::{Ticked, label, tick_count, values};
 use super::{Canvas, FINE, IN_MEMORY, units};
 use crate::plot::chart::{Color, Panel, Scale, Style};
 use crate::plot::palette::BLACK;
@@ -53,7 +53,8 @@ impl Frame {
         };
         let flags = Flags::new(panel, x, width);
         let head = flags.height();
-        y.1 += (y.1 - y.0) * head / height;
+        let more = (y.1 - y.0) * head / height;
+        let y = if panel.is_section() { (y.0 - more, y.1) } else { (y.0, y.1 + more) };
         let most_ticks = if panel.is_small { ((width / NARROW_TICK) as usize).clamp(2, X_TICKS) } else { X_TICKS };
         Self { height: height + head, x, y, most_ticks, flags }
     }
@@ -65,12 +66,15 @@ impl Frame {
         let mut borders: Vec<f64> = panel.series.iter().flat_map(|series| &series.points).map(|p| p.0).collect();
         borders.sort_by(f64::total_cmp);
         borders.dedup();
-        spread(&borders, X_TICKS)
+        let colors = borders.len() - 1;
+        let step = (self.x.1 - self.x.0) * colors.div_ceil(X_TICKS) as f64 / colors as f64;
+        borders.retain(|border| (border / step).fract().abs() < 1e-6);
+        borders
     }
 
     /// Draws the panel into its area; `left` is the width of its y labels.
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
-        let is_section = matches!(panel.scale, Scale::Section { .. });
+        let is_section = panel.is_section();
         let y = if is_section { (self.y.1, self.y.0) } else { self.y };
         let (left, below) = if panel.has_no_axes() { (0.0, 0.0) } else { (left, x_labels_height()) };
         let y_count = tick_count(self.height);
@@ -118,7 +122,7 @@ impl Frame {
                 shapes::draw(&plot, series.style, &points);
             }
         }
-        self.flags.draw(&plot, y_px, height);
+        self.flags.draw(&plot, y_px, height, is_section);
         annotations::draw(&plot, panel, to_px);
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0)];
         shapes::line(&plot, &corners, BLACK, AXIS);

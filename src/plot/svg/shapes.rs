@@ -1,15 +1,15 @@
 //! Lines, markers and areas, in a panel or as samples in the legend.
 
-use super::polygon::dashed;
 use super::{Canvas, IN_MEMORY, rgb, units};
 use crate::plot::chart::{Color, Style};
 use crate::plot::palette::WHITE;
+use kurbo::PathEl;
 use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::{Color as _, ShapeStyle};
 use std::f64::consts::TAU;
 
 /// Radius of a dot, of a circle, and of the circle about a triangle.
-pub(super) const DOT: f64 = 2.6;
+const DOT: f64 = 2.6;
 const CIRCLE: f64 = 5.0;
 const TRIANGLE: f64 = 4.0;
 
@@ -37,6 +37,23 @@ pub(super) fn dot(canvas: &Canvas, at: (f64, f64), radius: f64, color: Color) {
 
 pub(super) fn blank(canvas: &Canvas, from: (f64, f64), to: (f64, f64)) {
     area(canvas, &[from, (to.0, from.1), to, (from.0, to.1)], WHITE);
+}
+
+/// Pieces of a line cut by a pattern of drawn and left-out lengths; an empty pattern keeps it whole.
+fn dashed(line: &Points, pattern: &[f64]) -> Vec<Vec<(f64, f64)>> {
+    if pattern.is_empty() {
+        return vec![line.to_vec()];
+    }
+    let begin = line.first().map(|&at| PathEl::MoveTo(at.into()));
+    let path = begin.into_iter().chain(line.iter().skip(1).map(|&at| PathEl::LineTo(at.into())));
+    let mut dashes: Vec<Vec<(f64, f64)>> = Vec::new();
+    for element in kurbo::dash(path, 0.0, pattern) {
+        match (element, dashes.last_mut()) {
+            (PathEl::LineTo(at), Some(dash)) => dash.push(at.into()),
+            (element, _) => dashes.push(element.end_point().into_iter().map(Into::into).collect()),
+        }
+    }
+    dashes
 }
 
 pub(super) fn draw(canvas: &Canvas, style: Style, points: &Points) {

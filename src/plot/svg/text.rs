@@ -7,6 +7,7 @@ use ab_glyph::{Font, FontRef};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontDesc, FontFamily, FontStyle, TextStyle, register_font};
 use std::sync::LazyLock;
+use textwrap::{Options, WordSeparator, WordSplitter};
 
 /// Family in SVG files: the built-in font, then what a browser without it has.
 pub(super) const FONT: &str = "DejaVu Sans, Verdana, sans-serif";
@@ -23,11 +24,13 @@ pub(super) const LABEL: f64 = 19.0;
 pub(super) const TICK: f64 = 17.0;
 pub(super) const NOTE: f64 = 13.5;
 pub(super) const MARK: f64 = 15.0;
-/// Callouts, legible at the width of a column.
-pub(super) const CALLOUT: f64 = 20.0;
+/// Flags in sections, legible at the width of a column.
+pub(super) const FLAG: f64 = 20.0;
 pub(super) const SPACING: f64 = 1.3;
 /// plotters' SVG backend divides font sizes by this.
 const POINTS: f64 = 1.24;
+/// Letters in a line over the mean of its paragraph, so that lines of wide letters fit.
+const DENSER: f64 = 0.92;
 /// Room for a browser's substitute font, which may be wider.
 const ROOM: f64 = 1.065;
 
@@ -72,34 +75,10 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     ROOM * size * text.chars().map(advance).sum::<f64>()
 }
 
-/// Lines no wider than `widest`, broken between words, and within a word that is wider than a line.
+/// Lines about as wide as `widest`, broken between words, and within a word that is wider than a line.
 pub(super) fn wrapped(paragraph: &str, size: f64, widest: f64) -> Vec<String> {
-    let is_break = |c: char| c.is_whitespace() && !matches!(c, '\u{a0}' | '\u{2009}' | '\u{202f}');
-    let (mut lines, mut line) = (Vec::new(), String::new());
-    for word in paragraph.split(is_break).filter(|word| !word.is_empty()) {
-        let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
-        if width(&longer, size) <= widest {
-            line = longer;
-            continue;
-        }
-        lines.extend((!line.is_empty()).then(|| std::mem::take(&mut line)));
-        for letter in word.chars() {
-            let longer = format!("{line}{letter}");
-            let is_full = !line.is_empty() && width(&longer, size) > widest;
-            let full = std::mem::replace(&mut line, if is_full { letter.to_string() } else { longer });
-            lines.extend(is_full.then_some(full));
-        }
-    }
-    lines.push(line);
-    lines
-}
-
-#[cfg(test)]
-#[test]
-fn lines_break_between_words_but_not_before_a_unit() {
-    for text in ["force 26\u{a0}kN ".repeat(40), "/a/long/path".repeat(40)] {
-        let lines = wrapped(&text, NOTE, 300.0);
-        assert!(lines.len() > 3 && lines.iter().all(|line| width(line, NOTE) <= 300.0), "{lines:?}");
-        assert!(lines.iter().all(|line| !line.starts_with("kN")), "{lines:?}");
-    }
+    let share = width(paragraph, size) / widest;
+    let columns = if share > 1.0 { (DENSER * paragraph.chars().count() as f64 / share) as usize } else { usize::MAX };
+    let options = Options::new(columns).word_separator(WordSeparator::AsciiSpace);
+    textwrap::wrap(paragraph, options.word_splitter(WordSplitter::NoHyphenation)).into_iter().map(Into::into).collect()
 }

@@ -3,7 +3,6 @@
 use crate::plot::Axis;
 use plotters::coord::ranged1d::{BoldPoints, DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
-use std::ops::Range;
 
 pub(super) fn tick_count(height: f64) -> usize {
     ((height / 45.0) as usize).clamp(4, 8)
@@ -43,31 +42,9 @@ impl Ranged for Ticked {
         self.1.clone()
     }
 
-    fn range(&self) -> Range<f64> {
+    fn range(&self) -> std::ops::Range<f64> {
         self.0.0..self.0.1
     }
-}
-
-/// Round-off over a step \[–\].
-const SLACK: f64 = 1e-6;
-
-/// At most `most` of sorted values: both ends, zero, and those between at even steps from zero, which may differ on
-/// either side.
-pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
-    let Some(last) = values.len().checked_sub(1) else { return Vec::new() };
-    let zero = values.iter().position(|value| *value == 0.0).unwrap_or(0);
-    let room = (values[last] - values[0]) / most as f64;
-    let is_kept = |i: &usize| {
-        let away = i.abs_diff(zero);
-        if *i == 0 || *i == last || away == 0 {
-            return true;
-        }
-        let width = (values[*i] - values[zero]).abs() / away as f64;
-        let step = (room / width - SLACK).ceil().max(1.0);
-        let apart = (step - SLACK) * width;
-        away.is_multiple_of(step as usize) && values[*i] - values[0] >= apart && values[last] - values[*i] >= apart
-    };
-    (0..=last).filter(is_kept).map(|i| values[i]).collect()
 }
 
 /// Number with as many decimals as its neighbours need, digits in groups of three from 10 000 on.
@@ -121,8 +98,4 @@ fn ticks_are_round_numbers_as_many_as_allowed() {
     assert_eq!(log((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
     assert_eq!(log((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
     assert_eq!(log((6.0, 9.0), 4), ["6", "7", "8", "9"]);
-    let steps = |levels: std::ops::RangeInclusive<i32>| levels.map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>();
-    assert_eq!(spread(&steps(-2..=3), 8), steps(-2..=3));
-    assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
-    assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
 }

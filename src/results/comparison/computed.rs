@@ -4,9 +4,9 @@ use super::{CompareError, Point, Reference};
 use crate::case::comparison::{ComparedQuantity as Q, Spec};
 use crate::forming_limit::Paths;
 use crate::model::{Extent, Model};
+use crate::plot::fields::{element, step};
 use crate::results::tables::edge_diameter;
 use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
-use crate::table::fields::{element, step};
 use crate::table::{Column, Field, Unit};
 
 /// Computed values of a stage for comparison.

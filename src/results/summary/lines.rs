@@ -1,11 +1,10 @@
 //! Lines of a summary: load, part, energies, condition, and the numerical solution.
 
-use super::method::{bent, corrector, mesh};
 use super::{Group, Line, Value, section_of};
 use crate::assess::{Kind, holder_lift, sentences};
 use crate::case::files::sha256;
 use crate::measure::{Shape, events, moment_error, part_height, thickest};
-use crate::model::{Mode, Model, Role, Theory};
+use crate::model::{Grading, Iteration, Mode, Model, Norm, Role, Theory};
 use crate::plot::{StageView, stop_text};
 use crate::results::tables;
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
@@ -41,7 +40,6 @@ pub(super) fn lines(view: &StageView) -> Vec<Line> {
     lines.forming_limit();
     lines.energy();
     lines.condition();
-    lines.holder();
     lines.group = Group::Solution;
     lines.solution();
     lines.group = Group::Case;
@@ -67,6 +65,15 @@ impl Lines<'_> {
         self.add(key, label, Value::Number(amount));
     }
 
+    fn force(&mut self, key: &'static str, label: &str, force: f64) {
+        self.number(key, label, Amount::force(force, self.model.extent().force_unit()));
+    }
+
+    /// Energy \[N·mm\].
+    fn energy_of(&mut self, key: &'static str, label: &str, energy: f64) {
+        self.number(key, label, Amount::force(JOULES * energy, self.model.extent().energy_unit()));
+    }
+
     fn plain(&mut self, key: &'static str, label: &str, value: impl Into<Json>) {
         self.add(key, label, Value::Plain(value.into()));
     }
@@ -76,8 +83,8 @@ impl Lines<'_> {
         self.run.steps.iter().map(value).fold(0.0, f64::max)
     }
 
-    fn force(&self, force: f64) -> Amount {
-        Amount::force(force, self.model.extent().force_unit())
+    fn count(&self, value: fn(&StepRecord) -> usize) -> usize {
+        self.run.steps.iter().map(value).sum()
     }
 
     /// End, travel and forces of the punch, or pressure of the gas.
@@ -88,11 +95,11 @@ impl Lines<'_> {
         let ended = if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() };
         self.plain("stop", "Ended", ended);
         self.plain("complete", "", run.stop.is_complete());
-        let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
-        let peak = peak.unwrap_or_default();
         if model.travel > 0.0 {
+            let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
+            let peak = peak.unwrap_or_default();
             self.number("travel", "Punch travel reached", Amount::place(last.travel));
-            self.number("peak_punch_force", "Peak punch force", self.force(peak.punch_force));
+            self.force("peak_punch_force", "Peak punch force", peak.punch_force);
             self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
         }
         if !model.gas.is_empty() {
@@ -105,8 +112,6 @@ impl Lines<'_> {
             let least = run.steps.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
             self.number("held_rate_least", "  least", rate(least));
             self.number("held_rate_largest", "  largest", rate(self.largest(|s| s.held_rate)));
-            let capped = tables::time_on_a_cap(run);
-            self.number("time_on_cap", "  time on a cap of the pressure", share(capped, last.time));
             self.number("time", "Time of the cycle", Amount::time(last.time));
         }
         if last.contact_share > 0.0 {
@@ -145,21 +150,15 @@ impl Lines<'_> {
 
     /// Distance to the forming limit, and the draw-in.
     fn forming_limit(&mut self) {
-        let Self { view, model, run, last, .. } = *self;
-        if let Some(assessment) = view.forming_limit() {
-            if let Some(curve) = &model.forming_limit {
-                self.plain("forming_limit", "Forming limit", curve.name);
-                let least = Amount::ratio(curve.plane_strain());
-                self.number("forming_limit_plane_strain", "  at plane strain, true strain", least);
-            }
-            if assessment.open().is_some() {
-                self.plain("forming_limit_unjudged", "  ends before the most strained place", true);
-            }
+        let Self { view, model, last, .. } = *self;
+        if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
+            self.plain("forming_limit", "Forming limit", curve.name);
+            let least = Amount::ratio(curve.plane_strain());
+            self.number("forming_limit_plane_strain", "  at plane strain, true strain", least);
             let worst = assessment.worst();
             self.number("forming_margin", "  least margin in major true strain", Amount::ratio(worst.margin()));
             self.number("forming_ratio", "  major strain over the limit there", Amount::share(worst.ratio()));
             self.number("forming_margin_s0", "  at s0, its initial distance", Amount::place(worst.s0));
-            self.plain("forming_margin_path_crooked", "  its path is not straight", worst.is_crooked());
             self.plain("forming_paths_crooked", "  elements whose path is not straight", assessment.crooked());
             self.plain("forming_limit_reached", "  reached", assessment.reached.is_some());
             if let Some(reached) = assessment.reached {
@@ -171,49 +170,35 @@ impl Lines<'_> {
                 self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
             }
         }
-        if run.paths.stride() > 1 {
-            let kept = format!("kept of every {n}th step and of the last", n = run.paths.stride());
-            self.plain("strain_paths", "Strain paths", kept);
-        }
         self.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
     }
 
     /// Work, heat, and what the balance misses.
     fn energy(&mut self) {
         let Self { model, run, last, .. } = *self;
-        let energy = |energy| Amount::force(energy, model.extent().energy_unit());
-        let work = last.work.without_round_off().scaled(JOULES);
-        let given_back = work.external < 0.0;
-        if given_back {
-            self.number("work_given_back", "Work given back to the tools", energy(-work.external));
-            self.number("work_out_of_sheet", "  out of the sheet's elasticity", energy(0.0 - work.elastic));
-            self.number("work_out_of_contact", "  out of the contact", energy(0.0 - work.contact));
-        }
-        let shown = |label: &'static str| if given_back { "" } else { label };
-        self.number("work_external", shown("Work of the tools"), energy(work.external));
-        self.number("work_plastic", "  plastic", energy(work.plastic));
+        let work = last.work.without_round_off();
+        self.energy_of("work_external", "Work of the tools", work.external);
+        self.energy_of("work_plastic", "  plastic", work.plastic);
         if model.mode != Mode::Flow {
-            self.number("work_elastic", shown("  stored in the sheet"), energy(work.elastic));
+            self.energy_of("work_elastic", "  stored in the sheet", work.elastic);
         }
-        self.number("work_friction", "  friction", energy(work.friction));
-        self.number("work_contact", shown("  stored in contact"), energy(work.contact));
-        let missing = share(last.work.missing(), run.largest_work());
-        self.number("imbalance", "Work missing in the balance", missing);
+        self.energy_of("work_friction", "  friction", work.friction);
+        self.energy_of("work_contact", "  stored in contact", work.contact);
+        self.number("imbalance", "Work missing in the balance", share(last.work.missing(), run.largest_work()));
         self.number("cutoff_share", "Plastic work in nearly rigid zones", share(work.cutoff, work.plastic));
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
-            self.number("heat_stored", "Heat stored in the sheet", energy(JOULES * last.heat.stored));
-            self.number("heat_plastic", "  from plastic work", energy(JOULES * last.heat.plastic));
-            self.number("heat_tools", "  from the tools", energy(JOULES * last.heat.tools));
+            self.energy_of("heat_stored", "Heat stored in the sheet", last.heat.stored);
+            self.energy_of("heat_plastic", "  from plastic work", last.heat.plastic);
+            self.energy_of("heat_tools", "  from the tools", last.heat.tools);
         }
     }
 
-    /// Bending moment, voids, temperatures, ironing and bends.
+    /// Bending moment, voids, temperatures, ironing, bends, and force and lift of the holder.
     fn condition(&mut self) {
         let Self { model, run, last, .. } = *self;
         let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
         if let Some(error) = bent.and_then(moment_error) {
-            let label = "Bending moment missed by the layers, estimated";
-            self.number("moment_error", label, Amount::share(error));
+            self.number("moment_error", "Bending moment missed by the layers, estimated", Amount::share(error));
         }
         if model.material.gtn.is_some() {
             self.number("porosity", "Largest porosity", Amount::share(last.porosity));
@@ -230,11 +215,9 @@ impl Lines<'_> {
         self.number("penetration", "Tools in the sheet, of its thickness", deepest);
         let ironing = self.largest(|s| s.ironing);
         if ironing > 0.0 {
-            let [force, friction] = [self.largest(|s| s.ironing_force), self.largest(|s| s.ironing_friction)]
-                .map(|force| self.force(force));
             self.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
-            self.number("ironing_force", "Largest ironing force of the die", force);
-            self.number("ironing_friction", "Largest friction in it", friction);
+            self.force("ironing_force", "Largest ironing force of the die", self.largest(|s| s.ironing_force));
+            self.force("ironing_friction", "Largest friction in it", self.largest(|s| s.ironing_friction));
             let pressure = Amount::stress(self.largest(|s| s.ironing_pressure));
             self.number("ironing_pressure", "Largest ironing pressure", pressure);
         }
@@ -242,20 +225,15 @@ impl Lines<'_> {
         let sharpest = self.largest(|s| s.sharpest_bend);
         let radius = if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 };
         self.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(radius));
-    }
-
-    /// Force and lift of the holder.
-    fn holder(&mut self) {
-        let Self { model, run, .. } = *self;
         if model.tool(Role::Holder).is_none() || model.release.is_some() {
             return;
         }
         if let Some(closing) = run.closing {
             self.number("closing_way", "Way of the holder to close over the sheet", Amount::place(closing.way));
             self.number("closing_gap", "  stands open by", Amount::thickness(closing.gap));
-            self.number("closing_force", "  with a force of", self.force(closing.force));
+            self.force("closing_force", "  with a force of", closing.force);
         }
-        self.number("peak_holder_force", "Largest holder force", self.force(self.largest(|s| s.holder_force)));
+        self.force("peak_holder_force", "Largest holder force", self.largest(|s| s.holder_force));
         let rim = format!("  last share on the outer {}", Amount::given_thicknesses(StepRecord::RIM));
         let last = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
         self.number("rim_share", &rim, Amount::share(last));
@@ -267,32 +245,26 @@ impl Lines<'_> {
     /// Contact, mesh, method and effort.
     fn solution(&mut self) {
         let Self { view, model, run, last, .. } = *self;
-        let (steps, effort) = (&run.steps, &run.effort);
+        let effort = &run.effort;
         self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
-        self.plain("flips", "Contacts that came or went", steps.iter().map(|s| s.contact_changes).sum::<usize>());
+        self.plain("flips", "Contacts that came or went", self.count(|s| s.contact_changes));
         let strain = Amount::ratio(self.largest(|s| s.strain_increment));
         self.number("strain_increment", "Largest strain of one step", strain);
         self.plain("mesh", "Mesh", mesh(model));
-        if model.blank.theory == Theory::Selective {
-            let (share, points) = bent(model, run);
-            self.number("bending_share", "  elements times steps that bent", Amount::share(share));
-            self.number("point_share", "  law points over those of full bending", Amount::share(points));
-        }
         self.plain("corrector", "Corrector", corrector(model));
-        self.plain("steps", "Steps", steps.len());
+        self.plain("steps", "Steps", run.steps.len());
         self.plain("steps_from_predictor", "  solved from the predictor", effort.predictor);
         self.plain("steps_from_secant", "  from a secant start at rest", effort.secant);
         self.plain("steps_from_softened", "  from a softened start", effort.softened);
-        self.plain("iterations", "Iterations", steps.iter().map(|s| s.iterations).sum::<usize>());
+        self.plain("iterations", "Iterations", self.count(|s| s.iterations));
         // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
-        let known = steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
+        let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
         if let Some(norm) = known.reduce(f64::max) {
             self.number("velocity_norm", "Largest accepted velocity norm", Amount::norm(norm));
         }
         let residual = Amount::norm(self.largest(|s| s.residual_norm));
         self.number("residual_norm", "Largest accepted residual norm", residual);
-        let rejected = steps.iter().map(|s| s.rejected).sum::<usize>() + effort.abandoned;
-        self.plain("rejected", "Rejected tries", rejected);
+        self.plain("rejected", "Rejected tries", self.count(|s| s.rejected) + effort.abandoned);
         self.plain("steps_halved", "  steps halved", effort.halved);
         self.plain("steps_overstrained", "  repeated for too much strain", effort.overstrained);
         self.plain("steps_overstepped", "  repeated to find the end of the run", effort.overstepped);
@@ -307,8 +279,7 @@ impl Lines<'_> {
 /// Record of a stage without a step: the sheet at its start, or the blank.
 fn as_begun(run: &StageSolution) -> StepRecord {
     let blank = &run.model.blank;
-    let (elements, nodes) =
-        run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements[..], &start.nodes[..]));
+    let (elements, nodes) = run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements, &start.nodes));
     let thinnest = elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness));
     StepRecord {
         thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
@@ -317,6 +288,33 @@ fn as_begun(run: &StageSolution) -> StepRecord {
         pole_height: nodes.first().map_or(0.0, |node| node.z),
         ..StepRecord::default()
     }
+}
+
+fn mesh(model: &Model) -> String {
+    let blank = &model.blank;
+    let theory = match blank.theory {
+        Theory::Membrane => "membrane".to_owned(),
+        Theory::Bending => format!("bending, {} layers", blank.layers),
+        Theory::Selective => {
+            format!("bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
+        }
+    };
+    let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
+    format!("{} elements, {theory}, {grading}", blank.elements)
+}
+
+fn corrector(model: &Model) -> String {
+    let matrix = match model.settings.iteration {
+        Iteration::PrimalDual => "primal-dual Newton",
+        Iteration::Newton => "Newton",
+        Iteration::Secant => "secant",
+    };
+    let norm = match model.settings.norm {
+        Norm::Velocity => "velocity",
+        Norm::Residual => "residual",
+        Norm::Both => "velocity and residual",
+    };
+    format!("{matrix} matrix, {norm} norm below {}", Amount::norm(model.settings.tolerance))
 }
 
 /// Part of a whole; 0 of nothing.

@@ -1,12 +1,9 @@
 //! Summary of a stage: one list of lines, printed as text and written as JSON.
 
-mod case;
 mod lines;
-mod method;
 
-pub use case::CaseSummary;
-
-use super::StageView;
+use super::{Results, StageView, stages};
+use crate::case::Solution;
 use crate::measure::{Change, Event};
 use crate::model::{Extent, Geometry};
 use crate::table::Unit;
@@ -84,15 +81,10 @@ impl Summary {
 
     /// Text of `summary.json`, with the verdict on the whole case if it was judged.
     pub(super) fn json(view: &StageView) -> Option<String> {
-        #[derive(Serialize)]
-        struct Written<'a> {
-            #[serde(flatten)]
-            summary: Summary,
-            #[serde(skip_serializing_if = "Option::is_none")]
-            verdict: Option<&'a Json>,
-        }
-        let written = Written { summary: Self::of(view), verdict: view.verdict.as_ref() };
-        serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
+        let mut summary = Self::of(view);
+        let verdict = view.verdict.clone().map(Value::Plain);
+        summary.0.extend(verdict.map(|value| Line { group: Group::Case, key: "verdict", label: String::new(), value }));
+        serde_json::to_string_pretty(&summary).ok().map(|text| text + "\n")
     }
 }
 
@@ -174,6 +166,55 @@ impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.rows().map(|[label, _]| label.chars().count()).max().unwrap_or(0);
         self.rows().try_for_each(|[label, value]| writeln!(f, "{label:<width$}  {value}"))
+    }
+}
+
+/// Summary of a case: displays as aligned text; serialises as its one stage, or with a list of them.
+#[derive(Clone, Debug)]
+pub struct CaseSummary {
+    case: String,
+    complete: bool,
+    /// Summaries of the stages that were run.
+    pub stages: Vec<Summary>,
+    /// A line for every stage; empty in a case of one stage.
+    pub lines: String,
+}
+
+impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self, &self.views())
+    }
+}
+
+impl Results<'_> {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self.solution, &self.views)
+    }
+}
+
+impl CaseSummary {
+    fn of(solution: &Solution, views: &[StageView]) -> Self {
+        let (case, complete) = (solution.case.name.clone(), solution.is_complete());
+        Self { case, complete, stages: views.iter().map(Summary::of).collect(), lines: stages::printed(solution) }
+    }
+}
+
+impl Serialize for CaseSummary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.stages.as_slice() {
+            [stage] if self.lines.is_empty() => stage.serialize(serializer),
+            stages => json!({"case": self.case, "complete": self.complete, "stages": stages}).serialize(serializer),
+        }
+    }
+}
+
+impl fmt::Display for CaseSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let stages: Vec<String> = self.stages.iter().map(Summary::to_string).collect();
+        let lines = if self.lines.is_empty() { String::new() } else { format!("\nStages\n{}\n", self.lines) };
+        write!(f, "{}{lines}", stages.join("\n"))
     }
 }
 
