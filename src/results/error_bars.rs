@@ -169,16 +169,11 @@ impl ErrorBars {
         findings
     }
 
-    /// Sentences on lights that a bar moves.
+    /// Sentences on rows of the verdict whose bar reaches a worse light.
     pub fn moved(&self, findings: &[Finding]) -> Vec<String> {
-        let moved = findings.iter().filter_map(|finding| {
-            let clause = self.clause(finding)?;
-            let bar = self.number(Origin::Verdict, finding.key).and_then(Number::half);
-            let number =
-                finding.quantity.as_ref().zip(bar).map(|(number, bar)| number.amount.with_bar(bar).to_string());
-            Some(format!("{}: {}, {clause}", finding.label, number.unwrap_or_else(|| finding.statement())))
-        });
-        moved.collect()
+        let weighed = self.weigh(findings.to_vec());
+        let moved = weighed.iter().zip(findings).filter(|(after, before)| after.text != before.text);
+        moved.map(|(after, _)| format!("{}: {}", after.label, after.statement())).collect()
     }
 
     /// Clause on a row of the verdict whose bar reaches a worse light.

@@ -234,8 +234,7 @@ impl Member {
         let light = assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey);
         let rows = assess::judgements(&findings).filter(|row| row.light == light && light >= Light::Amber);
         let light = Cell::Light(light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
-        let letter = (b'A'..=b'Z').nth(i).map(|letter| char::from(letter).to_string());
-        let mark = letter.unwrap_or_else(|| (i + 1).to_string());
+        let mark = (b'A'..=b'Z').nth(i).map_or((i + 1).to_string(), |letter| char::from(letter).to_string());
         let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
         Self { mark, name: candidate.name(), solution, outcome, light }
     }

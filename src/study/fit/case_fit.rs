@@ -63,9 +63,9 @@ impl CaseFitRequest {
         check_distinct(variables.iter(), "is given twice", "give each key once")?;
         let parameter = |variable: &Variable| {
             let range = variable.search_range()?;
-            let [low, high] = [range.ends[0].min(range.ends[1]), range.ends[0].max(range.ends[1])];
-            let (start, step) = (range.start.unwrap_or(0.5 * (low + high)), DIFFERENCE * (high - low));
-            Ok(Parameter { start, low, high, step })
+            let [a, b] = range.ends;
+            let (low, high, step) = (a.min(b), a.max(b), DIFFERENCE * (a - b).abs());
+            Ok(Parameter { start: range.start.unwrap_or(0.5 * (a + b)), low, high, step })
         };
         let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
         let curves = match to {

@@ -130,17 +130,15 @@ impl LawFit {
         };
         let squares = |all: &[f64]| all.iter().map(|r| r * r).sum::<f64>();
         let plain: Vec<(f64, f64)> = points.iter().map(|(point, _)| (point.strain, point.stress)).collect();
-        let starts = kind.starts(&plain).into_iter().map(parameters);
-        let mut starts: Vec<(f64, Vec<Parameter>)> = starts
-            .filter_map(|start| Some((squares(&residuals(&start.iter().map(|p| p.start).collect())?), start)))
-            .filter(|start| start.0.is_finite())
-            .collect();
-        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let sum = |start: &Vec<Parameter>| {
+            residuals(&start.iter().map(|p| p.start).collect()).map_or(f64::INFINITY, |all| squares(&all))
+        };
+        let mut starts: Vec<Vec<Parameter>> = kind.starts(&plain).into_iter().map(parameters).collect();
+        starts.retain(|start| sum(start).is_finite());
+        starts.sort_by(|a, b| sum(a).total_cmp(&sum(b)));
         let mut all = |points: &[Vec<f64>]| points.iter().map(residuals).collect::<Vec<_>>();
-        let minima = starts
-            .iter()
-            .take(FOLLOWED)
-            .filter_map(|(_, start)| Some((minimise(start, &mut all, MOST_STEPS, LEAST_CHANGE)?, start)));
+        let minima = starts.iter().take(FOLLOWED);
+        let minima = minima.filter_map(|start| Some((minimise(start, &mut all, MOST_STEPS, LEAST_CHANGE)?, start)));
         let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
         let solved = best.and_then(|(minimum, start)| Some((laws(&minimum.values)?, minimum, start)));
         let Some(((hardening, rate), minimum, parameters)) = solved else {
