@@ -66,7 +66,8 @@ macro_rules! quantities {
             $($(#[$attribute])+ #[serde(rename = $name)] $quantity,)+
         }
 
-        const NAMES: [&str; [$($name),+].len()] = [$($name),+];
+        /// Names of all quantities, as in case files.
+        pub const NAMES: [&str; [$($name),+].len()] = [$($name),+];
         const LABELS: [&str; NAMES.len()] = [$($label),+];
     };
 }
@@ -102,11 +103,6 @@ quantities! {
 }
 
 impl ComparedQuantity {
-    /// Names of all quantities, as in case files.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        NAMES.into_iter()
-    }
-
     /// Name in case files, tables and file names.
     pub fn name(self) -> &'static str {
         NAMES[self as usize]
@@ -267,29 +263,14 @@ impl Compare {
         let columns = band.unwrap_or_else(|| x.into_iter().chain(y).collect());
         source.require(!columns.is_empty(), &format!("{path}.band"), "`band` names no column", &help)?;
         let tolerance = tolerance.map_or(0.0, |tolerance| tolerance.value());
-        let (reference, data, origin) = match read {
-            None => (first, None, None),
-            Some((file, lines, csv)) => {
-                if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
-                    let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
-                    return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
-                }
-                (file.to_owned(), Some(csv), provenance(file, &key, source)?)
-            }
-        };
-        let source = origin;
-        Ok(Spec {
-            reference,
-            data,
-            source,
-            quantity,
-            columns,
-            error,
-            range,
-            tolerance,
-            reason,
-            optional,
-            demonstration,
-        })
+        let spec =
+            Spec { quantity, columns, error, range, tolerance, reason, optional, demonstration, ..Spec::default() };
+        let Some((file, lines, csv)) = read else { return Ok(Spec { reference: first, ..spec }) };
+        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
+        }
+        let origin = provenance(file, &key, source)?;
+        Ok(Spec { reference: file.to_owned(), data: Some(csv), source: origin, ..spec })
     }
 }

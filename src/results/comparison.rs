@@ -159,10 +159,7 @@ impl<'a> Reference<'a> {
         }
         let value = |row: &Record| {
             let place = format!(", line {}, column `{header}`", row.line);
-            let value = match row.number(at) {
-                Err(error) => return self.refuse(format!("{place}: {error}")),
-                Ok(value) => value.map(|value| value * factor),
-            };
+            let value = row.number(at).or_else(|error| self.refuse(format!("{place}: {error}")))?.map(|v| v * factor);
             if value.is_none_or(|value| value.abs() <= unit.largest()) {
                 return Ok(value);
             }
@@ -182,12 +179,8 @@ impl<'a> Reference<'a> {
         let ((xs, of_x), (ys, _)) = (self.column(&headers[0], x)?, self.column(&headers[1], y)?);
         let (low, high) = self.spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let range = low * of_x..=high * of_x;
-        let mut rising: Vec<(f64, f64)> = Vec::with_capacity(x.values.len());
-        for point in x.values.iter().copied().zip(y.values.iter().copied()) {
-            if rising.last().is_none_or(|last| point.0 > last.0) {
-                rising.push(point);
-            }
-        }
+        let mut rising: Vec<(f64, f64)> = x.values.iter().copied().zip(y.values.iter().copied()).collect();
+        rising.dedup_by(|next, last| next.0 <= last.0);
         let point = |((x, y), row): ((Option<f64>, Option<f64>), &Record)| {
             let (x, reference) = x.zip(y)?;
             Some(Point { x, reference, computed: held_at_ends(&rising, x), judged: range.contains(&x), line: row.line })

@@ -1,7 +1,7 @@
 //! Comparisons in words, as tables and as pictures.
 
 use super::{Band, Comparison, Point, Verdict, four_digits};
-use crate::case::comparison::ComparedQuantity as Q;
+use crate::case::comparison::NAMES;
 use crate::plot::chart::{Chart, Panel, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color};
 use crate::plot::{Axis, StageView};
@@ -240,6 +240,5 @@ pub(in crate::results) fn files(results: &Results) -> Files {
 pub(in crate::results) fn is_comparison(name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(Format::stem(name));
     let parts = stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_'));
-    let is_quantity = |name: &str| Q::names().any(|known| known == name);
-    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
+    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && NAMES.contains(&quantity))
 }
