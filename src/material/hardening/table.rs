@@ -8,7 +8,7 @@ pub(super) type Points = Vec<(NonNegative<Number>, Positive<Stress>)>;
 /// Most points.
 const MOST: usize = 1000;
 
-/// Measured points, interpolated smoothly through each of them.
+/// Measured points, interpolated smoothly through each of up to 50; a longer record has scatter and is smoothed first.
 ///
 /// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
 /// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
