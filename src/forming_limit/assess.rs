@@ -126,17 +126,11 @@ fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Rea
         (a.min(b), curve.major_at(a.min(b)) - a.max(b))
     };
     let i = (0..paths.instants.len()).find(|&i| at(i).1 <= 0.0 && curve.knows(at(i).0))?;
-    let after = at(i).1;
     let now = &paths.instants[i];
-    let (time, travel) = match i.checked_sub(1) {
-        None => (now.time, now.travel),
-        Some(last) => {
-            let (margin, before) = (at(last).1, &paths.instants[last]);
-            let share = margin / (margin - after);
-            (before.time + share * (now.time - before.time), before.travel + share * (now.travel - before.travel))
-        }
-    };
-    Some(Reached { time, travel, s0 })
+    let Some(last) = i.checked_sub(1) else { return Some(Reached { time: now.time, travel: now.travel, s0 }) };
+    let (margin, before) = (at(last).1, &paths.instants[last]);
+    let between = |from: f64, to: f64| from + margin / (margin - at(i).1) * (to - from);
+    Some(Reached { time: between(before.time, now.time), travel: between(before.travel, now.travel), s0 })
 }
 
 fn crookedness(path: &[[f64; 2]]) -> f64 {

@@ -29,7 +29,7 @@ pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
 /// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
 fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, LawError> {
     if let Some(n) = n {
-        return Ok(power_law(n, 0.0, loss));
+        return Ok(n / loss);
     }
     let stable = |strain: f64| {
         let law = sheet.hardening(strain);
@@ -45,11 +45,6 @@ fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, LawError> {
     };
     let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
     Ok(0.5 * (low + high))
-}
-
-/// The limit n/H − ε₀ of σ = K (ε₀ + ε̄)^n in closed form \[–\].
-pub fn power_law(n: f64, offset: f64, loss: f64) -> f64 {
-    n / loss - offset
 }
 
 /// A proportional path of strain ratio β: by unit of equivalent strain and of equivalent stress \[–\].
@@ -72,7 +67,9 @@ impl Proportional {
 /// condition [overrates](Plane::overrates_biaxial) it, ends included.
 pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<Item = f64> {
     let right = if plane.overrates_biaxial() { 0 } else { right };
-    let drawn = (0..=left).map(move |i| plane.tension() * (1.0 - i as f64 / left as f64));
+    // β of uniaxial tension, by the meaning of r̄.
+    let tension = -plane.ratio() / (1.0 + plane.ratio());
+    let drawn = (0..=left).map(move |i| tension * (1.0 - i as f64 / left as f64));
     drawn.chain((1..=right).map(move |i| i as f64 / right as f64))
 }
 

@@ -14,7 +14,7 @@
 
 use super::{Curve, Sheet, uniform_strain};
 use crate::material::law::prelude::*;
-use crate::units::{Amount, Digits, joined};
+use crate::units::{Amount, Digits};
 
 /// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6.
 ///
@@ -32,15 +32,9 @@ pub struct KeelerBrazier {
 }
 
 impl KeelerBrazier {
-    /// Largest n that it counts with \[–\].
-    pub const N: f64 = 0.21;
-    /// Largest thickness it was given for \[mm\].
-    pub const THICKNESS: f64 = 3.1;
-
-    /// Engineering strain at plane strain \[–\]; `thickness` \[mm\].
-    pub fn plane_strain(n: f64, thickness: f64) -> f64 {
-        (0.233 + 0.1413 * thickness) * n.min(Self::N) / Self::N
-    }
+    /// Largest n that it counts with \[–\], and largest thickness it was given for \[mm\].
+    const N: f64 = 0.21;
+    const THICKNESS: f64 = 3.1;
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let thickness = self.thickness.unwrap_or(sheet.thickness);
@@ -52,12 +46,11 @@ impl KeelerBrazier {
             Some(n) => (n, "given"),
             None => (uniform_strain(sheet)?, "the uniform strain of the hardening law"),
         };
-        let flc0 = Self::plane_strain(n, thickness).ln_1p();
-        let capped = Some(format!("counted as {n}", n = Amount::number(Self::N))).filter(|_| n > Self::N);
-        let origin = joined(std::iter::once(String::from(origin)).chain(capped), ", ");
+        let flc0 = ((0.233 + 0.1413 * thickness) * n.min(Self::N) / Self::N).ln_1p();
+        let capped = if n > Self::N { format!(", counted as {}", Amount::number(Self::N)) } else { String::new() };
         let right = 0.2_f64.ln_1p();
         let notes = vec![format!(
-            "Forming limit: Keeler and Brazier, for steel, with n = {n} ({origin}) and t = {thickness}; FLC₀ = {flc0}.",
+            "Forming limit: Keeler and Brazier, for steel, with n = {n} ({origin}{capped}) and t = {thickness}; FLC₀ = {flc0}.",
             n = Amount::ratio(n).to(Digits::Decimals(4)),
             thickness = Amount::size(thickness),
             flc0 = Amount::ratio(flc0).to(Digits::Decimals(4))

@@ -19,7 +19,7 @@ mod plane;
 mod points;
 
 pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
-pub use instability::{Hill, Swift, power_law, uniform_strain};
+pub use instability::{Hill, Swift, uniform_strain};
 pub use keeler_brazier::KeelerBrazier;
 pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};
 pub use paths::{Instant, Paths};

@@ -41,11 +41,6 @@ impl Plane {
         self.0.ratio()
     }
 
-    /// β of uniaxial tension, by the meaning of r̄ \[–\].
-    pub fn tension(&self) -> f64 {
-        -self.ratio() / (1.0 + self.ratio())
-    }
-
     /// Whether limits of biaxial stretching come out too high: Hill 1948 with r̄ below 1 yields in equi-biaxial tension at
     /// √((1 + r̄)/2) of the yield stress, where aluminium is as strong or stronger, on a curve that is far too blunt.
     ///

@@ -120,12 +120,12 @@ impl Gtn {
             format!("`q3` must not exceed q1² = {square}, found {q3}")
         })?;
         if let Some(Coalescence { critical, fracture }) = self.coalescence {
-            let (key, most) = ("coalescence.fracture", 1.0 / q1);
+            let key = "coalescence.fracture";
             require_or(key, critical < fracture, "fracture must lie above critical: 0.15 and 0.25 are usual", || {
                 format!("voids join from {critical} on and the sheet is gone at {fracture}")
             })?;
-            require_or(key, fracture <= most, "there the sheet bears nothing without coalescence either", || {
-                format!("`fracture` must not exceed 1/q1 = {most:.3}, found {fracture}")
+            require_or(key, fracture <= 1.0 / q1, "there the sheet bears nothing without coalescence either", || {
+                format!("`fracture` must not exceed 1/q1 = {:.3}, found {fracture}", 1.0 / q1)
             })?;
         }
         let most = self.coalescence.map_or(POROUS, |c| c.critical.min(POROUS));
