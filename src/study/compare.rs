@@ -28,10 +28,10 @@ pub struct Candidate {
 /// A run of a comparison.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// Letter in tables and legends.
+    /// Letter in tables.
     mark: String,
-    /// Its overrides, or the name of its case.
-    name: String,
+    /// Letter with its overrides or the name of its case: `B: friction=0.12`.
+    pub label: String,
     /// The solved case.
     pub solution: Solution,
     /// Its numbers, with error bars, and curves.
@@ -76,8 +76,7 @@ pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<(), StudyError
         let help = "leave one out, or change something in it with --also";
         ensure(!candidates[..i].iter().any(is_same), format!("{} is there twice", one.name()), help)?;
         let [own, other] = [first, one].map(|candidate| candidate.case.model().extent());
-        let (own_text, other_text) = (section_of(own), section_of(other));
-        let what = format!("{} is {own_text}, {} is {other_text}", first.name(), one.name());
+        let what = format!("{} is {}, {} is {}", first.name(), section_of(own), one.name(), section_of(other));
         let help = "compare sections of one kind; `depth` in [blank] gives forces of the part";
         let is_alike = (own.geometry(), own.force_unit()) == (other.geometry(), other.force_unit());
         ensure(is_alike, what, help)?;
@@ -121,7 +120,7 @@ impl SideBySide {
     /// Labels of runs and measured curves.
     pub fn legend(&self) -> Vec<String> {
         let curves = self.curves.iter().enumerate().map(|(i, curve)| format!("{}: {}", i + 1, curve.file()));
-        self.members.iter().map(Member::label).chain(curves).collect()
+        self.members.iter().map(|member| member.label.clone()).chain(curves).collect()
     }
 
     /// Headline, table and charts.
@@ -223,7 +222,7 @@ impl SideBySide {
 
     fn series(&self, points: impl Fn(&Member) -> Vec<(f64, f64)>) -> Vec<Series> {
         let members = self.members.iter().enumerate();
-        let series = members.map(|(i, member)| Series::new(member.label(), points(member), Style::curve(i)));
+        let series = members.map(|(i, member)| Series::new(member.label.as_str(), points(member), Style::curve(i)));
         series.filter(|series| !series.points.is_empty()).collect()
     }
 }
@@ -236,12 +235,7 @@ impl Member {
         let light = Cell::Light(light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
         let mark = (b'A'..=b'Z').nth(i).map_or((i + 1).to_string(), |letter| char::from(letter).to_string());
         let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
-        Self { mark, name: candidate.name(), solution, outcome, light }
-    }
-
-    /// Mark and name: `B: friction=0.12`.
-    pub fn label(&self) -> String {
-        format!("{}: {}", self.mark, self.name)
+        Self { label: format!("{mark}: {}", candidate.name()), mark, solution, outcome, light }
     }
 
     fn number(&self, number: &Number) -> Option<&Number> {

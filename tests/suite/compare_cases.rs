@@ -28,7 +28,7 @@ fn a_difference_is_beyond_the_error_bars_or_within_them() {
     });
     let Cell::Amount(by) = &rows[1][3] else { panic!("a number") };
     assert!((by.value - (b - a)).abs() < 1e-9 * b && b > 1.05 * a, "{a} {b}");
-    let labels: Vec<String> = all.members.iter().map(|member| member.label()).collect();
+    let labels: Vec<String> = all.members.iter().map(|member| member.label.clone()).collect();
     assert_eq!(labels, ["A: cup", "B: friction=0.2", "C: friction=0.08001"]);
     let charts = all.charts();
     assert_eq!(
