@@ -44,18 +44,14 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
         }
     }
     let (mut pieces, mut here) = (Vec::new(), points[0]);
-    let go_to = |to: Point, here: Point, pieces: &mut Vec<Piece>| {
-        if (to - here).norm() > super::piece::SHORTEST {
-            pieces.push(Piece::line(here, to));
-        }
-    };
     for i in 1..sides.len() {
         let arc = tangent_arc(&sides[i - 1], &sides[i], radii[i]);
-        go_to(arc.map_or(points[i], |arc| arc.at(0.0)), here, &mut pieces);
+        pieces.push(Piece::line(here, arc.map_or(points[i], |arc| arc.at(0.0))));
         here = arc.map_or(points[i], |arc| arc.at(1.0));
         pieces.extend(arc.map(Piece::Arc));
     }
-    go_to(points[points.len() - 1], here, &mut pieces);
+    pieces.push(Piece::line(here, points[points.len() - 1]));
+    pieces.retain(|piece| piece.length() > super::piece::SHORTEST);
     Ok(pieces)
 }
 

@@ -20,20 +20,13 @@ parameters! {
     }
 }
 
-impl Arrhenius {
-    /// Q/R \[K\].
-    fn over_gas_constant(&self) -> f64 {
-        self.activation / GAS_CONSTANT
-    }
-}
-
 impl TemperatureLaw for Arrhenius {
     fn formula(&self) -> String {
         let Self { exponent, reference, .. } = self;
-        format!("exp({exponent} × {:.0} K (1/T − 1/{reference} K))", self.over_gas_constant())
+        format!("exp({exponent} × {:.0} K (1/T − 1/{reference} K))", self.activation / GAS_CONSTANT)
     }
 
     fn at(&self, temperature: f64) -> f64 {
-        (self.exponent * self.over_gas_constant() * (1.0 / temperature - 1.0 / self.reference)).exp()
+        (self.exponent * (self.activation / GAS_CONSTANT) * (1.0 / temperature - 1.0 / self.reference)).exp()
     }
 }
