@@ -55,12 +55,14 @@ pub struct Reference {
 #[derive(Clone, Copy, Debug)]
 pub struct Current {
     reference: Reference,
-    cos: f64,
-    sin: f64,
-    length: f64,
-    radius: f64,
+    /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l \[1/mm\].
+    along: [f64; 2],
+    /// ∂ε_θ/∂(r₁+r₂) \[1/mm\].
+    hoop: f64,
+    /// ∂κ_s/∂(θ₂−θ₁) and ∂κ_θ/∂(θ₁+θ₂) \[1/mm\].
+    bend: [f64; 2],
     fibre: UnitComplex<f64>,
-    /// Strain increments of the step.
+    /// Strain increments of the step; 0 where the element has no such strain.
     pub strain: Generalised,
 }
 
@@ -142,7 +144,17 @@ impl Reference {
             }
             strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
-        Some(Current { reference: *self, cos: dr / length, sin: dz / length, length, radius, fibre, strain })
+        Some(Current {
+            reference: *self,
+            along: [dr, dz].map(|d| d / (length * length)),
+            hoop: if self.hoop { 0.5 / radius } else { 0.0 },
+            bend: [
+                if self.bending { 1.0 / self.length } else { 0.0 },
+                if self.bending && self.hoop { 0.5 * fibre.re / self.radius } else { 0.0 },
+            ],
+            fibre,
+            strain,
+        })
     }
 }
 
@@ -153,35 +165,28 @@ pub type StrainDisplacement = SMatrix<f64, 5, 6>;
 pub type Matrix6 = SMatrix<f64, 6, 6>;
 
 impl Current {
-    /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l \[1/mm\].
-    #[inline]
-    fn along(&self) -> [f64; 2] {
-        [self.cos / self.length, self.sin / self.length]
-    }
-
-    /// ∂ε_θ/∂(r₁+r₂) \[1/mm\].
-    #[inline]
-    fn hoop(&self) -> f64 {
-        if self.reference.hoop { 0.5 / self.radius } else { 0.0 }
+    /// Bᵀ S: forces of the nodes that balance the resultants `s`.
+    #[inline(always)]
+    pub fn nodal_forces(&self, s: &Generalised) -> Vector6 {
+        let (shear, half) = if self.reference.bending { (s[GAMMA], 0.5 * s[GAMMA]) } else { (0.0, 0.0) };
+        let ([x, y], hoop) = (self.along, self.hoop * s[EPS_T]);
+        let (r, z) = (x * s[EPS_S] - y * shear, y * s[EPS_S] + x * shear);
+        let (apart, mean) = (self.bend[0] * s[KAPPA_S], self.bend[1] * s[KAPPA_T] - half);
+        [hoop - r, -z, mean - apart, hoop + r, z, mean + apart].into()
     }
 
     /// B; rows of strains that the element does not have are zero.
-    #[inline]
     pub fn strain_displacement(&self) -> StrainDisplacement {
-        let (reference, [c, s], hoop) = (&self.reference, self.along(), self.hoop());
-        let mut b = StrainDisplacement::zeros();
-        (b[(EPS_S, 0)], b[(EPS_S, 1)], b[(EPS_S, 3)], b[(EPS_S, 4)]) = (-c, -s, c, s);
-        (b[(EPS_T, 0)], b[(EPS_T, 3)]) = (hoop, hoop);
-        if reference.bending {
-            (b[(KAPPA_S, 2)], b[(KAPPA_S, 5)]) = (-1.0 / reference.length, 1.0 / reference.length);
-            if reference.hoop {
-                let turn = 0.5 * self.fibre.re / reference.radius;
-                (b[(KAPPA_T, 2)], b[(KAPPA_T, 5)]) = (turn, turn);
-            }
-            (b[(GAMMA, 0)], b[(GAMMA, 1)], b[(GAMMA, 2)]) = (s, -c, -0.5);
-            (b[(GAMMA, 3)], b[(GAMMA, 4)], b[(GAMMA, 5)]) = (-s, c, -0.5);
-        }
-        b
+        let row = |i: usize| self.nodal_forces(&Generalised::ith(i, 1.0)).transpose();
+        StrainDisplacement::from_rows(&[EPS_S, EPS_T, KAPPA_S, KAPPA_T, GAMMA].map(row))
+    }
+
+    /// Bᵀ C B of a symmetric C.
+    #[inline]
+    pub fn stiffness(&self, c: &SMatrix<f64, 5, 5>) -> Matrix6 {
+        let half: [Vector6; 5] = std::array::from_fn(|j| self.nodal_forces(&c.column(j).into_owned()));
+        let row = |i: usize| self.nodal_forces(&half.map(|column| column[i]).into());
+        Matrix6::from_columns(&[0, 1, 2, 3, 4, 5].map(row))
     }
 
     /// Geometric stiffness Σ S ∂²strain of the resultants `s`.
@@ -191,7 +196,7 @@ impl Current {
     /// ```
     #[inline]
     pub fn geometric_stiffness(&self, s: &Generalised) -> Matrix6 {
-        let (reference, [x, y], hoop) = (&self.reference, self.along(), self.hoop());
+        let (reference, [x, y], hoop) = (&self.reference, self.along, self.hoop);
         let shear = if reference.bending { s[GAMMA] } else { 0.0 };
         let rr = s[EPS_S] * (y * y - x * x) + 2.0 * shear * x * y;
         let rz = shear * (y * y - x * x) - 2.0 * s[EPS_S] * x * y;
@@ -210,7 +215,7 @@ impl Current {
     /// Stiffness of a membrane force against moves across the element.
     #[inline]
     pub fn transverse_stiffness(&self, force: f64) -> Matrix6 {
-        let [c, s] = self.along();
+        let [c, s] = self.along;
         let across = Vector6::from([s, -c, 0.0, -s, c, 0.0]);
         force * across * across.transpose()
     }
@@ -218,7 +223,7 @@ impl Current {
     /// ∂(Δε_s + Δε_θ) by the element's freedoms \[1/mm\].
     #[inline]
     pub fn stretch_rows(&self) -> Vector6 {
-        let ([c, s], hoop) = (self.along(), self.hoop());
+        let ([c, s], hoop) = (self.along, self.hoop);
         [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()
     }
 
@@ -229,8 +234,8 @@ impl Current {
 
     /// Change of the slope φ of the meridian in the step \[rad\].
     pub fn turn(&self) -> f64 {
-        let Reference { dr, dz, .. } = self.reference;
-        (dr * self.sin - dz * self.cos).atan2(dr * self.cos + dz * self.sin)
+        let (Reference { dr, dz, .. }, [c, s]) = (self.reference, self.along);
+        (dr * s - dz * c).atan2(dr * c + dz * s)
     }
 }
 

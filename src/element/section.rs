@@ -40,7 +40,7 @@ pub fn forces(
     for (i, at) in rule.iter().enumerate() {
         s += resultants(0.5 * thickness * at.xi, volume * at.weight, stress(i));
     }
-    current.strain_displacement().transpose() * s
+    current.nodal_forces(&s)
 }
 
 /// Resultants of a stress at ζ that acts on the volume `v`.
@@ -106,13 +106,12 @@ impl<L: PointLaw> Section<'_, L> {
             yield_stress = update.yield_stress;
             updates[i] = update;
         }
-        let b = current.strain_displacement();
-        let force = b.transpose() * s;
+        let force = current.nodal_forces(&s);
         if self.forces_alone {
             return (force, None);
         }
         c.fill_upper_triangle_with_lower_triangle();
-        let mut matrix = b.transpose() * (c * b) + current.geometric_stiffness(&s);
+        let mut matrix = current.stiffness(&c) + current.geometric_stiffness(&s);
         if !current.bends() && self.slack_tension > 0.0 {
             matrix += current.transverse_stiffness((self.slack_tension * volume * yield_stress - s[EPS_S]).max(0.0));
         }

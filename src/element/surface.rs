@@ -13,7 +13,6 @@
 use super::kinematics::Matrix6;
 use super::{Node, Vector6};
 use crate::geometry::Point;
-use nalgebra::SMatrix;
 
 /// A place on an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +22,7 @@ pub struct Station {
     /// ½(1−ξ), ½(1+ξ).
     pub shape: [f64; 2],
     /// ⅛(1−ξ²).
-    bow: f64,
+    pub bow: f64,
     /// Excess of its share of the area over a half, over (r₂−r₁)/r \[–\].
     pub skew: f64,
 }
@@ -59,47 +58,44 @@ impl Station {
         Point::new(p * a[0] + q * b[0] + bow * (b[1] - a[1]), p * a[1] + q * b[1] - bow * (b[0] - a[0]))
     }
 
-    /// Derivatives of the position (rows r, z) by the element's freedoms.
+    /// Derivatives of r and of z by the element's freedoms.
     #[inline]
-    pub fn slope(&self, a: &Node, b: &Node) -> SMatrix<f64, 2, 6> {
+    pub fn slopes(&self, a: &Node, b: &Node) -> [Vector6; 2] {
         let ([p, q], turn) = (self.shape, self.bow * (b[2] - a[2]));
         let (dr, dz) = (self.bow * (b[0] - a[0]), self.bow * (b[1] - a[1]));
-        SMatrix::from_row_slice(&[p, -turn, -dz, q, turn, dz, turn, p, dr, -turn, q, -dr])
-    }
-
-    /// Second derivatives of F·x by the element's freedoms.
-    #[inline]
-    pub fn second(&self, [r, z]: [f64; 2]) -> Matrix6 {
-        let (r, z) = (self.bow * r, self.bow * z);
-        let mut matrix = Matrix6::zeros();
-        for (turn, sign) in [(2, 1.0), (5, -1.0)] {
-            for (move_, value) in [(0, -z), (1, r), (3, z), (4, -r)] {
-                matrix[(turn, move_)] = sign * value;
-                matrix[(move_, turn)] = sign * value;
-            }
-        }
-        matrix
+        [[p, -turn, -dz, q, turn, dz].into(), [turn, p, dr, -turn, q, -dr].into()]
     }
 }
 
-/// Second derivatives of the thickness t by the element's freedoms, from its first ones.
+/// Adds Σ F·∂²x by the element's freedoms to a matrix, from `bowed` = Σ ⅛(1−ξ²) F.
+#[inline]
+pub fn add_position_second(matrix: &mut Matrix6, bowed: Point) {
+    let (r, z) = (bowed.x, bowed.y);
+    for (turn, r, z) in [(2, r, z), (5, -r, -z)] {
+        for (move_, value) in [(0, -z), (1, r), (3, z), (4, -r)] {
+            matrix[(turn, move_)] += value;
+            matrix[(move_, turn)] += value;
+        }
+    }
+}
+
+/// Adds q (∂²t − ∂t ∂tᵀ/t) of the thickness t by the element's freedoms to a matrix, from its first derivatives.
 ///
 /// ```text
 /// ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ),   ∂t = −t ∂(ε_s + ε_θ)
 /// ```
 #[inline]
-pub fn thickness_second(first: &Vector6, thickness: f64) -> Matrix6 {
+pub fn add_thickness_second(matrix: &mut Matrix6, first: &Vector6, thickness: f64, q: f64) {
     // By r₁+r₂, r₂−r₁ and z₂−z₁.
     let [hoop, r, z] = [0.5 * (first[0] + first[3]), 0.5 * (first[3] - first[0]), first[4]];
-    let (own, mixed) = (r * r - z * z, 2.0 * r * z);
-    let mut matrix = first * first.transpose();
+    let share = q / thickness;
+    let (hoop, own, mixed) = (share * hoop * hoop, share * (r * r - z * z), share * 2.0 * r * z);
     for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
-        matrix[(i, j)] += hoop * hoop + sign * own;
+        matrix[(i, j)] += hoop + sign * own;
         matrix[(i, j + 1)] += sign * mixed;
         matrix[(i + 1, j)] += sign * mixed;
         matrix[(i + 1, j + 1)] -= sign * own;
     }
-    matrix / thickness
 }
 
 #[cfg(test)]
@@ -132,7 +128,8 @@ mod tests {
             (thickness, current.stretch_rows() * -thickness)
         };
         let (thickness, first) = thinning([0.0; 3], [0.0; 3]);
-        let (second, force, h) = (thickness_second(&first, thickness), Point::new(3.0, -2.0), 1e-4);
+        let (mut second, force, h) = (first * first.transpose() / thickness, Point::new(3.0, -2.0), 1e-4);
+        add_thickness_second(&mut second, &first, thickness, 1.0);
         for i in 0..6 {
             let step = |h: f64| [0, 3].map(|from| [0, 1, 2].map(|d| if from + d == i { h } else { 0.0 }));
             let [plus, minus] = [step(h), step(-h)].map(|[a, b]| thinning(a, b));
@@ -142,10 +139,15 @@ mod tests {
             let [plus, minus] = [step(h), step(-h)].map(|[a, b]| (add(A, a), add(B, b)));
             for station in INSIDE {
                 let by = (station.position(&plus.0, &plus.1) - station.position(&minus.0, &minus.1)) / (2.0 * h);
-                assert_relative_eq!(station.slope(&A, &B).column(i).into_owned(), by, epsilon = 1e-10);
-                let by = (station.slope(&plus.0, &plus.1) - station.slope(&minus.0, &minus.1)) / (2.0 * h);
-                let second = station.second(force.into()).column(i).into_owned();
-                assert_relative_eq!(second, by.tr_mul(&force), epsilon = 1e-10);
+                let slopes = station.slopes(&A, &B);
+                assert_relative_eq!(Point::new(slopes[0][i], slopes[1][i]), by, epsilon = 1e-10);
+                let [plus, minus] = [&plus, &minus].map(|(a, b)| {
+                    let [r, z] = station.slopes(a, b);
+                    r * force.x + z * force.y
+                });
+                let mut second = Matrix6::zeros();
+                add_position_second(&mut second, station.bow * force);
+                assert_relative_eq!(second.column(i).into_owned(), (plus - minus) / (2.0 * h), epsilon = 1e-10);
             }
         }
     }

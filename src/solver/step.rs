@@ -166,15 +166,12 @@ fn flow_points(
 ) -> Grid<PointState> {
     let (rule, columns) = (&context.rule, state.points.columns());
     let (voids, criterion) = (context.model.material.gtn.as_ref(), context.model.material.yield_criterion);
-    let rows = state.points.rows().zip(around.rows()).enumerate();
-    let point_states = rows.flat_map(|(e, (row, around))| {
-        let temperature = state.foreseen_temperature(e, dt);
-        row.iter().zip(around).map(move |(point, around)| PointState {
-            porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
-            temperature,
-            surroundings: *around,
-            ..PointState::at(point.strain)
-        })
+    let temperatures: Vec<f64> = (0..bends.len()).map(|e| state.foreseen_temperature(e, dt)).collect();
+    let point_states = state.points.iter().zip(around.iter()).enumerate().map(|(i, (point, around))| PointState {
+        porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
+        temperature: temperatures[i / columns],
+        surroundings: *around,
+        ..PointState::at(point.strain)
     });
     let mut points = Grid::from_values(columns, point_states);
     for ((e, row), bends) in points.rows_mut().enumerate().zip(bends) {

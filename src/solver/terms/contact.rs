@@ -4,15 +4,16 @@
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
 use crate::contact::{ContactLaw, ContactPoint};
+use crate::element::Vector6;
 use crate::element::kinematics::Matrix6;
-use crate::element::surface::{STATIONS, thickness_second};
+use crate::element::surface::{STATIONS, add_position_second, add_thickness_second};
 use crate::geometry::Point;
 use crate::model::Iteration;
 use crate::numerics::ValueAndSlope;
 use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 /// Adds contact and friction of all tools; returns the largest force on a point.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -83,7 +84,8 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             by_thickness: -0.5 * share,
             relative: x - start - (displacement - state.tools[j]),
             area: step.areas[i] * face,
-            carried: memory.carried,
+            // The residual does not feel the carried pressure.
+            carried: if at.residual_alone { 0.0 } else { memory.carried },
             shift: memory.shift,
             shear_yield: step.shear_yield[e],
         });
@@ -104,8 +106,9 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         (sum.0, sum.1) = (sum.0 + force.force, sum.1 + force.matrix);
         if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
             // The forces depend on the tool's displacement as on the point's z, with the opposite sign.
-            let g = gradient(step, i, out);
-            let (column, row) = (g.tr_mul(&force.matrix.column(1)), g.tr_mul(&force.matrix.row(1).transpose()));
+            let (g, k) = (gradient(step, i, out), &force.matrix);
+            let column = g[0] * k.m12 + g[1] * k.m22 + g[2] * k.m32;
+            let row = g[0] * k.m21 + g[1] * k.m22 + g[2] * k.m23;
             let system = &mut out.system;
             for (node, first) in [(e, 0), (e + 1, 3)] {
                 system.columns[node][shared] += column.fixed_rows::<3>(first);
@@ -117,34 +120,48 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
     largest
 }
 
-/// G: derivatives of the position of contact point `i` and of its element's thickness by the element's freedoms.
-fn gradient(step: &Step, i: usize, out: &Evaluation) -> SMatrix<f64, 3, 6> {
+/// G: derivatives of r and z of contact point `i` and of its element's thickness by the element's freedoms.
+#[inline]
+fn gradient(step: &Step, i: usize, out: &Evaluation) -> [Vector6; 3] {
     let (e, station) = (i / STATIONS, &step.stations(i / STATIONS)[i % STATIONS]);
-    let mut g = SMatrix::<f64, 3, 6>::zeros();
-    g.fixed_rows_mut::<2>(0).copy_from(&station.slope(&out.nodes[e], &out.nodes[e + 1]));
-    g.set_row(2, &out.thickness_rows[e].transpose());
-    g
+    let [r, z] = station.slopes(&out.nodes[e], &out.nodes[e + 1]);
+    [r, z, out.thickness_rows[e]]
 }
 
 /// Adds Gᵀ f and Gᵀ K G of every contact point, and the second derivatives of its position and thickness.
 fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     for e in 0..step.bends.len() {
-        let points = STATIONS * e..STATIONS * (e + 1);
-        if out.contact_sums[points.clone()].iter().all(|(force, matrix)| force.z == 0.0 && matrix.m33 == 0.0) {
-            continue;
-        }
-        let (mut matrix, mut squeeze) = (Matrix6::zeros(), 0.0);
-        for (i, station) in points.zip(step.stations(e)) {
-            let ((force, stiffness), g) = (out.contact_sums[i], gradient(step, i, out));
-            out.system.add_forces(e, &(g.transpose() * force));
+        let (mut forces, mut matrix) = (Vector6::zeros(), Matrix6::zeros());
+        let (mut bowed, mut squeeze, thickness) = (Point::zeros(), 0.0, out.thickness[e]);
+        for (i, station) in (STATIONS * e..).zip(step.stations(e)) {
+            let (f, k) = &out.contact_sums[i];
+            if f.z == 0.0 {
+                continue;
+            }
+            let g = gradient(step, i, out);
+            forces += g[0] * f.x + g[1] * f.y + g[2] * f.z;
+            squeeze += f.z;
             if !at.residual_alone {
-                matrix += g.transpose() * (stiffness * g) + station.second([force.x, force.y]);
-                squeeze += force.z;
+                bowed -= station.bow * f.xy();
+                // With ∂t ∂tᵀ/t of the thickness' second derivative.
+                let by_thickness = [k.m13, k.m23, k.m33 + f.z / thickness];
+                let row = |i: usize| g[0] * k[(i, 0)] + g[1] * k[(i, 1)] + g[2] * by_thickness[i];
+                let kg = [row(0), row(1), row(2)];
+                for j in 0..6 {
+                    for i in 0..6 {
+                        matrix[(i, j)] -= g[0][i] * kg[0][j] + g[1][i] * kg[1][j] + g[2][i] * kg[2][j];
+                    }
+                }
             }
         }
+        if squeeze == 0.0 {
+            continue;
+        }
+        out.system.add_forces(e, &forces);
         if !at.residual_alone {
-            matrix += squeeze * thickness_second(&out.thickness_rows[e], out.thickness[e]);
-            out.system.add_element(e, &-matrix);
+            add_position_second(&mut matrix, bowed);
+            add_thickness_second(&mut matrix, &out.thickness_rows[e], thickness, -squeeze);
+            out.system.add_element(e, &matrix);
         }
     }
 }
