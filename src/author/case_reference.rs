@@ -3,7 +3,6 @@
 use crate::case::{definition, whole};
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 const INTRODUCTION: &str = "\
 # Case-file reference
@@ -34,19 +33,22 @@ type Inner = Vec<(String, &'static Value)>;
 impl Reference {
     fn section(&mut self, path: &str, node: &'static Value) {
         let heading = if path.is_empty() { "The file's own keys".to_owned() } else { format!("`{path}`") };
-        let _ = write!(self.text, "\n## {heading}\n");
+        self.text += &format!("\n## {heading}\n");
         self.body(path, node);
     }
 
     fn body(&mut self, path: &str, node: &'static Value) {
-        let _ = write!(self.text, "\n{}\n", str_of(node, "description"));
+        self.text += &format!("\n{}\n", node["description"].as_str().unwrap_or_default());
         let mut inner = Inner::new();
         for form in alternatives(node) {
             let kind = self.kind(form, path, &mut inner);
-            let _ = write!(self.text, "\n- {kind}: {}", one_line(form));
+            self.text += &format!("\n- {kind}: {}", one_line(form));
         }
         for table in alternatives(node).chain([node]).filter(|table| table["properties"].is_object()) {
-            self.keys(table, path, &mut inner);
+            self.text += "\n\n| key | value | when left out | meaning |\n|---|---|---|---|\n";
+            for (key, value) in table["properties"].as_object().into_iter().flatten() {
+                self.row(table, key, value, path, &mut inner);
+            }
         }
         // Tools are described where the first stage has them.
         inner.sort_by_key(|(path, _)| path == "stages");
@@ -55,40 +57,32 @@ impl Reference {
         }
     }
 
-    fn keys(&mut self, table: &'static Value, path: &str, inner: &mut Inner) {
-        self.text += "\n\n| key | value | when left out | meaning |\n|---|---|---|---|\n";
-        for (key, value) in table["properties"].as_object().into_iter().flatten() {
-            let deeper = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-            let line = value["examples"].get(0).map_or(key.clone(), |example| format!("{key} = {example}"));
-            let kind = self.kind(value, &deeper, inner);
-            let names = |list: &Value| list.as_array().is_some_and(|keys| keys.iter().any(|name| name == key));
-            let is_alternative = list(&table["oneOf"]).any(|form| names(&form["required"]));
-            let default = match &value["default"] {
-                _ if names(&table["required"]) => "**needed**".to_owned(),
-                _ if is_alternative => "**needed**, or another one".to_owned(),
-                Value::Null => String::new(),
-                default => format!("`{default}`"),
-            };
-            let referred = reference(value).map(|name| one_line(definition(name))).unwrap_or_default();
-            let mut meaning = if value["description"].is_string() { one_line(value) } else { referred };
-            let needs: Vec<String> = list(&table["dependentRequired"][key])
-                .map(|other| format!("`{}`", other.as_str().unwrap_or("")))
-                .collect();
-            if !needs.is_empty() {
-                let _ = write!(meaning, " Needs {}.", needs.join(" and "));
-            }
-            let cells = [format!("`{line}`"), kind, default, meaning].map(|cell| cell.replace('|', "\\|"));
-            let _ = writeln!(self.text, "| {} |", cells.join(" | "));
-        }
+    fn row(&mut self, table: &Value, key: &str, value: &'static Value, path: &str, inner: &mut Inner) {
+        let deeper = if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+        let line = value["examples"].get(0).map_or(key.to_owned(), |example| format!("{key} = {example}"));
+        let kind = self.kind(value, &deeper, inner);
+        let names = |keys: &Value| list(keys).any(|name| name == key);
+        let default = match &value["default"] {
+            _ if names(&table["required"]) => "**needed**".to_owned(),
+            _ if list(&table["oneOf"]).any(|form| names(&form["required"])) => "**needed**, or another one".to_owned(),
+            Value::Null => String::new(),
+            default => format!("`{default}`"),
+        };
+        let described =
+            if value["description"].is_string() { value } else { definition(reference(value).unwrap_or("")) };
+        let needs = list(&table["dependentRequired"][key]).filter_map(Value::as_str).map(|other| format!("`{other}`"));
+        let needs = needs.collect::<Vec<_>>().join(" and ");
+        let needs = if needs.is_empty() { needs } else { format!(" Needs {needs}.") };
+        let cells = [format!("`{line}`"), kind, default, one_line(described) + &needs];
+        self.text += &format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
     }
 
     /// Type, unit and limits of a value; a table is queued in `inner` and linked.
     fn kind(&mut self, value: &'static Value, path: &str, inner: &mut Inner) -> String {
         if let Some(name) = reference(value).filter(|_| alternatives(value).count() <= 1) {
             let node = definition(name);
-            let words: Option<Vec<String>> =
-                alternatives(node).map(|form| Some(format!("`{}`", form.get("const")?))).collect();
-            if let Some(words) = words.filter(|words| !words.is_empty()) {
+            let words = alternatives(node).map(|form| Some(format!("`{}`", form.get("const")?)));
+            if let Some(words) = words.collect::<Option<Vec<_>>>().filter(|words| !words.is_empty()) {
                 return words.join(", ");
             }
             let known = self.paths.entry(name).or_insert_with(|| {
@@ -97,15 +91,16 @@ impl Reference {
             });
             return format!("[`{known}`](#{})", known.replace('.', ""));
         }
-        let forms: Vec<String> = alternatives(value).map(|form| self.kind(form, path, inner)).collect();
+        let mut kinds = |forms: &mut dyn Iterator<Item = &'static Value>, or: &str| {
+            forms.map(|form| self.kind(form, path, inner)).collect::<Vec<_>>().join(or)
+        };
+        let forms = kinds(&mut alternatives(value), "; or ");
         let types = list(&value["type"]).chain([&value["type"]]).filter_map(Value::as_str);
         match types.filter(|kind| *kind != "null").last().unwrap_or_default() {
-            _ if !forms.is_empty() => forms.join("; or "),
+            _ if !forms.is_empty() => forms,
             _ if value["const"].is_string() => format!("`{}`", value["const"]),
             "array" if value["items"].is_object() => format!("list: {}", self.kind(&value["items"], path, inner)),
-            "array" => {
-                list(&value["prefixItems"]).map(|part| self.kind(part, path, inner)).collect::<Vec<_>>().join("; ")
-            }
+            "array" => kinds(&mut list(&value["prefixItems"]), "; "),
             "string" => value["x-quantity"].as_str().unwrap_or("text").to_owned() + &bounds(value),
             kind => kind.to_owned() + &bounds(value),
         }
@@ -132,10 +127,6 @@ fn bounds(value: &Value) -> String {
     limits.iter().filter_map(|(key, word)| Some(format!(", {word} {}", value[*key].as_f64()?))).collect()
 }
 
-fn str_of<'v>(value: &'v Value, key: &str) -> &'v str {
-    value[key].as_str().unwrap_or_default()
-}
-
 fn one_line(value: &Value) -> String {
-    str_of(value, "description").split_whitespace().collect::<Vec<_>>().join(" ")
+    value["description"].as_str().unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::units::trimmed;
 use std::collections::BTreeMap;
-use std::fmt::{Display, Write};
+use std::fmt::Display;
 
 /// Longest line \[characters\]; a comment that does not fit stands above its line.
 const WIDTH: usize = 100;
@@ -67,35 +67,33 @@ impl Values {
 
     /// A line with its values, and their reasons.
     fn line(&self, line: &str, is_round: bool) -> Option<(String, String)> {
-        let (mut filled, mut reasons, mut rest) = (String::new(), Vec::new(), line);
-        while let Some((before, (name, after))) = rest.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?)))
-        {
+        let (mut filled, mut reasons, mut parts) = (String::new(), Vec::new(), line.split('<'));
+        filled += parts.next()?;
+        for part in parts {
+            let (name, rest) = part.split_once('>')?;
             let (value, why) = self.0.get(name)?;
-            filled += &format!("{before}{value}");
+            filled.extend([value, rest]);
             reasons.push(why.as_str());
-            rest = after;
         }
-        let diameter = line.split_once(" = <").filter(|(key, _)| is_round && RADII.contains(key)).and_then(|_| {
-            let radius = filled.split('"').nth(1)?.strip_suffix(" mm")?.parse::<f64>().ok()?;
-            Some(format!("Ø {}", plain(2.0 * radius)))
-        });
-        let reasons: Vec<&str> = diameter.as_deref().into_iter().chain(reasons).collect();
-        Some((filled + rest, joined(&reasons)))
+        let is_radius = line.split_once(" = <").is_some_and(|(key, _)| is_round && RADII.contains(&key));
+        let radius = filled.split('"').nth(1).and_then(|text| text.strip_suffix(" mm")?.parse::<f64>().ok());
+        let diameter = radius.filter(|_| is_radius).map(|radius| format!("Ø {}", plain(2.0 * radius)));
+        reasons.insert(0, diameter.as_deref().unwrap_or(""));
+        Some((filled, joined(&reasons)))
     }
 }
 
 /// A comment, wrapped; control characters are left out.
 pub(super) fn comment(text: &str) -> String {
-    let (mut lines, mut line) = (String::new(), String::from("#"));
+    let (mut lines, mut length) = (String::from("#"), 1);
     for word in text.split_whitespace() {
-        if line.chars().count() + 1 + word.chars().count() > WIDTH {
-            let _ = writeln!(lines, "{line}");
-            line = String::from("#");
-        }
-        line.push(' ');
-        line.extend(word.chars().filter(|c| !c.is_control()));
+        let letters = word.chars().count();
+        let begin = if length + 1 + letters > WIDTH { "\n# " } else { " " };
+        length = if begin == " " { length + 1 + letters } else { 2 + letters };
+        lines += begin;
+        lines.extend(word.chars().filter(|c| !c.is_control()));
     }
-    lines + &line + "\n"
+    lines + "\n"
 }
 
 /// Table of the forming limit: measured points of the library, or Hill's where the law has a load maximum.
@@ -116,29 +114,22 @@ pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bo
 
 /// Profile as TOML, as it was drawn.
 pub(super) fn drawn_profile(profile: &Profile) -> String {
-    let step = |piece: &Piece| {
-        let arc = if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
-        (piece.last(), arc)
-    };
-    let steps: Vec<Step> = profile.pieces().iter().map(step).collect();
+    let arc = |piece: &Piece| if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
+    let steps: Vec<Step> = profile.pieces().iter().map(|piece| (piece.last(), arc(piece))).collect();
     profile_text(profile.first(), &steps, exact)
 }
 
 /// Steps of a profile as TOML, lengths written by `length`.
 pub(super) fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> String) -> String {
     let point = |p: &Point| format!("[{}, {}]", length(p.x), length(p.y));
-    let mut text = format!("[\n    {{ from = {} }},\n", point(&start));
-    for (end, arc) in steps {
-        let end = point(end);
-        let _ = match arc {
-            None => writeln!(text, "    {{ to = {end} }},"),
-            Some((center, left)) => {
-                let (center, turn) = (point(center), if *left { "left" } else { "right" });
-                writeln!(text, "    {{ arc_to = {end}, center = {center}, turn = \"{turn}\" }},")
-            }
-        };
-    }
-    text + "]"
+    let step = |(end, arc): &Step| match (point(end), arc) {
+        (end, None) => format!("    {{ to = {end} }},\n"),
+        (end, Some((center, left))) => {
+            let (center, turn) = (point(center), if *left { "left" } else { "right" });
+            format!("    {{ arc_to = {end}, center = {center}, turn = \"{turn}\" }},\n")
+        }
+    };
+    format!("[\n    {{ from = {} }},\n{}]", point(&start), steps.iter().map(step).collect::<String>())
 }
 
 /// Joins those reasons that are not empty.

@@ -11,11 +11,6 @@ thread_local! {
     static PLACE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// A caught panic.
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-pub struct Bug(String);
-
 /// Silences panics; [`caught`] reports them.
 pub fn listen() {
     panic::set_hook(Box::new(|panic| {
@@ -30,10 +25,9 @@ pub fn caught<T>(job: &str, run: impl FnOnce() -> anyhow::Result<T>) -> anyhow::
         let text = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
         let text: String = text.unwrap_or("no words").chars().take(LONGEST).collect();
         let (place, version) = (PLACE.with(RefCell::take), env!("CARGO_PKG_VERSION"));
-        Err(Bug(format!(
+        anyhow::bail!(
             "{job} met a mistake of this program, not of yours: \"{text}\" at {place}. Please report it with this message, \
              the case file and the files that it names, and the version, stampflow {version}"
-        ))
-        .into())
+        )
     })
 }

@@ -15,24 +15,20 @@ options! {
 }
 
 pub fn check(args: &Args) -> Result<Code> {
-    let case = args.common.overrides.load(&args.case)?;
+    let (case, is_json) = (args.common.overrides.load(&args.case)?, args.common.json());
     let report = check::report(&case);
+    let mut value = serde_json::to_value(&report)?;
     let what = "error bars are of a run: write --run --error-bars";
     ensure!(args.run || !args.bars.error_bars, bad_request(what));
     if !args.run {
-        return if args.common.json() { print_json(&report) } else { print(wrapped(report.to_string())) };
+        return emit(is_json, value, || wrapped(report.to_string()));
     }
     let progress = args.common.progress();
     let solved = Solved::new(progress.watch(&case).solve(case), &args.bars, &progress, true);
-    if args.common.json() {
-        let mut value = serde_json::to_value(&report)?;
-        value["complete"] = json!(solved.solution.is_complete());
-        value["verdict"] = solved.verdict();
-        value["run_warnings"] = json!(sentences(&solved.findings, Kind::Warning));
-        print_json(&value)?;
-    } else {
-        print(solved.screen() + verdict_table(args.verbose.then_some(&report), &solved.findings))?;
-    }
+    value["complete"] = json!(solved.solution.is_complete());
+    value["verdict"] = solved.verdict();
+    value["run_warnings"] = json!(sentences(&solved.findings, Kind::Warning));
+    emit(is_json, value, || solved.screen() + verdict_table(args.verbose.then_some(&report), &solved.findings))?;
     Ok(solved.code(args.strict))
 }
 
@@ -43,14 +39,14 @@ fn verdict_table(report: Option<&Check>, findings: &[Finding]) -> ScreenText {
         let light = Cell::Light(finding.light, String::new());
         [finding.label.into(), light, finding.statement().into(), limit.into()]
     });
-    let mut unchecked = by_advice(findings, Light::Grey);
-    unchecked.retain(|group| !group[0].advice.is_empty());
-    let title = if unchecked.is_empty() { "" } else { "\nNot checked\n" };
-    let unchecked = unchecked.into_iter().map(|group| {
+    let unchecked = by_advice(findings, Light::Grey).into_iter().filter(|group| !group[0].advice.is_empty());
+    let unchecked = unchecked.map(|group| {
         let labels: Vec<_> = group.iter().map(|finding| finding.label).collect();
         format!("  - {}: {}\n", labels.join(", "), group[0].advice)
     });
-    let end = format!("\n{}\n{title}{}", headline(findings), unchecked.collect::<String>());
+    let unchecked: String = unchecked.collect();
+    let title = if unchecked.is_empty() { "" } else { "\nNot checked\n" };
+    let end = format!("\n{}\n{title}{unchecked}", headline(findings));
     let meaning = report.map_or_else(ScreenText::default, |report| wrapped(format!("{report}\n")));
     let headers = ["Verdict", "Light", "Found", "Limit (source)"];
     ScreenText::from("\n") + meaning + table::<[Cell; 4]>(&headers, rows) + wrapped(end)

@@ -41,7 +41,7 @@ pub fn compare(args: &Args) -> Result<Code> {
     let dir = args.options.folder(first, "compare");
     place::file(&dir.join("differences.csv"), &args.files, "--out")?;
     let count = args.options.count(first, "compared");
-    let all = SideBySide::solve(&candidates, curves, None, args.options.threads(), &count)?;
+    let all = SideBySide::solve(&candidates, curves, None, args.options.threads.count(), &count)?;
     if all.members.len() < candidates.len() {
         warn(format!("{} of {} runs had ended", all.members.len(), candidates.len()));
     }

@@ -78,8 +78,10 @@ fn complain(error: &anyhow::Error) {
 }
 
 fn of_case(error: &anyhow::Error) -> Option<&CaseError> {
-    let of_study = || if let StudyError::Case(error) = error.downcast_ref()? { Some(error) } else { None };
-    error.downcast_ref().or_else(of_study)
+    match error.downcast_ref() {
+        Some(StudyError::Case(error)) => Some(error),
+        _ => error.downcast_ref(),
+    }
 }
 
 /// Text, remedy, file, line and column of an error as far as they are known.

@@ -74,7 +74,7 @@ fn laws(args: &Args, dir: &Path) -> Result<Code> {
 
 fn keys(args: &Args, file: &Path, dir: &Path) -> Result<Code> {
     let fit = CaseFitRequest::load(file, args.options.common.overrides.all(), &args.vary, &args.to)?;
-    let fit = match fit_case(&fit, args.options.threads(), &args.options.count(file, "fit")) {
+    let fit = match fit_case(&fit, args.options.threads.count(), &args.options.count(file, "fit")) {
         Err(_) if is_interrupted() => return Ok(Code::Interrupted),
         fit => fit?,
     };

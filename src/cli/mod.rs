@@ -33,7 +33,7 @@ mod study;
 mod trace;
 mod verify;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 use bug::caught;
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;

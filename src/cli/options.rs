@@ -11,6 +11,7 @@ use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, Length, Positive};
 use std::ffi::OsStr;
 use std::sync::LazyLock;
+use std::thread::available_parallelism;
 
 /// Parser of a text with words that a shell offers to complete; any other text is accepted too.
 #[derive(Clone)]
@@ -148,10 +149,14 @@ impl Common {
 }
 
 impl Threads {
-    /// Sets the number of threads of the process, 0 for its default; once, before anything runs.
+    /// Runs at the same time: one per core by default.
+    pub fn count(&self) -> usize {
+        self.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from)
+    }
+
+    /// Sets the number of threads of the process; once, before anything runs.
     pub fn apply(&self) -> Result<()> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads.map_or(0, usize::from));
-        Ok(pool.build_global()?)
+        Ok(rayon::ThreadPoolBuilder::new().num_threads(self.count()).build_global()?)
     }
 }
 

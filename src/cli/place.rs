@@ -21,20 +21,18 @@ fn refused(path: &Path, what: &str, option: &str) -> anyhow::Error {
 }
 
 /// Opens the folder for the results of a case, which may not hold a file that the case reads.
-pub fn results(
-    case: &Case,
-    dir: &Path,
-    open: impl Fn(&Path) -> Result<ResultFolder, WriteError>,
-) -> Result<ResultFolder> {
+pub fn results<Open>(case: &Case, dir: &Path, open: Open) -> Result<ResultFolder>
+where
+    Open: Fn(&Path) -> Result<ResultFolder, WriteError>,
+{
     let folder = real(dir);
-    let is_inside = |input: &&PathBuf| {
-        let input = real(input);
-        is_named_as_result(&input) && input.ancestors().skip(1).take(2).any(|parent| parent == folder)
-    };
-    match case.inputs.iter().find(is_inside) {
-        Some(input) => Err(refused(input, "is read by the case and would be replaced by its results", "--out")),
-        None => open(dir).map_err(unusable("--out")),
+    for input in &case.inputs {
+        let input_path = real(input);
+        let is_inside = input_path.ancestors().skip(1).take(2).any(|parent| parent == folder);
+        let what = "is read by the case and would be replaced by its results";
+        ensure!(!is_inside || !is_named_as_result(&input_path), refused(input, what, "--out"));
     }
+    open(dir).map_err(unusable("--out"))
 }
 
 /// Refuses a file that is an input, or that cannot be written.
@@ -47,9 +45,8 @@ pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<()> {
 /// Refuses a file that is an input, cannot be written, or exists and does not begin like the one to be written.
 pub fn replaced(path: &Path, beginning: &[u8], inputs: &[PathBuf], option: &str) -> Result<()> {
     let begins = || {
-        let mut bytes = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(beginning.len() as u64).read_to_end(&mut bytes));
-        read.is_ok() && bytes == beginning
+        let mut bytes = vec![0; beginning.len()];
+        File::open(path).and_then(|mut file| file.read_exact(&mut bytes)).is_ok() && bytes == beginning
     };
     // Opening a pipe would wait for a writer.
     let is_free = path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins();
@@ -73,7 +70,5 @@ fn is_named_as_result(path: &Path) -> bool {
 fn real(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let known = path.ancestors().find_map(|there| Some((there, fs::canonicalize(there).ok()?)));
-    let Some((there, real)) = known else { return path };
-    let rest = path.strip_prefix(there).expect("an ancestor");
-    if rest.as_os_str().is_empty() { real } else { real.join(rest) }
+    known.map_or(path.clone(), |(there, real)| real.join(path.strip_prefix(there).expect("an ancestor")))
 }

@@ -39,8 +39,8 @@ pub struct Count(Mutex<Meter>);
 pub struct Watch {
     pub trace: Option<Vec<IterationRecord>>,
     pub recorder: FrameRecorder,
-    /// Names of the stages to come.
-    to_come: std::vec::IntoIter<String>,
+    /// Names of the stages to come, the next one last.
+    to_come: Vec<String>,
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
@@ -58,11 +58,12 @@ impl Progress {
     /// An observer of the run of a case.
     pub fn watch(&self, case: &Case) -> Watch {
         let (name, Model { duration, blank, .. }) = (&case.name, case.model());
-        let stages: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
+        let mut to_come: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
+        to_come.reverse();
         Watch {
             trace: None,
             recorder: FrameRecorder::default(),
-            to_come: stages.into_iter(),
+            to_come,
             duration: *duration,
             thickness: blank.thickness,
             force_unit: case.model().extent().force_unit().symbol(),
@@ -117,22 +118,19 @@ impl Watch {
     pub fn solve(&mut self, case: Case) -> Solution {
         let mut solution = case.solve(self);
         solution.wall = Some(self.meter.begin.elapsed());
-        if solution.is_complete() {
-            self.meter.bar.finish()
-        } else {
-            self.meter.bar.abandon()
-        }
+        let end = if solution.is_complete() { ProgressBar::finish } else { ProgressBar::abandon };
+        end(&self.meter.bar);
         solution
     }
 
     fn show(&mut self, is_step: bool) {
         let StepRecord { travel, pressure, .. } = self.last;
-        let load = if travel > 0.0 {
-            format!("travel {travel:.2} mm, force {:.0} {}, ", self.last.punch_force, self.force_unit)
-        } else if pressure != 0.0 {
-            format!("height {:.2} mm, pressure {pressure:.3} MPa, ", self.last.pole_height)
-        } else {
-            String::new()
+        let load = match self.last {
+            last if travel > 0.0 => {
+                format!("travel {travel:.2} mm, force {:.0} {}, ", last.punch_force, self.force_unit)
+            }
+            last if pressure != 0.0 => format!("height {:.2} mm, pressure {pressure:.3} MPa, ", last.pole_height),
+            _ => String::new(),
         };
         let left = 100.0 * self.last.thinnest / self.thickness;
         // Round-off would leave the last step at 99 %.
@@ -149,7 +147,7 @@ impl Observer for Watch {
     }
 
     fn stage(&mut self, stage: &Stage) {
-        let Some(name) = self.to_come.next() else { return };
+        let Some(name) = self.to_come.pop() else { return };
         (self.duration, self.meter.name) = (stage.model.duration, name);
         self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
     }

@@ -6,7 +6,6 @@ use stampflow::report::Report;
 use stampflow::results::is_report;
 use stampflow::study::compare::SideBySide;
 use stampflow::study::verify::quick;
-use std::thread::available_parallelism;
 
 options! {
     /// Solve a case and write a report, one HTML page
@@ -32,25 +31,22 @@ pub fn report(args: &Args) -> Result<Code> {
     let Solved { solution, verification, answer, findings } = &solved;
     let versus = compared.map(|(candidates, curves)| {
         let bars = verification.clone().unwrap_or_else(|| quick(solution, &()).bars);
-        let threads = available_parallelism().map_or(1, usize::from);
         let count = progress.count(format!("{}, compared", solution.case.name));
-        SideBySide::solve(&candidates, curves, Some((solution.clone(), bars)), threads, &count)
+        SideBySide::solve(
+            &candidates,
+            curves,
+            Some((solution.clone(), bars)),
+            Threads { threads: None }.count(),
+            &count,
+        )
     });
-    let versus = versus.transpose()?;
     let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
+    let versus = versus.transpose()?;
     let report = versus.iter().fold(report, Report::against);
-    let written = write(&path, report.html().as_bytes());
-    let printed = if args.common.json() {
-        let mut value = report.json();
-        value["files"] = json!(written.iter().map(|()| &path).collect::<Vec<_>>());
-        print_json(&value)
-    } else if written.is_ok() {
-        print(format!("{file} is written", file = path.display()))
-    } else {
-        print(solution.summary().to_string())
-    };
-    written?;
-    printed?;
+    write(&path, report.html().as_bytes())?;
+    let mut value = report.json();
+    value["files"] = json!([path]);
+    emit(args.common.json(), value, || format!("{} is written", path.display()).into())?;
     Ok(solved.code(false))
 }
 

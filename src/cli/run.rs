@@ -37,12 +37,10 @@ pub fn run(args: &Args) -> Result<Code> {
     ensure!(args.trace.is_none() || !several, bad_request(what));
     let (cases, mut failed) = args.common.load_all(&args.cases);
     for (i, case) in cases.iter().enumerate() {
-        if let Some(other) = cases[..i].iter().find(|other| other.name == case.name) {
-            let (one, other) = (other.path.display(), case.path.display());
-            bail!(bad_request(format!(
-                "{one} and {other} would write into one folder: run them one by one with --out"
-            )));
-        }
+        let twin = cases[..i].iter().find(|other| other.name == case.name).unwrap_or(case);
+        let (one, other) = (case.path.display(), twin.path.display());
+        let what = format!("{one} and {other} would write into one folder: run them one by one with --out");
+        ensure!(std::ptr::eq(twin, case), bad_request(what));
     }
     let jobs = sound(cases.into_iter().map(|case| args.prepare(&case).map(|folder| (case, folder))), &mut failed);
     args.threads.apply()?;

@@ -64,13 +64,13 @@ fn print_lines(stream: &mut impl Write, ScreenText(text): &ScreenText) -> io::Re
     write!(stream, "{text}{}", if text.is_empty() || text.ends_with('\n') { "" } else { "\n" })
 }
 
-/// Colour of a light in tables and as an escape code; `None` without colours.
-fn color(light: Light) -> Option<(Color, u8)> {
+/// ANSI colour of a light; `None` without colours.
+fn color(light: Light) -> Option<u8> {
     let color = match light {
         Light::Grey => None,
-        Light::Green => Some((Color::Green, 32)),
-        Light::Amber => Some((Color::Yellow, 33)),
-        Light::Red => Some((Color::Red, 31)),
+        Light::Green => Some(2),
+        Light::Amber => Some(3),
+        Light::Red => Some(1),
     };
     color.filter(|_| has_colours(&io::stdout()))
 }
@@ -101,15 +101,16 @@ pub fn table<Row: IntoIterator<Item: Into<Cell>>>(
         table.add_row(row.into_iter().map(Into::into).map(|cell| {
             let text = comfy_table::Cell::new(visible(&cell.to_string()));
             let color = if let Cell::Light(light, _) = cell { color(light) } else { None };
-            color.map_or(text.clone(), |(color, _)| text.fg(color))
+            color.map_or(text.clone(), |color| text.fg(Color::AnsiValue(8 + color)))
         }));
     }
     let last = table.column_count().saturating_sub(1);
-    table
-        .column_iter_mut()
-        .enumerate()
-        .for_each(|(i, column)| _ = column.set_padding((0, if i < last { 2 } else { 0 })));
-    table.column_mut(0).into_iter().for_each(|first| _ = first.set_constraint(ColumnConstraint::ContentWidth));
+    for (i, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, if i < last { 2 } else { 0 }));
+        if i == 0 {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+        }
+    }
     ScreenText(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
 }
 
@@ -137,8 +138,6 @@ pub fn list(lines: impl IntoIterator<Item = impl AsRef<str>>) -> ScreenText {
 
 /// Text with the first occurrence of a word in the colour of a light.
 pub fn highlighted(text: &str, word: &str, light: Light) -> ScreenText {
-    let (ScreenText(text), color) = (wrapped(text), color(light));
-    ScreenText(
-        color.map_or(text.clone(), |(_, code)| text.replacen(word, &format!("\u{1b}[1;{code}m{word}\u{1b}[0m"), 1)),
-    )
+    let coloured = color(light).map_or(word.to_owned(), |color| format!("\u{1b}[1;3{color}m{word}\u{1b}[0m"));
+    ScreenText(wrapped(text).0.replacen(word, &coloured, 1))
 }

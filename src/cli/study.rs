@@ -9,11 +9,7 @@ use stampflow::study::{
     TableFile, Watch, begin, evaluate,
 };
 use std::ops::ControlFlow;
-use std::thread::available_parallelism;
 use std::time::Instant;
-
-/// Callback of every new run.
-type Each<'a> = &'a mut dyn FnMut(&Evaluated) -> Result<()>;
 
 /// Designs that are begun without --yes.
 const MANY: u64 = 100_000;
@@ -23,11 +19,11 @@ options! {
         out: Option<PathBuf> = "DIR" [long, alias = "output"] "Folder for the results [default: out/<file>-<verb>]",
     } common: Common, threads: Threads, pictures: PictureOptions;
     TableOptions {
+        file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file; for sweep and scatter also a study file",
         resume: bool [long] "Keep the rows that an earlier run has left, and run what is missing",
         restart: bool [long, conflicts_with = "resume"] "Remove the rows that an earlier run has left",
     } study: StudyOptions;
     ShardOptions {
-        file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file, or a study file",
         shard: Option<Shard> = "K/N" [long] "Run one share of so many, such as 7/64, into a table of its own",
         yes: bool [long] "Begin more than 100 000 runs without asking",
     } table: TableOptions;
@@ -38,7 +34,7 @@ options! {
         one_at_a_time: bool [long] "Each key by itself at each of its values, instead of every combination",
         error_bars: bool [long] "Error bars for all numbers, from one coarser run of each design; default over one key",
         no_error_bars: bool [long, conflicts_with = "error_bars"] "No error bars",
-        keep: Option<Keep> = "curves" [long]
+        keep: Option<String> = "curves" [long, value_parser = ["curves"]]
             "Also write load and thickness of each design, two CSV files in DIR/curves",
     } options: ShardOptions;
     /// Run a case with scattering inputs: how sure the verdict is, and what decides
@@ -49,7 +45,6 @@ options! {
     } options: ShardOptions;
     /// Find the limit of a condition, or the value at which a quantity is as wanted
     SearchArgs {
-        case: PathBuf = "CASE.toml" [] "A case file",
         vary: Option<String> = "KEY=RANGE" [long]
             "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios; a key alone is searched from half to twice its value",
         goal: Option<String> = "SEARCH" [long = "for"] "A search with a name",
@@ -68,32 +63,24 @@ options! {
     };
 }
 
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-pub enum Keep {
-    Curves,
-}
-
-pub fn sweep(args: &SweepArgs) -> Result<Code> {
-    let options = &args.options;
-    let mut sweep =
-        Sweep::load(&options.file, options.table.study.common.overrides.all(), &args.vary, args.one_at_a_time)?;
-    let errors = args.error_bars || sweep.has_error_bars() && !args.no_error_bars;
-    let dir = options.table.study.folder(&options.file, "sweep").join("curves");
-    let mut each = |evaluated: &Evaluated| if args.keep.is_some() { curves(&dir, evaluated) } else { Ok(()) };
-    options.run(&mut sweep, ["sweep", "study"], errors, &mut each)
+pub fn sweep(SweepArgs { vary, one_at_a_time, error_bars, no_error_bars, keep, options }: &SweepArgs) -> Result<Code> {
+    let table = &options.table;
+    let mut sweep = Sweep::load(&table.file, table.overrides(), vary, *one_at_a_time)?;
+    let errors = *error_bars || sweep.has_error_bars() && !no_error_bars;
+    options.run(&mut sweep, ["sweep", "study"], errors, keep.is_some())
 }
 
 pub fn scatter(ScatterArgs { vary, runs, seed, options }: &ScatterArgs) -> Result<Code> {
-    let mut scatter = Scatter::load(&options.file, options.table.study.common.overrides.all(), vary, *runs, *seed)?;
-    options.run(&mut scatter, ["scatter"; 2], false, &mut |_| Ok(()))
+    let mut scatter = Scatter::load(&options.table.file, options.table.overrides(), vary, *runs, *seed)?;
+    options.run(&mut scatter, ["scatter"; 2], false, false)
 }
 
 pub fn search(args: SearchArgs) -> Result<Code> {
-    let SearchArgs { case, vary, goal, largest, smallest, condition, target, tolerance, options } = args;
+    let SearchArgs { vary, goal, largest, smallest, condition, target, tolerance, options } = args;
     let side = if largest { Some(Side::Largest) } else { smallest.then_some(Side::Smallest) };
-    let base = BaseCase::load(&case, options.study.common.overrides.all())?;
+    let base = BaseCase::load(&options.file, options.overrides())?;
     let mut search = LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?;
-    options.run(&mut search, &case, ["search"; 2], Shard::WHOLE, false, &mut |_| Ok(()))
+    options.run(&mut search, ["search"; 2], Shard::WHOLE, false, false)
 }
 
 pub fn merge(MergeArgs { shards, out }: &MergeArgs) -> Result<Code> {
@@ -116,32 +103,36 @@ fn curves(dir: &Path, Evaluated { run, outcome }: &Evaluated) -> Result<()> {
 }
 
 impl ShardOptions {
-    fn run(&self, study: &mut dyn Study, names: [&str; 2], errors: bool, each: Each) -> Result<Code> {
+    fn run(&self, study: &mut dyn Study, names: [&str; 2], errors: bool, curves: bool) -> Result<Code> {
         let shard = self.shard.unwrap_or(Shard::WHOLE);
         let count = shard.len(study.plan().designs);
         let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
         ensure!(count <= MANY || self.yes, bad_request(what));
-        self.table.run(study, &self.file, names, shard, errors, each)
+        self.table.run(study, names, shard, errors, curves)
     }
 }
 
 impl TableOptions {
-    /// Evaluates a study, by its verb and its table's name, and presents it; `each` sees every new run.
+    fn overrides(&self) -> Vec<String> {
+        self.study.common.overrides.all()
+    }
+
+    /// Evaluates a study, by its verb and its table's name, and presents it, perhaps with error bars and curves.
     fn run(
         &self,
         study: &mut dyn Study,
-        file: &Path,
         [verb, name]: [&str; 2],
         shard: Shard,
         errors: bool,
-        each: Each,
+        with_curves: bool,
     ) -> Result<Code> {
+        let file = &self.file;
         let dir = self.study.folder(file, verb);
         let path = dir.join(shard.file(name));
-        place::file(&path, &[file.to_owned()], "--out")?;
+        place::file(&path, std::slice::from_ref(file), "--out")?;
         let start = Instant::now();
         let watch = self.study.count(file, "runs");
-        let settings = Evaluation { threads: self.study.threads(), errors, shard, watch: &watch };
+        let settings = Evaluation { threads: self.study.threads.count(), errors, shard, watch: &watch };
         let runs = begin(study, &settings)?;
         if watch.wants_to_stop() {
             // A case that was cut has other numbers, which the table must not begin with.
@@ -153,7 +144,8 @@ impl TableOptions {
         let unwritten = || format!("cannot write {}", path.display());
         let mut failed = Ok(());
         let runs = evaluate(study, &settings, runs, &earlier, &mut |runs, evaluated| {
-            failed = table.add(runs, &evaluated.run).with_context(unwritten).and_then(|()| each(evaluated));
+            let added = table.add(runs, &evaluated.run).with_context(unwritten);
+            failed = added.and_then(|()| if with_curves { curves(&dir.join("curves"), evaluated) } else { Ok(()) });
             if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         });
         failed?;
@@ -188,11 +180,6 @@ impl StudyOptions {
         self.common.progress().count(format!("{}, {what}", stem(file)))
     }
 
-    /// Runs at the same time: one per core by default.
-    pub fn threads(&self) -> usize {
-        self.threads.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from)
-    }
-
     /// Writes charts, tables and other files as one set; prints the report.
     pub fn present(
         &self,
@@ -205,22 +192,17 @@ impl StudyOptions {
         let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());
         files.extend(tables().map(|table| (format!("{}.csv", table.name), table.csv())));
         let mut folder = ResultFolder::open(dir, |_, _| false)?;
-        for (name, bytes) in files.into_iter().chain(report.charts.iter().flat_map(|(name, c)| pictures.files(name, c)))
-        {
-            folder.write(name, &bytes)?;
-        }
+        files.extend(report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart)));
+        files.iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         let files = folder.commit()?;
-        if self.common.json() {
-            let mut value = serde_json::to_value(report)?;
-            let extra = extra.as_object().into_iter().flatten();
-            extra.for_each(|(key, number)| value[key] = number.clone());
-            value["files"] = json!(files);
-            print_json(&value)?;
-        } else {
+        let mut value = serde_json::to_value(report)?;
+        extra.as_object().into_iter().flatten().for_each(|(key, number)| value[key] = number.clone());
+        value["files"] = json!(files);
+        emit(self.common.json(), value, || {
             let text = wrapped(&report.headline) + list(&report.notes);
             let text = tables().fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));
-            print(text + wrapped(format!("\n{}", dir.display())))?;
-        }
+            text + wrapped(format!("\n{}", dir.display()))
+        })?;
         Ok(if report.found { Code::Done } else { Code::Failed })
     }
 }

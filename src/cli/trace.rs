@@ -1,10 +1,18 @@
 //! `stampflow trace`: one step of the solver, iteration by iteration.
 
 use super::*;
-use stampflow::model::Iteration;
+use options::one_of;
+use stampflow::model::Iteration::{self, Newton, PrimalDual, Secant};
 use stampflow::results::tables::{matrix_key, step_iterations};
 use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace as trace_step};
+
+const METHODS: [(&str, &[Iteration]); 4] = [
+    ("primal-dual", &[PrimalDual]),
+    ("newton", &[Newton]),
+    ("secant", &[Secant]),
+    ("all", &[PrimalDual, Newton, Secant]),
+];
 
 options! {
     /// Show one step of the solver, iteration by iteration
@@ -12,8 +20,8 @@ options! {
         case: PathBuf = "CASE.toml" [] "Case file",
         step: usize = "N" [long] "Number of the step, from 1, as load_travel.csv counts its rows",
         stage: usize = "N" [long, default_value_t = 1] "Number of the stage, from 1",
-        methods: Option<std::vec::Vec<Iteration>> = "METHOD" [long, visible_alias = "method", value_parser = methods]
-            "Matrices of the corrector: primal-dual, newton, secant or all [default: the case's own]",
+        methods: Vec<&'static [Iteration]> = "METHOD" [long, visible_alias = "method", value_delimiter = ',', value_parser = one_of(METHODS)]
+            "Matrices of the corrector [default: the case's own]",
         tolerance: Option<f64> = "NORM" [long, value_parser = tolerance]
             "Tolerance of the norm in this step, 1e-12 to 0.1 [default: the case's own]",
         out: Option<PathBuf> = "FILE.csv" [long] "Also write every iteration there",
@@ -26,23 +34,12 @@ fn tolerance(text: &str) -> Result<f64, String> {
     (1e-12..=0.1).contains(&norm).then_some(norm).ok_or_else(|| "give 1e-12 to 0.1".to_owned())
 }
 
-fn methods(text: &str) -> Result<Vec<Iteration>, String> {
-    let matrices = text.split(',').map(|method| match method {
-        "primal-dual" | "primal_dual" => Ok(vec![Iteration::PrimalDual]),
-        "newton" => Ok(vec![Iteration::Newton]),
-        "secant" => Ok(vec![Iteration::Secant]),
-        "all" => Ok(vec![Iteration::PrimalDual, Iteration::Newton, Iteration::Secant]),
-        _ => Err("give primal-dual, newton, secant or all".to_owned()),
-    });
-    Ok(matrices.collect::<Result<Vec<_>, _>>()?.concat())
-}
-
 pub fn trace(Args { case, step, stage, methods, tolerance, out, overrides }: Args) -> Result<Code> {
     let case = overrides.load(&case)?;
     if let Some(path) = &out {
         place::replaced(path, &step_iterations(&[]), &case.inputs, "--out")?;
     }
-    let request = TraceRequest { stage, step, matrices: methods.unwrap_or_default(), tolerance };
+    let request = TraceRequest { stage, step, matrices: methods.concat(), tolerance };
     let trace = match trace_step(&case.stages, &request, &mut Progress::new(true).watch(&case)) {
         Ok(trace) => trace,
         Err(NoSuchStep::Interrupted) => return Ok(Code::Interrupted),
@@ -71,14 +68,11 @@ fn iterations(history: &IterationHistory) -> ScreenText {
         Some(_) => format!("In equilibrium after {n} iterations of all tries."),
         None => format!("No equilibrium after {n} iterations of all tries: the run would halve the step."),
     };
-    let rate = match history.rate() {
-        None => "Too few to show a rate: --tolerance 1e-11 goes on.".to_owned(),
-        Some(rate) => {
-            let order = rate.order.map(|p| format!("Order of convergence {p:.1}"));
-            let order = order.unwrap_or("No clear order of convergence".to_owned());
-            format!("{order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
-        }
-    };
+    let rate = history.rate().map_or("Too few to show a rate: --tolerance 1e-11 goes on.".to_owned(), |rate| {
+        let order =
+            rate.order.map_or("No clear order of convergence".to_owned(), |p| format!("Order of convergence {p:.1}"));
+        format!("{order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
+    });
     wrapped(head) + table(&headers, pass.iter().map(cells)) + wrapped(format!("{end} {rate}"))
 }
 

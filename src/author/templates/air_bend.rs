@@ -1,16 +1,14 @@
-//! Travel of a blade that bends a strip in air over a V, by the shape that the strip takes between blade and shoulder.
+//! Travel of a blade that bends a strip in air over a V, by the shape of the strip between blade and shoulder.
 //!
-//! The strip touches the nose up to a wrap angle φ, leaves it, and ends at the slope α of the wanted angle on the shoulder.
-//! Only the shoulder's force F acts on this free leg, across its end (friction is left out), so that its moment is M = F ξ
-//! with the distance ξ along the end's tangent. With ψ the slope that is missing to α, dξ = cos ψ ds and κ = dψ/ds,
+//! The strip wraps the nose up to an angle φ and ends at the slope α of the wanted angle on the shoulder, whose force F
+//! alone acts on this free leg (friction is left out): M = F ξ with the distance ξ along the end's tangent. With ψ the
+//! slope that is missing to α, and the law M(κ) of fibres in plane strain, σ = min(E' ε, 2/√3 σ_y(2/√3 ε)),
 //!
 //! ```text
 //! sin ψ(ξ) = ∫ κ dξ = ∫ κ dM/F = (κ M − ∫ M dκ)/F
 //! ```
 //!
-//! which needs the law M(κ) of the sheet alone: of fibres in plane strain, σ = min(E' ε, 2/√3 σ_y(2/√3 ε)). Where the leg
-//! begins κ is the nose's; a strip that is bent less than that touches it in one line, φ = 0. Straight legs, the rule for
-//! rigid hinges, come out 2 to 3° too sharp. Derived here; the V-bend's test measures it against the run.
+//! A strip that is bent less than the nose touches it in one line, φ = 0. Derived here; the V-bend's test measures it.
 
 use crate::material::{Elastic, Hardening};
 use crate::numerics::bisect;
@@ -24,7 +22,6 @@ const FIBRES: u32 = 24;
 /// Halvings of an interval: to a millionth of a degree.
 const HALVINGS: usize = 40;
 
-/// A strip in bending.
 pub(super) struct Strip<'a> {
     /// \[mm\]
     pub thickness: f64,

@@ -4,8 +4,8 @@ use super::{SHEET, Template};
 use crate::assess::design::Picked;
 use crate::case::CaseError;
 use crate::units::{
-    Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress, closest,
-    thicknesses,
+    Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress,
+    did_you_mean, thicknesses,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -78,9 +78,8 @@ impl Inputs {
 
     fn add(&mut self, template: &str, key: &str, text: &str) -> Result<(), CaseError> {
         let Some(choice) = self.options.iter().find(|choice| choice.keys().any(|known| known == key)) else {
-            let known = || self.options.iter().flat_map(Choice::keys);
-            let meant = closest(key, known()).first().map_or(String::new(), |near| format!("did you mean --{near}? "));
-            let all: Vec<String> = known().map(|key| format!("--{key}")).collect();
+            let all: Vec<String> = self.options.iter().flat_map(Choice::keys).map(|key| format!("--{key}")).collect();
+            let meant = did_you_mean(&format!("--{key}"), all.iter().map(String::as_str));
             let what = format!("the template {template} has no option --{key}");
             return Err(CaseError::bare(what, format!("{meant}it has {}", all.join(", "))));
         };
