@@ -32,8 +32,6 @@ options! {
         vary: Vec<String> = "KEY=VALUES" [long]
             "A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed",
         one_at_a_time: bool [long] "Each key by itself at each of its values, instead of every combination",
-        error_bars: bool [long] "Error bars for all numbers, from one coarser run of each design; default over one key",
-        no_error_bars: bool [long, conflicts_with = "error_bars"] "No error bars",
         keep: Option<String> = "curves" [long, value_parser = ["curves"]]
             "Also write load and thickness of each design, two CSV files in DIR/curves",
     } options: ShardOptions;
@@ -46,7 +44,7 @@ options! {
     /// Find the limit of a condition, or the value at which a quantity is as wanted
     SearchArgs {
         vary: Option<String> = "KEY=RANGE" [long]
-            "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios; a key alone is searched from half to twice its value",
+            "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios",
         goal: Option<String> = "SEARCH" [long = "for"] "A search with a name",
         largest: bool [long, conflicts_with = "smallest"] "Find the largest value at which the condition holds",
         smallest: bool [long] "Find the smallest value",
@@ -63,16 +61,15 @@ options! {
     };
 }
 
-pub fn sweep(SweepArgs { vary, one_at_a_time, error_bars, no_error_bars, keep, options }: &SweepArgs) -> Result<Code> {
+pub fn sweep(SweepArgs { vary, one_at_a_time, keep, options }: &SweepArgs) -> Result<Code> {
     let table = &options.table;
     let mut sweep = Sweep::load(&table.file, table.overrides(), vary, *one_at_a_time)?;
-    let errors = *error_bars || sweep.has_error_bars() && !no_error_bars;
-    options.run(&mut sweep, ["sweep", "study"], errors, keep.is_some())
+    options.run(&mut sweep, ["sweep", "study"], keep.is_some())
 }
 
 pub fn scatter(ScatterArgs { vary, runs, seed, options }: &ScatterArgs) -> Result<Code> {
     let mut scatter = Scatter::load(&options.table.file, options.table.overrides(), vary, *runs, *seed)?;
-    options.run(&mut scatter, ["scatter"; 2], false, false)
+    options.run(&mut scatter, ["scatter"; 2], false)
 }
 
 pub fn search(args: SearchArgs) -> Result<Code> {
@@ -80,7 +77,7 @@ pub fn search(args: SearchArgs) -> Result<Code> {
     let side = if largest { Some(Side::Largest) } else { smallest.then_some(Side::Smallest) };
     let base = BaseCase::load(&options.file, options.overrides())?;
     let mut search = LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?;
-    options.run(&mut search, ["search"; 2], Shard::WHOLE, false, false)
+    options.run(&mut search, ["search"; 2], Shard::WHOLE, false)
 }
 
 pub fn merge(MergeArgs { shards, out }: &MergeArgs) -> Result<Code> {
@@ -103,12 +100,12 @@ fn curves(dir: &Path, Evaluated { run, outcome }: &Evaluated) -> Result<()> {
 }
 
 impl ShardOptions {
-    fn run(&self, study: &mut dyn Study, names: [&str; 2], errors: bool, curves: bool) -> Result<Code> {
+    fn run(&self, study: &mut dyn Study, names: [&str; 2], curves: bool) -> Result<Code> {
         let shard = self.shard.unwrap_or(Shard::WHOLE);
         let count = shard.len(study.plan().designs);
         let what = format!("{count} runs are asked for, more than {MANY}: give --yes if that is meant, or --shard");
         ensure!(count <= MANY || self.yes, bad_request(what));
-        self.table.run(study, names, shard, errors, curves)
+        self.table.run(study, names, shard, curves)
     }
 }
 
@@ -118,21 +115,14 @@ impl TableOptions {
     }
 
     /// Evaluates a study, by its verb and its table's name, and presents it, perhaps with error bars and curves.
-    fn run(
-        &self,
-        study: &mut dyn Study,
-        [verb, name]: [&str; 2],
-        shard: Shard,
-        errors: bool,
-        with_curves: bool,
-    ) -> Result<Code> {
+    fn run(&self, study: &mut dyn Study, [verb, name]: [&str; 2], shard: Shard, with_curves: bool) -> Result<Code> {
         let file = &self.file;
         let dir = self.study.folder(file, verb);
         let path = dir.join(shard.file(name));
         place::file(&path, std::slice::from_ref(file), "--out")?;
         let start = Instant::now();
         let watch = self.study.count(file, "runs");
-        let settings = Evaluation { threads: self.study.threads.count(), errors, shard, watch: &watch };
+        let settings = Evaluation { threads: self.study.threads.count(), shard, watch: &watch };
         let runs = begin(study, &settings)?;
         if watch.wants_to_stop() {
             // A case that was cut has other numbers, which the table must not begin with.

@@ -49,7 +49,6 @@ pub(super) struct Search {
     pub range: SearchRange,
     /// Wanted width of the bracket; a share of the range by default.
     pub tolerance: Option<f64>,
-    pub is_whole: bool,
     /// Last positive value, else a zero crossing.
     pub is_limit: bool,
     pub side: Side,
@@ -58,11 +57,10 @@ pub(super) struct Search {
 impl Search {
     fn tolerance(&self, x: f64) -> f64 {
         let SearchRange { ends: [low, high], spacing, .. } = self.range;
-        let tolerance = self.tolerance.unwrap_or_else(|| match spacing {
+        self.tolerance.unwrap_or_else(|| match spacing {
             Spacing::Logarithmic => x * ((high / low).ln() * TOLERANCE).exp_m1(),
             Spacing::Even => TOLERANCE * (high - low),
-        });
-        if self.is_whole { tolerance.max(1.0) } else { tolerance }
+        })
     }
 
     /// Value at a share of the range, rounded to the decimal below half the tolerance.
@@ -72,7 +70,7 @@ impl Search {
             return if share <= 0.0 { low } else { high };
         }
         let x = spacing.between([low, high], share);
-        let step = if self.is_whole { 1.0 } else { 10f64.powf((0.5 * self.tolerance(x)).log10().floor()) };
+        let step = 10f64.powf((0.5 * self.tolerance(x)).log10().floor());
         significant((x / step).round() * step, 12).clamp(low, high)
     }
 
@@ -90,7 +88,7 @@ impl Search {
             return scan;
         }
         let Bracket::Between(bracket) = self.result(trials) else {
-            // A stretch may lie between the first places.
+            // The condition may hold only between two of the first places.
             return self.untried(trials, &even(2 * places - 1));
         };
         let width = (bracket[1] - bracket[0]).abs();
@@ -140,45 +138,27 @@ impl Search {
     }
 }
 
-/// Stretches on which a condition holds, as first and last value.
-pub(super) fn stretches(trials: &[Trial]) -> Vec<[f64; 2]> {
-    let mut known: Vec<(f64, bool)> = trials.iter().filter_map(|(x, value)| Some((*x, (*value)? >= 0.0))).collect();
-    known.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let stretches = known.chunk_by(|a, b| a.1 == b.1).filter(|stretch| stretch[0].1);
-    stretches.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect()
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: limits and roots by construction, to the tolerance.
-    #[test]
-    fn limits_and_roots_are_bracketed() {
-        let search = |is_limit: bool, value: &dyn Fn(f64) -> Option<f64>| {
-            let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
-            let search = Search { range, tolerance: Some(0.01), is_whole: false, is_limit, side: Side::Largest };
-            let mut trials: Vec<Trial> = Vec::new();
-            while let next @ [_, ..] = &search.next(&trials)[..] {
-                trials.extend(next.iter().map(|x| (*x, value(*x))));
-            }
-            assert!(trials.len() < 30);
-            search.result(&trials)
-        };
-        let stretch = |x: f64| Some(if (4.0..4.6).contains(&x) { 1.0 } else { -1.0 });
-        let root = 20f64.sqrt();
-        for (found, expected) in [
-            (search(true, &|x| Some(if x <= 6.37 { 1.0 } else { -1.0 })), 6.37),
-            (search(true, &stretch), 4.6),
-            (search(false, &|x| Some(x * x - 20.0)), root),
-        ] {
-            let Bracket::Between([a, b]) = found else { panic!("{found:?}") };
-            assert!((a - expected) * (b - expected) <= 0.0 && (a - b).abs() <= 0.0101, "{found:?}");
+#[test]
+fn limits_and_roots_are_bracketed() {
+    let search = |is_limit: bool, value: &dyn Fn(f64) -> Option<f64>| {
+        let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
+        let search = Search { range, tolerance: Some(0.01), is_limit, side: Side::Largest };
+        let mut trials: Vec<Trial> = Vec::new();
+        while let next @ [_, ..] = &search.next(&trials)[..] {
+            trials.extend(next.iter().map(|x| (*x, value(*x))));
         }
-        assert_eq!(search(true, &|_| Some(1.0)), Bracket::Everywhere(10.0));
-        assert_eq!(search(true, &|_| Some(-1.0)), Bracket::Nowhere);
-        assert_eq!(search(true, &|_| None), Bracket::Failed);
-        assert_eq!(search(true, &|x| (x < 5.1).then_some(1.0)), Bracket::Open(5.0));
-        assert_eq!(stretches(&[(1.0, Some(1.0)), (2.0, None), (3.0, Some(1.0)), (4.0, Some(-1.0))]), [[1.0, 3.0]]);
+        assert!(trials.len() < 30);
+        search.result(&trials)
+    };
+    let sign = |positive: bool| Some(if positive { 1.0 } else { -1.0 });
+    for (found, expected) in [
+        (search(true, &|x| sign((4.0..4.6).contains(&x))), 4.6),
+        (search(false, &|x| Some(x * x - 20.0)), 20f64.sqrt()),
+    ] {
+        let Bracket::Between([a, b]) = found else { panic!("{found:?}") };
+        assert!((a - expected) * (b - expected) <= 0.0 && (a - b).abs() <= 0.0101, "{found:?}");
     }
+    assert_eq!(search(true, &|_| None), Bracket::Failed);
+    assert_eq!(search(true, &|x| (x < 5.1).then_some(1.0)), Bracket::Open(5.0));
 }

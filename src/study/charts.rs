@@ -1,9 +1,8 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
 use super::run::response_key;
-use super::sweep::Axis as SweepAxis;
 use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
-use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Scale, Series, Style, bounds};
+use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::plot::{Axis, Spacing};
 use crate::results::error_bars::Origin;
@@ -52,10 +51,9 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
             let numbers = decisive(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
             let positions = axis.positions.iter().copied().zip(&runs.runs).collect();
             let own = axis.own.map(|own| (own, &runs.base));
-            trends(runs, &axis.drawn, positions, &numbers.collect::<Vec<_>>(), (None, own))
+            trends(runs, &axis.drawn, positions, numbers.collect(), own, None)
         }
-        [x, y] => vec![window(sweep, runs, [x, y], None)],
-        [x, y, z] => (0..sweep.axes[z].count()).map(|i| window(sweep, runs, [x, y], Some((z, i)))).collect(),
+        [x, y] => vec![window(sweep, runs, [x, y])],
         _ => Vec::new(),
     };
     let labels: Vec<String> = wide.iter().map(|i| sweep.axes[*i].drawn.label.clone()).collect();
@@ -64,71 +62,55 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
 
 fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
     let dots = |mode: Option<FailureMode>| {
-        let color = match mode {
-            None => color(2),
-            Some(FailureMode::Tears) => color(1),
-            Some(FailureMode::Wrinkles) => color(0),
-            Some(FailureMode::Press) => color(3),
-            Some(FailureMode::Other) => color(4),
-            Some(FailureMode::NoResult) => GREY,
-        };
+        let color = mode.map_or(color(2), |mode| [color(1), color(0), color(3), color(4), GREY][mode as usize]);
         let own = points.iter().filter(|(_, run)| run.failures.first().copied() == mode);
-        let label = mode.map_or("sound", |mode| mode.label());
+        let label = mode.map_or("sound", FailureMode::label);
         Series::new(label, own.map(|(point, _)| *point).collect(), Style::Dots { color })
     };
     let modes = FailureMode::ALL.map(Some).into_iter().chain([None]);
     modes.map(dots).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// Numbers of known runs over a variable, each with its limit, error band and one circled run; labelled trials are not joined.
+/// Numbers of known runs over a variable, each with its limit and one circled run; labelled trials are not joined.
 fn trends(
     runs: &RunTable,
     x: &Axis,
     mut positions: Vec<(f64, &Run)>,
-    numbers: &[(usize, Option<f64>)],
-    (label, circled): (Option<&str>, Option<(f64, &Run)>),
+    numbers: Vec<(usize, Option<f64>)>,
+    circled: Option<(f64, &Run)>,
+    label: Option<&str>,
 ) -> Vec<Panel> {
     positions.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let panel = |(i, &(place, limit)): (usize, &(usize, Option<f64>))| {
+    let panel = |(i, (place, limit)): (usize, (usize, Option<f64>))| {
         let known = positions.iter().filter_map(|(x, run)| Some(((*x, run.response(place)?), *run)));
         let points: Vec<((f64, f64), &Run)> = known.collect();
         let curve: Vec<(f64, f64)> = points.iter().map(|(point, _)| *point).collect();
         let (low, high) = bounds(curve.iter().map(|point| point.0));
         let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        let line = Series::silent(curve, Style::Line { color: color(2), width: 2.4, dash: &[] });
+        let is_joined = x.names.is_empty() && label.is_none();
+        let line = is_joined.then(|| Series::silent(curve, Style::solid(color(2), 2.4)));
         let circle = circled.and_then(|(x, run)| Some(vec![(x, run.response(place)?)]));
         let style = Style::Circles { color: BLACK };
         let circle = circle.map(|points| Series { label: label.map(str::to_owned), points, style });
-        let is_joined = x.names.is_empty() && label.is_none();
         let height = if label.is_some() { 260.0 } else { [230.0, 150.0][i.min(1)] };
         let panel = Panel::fit(x.clone(), named(runs, place), height, LEAST * largest);
-        let panel = panel.with(Some(line).filter(|_| is_joined)).with(markers(&points)).with(limit).with(circle);
-        let bar = |((x, y), run): &((f64, f64), &Run)| {
-            let half = run.errors.get(place).copied().filter(|half| half.is_finite())?;
-            Some([*x, y - half, y + half])
-        };
-        let band = points.iter().map(bar).collect::<Option<Vec<_>>>().filter(|band| band.len() > 1);
-        let Some(band) = band else { return panel };
-        panel.with_band("Error band", &band, color(2))
+        panel.with(line).with(markers(&points)).with(limit).with(circle)
     };
-    numbers.iter().enumerate().map(panel).collect()
+    numbers.into_iter().enumerate().map(panel).collect()
 }
 
-/// Process window: contour lines of each judged number at its limit, over the designs, maybe at one value of a third axis.
-fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usize, usize)>) -> Panel {
+/// Process window: contour lines of each judged number at its limit, over the designs.
+fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
     let axes = [x, y].map(|i| &sweep.axes[i]);
-    let positions = axes.map(|axis| &axis.positions);
-    let [columns, rows] = axes.map(SweepAxis::count);
-    let mut grid: Vec<Option<&Run>> = vec![None; columns * rows];
+    let [along, up] = axes.map(|axis| &axis.positions);
+    let mut grid: Vec<Option<&Run>> = vec![None; along.len() * up.len()];
     let mut points = Vec::new();
     for run in &runs.runs {
-        let places = sweep.grid_index(run);
+        let places = sweep.places(run.index);
         let (Some(i), Some(j)) = (places[x], places[y]) else { continue };
-        if third.is_none_or(|(z, k)| places[z] == Some(k)) {
-            grid[j * columns + i] = Some(run);
-            points.push(((positions[0][i], positions[1][j]), run));
-        }
+        grid[j * along.len() + i] = Some(run);
+        points.push(((along[i], up[j]), run));
     }
     let mut series = markers(&points);
     let judged = runs.responses.iter().enumerate().filter(|(_, response)| response.origin == Origin::Verdict);
@@ -139,22 +121,19 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2], third: Option<(usi
         let beyond = limit + limit.abs() * if limits.sense == Sense::AtMost { 2.0 } else { -2.0 };
         let value = |run: &Option<&Run>| run.map(|run| run.numbers[place]).filter(|value| value.is_finite());
         let values: Vec<f64> = grid.iter().map(|run| value(run).unwrap_or(beyond)).collect();
-        for line in contour_lines(&values, [columns, rows], limit) {
-            let at = |(u, v): (f64, f64)| (between(positions[0], u), between(positions[1], v));
-            let points = line.into_iter().map(at).collect();
+        for line in contour_lines(&values, [along.len(), up.len()], limit) {
+            let points = line.into_iter().map(|(u, v)| (between(along, u), between(up, v))).collect();
             series.push(Series::new(format!("{label} at its limit"), points, Style::curve(n)));
         }
     }
     let own = axes[0].own.zip(axes[1].own);
     series.extend(own.map(|own| Series::new("the case as it stands", vec![own], Style::Triangles { color: BLACK })));
-    let [along, up] = positions.map(|positions| {
+    let [x, y] = [along, up].map(|positions| {
         let (low, high) = bounds(positions.iter().copied());
         (low - 0.03 * (high - low), high + 0.03 * (high - low))
     });
-    let scale = Scale::Window { height: if third.is_some() { 270.0 } else { 430.0 }, x: along, y: up };
-    let caption = third.map_or_else(String::new, |(z, k)| sweep.axes[z].describe(k));
-    let panel = Panel::new(axes[0].drawn.clone(), axes[1].drawn.clone(), scale).with(series);
-    Panel { is_small: third.is_some(), caption, ..panel }
+    let scale = Scale::Window { height: 430.0, x, y };
+    Panel::new(axes[0].drawn.clone(), axes[1].drawn.clone(), scale).with(series)
 }
 
 fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec<Vec<(f64, f64)>> {
@@ -173,7 +152,7 @@ fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec
 }
 
 fn between(values: &[f64], place: f64) -> f64 {
-    let below = (place.floor().max(0.0) as usize).min(values.len() - 1);
+    let below = (place as usize).min(values.len() - 1);
     let above = (below + 1).min(values.len() - 1);
     values[below] + (place - below as f64) * (values[above] - values[below])
 }
@@ -182,12 +161,11 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
     let panel = |place: usize| {
         let all: Vec<_> = sweep.sensitivities(runs, place).into_iter().take(12).collect();
         let own = all.first()?.own;
-        let (low, high) = bounds(all.iter().flat_map(|s| s.ends.iter().map(|end| end.number)).chain([own]));
+        let (low, high) = bounds(all.iter().flat_map(|s| s.extremes.map(|end| end.number)).chain([own]));
         let room = 0.25 * (high - low);
         let (mut series, mut labels) = (Vec::new(), Vec::new());
         for (y, s) in (0..all.len()).rev().map(|y| y as f64).zip(&all) {
-            let Some([least, most]) = s.extremes() else { continue };
-            for (end, fill) in [(least, pale(color(0))), (most, color(1))] {
+            for (end, fill) in s.extremes.into_iter().zip([pale(color(0)), color(1)]) {
                 if end.number != own {
                     series.push(bar((own, end.number), (y - 0.34, y + 0.34), fill, (70, 70, 70)));
                     let kind = if end.number < own { AnnotationKind::End } else { AnnotationKind::Start };
@@ -206,7 +184,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
     chart("sweep", "Changes by one key at a time", decisive(runs, 4).into_iter().filter_map(panel).collect())
 }
 
-fn bar(x: (f64, f64), y: (f64, f64), fill: (u8, u8, u8), edge: (u8, u8, u8)) -> Series {
+fn bar(x: (f64, f64), y: (f64, f64), fill: Color, edge: Color) -> Series {
     let outline = vec![(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)];
     Series::silent(outline, Style::Area { fill, edge: Some(edge) })
 }
@@ -226,32 +204,23 @@ pub(super) fn search(
         numbers.extend(decisive(runs, 1).into_iter().map(|place| (place, None)));
     }
     let x = Axis::named(variable.label(), unit).spaced(spacing);
-    chart(
-        "search",
-        &format!("Search: {}", variable.label()),
-        trends(runs, &x, positions, &numbers, (Some("Result"), result)),
-    )
+    let panels = trends(runs, &x, positions, numbers, result, Some("Result"));
+    chart("search", &format!("Search: {}", variable.label()), panels)
 }
 
 pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
     let panel = |place: usize| {
-        let spread = result.spreads.iter().find(|spread| spread.response == place)?;
-        let (low, high) = bounds(spread.values.iter().copied());
+        let values = &result.spreads.iter().find(|spread| spread.response == place)?.values;
+        let (low, high) = (values[0], values[values.len() - 1]);
         let width = (high - low) / BINS as f64;
-        if width <= 0.0 {
-            return None;
-        }
         let mut counts = [0.0; BINS];
-        for value in &spread.values {
-            counts[(((value - low) / width) as usize).min(BINS - 1)] += 1.0;
-        }
+        values.iter().for_each(|value| counts[(((value - low) / width) as usize).min(BINS - 1)] += 1.0);
         let from = |i: usize| low + i as f64 * width;
         let bins = counts.iter().enumerate();
         let bars = bins.map(|(i, count)| bar((from(i), from(i + 1)), (0.0, *count), pale(color(0)), color(0)));
         let top = counts.iter().copied().fold(0.0, f64::max);
-        let limits =
-            runs.responses[place].quantity.limits.into_iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
-        let limits = limits.filter(|limit| (low - width..=high + width).contains(limit));
+        let limits = runs.responses[place].quantity.limits.map_or([None; 2], |limits| [limits.amber, limits.red]);
+        let limits = limits.into_iter().flatten().filter(|limit| (low - width..=high + width).contains(limit));
         let lines = limits.map(|limit| Series::silent(vec![(limit, 0.0), (limit, top)], DASHED));
         Some(Panel::fit(named(runs, place), Axis::named("Parts", Unit::None), 180.0, 1.0).with(bars).with(lines))
     };

@@ -11,35 +11,30 @@
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
 use super::error::ensure;
-use super::variable::split_pair;
+use super::variable::{in_unit, split_pair};
 use super::{Run, RunTable, StudyError};
 use crate::assess::Light;
-use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
+use crate::units::{Unit, did_you_mean, parse};
 
-/// A condition on a run.
-#[derive(Clone, Debug, PartialEq)]
+/// A condition on a run, or the target of a search.
+#[derive(Clone, Debug)]
 pub struct Condition {
     pub(super) text: String,
     terms: Vec<Term>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+type Comparison = fn(&f64, &f64) -> bool;
+
+/// A quantity is resolved to the place of its response, and the limit in its unit.
+#[derive(Clone, Debug)]
 enum Term {
     NoTear,
     Light { row: Option<String>, worst: Light },
-    Quantity(Comparison),
+    Quantity { name: String, compare: Comparison, limit: String, resolved: Option<(usize, f64)> },
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Comparison {
-    pub quantity: String,
-    is_less: bool,
-    or_equal: bool,
-    limit: Parsed,
-    /// Place of the response, and the limit in its unit, once they are known.
-    pub resolved: Option<(usize, f64)>,
-}
-
+const COMPARISONS: [(&str, Comparison); 6] =
+    [("<=", f64::le), ("≤", f64::le), (">=", f64::ge), ("≥", f64::ge), ("<", f64::lt), (">", f64::gt)];
 const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"ROW not red\" or \"QUANTITY < LIMIT\", \
                      several joined by `and`, such as \"no red and thinning < 20 %\"";
 
@@ -50,17 +45,17 @@ impl Condition {
         Ok(Self { text: text.split_whitespace().collect::<Vec<_>>().join(" "), terms })
     }
 
+    /// Reads `QUANTITY=VALUE`, a wanted value.
+    pub(super) fn target(text: &str) -> Result<Self, StudyError> {
+        let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
+        let wrong = || StudyError::new(format!("`{text}` is no target"), help);
+        let (name, value) = split_pair(text).ok_or_else(wrong)?;
+        Ok(Self { text: name.to_owned(), terms: vec![Term::quantity(name, value, f64::eq)?] })
+    }
+
     /// Finds its quantities and rows among those of a study's runs.
     pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
-        self.terms.iter_mut().try_for_each(|term| match term {
-            Term::Quantity(comparison) => comparison.resolve(runs),
-            Term::Light { row: Some(row), .. } => {
-                let keys: Vec<&str> = runs.rows.iter().map(|(key, _)| key.as_str()).collect();
-                let help = format!("{}it has {}", did_you_mean(row, keys.iter().copied()), keys.join(", "));
-                ensure(keys.contains(&row.as_str()), format!("the verdict on this case has no row `{row}`"), help)
-            }
-            Term::Light { row: None, .. } | Term::NoTear => Ok(()),
-        })
+        self.terms.iter_mut().try_for_each(|term| term.resolve(runs))
     }
 
     /// Whether a run satisfies it; `None` if it has no result or lacks a number.
@@ -70,8 +65,9 @@ impl Condition {
         known.filter(|_| run.is_known())
     }
 
+    /// Places of its quantities, with their limits.
     pub(super) fn limits(&self) -> Vec<(usize, f64)> {
-        let limit = |term: &Term| if let Term::Quantity(comparison) = term { comparison.resolved } else { None };
+        let limit = |term: &Term| if let Term::Quantity { resolved, .. } = term { *resolved } else { None };
         self.terms.iter().filter_map(limit).collect()
     }
 }
@@ -84,72 +80,65 @@ impl Term {
                 let has = |rows: &[String]| rows.iter().any(|key| row.as_ref().is_none_or(|row| row == key));
                 Some(!(has(&run.red) || *worst == Light::Amber && has(&run.amber)))
             }
-            Self::Quantity(_) if run.tears() => Some(false),
-            Self::Quantity(comparison) => {
-                let (place, limit) = comparison.resolved?;
-                let value = run.response(place)?;
-                Some(if value == limit { comparison.or_equal } else { (value < limit) == comparison.is_less })
+            Self::Quantity { .. } if run.tears() => Some(false),
+            Self::Quantity { compare, resolved, .. } => {
+                let (place, limit) = (*resolved)?;
+                run.response(place).map(|value| compare(&value, &limit))
             }
         }
     }
 
     fn read(text: &str) -> Result<Self, StudyError> {
         let wrong = || StudyError::new(format!("`{}` is no condition", text.trim()), USAGE);
-        let words: Vec<&str> = text.split_whitespace().filter(|word| *word != "is").collect();
-        let worst = |words: &[&str]| match words {
-            ["red"] => Ok(Light::Red),
-            ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Ok(Light::Amber),
+        let light = |row: Option<String>, words: &[&str]| match words {
+            ["red"] => Ok(Self::Light { row, worst: Light::Red }),
+            ["amber"] | ["red", "or", "amber"] | ["amber", "or", "red"] => Ok(Self::Light { row, worst: Light::Amber }),
             _ => Err(wrong()),
         };
-        match words.iter().position(|word| *word == "not") {
-            _ if matches!(words[..], ["no", "tear" | "tears" | "tearing"]) => return Ok(Self::NoTear),
-            _ if words.first() == Some(&"no") => return Ok(Self::Light { row: None, worst: worst(&words[1..])? }),
-            Some(at) if at > 0 => {
-                let row = Some(words[..at].join("_").to_lowercase());
-                return Ok(Self::Light { row, worst: worst(&words[at + 1..])? });
-            }
+        let words: Vec<&str> = text.split_whitespace().filter(|word| *word != "is").collect();
+        match (&words[..], words.iter().position(|word| *word == "not")) {
+            (["no", "tear" | "tears" | "tearing"], _) => return Ok(Self::NoTear),
+            (["no", light_words @ ..], _) => return light(None, light_words),
+            (_, Some(at)) if at > 0 => return light(Some(words[..at].join("_").to_lowercase()), &words[at + 1..]),
             _ => {}
         }
-        let at = text.find(['<', '>', '≤', '≥']).filter(|at| !text[..*at].trim().is_empty()).ok_or_else(wrong)?;
-        let (name, rest) = text.split_at(at);
-        let value = rest.trim_start_matches(['<', '>', '≤', '≥']);
-        let or_equal = value.starts_with('=') || rest.starts_with(['≤', '≥']);
-        let comparison = Comparison::new(name, value.trim_start_matches('='))?;
-        Ok(Self::Quantity(Comparison { is_less: rest.starts_with(['<', '≤']), or_equal, ..comparison }))
-    }
-}
-
-impl Comparison {
-    /// Reads `QUANTITY=VALUE`, a wanted value.
-    pub fn target(text: &str) -> Result<Self, StudyError> {
-        let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
-        let pair = split_pair(text).ok_or_else(|| StudyError::new(format!("`{text}` is no target"), help));
-        pair.and_then(|(quantity, value)| Self::new(quantity, value))
+        let split = |(sign, compare): &(&str, Comparison)| text.split_once(sign).map(|pair| (pair, *compare));
+        match COMPARISONS.iter().find_map(split) {
+            Some(((name, value), compare)) if !name.trim().is_empty() => Self::quantity(name, value, compare),
+            _ => Err(wrong()),
+        }
     }
 
-    fn new(quantity: &str, value: &str) -> Result<Self, StudyError> {
-        let value = if value.ends_with("°C") { value.to_owned() } else { value.replace('°', " deg") };
-        let limit = parse(value.trim())
-            .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))?;
-        Ok(Self { quantity: quantity.trim().to_owned(), is_less: false, or_equal: true, limit, resolved: None })
+    fn quantity(name: &str, value: &str, compare: Comparison) -> Result<Self, StudyError> {
+        let value = value.trim();
+        let limit = if value.ends_with("°C") { value.to_owned() } else { value.replace('°', " deg") };
+        let help = "write a number with a unit, such as 20 % or 60 kN";
+        parse(&limit).map_err(|error| StudyError::new(error.to_string(), help))?;
+        Ok(Self::Quantity { name: name.trim().to_owned(), compare, limit, resolved: None })
     }
 
-    /// Finds its response and converts its value to the response's unit.
-    pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
-        let place = runs.response(&self.quantity)?;
-        let (unit, given) = (runs.responses[place].quantity.amount.unit, self.limit);
-        let symbol = match unit {
-            Unit::None | Unit::Thicknesses => "",
-            Unit::Degree => "deg",
-            unit => unit.symbol(),
-        };
-        let one = parse(format!("1 {symbol}").trim_end()).ok();
-        let one = one.filter(|one| one.dimension == given.dimension && one.has_unit == given.has_unit);
-        let what = format!("`{}` is in {}, not {}", self.quantity, unit.symbol(), given.dimension.describe());
-        let help = format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end());
-        let one = one.ok_or_else(|| StudyError::new(what, help))?;
-        let value = if unit == Unit::Celsius { given.value - ZERO_CELSIUS } else { given.value / one.value };
-        self.resolved = Some((place, value));
-        Ok(())
+    fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
+        match self {
+            Self::Quantity { name, limit, resolved, .. } => {
+                let place = runs.response(name)?;
+                let unit = runs.responses[place].quantity.amount.unit;
+                let symbol = match unit {
+                    Unit::None | Unit::Thicknesses => "",
+                    Unit::Degree => "deg",
+                    unit => unit.symbol(),
+                };
+                let what = format!("`{name}` is in {}, not `{limit}`", unit.symbol());
+                let help = format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end());
+                let value = in_unit(limit, symbol).ok_or_else(|| StudyError::new(what, help))?;
+                *resolved = Some((place, value));
+                Ok(())
+            }
+            Self::Light { row: Some(row), .. } => {
+                let keys: Vec<&str> = runs.rows.iter().map(|(key, _)| key.as_str()).collect();
+                let help = format!("{}it has {}", did_you_mean(row, keys.iter().copied()), keys.join(", "));
+                ensure(keys.contains(&row.as_str()), format!("the verdict on this case has no row `{row}`"), help)
+            }
+            Self::Light { row: None, .. } | Self::NoTear => Ok(()),
+        }
     }
 }

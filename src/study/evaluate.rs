@@ -46,8 +46,6 @@ pub trait Study: Sync {
 pub struct Evaluation<'a> {
     /// Runs at the same time.
     pub threads: usize,
-    /// Whether each run gets error bars, from one coarser run.
-    pub errors: bool,
     /// Share of the designs to run.
     pub shard: Shard,
     /// Progress, and whether to stop.
@@ -67,15 +65,8 @@ pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable, S
     })?;
     let (responses, rows) = responses(&solution);
     let design = Design { index: 0, values: vec![String::new(); plan.columns.len()], settings: Vec::new() };
-    let row = Run::failed(&design, inputs, responses.len(), settings.errors);
-    let table = RunTable {
-        plan,
-        rows,
-        has_errors: settings.errors,
-        base: evaluated(row, &solution, &responses, settings.watch).run,
-        responses,
-        runs: Vec::new(),
-    };
+    let base = evaluated(Run::failed(&design, inputs, responses.len()), &solution, &responses).run;
+    let table = RunTable { plan, rows, base, responses, runs: Vec::new() };
     study.check(&table)?;
     Ok(table)
 }
@@ -97,7 +88,7 @@ pub fn evaluate(
         let (base, responses, all) = (&study.plan().base, runs.responses.clone(), runs.runs.len() + designs.len());
         let one = |design: &Design| match earlier.get(&design.index).filter(|run| run.values == design.values) {
             Some(run) => Evaluated { run: run.clone(), outcome: None },
-            None => evaluate_design(base, design, &responses, settings.errors, settings.watch),
+            None => evaluate_design(base, design, &responses, settings.watch),
         };
         let ended = parallel_map(&designs, settings.threads, settings.watch, one, |evaluated| {
             let is_new = !earlier.contains_key(&evaluated.run.index);

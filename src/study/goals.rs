@@ -7,26 +7,18 @@ use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
 use crate::units::significant;
 
+#[derive(Default)]
 pub(super) struct Goal {
     /// Overrides of all runs.
     pub settings: Vec<String>,
-    pub vary: String,
+    pub vary: Option<String>,
     pub condition: Option<&'static str>,
     /// Quantity whose value the user gives.
     pub quantity: Option<&'static str>,
-    pub side: Side,
+    pub side: Option<Side>,
 }
 
-type Request = fn(&Case) -> Result<Goal, StudyError>;
-
-const GOALS: [(&str, Request); 6] = [
-    ("limiting-draw-ratio", draw_ratio),
-    ("greatest-height", height),
-    ("least-holder-force", holder_force),
-    ("smallest-radius", radius),
-    ("over-bend", over_bend),
-    ("bead-force", bead_force),
-];
+const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
 
 /// Smallest and largest draw ratio \[–\].
 const RATIOS: [f64; 2] = [1.2, 3.0];
@@ -40,19 +32,24 @@ const RESTRAINT: f64 = 0.5;
 impl Goal {
     /// The request of a named goal for a case.
     pub fn request(name: &str, case: &Case) -> Result<Self, StudyError> {
-        let Some((_, request)) = GOALS.iter().find(|(own, _)| *own == name) else {
-            let names = GOALS.map(|(name, _)| name).join(", ");
-            return fail(format!("there is no search `{name}`"), format!("choose one of {names}"));
+        let goal = match name {
+            "limiting-draw-ratio" => draw_ratio(case),
+            "greatest-height" => height(case),
+            "least-holder-force" => holder_force(case.model()),
+            "smallest-radius" => radius(case.model()),
+            "over-bend" => over_bend(case),
+            "bead-force" => bead_force(case.model()),
+            _ => return fail(format!("there is no search `{name}`"), format!("choose one of {NAMES}")),
         };
-        request(case).map_err(|error| error.within(format!("{name} needs ")))
+        goal.map_err(|error| error.within(format!("{name} needs ")))
     }
 
     fn keep(vary: String, condition: &'static str, side: Side) -> Self {
-        Self { settings: Vec::new(), vary, condition: Some(condition), quantity: None, side }
+        Self { vary: Some(vary), condition: Some(condition), side: Some(side), ..Self::default() }
     }
 
     fn reach(vary: String, quantity: &'static str) -> Self {
-        Self { settings: Vec::new(), vary, condition: None, quantity: Some(quantity), side: Side::Smallest }
+        Self { vary: Some(vary), quantity: Some(quantity), ..Self::default() }
     }
 }
 
@@ -77,8 +74,7 @@ fn height(case: &Case) -> Result<Goal, StudyError> {
     Ok(Goal::keep(travels(one_stage(case)?, [0.2, 3.0])?, "no red and stop not amber", Side::Largest))
 }
 
-fn holder_force(case: &Case) -> Result<Goal, StudyError> {
-    let model = case.model();
+fn holder_force(model: &Model) -> Result<Goal, StudyError> {
     let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) else {
         return missing("a holder with a force: [tools.holder] force");
     };
@@ -88,12 +84,11 @@ fn holder_force(case: &Case) -> Result<Goal, StudyError> {
     Ok(Goal::keep(vary, "no red and wrinkling not red or amber", Side::Smallest))
 }
 
-fn radius(case: &Case) -> Result<Goal, StudyError> {
-    let (_, die) = punch_and_die(case.model())?;
+fn radius(model: &Model) -> Result<Goal, StudyError> {
+    let (_, die) = punch_and_die(model)?;
     let shoulder = throat(die).map_or(0.0, |throat| shoulder_end(die) - throat);
     need(shoulder > 0.0, "a die with a `shoulder`")?;
-    let vary = range("tools.die.shoulder", [0.15, 2.0].map(|share| share * shoulder), "mm");
-    Ok(Goal::keep(vary, "no red", Side::Smallest))
+    Ok(Goal::keep(range("tools.die.shoulder", [0.15 * shoulder, 2.0 * shoulder], "mm"), "no red", Side::Smallest))
 }
 
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {
@@ -102,8 +97,7 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     Ok(Goal::reach(travels(case.model(), [0.6, 1.3])?, "opening_angle"))
 }
 
-fn bead_force(case: &Case) -> Result<Goal, StudyError> {
-    let model = case.model();
+fn bead_force(model: &Model) -> Result<Goal, StudyError> {
     need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
     let largest = RESTRAINT * tensile_strength(&model.material) * model.blank.thickness;
     Ok(Goal::reach(range("tools.beads.0.restraining", [0.0, largest], "N/mm"), "draw_in"))

@@ -1,18 +1,8 @@
 //! Studies: many evaluations of one case, and what they say.
 //!
-//! ```text
-//! BaseCase      the case, read once; a design is the case with further overrides
-//! Variable      a key and its values: tools.die.shoulder=4..10 mm/7
-//! Design        a point of a study; Run: its row; RunTable: all rows, as CSV
-//! Study         a kind of study: the next designs, and the report of all runs
-//! evaluate      the engine; TableFile: its rows on the disk, resumed after any end
-//! Shard         a share of a study that runs by itself; merge joins the tables
-//! StudyReport   headline, notes, tables, charts
-//! Sweep LimitSearch Scatter        the kinds of study
-//! verify        error bars of all numbers, from finer runs
-//! fit           hardening laws and keys of a case from measurements
-//! compare       several runs and measured curves side by side
-//! ```
+//! A [`Study`] is a plan over the variables of a [`BaseCase`]: [`Sweep`], [`LimitSearch`] or [`Scatter`]. [`evaluate`] runs
+//! its [`Design`]s into the rows of a [`RunTable`], which a [`TableFile`] keeps on the disk; its report is a [`StudyReport`].
+//! [`verify`] gives error bars from finer runs, [`fit`] laws and keys from measurements, [`compare`] runs side by side.
 
 mod base_case;
 mod bracket;

@@ -1,8 +1,8 @@
 //! Results of a study: a headline, notes, tables and charts, for every kind of study.
 
-use super::run_table::record;
 use crate::assess::Light;
 use crate::plot::chart::Chart;
+use crate::results::csv::records;
 use crate::units::{Amount, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -52,22 +52,20 @@ impl ReportTable {
 
     /// Formats CSV; the unit of a number stands in a column behind it.
     pub fn csv(&self) -> Vec<u8> {
-        let is_amount = |i: usize| self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_))));
-        let widths: Vec<usize> = (0..self.columns.len()).map(|i| 1 + usize::from(is_amount(i))).collect();
-        let header = self.columns.iter().map(|column| {
+        let mut lines = vec![Vec::new(); 1 + self.rows.len()];
+        for (i, column) in self.columns.iter().enumerate() {
             let key = column.to_lowercase().replace([' ', '-'], "_").replace(['%', '²'], "");
-            [key.clone(), key + "_unit"]
-        });
-        let pair = |cell: &Cell| match cell {
-            Cell::Amount(amount) => [rounded(amount.value).to_string(), amount.unit.spelled().to_owned()],
-            cell => [cell.to_string(), String::new()],
-        };
-        let rows = self.rows.iter().map(|row| row.iter().map(pair).collect());
-        let lines = std::iter::once(header.collect()).chain(rows);
-        let fields = |line: Vec<[String; 2]>| -> Vec<String> {
-            line.into_iter().zip(&widths).flat_map(|(pair, width)| pair.into_iter().take(*width)).collect()
-        };
-        lines.flat_map(|line| record(&fields(line))).collect()
+            let pair = |row: &Vec<Cell>| match row.get(i) {
+                Some(Cell::Amount(amount)) => [rounded(amount.value).to_string(), amount.unit.spelled().to_owned()],
+                cell => [cell.map_or_else(String::new, Cell::to_string), String::new()],
+            };
+            let has_unit = self.rows.iter().any(|row| matches!(row.get(i), Some(Cell::Amount(_))));
+            let pairs = [[key.clone(), key + "_unit"]].into_iter().chain(self.rows.iter().map(pair));
+            for (line, pair) in lines.iter_mut().zip(pairs) {
+                line.extend(pair.into_iter().take(1 + usize::from(has_unit)));
+            }
+        }
+        records(&lines)
     }
 }
 

@@ -1,9 +1,9 @@
 //! One evaluation: a design and the responses of its run.
 
 use super::variable::number;
-use super::verify::{Outcome, Watch, quick};
+use super::verify::{Outcome, Watch};
 use super::{BaseCase, FailureMode};
-use crate::assess::{self, Finding, Light};
+use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::results::error_bars::{Number, Origin};
 use crate::units::rounded;
@@ -28,8 +28,6 @@ pub struct Run {
     pub(super) inputs: String,
     /// Responses, rounded as they are written; NaN if the run has none.
     pub numbers: Vec<f64>,
-    /// Half the error bars; empty without error bars, NaN where a number has none.
-    pub errors: Vec<f64>,
     /// Worst light of the verdict; `None` if it was not run.
     pub light: Option<Light>,
     /// Failure modes; empty for a sound part.
@@ -53,13 +51,12 @@ pub struct Evaluated {
 }
 
 impl Run {
-    pub(super) fn failed(design: &Design, inputs: String, responses: usize, errors: bool) -> Self {
+    pub(super) fn failed(design: &Design, inputs: String, responses: usize) -> Self {
         Self {
             index: design.index,
             values: design.values.clone(),
             inputs,
             numbers: vec![f64::NAN; responses],
-            errors: vec![f64::NAN; if errors { responses } else { 0 }],
             failures: vec![FailureMode::NoResult],
             end: "not run".into(),
             ..Self::default()
@@ -97,57 +94,35 @@ pub(super) fn response_key(number: &Number) -> String {
     format!("{}{}", number.quantity.key, if number.origin == Origin::Verdict { "_judged" } else { "" })
 }
 
-pub(super) fn column(number: &Number, suffix: &str) -> String {
-    number.quantity.amount.unit.keyed(&(response_key(number) + suffix))
+pub(super) fn column(number: &Number) -> String {
+    number.quantity.amount.unit.keyed(&response_key(number))
 }
 
-/// Numbers of a solved base case, judged ones with their limits, and keys and labels of its verdict's rows.
+/// Numbers of a solved base case, and keys and labels of its verdict's rows.
 pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, String)>) {
     let findings = assess::after(&solution.case, &solution.stages);
-    let mut numbers = Outcome::with_findings(solution, &findings).numbers;
-    for number in &mut numbers {
-        let is_own = |row: &&Finding| number.origin == Origin::Verdict && row.key == number.quantity.key;
-        let row = assess::judgements(&findings).find(is_own);
-        number.quantity.limits = row.and_then(|row| row.quantity.as_ref()?.limits);
-    }
-    (numbers, assess::judgements(&findings).map(|row| (row.key.to_owned(), row.label.to_owned())).collect())
+    let rows = assess::judgements(&findings).map(|row| (row.key.to_owned(), row.label.to_owned()));
+    (Outcome::with_findings(solution, &findings).numbers, rows.collect())
 }
 
-pub(super) fn evaluate_design(
-    base: &BaseCase,
-    design: &Design,
-    responses: &[Number],
-    errors: bool,
-    watch: &dyn Watch,
-) -> Evaluated {
+pub(super) fn evaluate_design(base: &BaseCase, design: &Design, responses: &[Number], watch: &dyn Watch) -> Evaluated {
     let case = base.case(&design.settings).map_err(|error| error.to_string());
     let inputs = case.as_ref().map_or_else(|_| String::new(), BaseCase::input_hash);
-    let run = Run::failed(design, inputs, responses.len(), errors);
+    let run = Run::failed(design, inputs, responses.len());
     match case.and_then(|case| BaseCase::solve(case, watch)) {
-        Ok(solution) => evaluated(run, &solution, responses, watch),
+        Ok(solution) => evaluated(run, &solution, responses),
         Err(reason) => Evaluated { run: Run { reason: one_line(&reason), ..run }, outcome: None },
     }
 }
 
-pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number], watch: &dyn Watch) -> Evaluated {
+pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number]) -> Evaluated {
     let findings = assess::after(&solution.case, &solution.stages);
     let outcome = Outcome::with_findings(solution, &findings);
     let own = |response: &Number| outcome.numbers.iter().find(|number| number.is(response));
     run.numbers = responses.iter().map(|r| own(r).map_or(f64::NAN, |own| rounded(own.quantity.amount.value))).collect();
-    if !run.errors.is_empty() {
-        let bars = quick(solution, &Silent(watch)).bars;
-        let half = |r: &Number| bars.number(r.origin, r.quantity.key)?.half();
-        run.errors = responses.iter().map(|r| half(r).map_or(f64::NAN, rounded)).collect();
-    }
-    for row in assess::judgements(&findings) {
-        run.light = run.light.max(Some(row.light));
-        match row.light {
-            Light::Red => run.red.push(row.key.to_owned()),
-            Light::Amber => run.amber.push(row.key.to_owned()),
-            _ => {}
-        }
-    }
-    run.light = run.light.or(Some(Light::Grey));
+    let rows = |light: Light| assess::judgements(&findings).filter(move |row| row.light == light);
+    [run.red, run.amber] = [Light::Red, Light::Amber].map(|light| rows(light).map(|row| row.key.to_owned()).collect());
+    run.light = assess::judgements(&findings).map(|row| row.light).max().or(Some(Light::Grey));
     run.failures = FailureMode::all(&solution.stages, &findings);
     run.end = outcome.end.kind.to_owned();
     if !outcome.end.complete {

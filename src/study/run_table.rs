@@ -1,12 +1,13 @@
 //! The run table: one row per evaluation, and its CSV.
 //!
 //! ```text
-//! study,designs,index,inputs_sha256, variables ..., responses ..., errors ..., verdict,fails,red,amber,end,reason,version
+//! study,designs,index,inputs_sha256, variables ..., responses ..., verdict,fails,red,amber,end,reason,version
 //! ```
 
 use super::run::column;
 use super::{FailureMode, Plan, Run, StudyError};
 use crate::assess::Light;
+use crate::results::csv::records;
 use crate::results::error_bars::Number;
 use crate::units::{did_you_mean, joined};
 use std::collections::BTreeMap;
@@ -23,7 +24,6 @@ pub struct RunTable {
     pub(super) plan: Plan,
     pub(super) responses: Vec<Number>,
     pub(super) rows: Vec<(String, String)>,
-    pub(super) has_errors: bool,
     /// The base case.
     pub base: Run,
     /// Evaluations, by their indices.
@@ -38,7 +38,7 @@ impl RunTable {
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);
         let is = |number: &Number| {
             let (key, label) = (number.quantity.key, number.quantity.label);
-            [plain(key), format!("{key}_judged"), plain(&column(number, "")), plain(label)].contains(&wanted.to_owned())
+            [plain(key), format!("{key}_judged"), plain(&column(number)), plain(label)].contains(&wanted.to_owned())
         };
         let mut keys: Vec<&str> = self.responses.iter().map(|response| response.quantity.key).collect();
         keys.dedup();
@@ -67,10 +67,9 @@ impl RunTable {
 
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
-        let numbers = self.responses.iter().map(|number| column(number, ""));
-        let errors = self.responses.iter().filter(|_| self.has_errors).map(|number| column(number, "_error"));
+        let numbers = self.responses.iter().map(column);
         let first = FIRST.map(str::to_owned).into_iter().chain(self.plan.columns.iter().cloned());
-        first.chain(numbers).chain(errors).chain(LAST.map(str::to_owned)).collect()
+        first.chain(numbers).chain(LAST.map(str::to_owned)).collect()
     }
 
     /// Line of a run.
@@ -78,8 +77,7 @@ impl RunTable {
         let number = |value: &f64| if value.is_finite() { value.to_string() } else { String::new() };
         let [designs, index] = [self.plan.designs, run.index].map(|number| number.to_string());
         let mut line = vec![self.plan.key.clone(), designs, index, run.inputs.clone()];
-        line.extend(run.values.iter().cloned());
-        line.extend(run.numbers.iter().chain(&run.errors).map(number));
+        line.extend(run.values.iter().cloned().chain(run.numbers.iter().map(number)));
         line.push(run.light.map_or("", Light::name).to_owned());
         line.push(joined(run.failures.iter().map(|mode| mode.key().to_owned()), " "));
         line.extend([run.red.join(" "), run.amber.join(" "), run.end.clone(), run.reason.clone(), VERSION.to_owned()]);
@@ -89,22 +87,17 @@ impl RunTable {
     /// Run of a line; `None` if it is of another study, or cut.
     pub fn read(&self, line: &csv::StringRecord) -> Option<Run> {
         let fields: Vec<&str> = line.iter().collect();
-        let (variables, count) = (self.plan.columns.len(), self.responses.len());
-        let errors = if self.has_errors { count } else { 0 };
         let [key, designs, index, inputs, rest @ ..] = &fields[..] else { return None };
         let is_own = *key == self.plan.key && *designs == self.plan.designs.to_string();
-        let (values, rest) = rest.split_at_checked(variables).filter(|_| is_own)?;
-        let (numbers, rest) = rest.split_at_checked(count)?;
-        let (errors, rest) = rest.split_at_checked(errors)?;
+        let (values, rest) = rest.split_at_checked(self.plan.columns.len()).filter(|_| is_own)?;
+        let (numbers, rest) = rest.split_at_checked(self.responses.len())?;
         let [light, failures, red, amber, end, reason, VERSION] = rest else { return None };
-        let parsed = |texts: &[&str]| texts.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
         Some(Run {
             index: index.parse().ok()?,
             values: values.iter().map(|value| (*value).to_owned()).collect(),
             inputs: (*inputs).to_owned(),
-            numbers: parsed(numbers),
-            errors: parsed(errors),
+            numbers: numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect(),
             light: LIGHTS.into_iter().find(|own| own.name() == *light),
             failures: failures.split_whitespace().filter_map(FailureMode::from_key).collect(),
             red: words(red),
@@ -123,8 +116,5 @@ impl RunTable {
 
 /// A line of CSV without line breaks inside its fields, so that a cut row can be recognised.
 pub(super) fn record(fields: &[String]) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let never = "memory does not refuse a row";
-    writer.write_record(fields.iter().map(|field| field.replace(['\n', '\r'], " "))).expect(never);
-    writer.into_inner().expect(never)
+    records([fields.iter().map(|field| field.replace(['\n', '\r'], " "))])
 }

@@ -5,7 +5,8 @@
 use super::charts;
 use super::error::ensure;
 use super::statistics::{quantile, rank_correlation, wilson};
-use super::uncertain_variable::{STRENGTH, UncertainVariable};
+use super::uncertain_variable::UncertainVariable;
+use super::variable::written;
 use super::{
     BaseCase, Cell, Design, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport, fail,
 };
@@ -36,7 +37,8 @@ pub struct Scatter {
     plan: Plan,
     variables: Vec<UncertainVariable>,
     seed: u32,
-    defaults: Vec<String>,
+    /// Sources of default distributions.
+    notes: Vec<String>,
 }
 
 /// Results of a sample.
@@ -89,10 +91,13 @@ impl Scatter {
     /// Samples `KEY=DISTRIBUTION` variables of a case; default distributions if there are none.
     pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self, StudyError> {
         let case = base.case(&[])?;
-        let (vary, defaults) = if vary.is_empty() { default_scatter(&case) } else { (vary.to_vec(), Vec::new()) };
-        let variables = vary.iter().map(|text| UncertainVariable::read(&case, text)).collect::<Result<Vec<_>, _>>()?;
-        let (what, help) = ("nothing scatters: the case gives no friction", "give --vary \"KEY=DISTRIBUTION\"");
-        ensure(!variables.is_empty(), what, help)?;
+        let defaults = if vary.is_empty() { default_scatter(&case) } else { Vec::new() };
+        let variable = |text: &String| UncertainVariable::read(&base, &case, text);
+        let all = vary.iter().chain(defaults.iter().map(|(text, _)| text));
+        let variables = all.map(variable).collect::<Result<Vec<_>, _>>()?;
+        let notes = defaults.iter().map(|(text, source)| format!("{text} ({source}).")).collect();
+        let help = "give --vary \"KEY=DISTRIBUTION\", such as \"friction=uniform 0.05..0.12\"";
+        ensure(!variables.is_empty(), "nothing of the case scatters", help)?;
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
         for (i, one) in variables.iter().enumerate() {
             if let Some(other) = variables[..i].iter().find(|o| one.conflicts_with(o) || o.conflicts_with(one)) {
@@ -106,7 +111,7 @@ impl Scatter {
         }
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
-        Ok(Self { plan, variables, seed, defaults })
+        Ok(Self { plan, variables, seed, notes })
     }
 
     fn design(&self, index: u64) -> Design {
@@ -122,14 +127,15 @@ impl Scatter {
     /// Statistics of all runs.
     pub fn result(&self, runs: &RunTable) -> UncertaintyResult {
         let known: Vec<&Run> = runs.runs.iter().filter(|run| run.light.is_some() && run.is_known()).collect();
-        let inputs: Vec<Vec<f64>> =
-            (0..self.variables.len()).map(|i| known.iter().map(|run| run.value(i)).collect()).collect();
+        let inputs = (0..self.variables.len()).map(|i| known.iter().map(|run| run.value(i)).collect());
+        let inputs: Vec<Vec<f64>> = inputs.collect();
         let correlations = |y: &[f64]| inputs.iter().map(|x| rank_correlation(x, y)).collect::<Vec<Option<f64>>>();
         let spreads = (0..runs.responses.len()).filter_map(|response| {
-            let all: Vec<f64> = known.iter().map(|run| run.numbers[response]).collect();
-            let mut values: Vec<f64> = all.iter().copied().filter(|value| value.is_finite()).collect();
+            let mut values: Vec<f64> = known.iter().map(|run| run.numbers[response]).collect();
+            let correlations = correlations(&values);
+            values.retain(|value| value.is_finite());
             values.sort_by(f64::total_cmp);
-            (!values.is_empty()).then(|| Spread { response, values, correlations: correlations(&all) })
+            (!values.is_empty()).then_some(Spread { response, values, correlations })
         });
         let event = |label: &str, light: Light, has: &dyn Fn(&Run) -> bool| {
             let all: Vec<f64> = known.iter().map(|run| f64::from(u8::from(has(run)))).collect();
@@ -189,77 +195,54 @@ impl Study for Scatter {
     fn report(&self, runs: &RunTable) -> StudyReport {
         let result = self.result(runs);
         let n = runs.runs.len();
-        let headline = match result.events.first() {
+        let [tears, red, amber] =
+            [0, 1, 2].map(|i| result.events.get(i).map(|event| event.probability.map(Amount::share)));
+        let headline = match tears {
             None => format!("None of {n} runs came to a result."),
-            Some(Event { hits: 0, probability, .. }) => {
-                format!("No tear in {n} parts: fewer than {} scrap, 95 % sure.", Amount::share(probability[2]))
+            Some([_, _, high]) if result.events[0].hits == 0 => {
+                format!("No tear in {n} parts: fewer than {high} scrap, 95 % sure.")
             }
-            Some(Event { hits, probability, .. }) => {
-                let [_, low, high] = probability.map(Amount::share);
-                format!("{hits} of {n} parts tear: {low} to {high}, 95 % sure.")
+            Some([_, low, high]) => {
+                format!("{} of {n} parts tear: {low} to {high}, 95 % sure.", result.events[0].hits)
             }
         };
-        let [red, amber] = [Light::Red, Light::Amber].map(|light| {
-            let event = result.events.iter().find(|event| event.label == ALL && event.light == light);
-            Amount::share(event.map_or(0.0, |event| event.probability[0]))
-        });
-        let shares = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
+        let [red, amber] = [red, amber].map(|shares| shares.map_or(Amount::share(0.0), |[share, ..]| share));
+        let mut notes = vec![format!("{red} of the parts are red, {amber} amber, if the distributions are as given.")];
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
-        let failed = (failed > 0).then(|| format!("{failed} runs came to no result and are left out."));
-        StudyReport {
-            headline,
-            notes: [shares].into_iter().chain(failed).chain(self.defaults.iter().cloned()).collect(),
-            tables: self.tables(runs, &result),
-            found: true,
-            charts: charts::scatter(runs, &result),
+        if failed > 0 {
+            notes.push(format!("{failed} runs came to no result and are left out."));
         }
+        notes.extend(self.notes.iter().cloned());
+        let (tables, charts) = (self.tables(runs, &result), charts::scatter(runs, &result));
+        StudyReport { headline, notes, tables, found: true, charts }
     }
 }
 
 /// Half width of the friction coefficient \[–\]; declared.
 const FRICTION: f64 = 0.02;
-/// Least friction over the case's own \[–\]; declared.
-const LEAST_FRICTION: f64 = 0.5;
-/// Standard deviations from the middle of a standard's strength range to its end; declared.
-const STRENGTH_DEVIATIONS: f64 = 2.0;
-/// Standard deviations of a thickness tolerance; declared.
-const THICKNESS_DEVIATIONS: f64 = 3.0;
 
-/// Default `KEY=DISTRIBUTION` texts of a case, and notes on them.
-fn default_scatter(case: &Case) -> (Vec<String>, Vec<String>) {
-    let (mut vary, mut notes) = friction(case);
-    let Some((sheet, class)) = case.sheet().and_then(|sheet| Some((sheet.name, sheet.about.class?))) else {
-        let note = "Strength and thickness do not scatter: the library has no tolerances of this sheet. Give yours, \
-                    such as --vary \"strength=normal ± 5 %\".";
-        notes.push(note.into());
-        return (vary, notes);
+/// Default `KEY=DISTRIBUTION` texts of a case, each with its source.
+fn default_scatter(case: &Case) -> Vec<(String, String)> {
+    let tools = case.written("friction");
+    let number = |(key, mu): &(String, String)| Some((key.clone(), mu.parse().ok()?));
+    let mut frictions: Vec<(String, f64)> = tools.iter().filter_map(number).collect();
+    if frictions.len() == tools.len() && frictions.windows(2).all(|pair| pair[0].1 == pair[1].1) {
+        frictions = frictions.into_iter().take(1).map(|(_, mu)| ("friction".to_owned(), mu)).collect();
+    }
+    let uniform = |(key, mu): (String, f64)| {
+        let [low, high] = [(mu - FRICTION).max(0.5 * mu), mu + FRICTION].map(written);
+        (format!("{key}=uniform {low}..{high}"), "declared".to_owned())
     };
+    let mut all: Vec<(String, String)> = frictions.into_iter().filter(|(_, mu)| *mu > 0.0).map(uniform).collect();
+    let Some(class) = case.sheet().and_then(|sheet| sheet.about.class) else { return all };
     let thickness = case.model().blank.thickness;
     if let Some((tolerance, source)) = class.thickness().and_then(|by| Some((by.tolerance(thickness)?, by.source))) {
-        let deviation = tolerance / THICKNESS_DEVIATIONS;
-        vary.push(format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in ± {tolerance} mm"));
-        let tolerance = Amount::size(tolerance);
-        notes.push(format!("Thickness: normal, tolerance {tolerance} at three standard deviations; {source}."));
+        let (deviation, low, high) = (tolerance / 3.0, thickness - tolerance, thickness + tolerance);
+        all.push((format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in {low:.5}..{high:.5} mm"), source));
     }
-    if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {
-        let deviation = share / STRENGTH_DEVIATIONS;
-        vary.push(format!("{STRENGTH}=normal 1 ± {deviation:.4} in {:.4}..{:.4}", 1.0 - share, 1.0 + share));
-        let ([low, high], source) = ([low, high].map(Amount::given_stress), class.source);
-        notes.push(format!("Strength of {sheet}: normal, {low} to {high} at two standard deviations; {source}."));
+    if let Some(share) = class.strength_share() {
+        let (deviation, low, high) = (0.5 * share, 1.0 - share, 1.0 + share);
+        all.push((format!("strength=normal 1 ± {deviation:.4} in {low:.4}..{high:.4}"), class.source));
     }
-    (vary, notes)
-}
-
-fn friction(case: &Case) -> (Vec<String>, Vec<String>) {
-    let tools = case.written("friction");
-    let number = |text: &str| text.parse().ok().filter(|mu: &f64| *mu > 0.0);
-    let numbers: Vec<(&str, f64)> =
-        tools.iter().filter_map(|(path, text)| Some((path.as_str(), number(text)?))).collect();
-    let Some((_, first)) = numbers.first() else { return Default::default() };
-    let is_one = numbers.len() == tools.len() && numbers.iter().all(|(_, mu)| mu == first);
-    let uniform = |&(key, mu): &(&str, f64)| {
-        format!("{key}=uniform {}..{}", (mu - FRICTION).max(LEAST_FRICTION * mu), mu + FRICTION)
-    };
-    let vary = if is_one { vec![uniform(&("friction", *first))] } else { numbers.iter().map(uniform).collect() };
-    (vary, vec![format!("Friction: uniform, ± {FRICTION} about the case's own (declared).")])
+    all
 }

@@ -1,22 +1,19 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
-use super::bracket::{Search, Trial, stretches};
-use super::charts;
-use super::condition::Comparison;
+use super::bracket::{Search, Trial};
 use super::goals::Goal;
-use super::variable::{SearchRange, split_number, written};
+use super::variable::{SearchRange, in_unit, written};
 use super::{
-    BaseCase, Bracket, Cell, Condition, Design, Plan, ReportTable, Run, RunTable, Side, Study, StudyError, StudyReport,
-    Variable, fail,
+    BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, charts,
+    fail,
 };
 use crate::assess::estimate;
-use crate::results::error_bars::Origin;
-use crate::units::{parse, significant};
+use crate::units::significant;
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SearchRequest {
-    /// `KEY=FROM..TO UNIT`; a key alone is searched from half to twice its value.
+    /// `KEY=FROM..TO UNIT`.
     pub vary: Option<String>,
     /// Name of a goal.
     pub goal: Option<String>,
@@ -37,50 +34,36 @@ pub struct LimitSearch {
     /// The first is searched; each goes from its first end to its last.
     variables: Vec<(Variable, SearchRange)>,
     search: Search,
-    aim: Aim,
+    /// Condition to keep, or target to reach.
+    aim: Condition,
 }
 
 /// A target that is missed by less is met, over its size \[–\].
 const MISSED: f64 = 0.005;
 
-#[derive(Clone, Debug)]
-enum Aim {
-    Keep(Condition),
-    Reach(Comparison),
-}
-
 impl LimitSearch {
     /// Plans the search of a request.
     pub fn new(base: BaseCase, request: &SearchRequest) -> Result<Self, StudyError> {
         let goal = request.goal.as_ref().map(|name| Goal::request(name, &base.case(&[])?)).transpose()?;
-        let base = match &goal {
-            Some(goal) if !goal.settings.is_empty() => base.with_settings(&goal.settings)?,
-            _ => base,
-        };
-        let vary = request.vary.as_ref().or(goal.as_ref().map(|goal| &goal.vary));
+        let goal = goal.unwrap_or_default();
+        let base = if goal.settings.is_empty() { base } else { base.with_settings(&goal.settings)? };
         let nothing = || StudyError::new("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for");
-        let variable = |text: &str| {
-            let text = if text.contains('=') { text.to_owned() } else { around(text.trim(), &base)? };
-            let variable = Variable::read(&text)?;
-            let range = variable.search_range()?;
-            Ok((variable, range))
-        };
-        let mut variables =
-            vary.ok_or_else(nothing)?.split('&').map(variable).collect::<Result<Vec<_>, StudyError>>()?;
+        let vary = request.vary.as_ref().or(goal.vary.as_ref()).ok_or_else(nothing)?;
+        let variable = |text: &str| Variable::read(text).and_then(|v| Ok((v.clone(), v.search_range()?)));
+        let mut variables = vary.split('&').map(variable).collect::<Result<Vec<_>, StudyError>>()?;
         if variables[0].1.ends[0] > variables[0].1.ends[1] {
             variables.iter_mut().for_each(|(_, range)| range.ends.reverse());
         }
-        let aim = Aim::new(request, goal.as_ref())?;
-        let is_limit = matches!(aim, Aim::Keep(_));
-        let side = request.side.or(goal.map(|goal| goal.side)).or((!is_limit).then_some(Side::Smallest));
+        let aim = aim(request, &goal)?;
+        let is_limit = request.target.is_none();
+        let side = request.side.or(goal.side).or((!is_limit).then_some(Side::Smallest));
         let (what, help) = ("neither the largest nor the smallest is asked for", "give --largest or --smallest");
         let side = side.ok_or_else(|| StudyError::new(what, help))?;
         let tolerance = request.tolerance.as_ref().map(|text| tolerance(&variables[0].0, text)).transpose()?;
         let columns = variables.iter().map(|(variable, _)| variable.header()).collect();
-        let plan = Plan::new(base, &format!("{variables:?}{tolerance:?}{aim:?}{side:?}"), columns, 0);
-        let search = Search { range: variables[0].1, tolerance, is_whole: false, is_limit, side };
-        let mut limit = Self { plan, variables, search, aim };
-        limit.search.is_whole = limit.has_whole_numbers();
+        let plan = Plan::new(base, &format!("{variables:?}{request:?}"), columns, 0);
+        let search = Search { range: variables[0].1, tolerance, is_limit, side };
+        let limit = Self { plan, variables, search, aim };
         limit.plan.base.check_any([0.5, 0.0, 1.0].map(|share| limit.design(0, limit.search.at(share)).settings))?;
         Ok(limit)
     }
@@ -103,19 +86,22 @@ impl LimitSearch {
                 (found, place(best), place(other))
             }
             Bracket::Everywhere(x) | Bracket::Open(x) => (found, place(x), None),
-            _ => (found, None, None),
+            Bracket::Nowhere | Bracket::Failed => (found, None, None),
         }
     }
 
     fn trials(&self, runs: &RunTable) -> Vec<Trial> {
-        let value = |run: &Run| match &self.aim {
-            Aim::Keep(condition) => condition.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
-            Aim::Reach(target) => {
-                let (place, wanted) = target.resolved?;
-                run.response(place).filter(|_| !run.tears()).map(|value| value - wanted)
-            }
+        let target = self.target();
+        let value = |run: &Run| match target {
+            None => self.aim.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
+            Some((place, wanted)) => run.response(place).filter(|_| !run.tears()).map(|value| value - wanted),
         };
         runs.runs.iter().map(|run| (run.value(0), value(run))).collect()
+    }
+
+    /// Place of the quantity to reach, and its wanted value.
+    fn target(&self) -> Option<(usize, f64)> {
+        self.aim.limits().first().copied().filter(|_| !self.search.is_limit)
     }
 
     /// The first variable has this value, the others move along.
@@ -127,68 +113,42 @@ impl LimitSearch {
         Design { index, settings: settings.collect(), values }
     }
 
-    fn has_whole_numbers(&self) -> bool {
-        let [low, high] = self.search.range.ends;
-        let is_case = |x: f64| self.plan.base.case(&[self.variable().setting(&written(x))]).is_ok();
-        let is_plain = self.variable().unit.is_empty() && low.fract() == 0.0 && high.fract() == 0.0;
-        is_plain && is_case(low) && !is_case(low + 0.5) && is_case(low + 1.0)
-    }
-
-    fn limits(&self) -> Vec<(usize, f64)> {
-        match &self.aim {
-            Aim::Keep(condition) => condition.limits(),
-            Aim::Reach(target) => target.resolved.into_iter().collect(),
-        }
-    }
-
     fn headline(&self, runs: &RunTable) -> String {
-        let (key, at) = (self.variable().label(), |x: f64| self.variable().display(x));
+        let (key, name, at) = (self.variable().label(), &self.aim.text, |x: f64| self.variable().display(x));
         let [low, high] = self.search.range.ends.map(at);
         let (found, best, _) = self.result(runs);
-        match (&self.aim, found) {
-            (_, Bracket::Failed) => format!("{key}: no run came to a result from {low} to {high}."),
-            (Aim::Keep(Condition { text, .. }), found) => {
-                let holds = match found {
-                    Bracket::Between([inner, outer]) => {
-                        let side = if self.search.side == Side::Largest { "up to" } else { "from" };
-                        format!("{side} {}, not at {}", at(inner), at(outer))
-                    }
-                    Bracket::Everywhere(x) => format!("to the end of the range, {}", at(x)),
-                    Bracket::Open(x) => format!("at {}; beyond it no run came to a result", at(x)),
-                    _ => format!("nowhere from {low} to {high}"),
-                };
-                format!("{key}: “{text}” holds {holds}.")
+        let target = self.target().map(|(place, wanted)| (place, runs.display(place, wanted)));
+        let holds = match (found, target, best) {
+            (Bracket::Failed, ..) => return format!("{key}: no run came to a result from {low} to {high}."),
+            (_, Some((place, wanted)), Some(best)) => {
+                let (x, value) = (at(runs.runs[best].value(0)), runs.runs[best].numbers[place]);
+                return format!("{key} = {x}: {name} is {}, wanted {wanted}.", runs.display(place, value));
             }
-            (Aim::Reach(target), _) => {
-                let (name, Some((place, wanted))) = (&target.quantity, target.resolved) else { return String::new() };
-                let wanted = runs.display(place, wanted);
-                match best.map(|best| &runs.runs[best]) {
-                    None => format!("{key}: {name} is {wanted} nowhere from {low} to {high}."),
-                    Some(run) => {
-                        let (x, value) = (at(run.value(0)), runs.display(place, run.numbers[place]));
-                        format!("{key} = {x}: {name} is {value}, wanted {wanted}.")
-                    }
-                }
+            (_, Some((_, wanted)), None) => {
+                return format!("{key}: {name} is {wanted} nowhere from {low} to {high}.");
             }
-        }
+            (Bracket::Between([inner, outer]), ..) => {
+                let side = if self.search.side == Side::Largest { "up to" } else { "from" };
+                format!("{side} {}, not at {}", at(inner), at(outer))
+            }
+            (Bracket::Everywhere(x), ..) => format!("to the end of the range, {}", at(x)),
+            (Bracket::Open(x), ..) => format!("at {}; beyond it no run came to a result", at(x)),
+            (Bracket::Nowhere, ..) => format!("nowhere from {low} to {high}"),
+        };
+        format!("{key}: “{name}” holds {holds}.")
     }
 
     fn notes(&self, runs: &RunTable) -> Vec<String> {
-        let at = |x: f64| self.variable().display(x);
-        let trials = self.trials(runs);
         let (found, best, other) = self.result(runs);
-        let best = best.map(|best| &runs.runs[best]);
-        let other = other.map(|other| &runs.runs[other]);
+        let [best, other] = [best, other].map(|place| place.map(|place| &runs.runs[place]));
         let mut notes = Vec::new();
-        if let (Aim::Keep(_), Bracket::Between([a, b])) = (&self.aim, found) {
-            notes.push(format!("Known within {}.", at(significant((b - a).abs(), 2))));
+        if let (None, Bracket::Between([a, b])) = (self.target(), found) {
+            notes.push(format!("Known within {}.", self.variable().display(significant((b - a).abs(), 2))));
         }
-        if let (Aim::Reach(Comparison { resolved: Some((place, wanted)), .. }), Some((best, other))) =
-            (&self.aim, best.zip(other))
-        {
-            let [from, to] = [best, other].map(|run| run.numbers[*place]);
+        if let (Some((place, wanted)), Some(best), Some(other)) = (self.target(), best, other) {
+            let [from, to] = [best, other].map(|run| run.numbers[place]);
             if (from - wanted).abs().min((to - wanted).abs()) > MISSED * wanted.abs() {
-                let [from, to] = [from, to].map(|value| runs.display(*place, value));
+                let [from, to] = [from, to].map(|value| runs.display(place, value));
                 notes.push(format!("It jumps from {from} to {to} there."));
             }
         }
@@ -200,42 +160,13 @@ impl LimitSearch {
         if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
         }
-        if let Aim::Keep(_) = self.aim {
-            let all = stretches(&trials).into_iter().map(|[from, to]| format!("{} to {}", at(from), at(to)));
-            let all: Vec<String> = all.collect();
-            if all.len() > 1 {
-                notes.push(format!("It comes and goes over the range, and holds at {}.", all.join(", ")));
-            }
-            let red = best.filter(|run| !run.red.is_empty());
-            notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.worst_rows(run))));
-        }
-        let failed = trials.iter().filter(|trial| trial.1.is_none()).count();
+        let red = best.filter(|run| self.search.is_limit && !run.red.is_empty());
+        notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.worst_rows(run))));
+        let failed = self.trials(runs).iter().filter(|trial| trial.1.is_none()).count();
         if failed > 0 {
-            notes.push(format!("{failed} of {} runs came to no result.", trials.len()));
+            notes.push(format!("{failed} of {} runs came to no result.", runs.runs.len()));
         }
         notes
-    }
-
-    fn table(&self, runs: &RunTable) -> ReportTable {
-        let (_, best, other) = self.result(runs);
-        let sides: Vec<&Run> = best.into_iter().chain(other).map(|run| &runs.runs[run]).collect();
-        let values = sides.iter().map(|run| self.variable().display(run.value(0)));
-        let columns = [self.variable().label().to_owned()].into_iter().chain(values).collect();
-        let row = |label: &str, cell: &dyn Fn(&Run) -> Cell| -> Vec<Cell> {
-            [label.into()].into_iter().chain(sides.iter().map(|run| cell(run))).collect()
-        };
-        let verdict = |run: &Run| run.light.map_or("–".into(), |light| Cell::Light(light, runs.worst_rows(run)));
-        let mut rows = vec![row("Verdict", &verdict), row("End", &|run| run.end.clone().into())];
-        let limits = self.limits();
-        for (place, response) in runs.responses.iter().enumerate() {
-            if response.origin == Origin::Answer || limits.iter().any(|(limited, _)| *limited == place) {
-                let value = |run: &Run| Some(run.numbers[place]).filter(|value| value.is_finite());
-                let amount = |value| response.quantity.amount.with_value(value).into();
-                rows.push(row(response.quantity.label, &|run| value(run).map_or("–".into(), amount)));
-            }
-        }
-        rows.retain(|_| !sides.is_empty());
-        ReportTable { name: "search_result", columns, rows }
     }
 }
 
@@ -245,10 +176,7 @@ impl Study for LimitSearch {
     }
 
     fn check(&mut self, runs: &RunTable) -> Result<(), StudyError> {
-        match &mut self.aim {
-            Aim::Keep(condition) => condition.resolve(runs),
-            Aim::Reach(target) => target.resolve(runs),
-        }
+        self.aim.resolve(runs)
     }
 
     fn next(&mut self, runs: &RunTable) -> Vec<Design> {
@@ -261,48 +189,33 @@ impl Study for LimitSearch {
         StudyReport {
             headline: self.headline(runs),
             notes: self.notes(runs),
-            tables: vec![self.table(runs)],
+            tables: Vec::new(),
             found: matches!(found, Bracket::Between(_) | Bracket::Everywhere(_)),
-            charts: charts::search(self.variable(), self.search.range.spacing, runs, &self.limits(), best),
+            charts: charts::search(self.variable(), self.search.range.spacing, runs, &self.aim.limits(), best),
         }
     }
 }
 
-impl Aim {
-    fn new(request: &SearchRequest, goal: Option<&Goal>) -> Result<Self, StudyError> {
-        let (condition, quantity) = goal.map_or((None, None), |goal| (goal.condition, goal.quantity));
-        match (&request.condition, &request.target) {
-            (Some(_), Some(_)) => fail("both a condition and a target are given", "give --while or --target"),
-            (Some(condition), None) => Condition::read(condition).map(Self::Keep),
-            (None, Some(target)) => {
-                let named = quantity.filter(|_| !target.contains('=')).map(|quantity| format!("{quantity}={target}"));
-                Comparison::target(named.as_ref().unwrap_or(target)).map(Self::Reach)
-            }
-            (None, None) => {
-                let help = "give --while \"no red\", or --target \"QUANTITY=VALUE\"";
-                let what = quantity
-                    .map_or("no condition is given".to_owned(), |q| format!("the wanted value of {q} is missing"));
-                condition.map_or_else(|| fail(what, help), Condition::read).map(Self::Keep)
-            }
+/// The request's condition or target, else the goal's.
+fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition, StudyError> {
+    match (&request.condition, &request.target, goal.quantity) {
+        (Some(_), Some(_), _) => fail("both a condition and a target are given", "give --while or --target"),
+        (None, Some(value), Some(quantity)) if !value.contains('=') => {
+            Condition::target(&format!("{quantity}={value}"))
+        }
+        (None, Some(target), _) => Condition::target(target),
+        (condition, None, quantity) => {
+            let missing = |quantity| format!("the wanted value of {quantity} is missing");
+            let what = quantity.map_or_else(|| "no condition is given".to_owned(), missing);
+            let help = "give --while \"no red\", or --target \"QUANTITY=VALUE\"";
+            condition.as_deref().or(goal.condition).map_or_else(|| fail(what, help), Condition::read)
         }
     }
-}
-
-/// A range from half to twice the case's own value.
-fn around(key: &str, base: &BaseCase) -> Result<String, StudyError> {
-    let own = base.value(key);
-    let number = own.as_ref().and_then(|own| split_number(own.trim())).filter(|own| own.0 > 0.0);
-    let what = format!("the case has no number at `{key}` to search about");
-    let missing = || StudyError::new(what, format!("give the range: \"{key}=FROM..TO UNIT\""));
-    let (value, unit) = number.ok_or_else(missing)?;
-    let [low, high] = [0.5, 2.0].map(|share| significant(share * value, 4));
-    Ok(format!("{key}={low}..{high} {unit}"))
 }
 
 fn tolerance(variable: &Variable, text: &str) -> Result<f64, StudyError> {
-    let unit = &variable.unit;
-    let has_unit = parse(text).is_ok_and(|given| given.has_unit) != unit.is_empty();
-    let size = variable.in_unit(text).filter(|size| *size > 0.0 && size.is_finite() && has_unit);
+    let (key, unit) = (&variable.key, &variable.unit);
+    let size = in_unit(text, unit).filter(|size| *size > 0.0 && size.is_finite());
     let help = format!("write a number above 0 in the unit of the key, such as \"0.1 {unit}\"");
-    size.ok_or_else(|| StudyError::new(format!("`{text}` is no tolerance of {}", variable.key), help))
+    size.ok_or_else(|| StudyError::new(format!("`{text}` is no tolerance of {key}"), help))
 }

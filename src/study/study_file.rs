@@ -74,10 +74,11 @@ impl StudyFile {
         let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
         file.case = beside(&file.case);
-        file.curves = match &file.to {
-            Some(Value::Array(all)) => all.iter().map(|path| beside(&plain(path).into())).collect(),
-            path => path.iter().map(|path| beside(&plain(path).into())).collect(),
+        let curves = match file.to.take() {
+            Some(Value::Array(all)) => all,
+            curve => curve.into_iter().collect(),
         };
+        file.curves = curves.iter().map(|path| beside(&plain(path).into())).collect();
         let help = "`case` is the path of a case file, relative to the study file";
         ensure(file.case.exists(), format!("there is no file {}", file.case.display()), help)?;
         file.variables = pairs(&file.vary, "")?;

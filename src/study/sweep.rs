@@ -2,8 +2,7 @@
 
 use super::charts;
 use super::error::ensure;
-use super::variable::check_distinct;
-use super::variable::number;
+use super::variable::{check_distinct, in_unit, number};
 use super::{
     BaseCase, Cell, Design, FailureMode, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
     Variable,
@@ -43,35 +42,27 @@ impl Axis {
     fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
         let variables = text.split('&').map(Variable::read).collect::<Result<Vec<_>, _>>()?;
         let values = variables.iter().map(Variable::values).collect::<Result<Vec<_>, _>>()?;
+        let (first, names, (unit, factor)) = (&variables[0], &values[0], variables[0].axis_unit());
         for (variable, own) in variables.iter().zip(&values) {
-            let [first, other] = [(&variables[0], &values[0]), (variable, own)]
-                .map(|(variable, values)| format!("{} has {} values", variable.key, values.len()));
-            let help = "keys that move together have as many values";
-            ensure(own.len() == values[0].len(), format!("{first} but {other}"), help)?;
+            let what = format!("{} has {} values but {} has {}", first.key, names.len(), variable.key, own.len());
+            ensure(own.len() == names.len(), what, "keys that move together have as many values")?;
         }
-        let (first, (unit, factor)) = (&variables[0], variables[0].axis_unit());
         let mut drawn = plot::Axis::named(first.label(), unit);
-        let numbers: Option<Vec<f64>> = values[0].iter().map(|value| Some(factor * number(value)?)).collect();
-        let own = base.value(&first.key);
-        let own = match &numbers {
-            Some(_) => own.and_then(|own| Some(factor * first.in_unit(&own)?)),
-            None => own.and_then(|own| values[0].iter().position(|name| *name == own)).map(|i| i as f64),
-        };
-        let positions = numbers.unwrap_or_else(|| {
-            drawn.names = values[0].clone();
-            (0..values[0].len()).map(|i| i as f64).collect()
+        let numbers: Option<Vec<f64>> = names.iter().map(|value| Some(factor * number(value)?)).collect();
+        let own = base.value(&first.key).and_then(|own| match &numbers {
+            Some(_) => Some(factor * in_unit(&own, &first.unit)?),
+            None => names.iter().position(|name| *name == own).map(|i| i as f64),
         });
-        let labels = values[0].iter().map(|value| format!("{value} {}", first.unit).trim_end().to_owned()).collect();
+        let positions = numbers.unwrap_or_else(|| {
+            drawn.names = names.clone();
+            (0..names.len()).map(|i| i as f64).collect()
+        });
+        let labels = names.iter().map(|value| format!("{value} {}", first.unit).trim_end().to_owned()).collect();
         Ok(Self { variables, values, drawn, positions, labels, own })
     }
 
     pub fn count(&self) -> usize {
         self.positions.len()
-    }
-
-    /// `Holder force 5 kN`.
-    pub fn describe(&self, i: usize) -> String {
-        format!("{} {}", self.drawn.label, self.labels[i])
     }
 
     fn settings(&self, i: usize) -> impl Iterator<Item = String> {
@@ -93,58 +84,46 @@ impl Sweep {
         ensure(!axes.is_empty(), "nothing of the case is varied", help)?;
         let variables = || axes.iter().flat_map(|axis| &axis.variables);
         check_distinct(variables(), "is varied twice", "give all its values at once")?;
-        let counts = || axes.iter().map(|axis| axis.count() as u64);
+        let mut counts = axes.iter().map(|axis| axis.count() as u64);
         let countless =
             || StudyError::new("more designs than can be counted", "fewer values, or `scatter` for a sample");
-        let all = counts().try_fold(1, u64::checked_mul).ok_or_else(countless)?;
+        let designs = match one_at_a_time {
+            true => 1 + counts.sum::<u64>(),
+            false => counts.try_fold(1, u64::checked_mul).ok_or_else(countless)?,
+        };
         for axis in &axes {
             let last = axis.count() - 1;
             base.check_any([0, last / 2, last].map(|i| axis.settings(i).collect()))?;
         }
-        let designs = if one_at_a_time { 1 + counts().sum::<u64>() } else { all };
         let columns = variables().map(Variable::header).collect();
-        let values: Vec<_> = axes.iter().map(|axis| (&axis.variables, &axis.values)).collect();
-        let plan = Plan::new(base, &format!("{values:?}{one_at_a_time}"), columns, designs);
+        let plan = Plan::new(base, &format!("{vary:?}{one_at_a_time}"), columns, designs);
         Ok(Self { plan, axes, one_at_a_time })
     }
 
-    /// Whether error bars are usual: over one key.
-    pub fn has_error_bars(&self) -> bool {
-        self.axes.len() == 1 && !self.one_at_a_time
-    }
-
-    /// Place of a run on every axis; `None` where the case keeps its own value.
-    pub(super) fn grid_index(&self, run: &Run) -> Vec<Option<usize>> {
-        let mut column = 0;
-        let place = |axis: &Axis| {
-            let own = &run.values[column];
-            column += axis.variables.len();
-            axis.values[0].iter().position(|value| value == own)
-        };
-        self.axes.iter().map(place).collect()
-    }
-
-    /// Places of all designs; the last axis varies fastest.
-    fn designs(&self) -> Vec<Vec<Option<usize>>> {
-        let base = vec![None; self.axes.len()];
-        let on_axis = |places: &Vec<Option<usize>>, axis: usize| -> Vec<Vec<Option<usize>>> {
-            let at = |i| places.iter().enumerate().map(move |(own, place)| if own == axis { Some(i) } else { *place });
-            (0..self.axes[axis].count()).map(|i| at(i).collect()).collect()
-        };
-        let axes = 0..self.axes.len();
-        if self.one_at_a_time {
-            return [base.clone()].into_iter().chain(axes.flat_map(|axis| on_axis(&base, axis))).collect();
+    /// Place of a design on every axis; `None` where the case keeps its own value.
+    pub(super) fn places(&self, index: u64) -> Vec<Option<usize>> {
+        let (index, mut places) = (index as usize, vec![None; self.axes.len()]);
+        let mut stride = if self.one_at_a_time { self.plan.designs as usize } else { 1 };
+        for (place, axis) in places.iter_mut().zip(&self.axes).rev() {
+            if self.one_at_a_time {
+                // The first design is the case as it stands.
+                stride -= axis.count();
+                *place = index.checked_sub(stride).filter(|i| *i < axis.count());
+            } else {
+                *place = Some(index / stride % axis.count());
+                stride *= axis.count();
+            }
         }
-        axes.fold(vec![base], |all, axis| all.iter().flat_map(|places| on_axis(places, axis)).collect())
+        places
     }
 
-    fn design(&self, index: u64, places: &[Option<usize>]) -> Design {
-        let pairs = || self.axes.iter().zip(places);
-        let values = pairs().flat_map(|(axis, place)| {
-            axis.values.iter().map(move |values| place.map_or_else(String::new, |i| values[i].clone()))
-        });
-        let settings = pairs().flat_map(|(axis, place)| place.iter().flat_map(|i| axis.settings(*i)));
-        Design { index, values: values.collect(), settings: settings.collect() }
+    fn design(&self, index: u64) -> Design {
+        let (mut values, mut settings) = (Vec::new(), Vec::new());
+        for (axis, place) in self.axes.iter().zip(self.places(index)) {
+            values.extend(axis.values.iter().map(|values| place.map_or_else(String::new, |i| values[i].clone())));
+            settings.extend(place.into_iter().flat_map(|i| axis.settings(i)));
+        }
+        Design { index, values, settings }
     }
 
     fn notes(&self, runs: &RunTable) -> Vec<String> {
@@ -155,16 +134,16 @@ impl Sweep {
             _ => format!("The case as it stands fails: {modes}."),
         };
         let describe = |place: usize, run: &Run| {
-            let values = self.axes.iter().zip(self.grid_index(run));
-            let values = values.filter_map(|(axis, place)| Some(axis.describe(place?)));
+            let values = self.axes.iter().zip(self.places(run.index));
+            let values = values.filter_map(|(axis, i)| Some(format!("{} {}", axis.drawn.label, axis.labels[i?])));
             format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
         };
-        let span = charts::decisive(runs, 1).first().and_then(|place| {
-            let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[*place].is_finite());
-            let by = |a: &&Run, b: &&Run| a.numbers[*place].total_cmp(&b.numbers[*place]);
+        let span = charts::decisive(runs, 1).first().and_then(|&place| {
+            let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[place].is_finite());
+            let by = |a: &&Run, b: &&Run| a.numbers[place].total_cmp(&b.numbers[place]);
             let (least, most) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)?;
             let (label, least, most) =
-                (runs.responses[*place].quantity.label, describe(*place, least), describe(*place, most));
+                (runs.responses[place].quantity.label, describe(place, least), describe(place, most));
             Some(format!("{label} of sound designs: {least} to {most}."))
         });
         span.into_iter().chain([base]).collect()
@@ -175,13 +154,14 @@ impl Sweep {
         let own = runs.runs.first().map_or(f64::NAN, |run| run.numbers[response]);
         let one = |axis: usize| {
             let end = |run: &Run| {
-                let (place, number) = (self.grid_index(run)[axis]?, run.response(response)?);
+                let (place, number) = (self.places(run.index)[axis]?, run.response(response)?);
                 Some(End { number, place, is_sound: run.is_sound() })
             };
-            Sensitivity { axis, own, ends: runs.runs.iter().skip(1).filter_map(end).collect() }
+            let mut ends: Vec<End> = runs.runs.iter().skip(1).filter_map(end).collect();
+            ends.sort_by(|a, b| a.number.total_cmp(&b.number));
+            Some(Sensitivity { axis, own, extremes: [*ends.first()?, *ends.last()?] })
         };
-        let all = (0..self.axes.len()).map(one).filter(|s| s.width() > 0.0 && own.is_finite());
-        let mut all: Vec<Sensitivity> = all.collect();
+        let mut all: Vec<Sensitivity> = (0..self.axes.len()).filter_map(one).filter(|s| s.width() > 0.0).collect();
         all.sort_by(|a, b| b.width().total_cmp(&a.width()));
         all
     }
@@ -193,10 +173,9 @@ impl Sweep {
             let number = &runs.responses[response].quantity;
             for s in self.sensitivities(runs, response) {
                 let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.with_value(value)));
-                let ends = s.extremes().into_iter().flatten();
-                let ends = ends.flat_map(|end| [amount(end.number), axis.labels[end.place].clone().into()]);
-                let first = [number.label.into(), axis.drawn.label.clone().into(), amount(s.own)];
-                table.rows.push(first.into_iter().chain(ends).collect());
+                let mut row = vec![number.label.into(), axis.drawn.label.clone().into(), amount(s.own)];
+                row.extend(s.extremes.iter().flat_map(|e| [amount(e.number), axis.labels[e.place].clone().into()]));
+                table.rows.push(row);
             }
         }
         table
@@ -210,7 +189,8 @@ pub struct Sensitivity {
     pub axis: usize,
     /// Number of the base case.
     pub own: f64,
-    pub(super) ends: Vec<End>,
+    /// Least and largest number.
+    pub(super) extremes: [End; 2],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -222,14 +202,10 @@ pub(super) struct End {
 }
 
 impl Sensitivity {
-    pub(super) fn extremes(&self) -> Option<[End; 2]> {
-        let by = |a: &&End, b: &&End| a.number.total_cmp(&b.number);
-        Some([*self.ends.iter().min_by(by)?, *self.ends.iter().max_by(by)?])
-    }
-
     /// Difference between the least and the largest number, the base case among them.
     pub fn width(&self) -> f64 {
-        self.extremes().map_or(0.0, |[low, high]| high.number.max(self.own) - low.number.min(self.own))
+        let [low, high] = self.extremes.map(|end| end.number);
+        if self.own.is_finite() { high.max(self.own) - low.min(self.own) } else { 0.0 }
     }
 }
 
@@ -239,7 +215,7 @@ impl Study for Sweep {
     }
 
     fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..).zip(self.designs()).map(|(index, places)| self.design(index, &places)).collect()
+        (0..self.plan.designs).map(|index| self.design(index)).collect()
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
@@ -250,17 +226,16 @@ impl Study for Sweep {
         let doubt = if amber > 0 { format!(" ({amber} amber)") } else { String::new() };
         let modes = FailureMode::ALL.map(|mode| (count(&|run| run.failures.first() == Some(&mode)), mode.label()));
         let failed = modes.iter().filter(|(n, _)| *n > 0).map(|(n, label)| format!(", {n} {label}"));
-        let charts = match (self.one_at_a_time, runs.runs.len() <= DRAWN) {
-            (_, false) => Vec::new(),
-            (true, _) => charts::tornado(self, runs),
-            (false, _) => charts::sweep(self, runs),
+        let (tables, charts) = match self.one_at_a_time {
+            true => (vec![self.sensitivity_table(runs)], charts::tornado(self, runs)),
+            false => (Vec::new(), charts::sweep(self, runs)),
         };
         StudyReport {
             headline: format!("{} designs: {sound} sound{doubt}{}.", designs.len(), failed.collect::<String>()),
             notes: self.notes(runs),
-            tables: if self.one_at_a_time { vec![self.sensitivity_table(runs)] } else { Vec::new() },
+            tables,
             found: true,
-            charts,
+            charts: if runs.runs.len() <= DRAWN { charts } else { Vec::new() },
         }
     }
 }

@@ -150,29 +150,29 @@ impl FromStr for Shard {
 /// Merges the tables of all shards of a study, in the order of the designs; returns the text and the number of rows.
 pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
     let help = "give every shard of one study once";
-    let mut header: Option<String> = None;
-    let mut study: Option<(String, u64)> = None;
-    let mut rows: BTreeMap<u64, (String, &Path)> = BTreeMap::new();
-    for path in shards {
+    let unreadable = |path: &Path, error| StudyError::new(format!("cannot read {}: {error}", path.display()), help);
+    let read = |path: &PathBuf| fs::read_to_string(path).map_err(|error| unreadable(path, error));
+    let texts = shards.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    let (mut header, mut study) = (None, None);
+    let mut rows: BTreeMap<u64, (&str, &Path)> = BTreeMap::new();
+    for (path, text) in shards.iter().zip(&texts) {
         let (shown, before) = (path.display(), shards[0].display());
-        let unreadable = |error| StudyError::new(format!("cannot read {shown}: {error}"), help);
-        let text = fs::read_to_string(path).map_err(unreadable)?;
-        let (first, lines) = text.split_once('\n').unwrap_or((&text, ""));
+        let mut lines = text.split_inclusive('\n');
+        let first = lines.next().unwrap_or_default();
         ensure(first.starts_with(BEGINNING), format!("{shown} is no table of a study"), help)?;
-        let is_alike = header.get_or_insert_with(|| first.to_owned()) == first;
+        let is_alike = *header.get_or_insert(first) == first;
         ensure(is_alike, format!("{shown} has other columns than {before}"), help)?;
-        for line in lines.split_inclusive('\n') {
-            let row = |line: &str| {
+        for line in lines {
+            let row = || {
                 let mut fields = line.strip_suffix('\n')?.split(',');
-                let key = fields.next()?.to_owned();
-                Some(((key, fields.next()?.parse().ok()?), fields.next()?.parse().ok()?))
+                Some(((fields.next()?, fields.next()?.parse().ok()?), fields.next()?.parse().ok()?))
             };
             let what = format!("{shown} has a line that is no row of a study");
             let cut = || StudyError::new(what, "run that shard again with --resume");
-            let (own, index): ((String, u64), u64) = row(line).ok_or_else(cut)?;
-            let is_own = *study.get_or_insert_with(|| own.clone()) == own;
+            let (own, index): ((&str, u64), u64) = row().ok_or_else(cut)?;
+            let is_own = *study.get_or_insert(own) == own;
             ensure(is_own, format!("{shown} is of another study than {before}"), help)?;
-            if let Some((_, other)) = rows.insert(index, (line.to_owned(), path)) {
+            if let Some((_, other)) = rows.insert(index, (line, path)) {
                 return fail(format!("design {index} is both in {} and in {shown}", other.display()), help);
             }
         }
@@ -184,5 +184,5 @@ pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
     if let Some((index, (_, path))) = rows.range(designs..).next() {
         return fail(format!("{} has design {index} of {designs}", path.display()), help);
     }
-    Ok((rows.into_values().fold(header + "\n", |text, (line, _)| text + &line), designs))
+    Ok(([header].into_iter().chain(rows.into_values().map(|(line, _)| line)).collect(), designs))
 }

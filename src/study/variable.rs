@@ -59,10 +59,8 @@ impl Variable {
         let mut reader = NumberReader::new(key, values, help)?;
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
         let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));
-        let (to, count) = match to.rsplit_once('/').map(|(to, count)| (to, count.trim().parse::<usize>())) {
-            Some((to, Ok(count))) => (to, Some(count)),
-            _ => (to, None),
-        };
+        let counted = to.rsplit_once('/').and_then(|(to, count)| Some((to, count.trim().parse::<usize>().ok()?)));
+        let (to, count) = counted.map_or((to, None), |(to, count)| (to, Some(count)));
         let what = format!("has {} values, not {} to {}", count.unwrap_or(0), COUNT.start(), COUNT.end());
         reader.ensure(count.is_none_or(|count| COUNT.contains(&count)), what)?;
         let ends = [reader.number(from)?, reader.number(to)?];
@@ -82,7 +80,7 @@ impl Variable {
         let help = format!("write a point, {point}, or a blank behind a comma between values");
         ensure(!has_decimal_comma(values), what, help)?;
         let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
-        let mut reader = NumberReader { key, text: values, help, unit: "" };
+        let mut reader = NumberReader { key, text: values, help, unit: String::new() };
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
         reader.ensure(!items.contains(&""), "misses a value")?;
         if items.iter().all(|item| split_number(item).is_some()) {
@@ -111,21 +109,17 @@ impl Variable {
     /// The override that sets a value, a number or a word.
     pub fn setting(&self, value: &str) -> String {
         let Self { key, unit, .. } = self;
-        match (number(value), unit.as_str()) {
-            (None, _) => format!("{key}={value:?}"),
-            (_, "") => format!("{key}={value}"),
-            (_, unit) => format!("{key}={value} {unit}"),
-        }
+        if number(value).is_none() { format!("{key}={value:?}") } else { with_unit(format!("{key}={value}"), unit) }
     }
 
     /// Column of a table: the key with its unit, `tools.die.shoulder_mm`.
     pub fn header(&self) -> String {
         let unit = self.unit.replace('/', "_per_").replace('%', "percent").replace('°', "deg").replace([' ', '^'], "");
-        if unit.is_empty() { self.key.clone() } else { format!("{}_{unit}", self.key) }
+        format!("{}_{unit}", self.key).trim_end_matches('_').to_owned()
     }
 
     pub fn display(&self, value: f64) -> String {
-        format!("{} {}", significant(value, 6), self.unit).trim_end().to_owned()
+        with_unit(significant(value, 6).to_string(), &self.unit)
     }
 
     /// Name for tables and axes; the key if it has none.
@@ -136,12 +130,6 @@ impl Variable {
     /// Solver unit of an axis, and the factor from the variable's unit to it.
     pub fn axis_unit(&self) -> (Unit, f64) {
         Unit::of_header(&self.header()).unwrap_or((Unit::None, 1.0))
-    }
-
-    /// A quantity as written, in the variable's unit; `None` in another dimension.
-    pub fn in_unit(&self, text: &str) -> Option<f64> {
-        let (own, one) = (parse(text).ok()?, parse(&format!("1 {}", self.unit)).ok()?);
-        (own.dimension == one.dimension).then_some(own.value / one.value)
     }
 }
 
@@ -170,6 +158,10 @@ pub(super) fn written(value: f64) -> String {
     significant(value, 12).to_string()
 }
 
+pub(super) fn with_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() { number } else { number + " " + unit }
+}
+
 pub(super) fn check_distinct<'a>(
     variables: impl Iterator<Item = &'a Variable>,
     what: &str,
@@ -189,17 +181,16 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
 fn has_decimal_comma(list: &str) -> bool {
     let items: Vec<&str> = list.trim().split(',').collect();
     let digits = |item: &str| item.bytes().take_while(u8::is_ascii_digit).count();
-    let is_padded = |item: &&str| item.starts_with('0') && digits(item) > 1;
     let is_share = items.len() == 2 && items[0] == "0" && digits(items[1]) > 0 && !items[1].contains('.');
-    is_share || items[1..].iter().any(is_padded)
+    is_share || items[1..].iter().any(|item| item.starts_with('0') && digits(item) > 1)
 }
 
-/// Reader of the numbers of one text.
+/// Reader of the numbers of one text, which must have one unit.
 pub(super) struct NumberReader<'a> {
-    pub key: &'a str,
-    pub text: &'a str,
-    pub help: &'static str,
-    pub unit: &'a str,
+    key: &'a str,
+    text: &'a str,
+    help: &'static str,
+    pub unit: String,
 }
 
 impl<'a> NumberReader<'a> {
@@ -208,7 +199,7 @@ impl<'a> NumberReader<'a> {
         let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
         let (what, point) = (format!("{key}: a decimal comma in `{text}`"), text.replace(',', "."));
         ensure(!text.as_bytes().windows(3).any(is_decimal), what, format!("write a point: {point}"))?;
-        Ok(Self { key, text, help, unit: "" })
+        Ok(Self { key, text, help, unit: String::new() })
     }
 
     pub fn wrong(&self, what: impl AsRef<str>) -> StudyError {
@@ -219,14 +210,11 @@ impl<'a> NumberReader<'a> {
         if holds { Ok(()) } else { Err(self.wrong(what)) }
     }
 
-    /// A number; all units must be one.
-    pub fn number(&mut self, text: &'a str) -> Result<f64, StudyError> {
-        let (number, unit) = split_number(text.trim()).ok_or_else(|| match text.trim() {
-            "" => self.wrong("misses a number"),
-            other => self.wrong(format!("has no number in `{other}`")),
-        })?;
+    pub fn number(&mut self, text: &str) -> Result<f64, StudyError> {
+        let text = text.trim();
+        let (number, unit) = split_number(text).ok_or_else(|| self.wrong(format!("has no number in `{text}`")))?;
         if self.unit.is_empty() {
-            self.unit = unit;
+            unit.clone_into(&mut self.unit);
         }
         self.ensure(unit.is_empty() || unit == self.unit, format!("has two units, {} and {unit}", self.unit))?;
         Ok(number)
@@ -234,10 +222,13 @@ impl<'a> NumberReader<'a> {
 
     /// The unit of all numbers, of those that case files have; "6 t" is six thicknesses of the sheet.
     pub fn unit(&self) -> Result<String, StudyError> {
-        let error = parse(&format!("1 {}", self.unit)).err().filter(|_| self.unit != "t");
-        let what = error.map(|error| format!("{}: {error}", self.key));
-        ensure(what.is_none(), what.unwrap_or_default(), "write a unit of case files behind the values")?;
-        Ok(self.unit.to_owned())
+        match parse(&format!("1 {}", self.unit)) {
+            Err(error) if self.unit != "t" => {
+                let what = format!("{}: {error}", self.key);
+                Err(StudyError::new(what, "write a unit of case files behind the values"))
+            }
+            _ => Ok(self.unit.clone()),
+        }
     }
 }
 
@@ -254,6 +245,18 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     };
     let end = text.char_indices().find(|&at| !is_of_number(at)).map_or(text.len(), |(i, _)| i);
     Some((number(&text[..end])?, text[end..].trim()))
+}
+
+/// A quantity in a unit; `None` in another dimension, or where only one of both has a unit.
+pub(super) fn in_unit(text: &str, unit: &str) -> Option<f64> {
+    let (number, own) = split_number(text.trim())?;
+    if own == unit {
+        return Some(number);
+    }
+    let [given, zero, one] = [text.to_owned(), format!("0 {unit}"), format!("1 {unit}")].map(|text| parse(&text).ok());
+    let (given, zero, one) = (given?, zero?, one?);
+    let is_alike = own.is_empty() == unit.is_empty() && given.dimension == one.dimension;
+    is_alike.then_some((given.value - zero.value) / (one.value - zero.value))
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
 }
 
 fn values(scatter: &mut Scatter) -> Vec<Vec<f64>> {
-    let settings = Evaluation { threads: 2, errors: false, shard: Shard::WHOLE, watch: &() };
+    let settings = Evaluation { threads: 2, shard: Shard::WHOLE, watch: &() };
     let table = begin(scatter, &settings).expect("a run");
     let designs = scatter.next(&table).into_iter();
     designs.map(|design| design.values.iter().map(|text| text.parse().expect("a number")).collect()).collect()
@@ -37,7 +37,7 @@ fn the_sample_fills_each_variable_evenly() {
 #[test]
 fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     let mut scatter = scatter(&["friction=uniform 0.05..0.11"], 32, 1).expect("a scatter");
-    let table = run(&mut scatter, 2, false, &());
+    let table = run(&mut scatter, 2, &());
     let result = scatter.result(&table);
     let force = table.response("punch_force").expect("a force");
     let spread = result.spreads.iter().find(|spread| spread.response == force).expect("a spread");

@@ -24,7 +24,7 @@ fn request(vary: &str, condition: Option<&str>, target: Option<&str>, side: Opti
 
 fn search(base: BaseCase, request: &SearchRequest) -> Result<(LimitSearch, RunTable), StudyError> {
     let mut search = LimitSearch::new(base, request)?;
-    let table = run(&mut search, 2, false, &());
+    let table = run(&mut search, 2, &());
     Ok((search, table))
 }
 
@@ -46,7 +46,7 @@ fn a_limit_is_bracketed_by_runs_on_both_sides() {
 /// Trust: the wanted force is that of a run with a known friction.
 #[test]
 fn a_target_gives_back_the_value_that_makes_it() {
-    let known = run(&mut crate::study::sweep(&["friction=0.1"], false).expect("a sweep"), 1, false, &());
+    let known = run(&mut crate::study::sweep(&["friction=0.1"], false).expect("a sweep"), 1, &());
     let force = known.runs[0].numbers[known.response("punch_force").expect("a force")];
     let asked = request("friction=0.02..0.2", None, Some(&format!("punch_force={force} N")), None);
     let (search, table) = search(base(&[]), &asked).expect("a search");
@@ -71,7 +71,7 @@ fn a_search_without_a_limit_says_so() {
 /// Trust: by hand.
 #[test]
 fn conditions_judge_lights_tears_and_quantities() {
-    let table = run(&mut crate::study::sweep(&["friction=0.08"], false).expect("a sweep"), 1, false, &());
+    let table = run(&mut crate::study::sweep(&["friction=0.08"], false).expect("a sweep"), 1, &());
     let force = table.response("punch_force").expect("a force");
     let with = |red: &[&str], amber: &[&str], newtons: f64, torn: bool| {
         let mut run = table.runs[0].clone();

@@ -23,8 +23,8 @@ pub fn sweep(vary: &[&str], one_at_a_time: bool) -> Result<Sweep, StudyError> {
     Sweep::new(base(), &vary, one_at_a_time)
 }
 
-pub fn run(study: &mut dyn Study, threads: usize, errors: bool, watch: &dyn Watch) -> RunTable {
-    let settings = Evaluation { threads, errors, shard: Shard::WHOLE, watch };
+pub fn run(study: &mut dyn Study, threads: usize, watch: &dyn Watch) -> RunTable {
+    let settings = Evaluation { threads, shard: Shard::WHOLE, watch };
     let runs = begin(study, &settings).unwrap_or_else(|error| panic!("{error}"));
     evaluate(study, &settings, runs, &EarlierRuns::new(), &mut |_, _: &Evaluated| ControlFlow::Continue(()))
 }
@@ -34,28 +34,26 @@ pub fn run(study: &mut dyn Study, threads: usize, errors: bool, watch: &dyn Watc
 fn designs_are_counted_with_the_last_key_fastest_and_pairs_together() {
     let mut sweep = sweep(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm & tools.punch.friction=0.1,0.2"], false)
         .expect("a sweep");
-    let runs =
-        begin(&mut sweep, &Evaluation { threads: 1, errors: false, shard: Shard::WHOLE, watch: &() }).expect("a run");
+    let runs = begin(&mut sweep, &Evaluation { threads: 1, shard: Shard::WHOLE, watch: &() }).expect("a run");
     let values: Vec<Vec<String>> = sweep.next(&runs).into_iter().map(|design| design.values).collect();
     assert_eq!(values, [["0.05", "5", "0.1"], ["0.05", "6", "0.2"], ["0.1", "5", "0.1"], ["0.1", "6", "0.2"]]);
 }
 
-/// Trust: the same on any number of threads; friction raises the force; error bars are there when asked for.
+/// Trust: the same on any number of threads; friction raises the force.
 #[test]
 fn rows_come_in_order_and_are_the_same_on_any_number_of_threads() {
     let tables =
-        [1, 3].map(|threads| run(&mut sweep(&["friction=0.04..0.2/3"], false).expect("a sweep"), threads, true, &()));
+        [1, 3].map(|threads| run(&mut sweep(&["friction=0.04..0.2/3"], false).expect("a sweep"), threads, &()));
     assert_eq!(tables[0].csv(), tables[1].csv());
     let force = tables[0].response("punch_force").expect("a force");
     let runs = &tables[0].runs;
     assert!(runs.windows(2).all(|pair| pair[0].numbers[force] < pair[1].numbers[force]));
-    assert!(runs.iter().all(|run| run.errors[force] > 0.0 && run.errors[force] < 0.2 * run.numbers[force]));
 }
 
 /// Trust: a die whose throat is narrower than its punch cannot be built, the other can.
 #[test]
 fn a_design_that_cannot_be_built_is_a_row_with_its_reason() {
-    let table = run(&mut sweep(&["tools.die.throat=20,31.25 mm"], false).expect("a sweep"), 2, false, &());
+    let table = run(&mut sweep(&["tools.die.throat=20,31.25 mm"], false).expect("a sweep"), 2, &());
     assert!(table.runs[0].failures == [FailureMode::NoResult] && table.runs[0].reason.contains("throat"));
     assert!(table.runs[1].is_known());
 }
@@ -65,7 +63,7 @@ fn a_design_that_cannot_be_built_is_a_row_with_its_reason() {
 fn one_at_a_time_gives_the_sensitivity_of_each_key() {
     let mut sweep = sweep(&["friction=0.07,0.09", "tools.punch.friction=0.04,0.2", "tools.die.shoulder=6 mm"], true)
         .expect("a sweep");
-    let table = run(&mut sweep, 2, false, &());
+    let table = run(&mut sweep, 2, &());
     assert_eq!(table.runs.len(), 6);
     assert_eq!(table.runs[0].numbers, table.base.numbers);
     let force = table.response("punch_force").expect("a force");
@@ -90,11 +88,11 @@ impl Watch for After {
 #[test]
 fn a_stopped_study_keeps_its_rows() {
     let mut sweep = sweep(&["friction=0.04..0.2/4"], false).expect("a sweep");
-    let whole = run(&mut sweep, 1, false, &());
-    let part = run(&mut sweep, 1, false, &After(AtomicUsize::new(0), 2));
+    let whole = run(&mut sweep, 1, &());
+    let part = run(&mut sweep, 1, &After(AtomicUsize::new(0), 2));
     assert_eq!(part.runs, whole.runs[..2]);
     let earlier: EarlierRuns = part.runs.iter().map(|run| (run.index, run.clone())).collect();
-    let settings = Evaluation { threads: 2, errors: false, shard: Shard::WHOLE, watch: &() };
+    let settings = Evaluation { threads: 2, shard: Shard::WHOLE, watch: &() };
     let begun = begin(&mut sweep, &settings).expect("a run");
     let mut new = Vec::new();
     let resumed = evaluate(&mut sweep, &settings, begun, &earlier, &mut |_, evaluated| {
@@ -104,7 +102,7 @@ fn a_stopped_study_keeps_its_rows() {
     assert_eq!((resumed.csv(), new), (whole.csv(), vec![2, 3]));
 }
 
-const VARY: [&str; 4] = ["--vary", "friction=0.05..0.15/5", "--quiet", "--no-error-bars"];
+const VARY: [&str; 3] = ["--vary", "friction=0.05..0.15/5", "--quiet"];
 
 fn call(dir: &Path, args: &[&str]) -> Output {
     stampflow(dir, args)
@@ -214,7 +212,7 @@ fn a_study_file_is_the_command_line() {
 #[test]
 fn a_window_of_two_keys_shows_where_designs_fail() {
     let mut sweep = sweep(&["tools.holder.force=1..40 kN/4", "friction=0.04..0.2/3"], false).expect("a sweep");
-    let table = run(&mut sweep, 2, false, &());
+    let table = run(&mut sweep, 2, &());
     assert!(table.runs.iter().any(|run| run.failures.contains(&FailureMode::Wrinkles)));
     let report = sweep.report(&table);
     let (name, chart) = &report.charts[0];

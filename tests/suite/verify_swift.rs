@@ -116,7 +116,7 @@ impl Sheet {
         set.extend(more.iter().map(|set| (*set).to_owned()));
         let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
         let mut search = LimitSearch::new(BaseCase::load(CASE, set).expect("a case"), &request).expect("a search");
-        let runs = run(&mut search, 2, false, &());
+        let runs = run(&mut search, 2, &());
         let (found, ..) = search.result(&runs);
         let Bracket::Between([inner, outer]) = found else { panic!("{self:?}: {found:?}") };
         0.5 * (inner + outer) / PUNCH

@@ -87,7 +87,7 @@ fn run(
             return Ok((fit.report, None));
         }
     };
-    let settings = Evaluation { threads, errors: false, shard: Shard::WHOLE, watch };
+    let settings = Evaluation { threads, shard: Shard::WHOLE, watch };
     let runs = begin(&mut *study, &settings)?;
     let runs = evaluate(&mut *study, &settings, runs, &EarlierRuns::new(), &mut |_, _| ControlFlow::Continue(()));
     Ok((study.report(&runs), Some(runs)))

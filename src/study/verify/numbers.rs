@@ -118,7 +118,8 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
     let judged = assess::judgements(findings).filter(|row| row.key != "solution_quality").filter_map(|row| {
         let amount = row.quantity.as_ref()?.amount.to(Digits::Significant(3));
         let s0 = used.as_ref().filter(|_| row.key == "forming_limit").map(|used| used.worst);
-        Some(Number { s0, ..Number::new(Origin::Verdict, Quantity::new(row.key, row.label, amount)) })
+        let quantity = Quantity { limits: row.limits(), ..Quantity::new(row.key, row.label, amount) };
+        Some(Number { s0, ..Number::new(Origin::Verdict, quantity) })
     });
     let answer = answer.iter().filter(|number| !is_input(number.key));
     let answer = answer.map(|n| Number::new(Origin::Answer, Quantity::new(n.key, n.label, n.amount)));
