@@ -1,11 +1,15 @@
-//! Errors of case files: key, place and remedy.
+//! Errors of case files with key, place and remedy; complaints of the TOML parser and of serde in plain words.
 
-use crate::case::files::{remedy, visible};
+use super::files::{remedy, visible};
+use super::schema::{example, is_index};
+use super::source::Source;
+use crate::units::{self, QuantityError, did_you_mean};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::io::{self, ErrorKind};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use toml::de::Error;
 
 /// Longest quote in a message \[characters\].
 const LONGEST: usize = 300;
@@ -125,4 +129,118 @@ fn shortened(text: &str) -> String {
         return text.to_owned();
     }
     text.chars().take(LONGEST).chain(" … ".chars()).chain(text.chars().skip(length - LONGEST / 3)).collect()
+}
+
+pub(super) fn not_toml(error: &Error, text: &str, shown: Arc<NamedSource<String>>) -> CaseError {
+    let span = error.span().unwrap_or(0..0);
+    let what = error.message().lines().collect::<Vec<_>>().join("; ");
+    if what == "duplicate key" {
+        let key = text.get(span.clone()).unwrap_or("a key").trim();
+        return CaseError::at(shown, span, format!("`{key}` is written twice"), "again".into(), "keep one".into());
+    }
+    let start = text.get(..span.start).and_then(|before| before.rfind('\n')).map_or(0, |i| i + 1);
+    let line = text.get(start..).and_then(|rest| rest.lines().next()).unwrap_or("");
+    let help = unquoted_number(line, span.start.saturating_sub(start))
+        .or_else(|| unquoted_text(line))
+        .unwrap_or_else(|| "case files are TOML: [table] headers and key = value lines".into());
+    CaseError::at(shown, span, format!("this is not TOML: {what}"), "here".into(), help)
+}
+
+fn unquoted_text(line: &str) -> Option<String> {
+    let (key, value) = line.split_once('=')?;
+    let (key, value) = (key.trim(), value.split('#').next()?.trim());
+    let is_text = value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'', '{', '[']);
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-' | '.'));
+    (is_text && is_key).then(|| format!("text stands in quotes: write {key} = \"{value}\""))
+}
+
+/// Remedy for the number around byte `at` of a line: a decimal point between digits, quotes around a unit.
+fn unquoted_number(line: &str, at: usize) -> Option<String> {
+    let before = line.get(..at).filter(|before| before.contains('=')).unwrap_or(line);
+    let equals = before.rfind('=')?;
+    let key = line[..equals].trim_end().rsplit(['{', ',', ' ']).next()?;
+    let value = line[equals + 1..].split(['#', '}', ']']).next()?.split(", ").next()?.trim().trim_end_matches(',');
+    let unsigned = value.trim_start_matches(['+', '-']);
+    if !unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.') || value.contains('"') {
+        return None;
+    }
+    let (rule, value) = match units::parse(value) {
+        Err(QuantityError { with_point: Some(point), .. }) => (Some("the decimal sign is a point"), point),
+        _ if unsigned.starts_with('.') || unsigned.ends_with('.') => {
+            (Some("a decimal point has digits on both sides"), value.to_owned())
+        }
+        _ => (None, value.to_owned()),
+    };
+    match value.parse::<f64>() {
+        Err(_) => Some(format!("a number with a unit is text: write {key} = \"{value}\"")),
+        Ok(number) => rule.map(|rule| format!("{rule}: write {key} = {number}")),
+    }
+}
+
+pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
+    let span = error.span().unwrap_or(0..0);
+    let path = source.path_at(&span).unwrap_or_default();
+    let message = error.message();
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    let subject = quoted.next().unwrap_or("");
+    let known: Vec<&str> = quoted.collect();
+    let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
+    let (what, help) = if message.starts_with("unknown field") && table.is_empty() && source.has("case") {
+        let what = format!("this is a study, not a case: `{subject}` is no key of a case");
+        (what, "run it with `stampflow sweep`, `scatter` or `fit`, whichever it is written for".to_owned())
+    } else if message.starts_with("unknown field") {
+        let table = if table.is_empty() { "the case".into() } else { format!("[{table}]") };
+        (format!("unknown key `{subject}` in {table}"), proposal(subject, &known, "keys"))
+    } else if message.starts_with("missing field") {
+        return source.missing(&path, subject);
+    } else if message.starts_with("unknown variant") {
+        (format!("`{key}` cannot be \"{subject}\""), proposal(subject, &known, "values"))
+    } else {
+        let (what, help) = message.split_once('\n').unwrap_or((message, ""));
+        let joint = if what.starts_with("must ") { "" } else { ":" };
+        let example = example(&path).filter(|_| help.is_empty() || help.starts_with("write for example"));
+        let help = example.map_or_else(|| help.to_owned(), |line| format!("write for example {line}"));
+        (format!("`{}`{joint} {}", last_name(&path), in_plain_words(what)), help)
+    };
+    source.error_at(span, what, if path.is_empty() { "here".into() } else { path }, help)
+}
+
+/// Key at the end of a path, with the index behind it if it is an entry of an array.
+fn last_name(path: &str) -> &str {
+    let key = path.rmatch_indices('.').find(|(at, _)| !path[at + 1..].split('.').all(is_index));
+    if path.is_empty() { "case" } else { key.map_or(path, |(at, _)| &path[at + 1..]) }
+}
+
+fn proposal(word: &str, known: &[&str], kind: &str) -> String {
+    format!("{}known {kind}: {}", did_you_mean(word, known.iter().copied()), known.join(", "))
+}
+
+/// Serde's "invalid type" message without names of Rust types.
+fn in_plain_words(message: &str) -> String {
+    let Some((found, wanted)) = message.rsplit_once(", expected ") else { return message.to_owned() };
+    let wanted = match wanted {
+        "i64" | "usize" => "a whole number",
+        "a string" => "text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list in square brackets",
+        "an array of length 2" | "a tuple of size 2" => "a list of two",
+        "newtype variant" => "a table with its parameters behind it",
+        w if w.starts_with("struct ") || w == "a map" => "a table of keys",
+        w if w.starts_with("enum ") || w.ends_with("enum") => "a word in quotes",
+        other => other,
+    };
+    const PLAIN: [(&str, &str); 10] = [
+        ("invalid type: ", ""),
+        ("invalid value: ", ""),
+        ("invalid length 0", "an empty list"),
+        ("invalid length 1", "a list of one"),
+        ("floating point", "number"),
+        ("integer", "number"),
+        ("sequence", "list"),
+        ("unit variant", "a name alone"),
+        ("string", "text"),
+        ("map", "table"),
+    ];
+    let found = PLAIN.iter().fold(found.to_owned(), |found, (rust, plain)| found.replace(rust, plain));
+    format!("found {found}, wanted {wanted}")
 }

@@ -1,7 +1,6 @@
 //! Case files: TOML → `CaseFile` (what was written) → [`Case`] (what it means: a [`Model`] for every stage).
 
 pub mod comparison;
-mod complaint;
 mod error;
 pub(crate) mod file;
 pub mod files;

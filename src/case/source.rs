@@ -2,7 +2,7 @@
 
 use super::files::Folder;
 use super::schema::example;
-use super::{CaseError, complaint, file::CaseFile};
+use super::{CaseError, error, file::CaseFile};
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::Deserialize;
@@ -44,7 +44,7 @@ impl<'t> Source<'t> {
                 let (notes, read, stage) = Default::default();
                 Ok(Self { shown, text, tree, root, folder, notes, read, stage })
             }
-            Err(error) => Err(complaint::not_toml(&error, text, shown)),
+            Err(error) => Err(error::not_toml(&error, text, shown)),
         }
     }
 
@@ -61,7 +61,7 @@ impl<'t> Source<'t> {
             return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
         }
         let file = CaseFile::deserialize(Deserializer::from(self.tree.clone()));
-        let file = file.map_err(|error| complaint::wrong_key(&error, self))?;
+        let file = file.map_err(|error| error::wrong_key(&error, self))?;
         self.check_lengths("", &self.root)?;
         Ok(file)
     }

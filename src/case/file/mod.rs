@@ -3,12 +3,11 @@
 //! The documentation of the fields is shown by editors through the JSON schema, the examples are proposed by error messages.
 
 mod blank;
+mod contact;
 mod counter;
 mod drive;
 mod fit;
 mod forming_limit;
-mod friction;
-mod holder;
 mod judged;
 mod material;
 mod points;
@@ -28,8 +27,8 @@ use super::{CaseError, comparison::Compare, source::Source};
 use crate::model::{self, Friction, Geometry, Mode, Model, Settings, StopRules, Theory, Tool};
 use crate::units::Dimensioned;
 use blank::Blank;
+use contact::{Frictions, Sides};
 use drive::Output;
-use friction::{Frictions, Sides};
 use judged::WrittenPress;
 use material::checked_mode;
 use schemars::JsonSchema;
@@ -132,7 +131,7 @@ impl CaseFile {
         let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
         let timed =
             drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || self.gas.is_some();
-        let beads = holder::beads(&tools, &context)?;
+        let beads = contact::beads(&tools, &context)?;
         drive::check_settings(&self.solver, source)?;
         drive::check_stop(&self.stop, &tools, source)?;
         let model = Model {

@@ -1,7 +1,7 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
+use super::contact::Frictions;
 use super::drive::{self, equally_spaced};
-use super::friction::Frictions;
 use super::material::checked_mode;
 use super::tools::{Die, Holder, Punch, ToolContext, ToolKeys, Tools};
 use super::values::{History, count, radius_of, untagged};

@@ -1,7 +1,6 @@
 //! `[tools]` and the tools of `[[stages]]`: shapes placed where they touch the flat sheet.
 
-use super::friction::{Friction, Frictions};
-use super::holder::{Bead, Spring};
+use super::contact::{Bead, Friction, Frictions, Spring};
 use super::section::Section;
 use super::values::{History, HolderForce, radius_of};
 use super::{CaseError, Deserialize, JsonSchema, Source};
