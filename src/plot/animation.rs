@@ -1,7 +1,6 @@
 //! Animation: the section coloured by thinning, its tools, and the load.
 
 use super::chart::{Chart, Panel, Series};
-use super::stage_view::spread;
 use super::thinning::{Thinning, exaggeration, thickness_note};
 use super::{StageView, load_travel, raster, sections, svg};
 use crate::solver::solution::Frame;
@@ -21,17 +20,12 @@ const LOAD_HEIGHT: f64 = 130.0;
 
 /// `shapes.gif`; each picture lasts as long as its frame, so that the tools move evenly.
 pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>)> {
-    let pictures = pictures(view, frames, frames.len()).into_iter().map(|chart| svg::svg(&chart));
+    let pictures = frames.iter().map(|frame| svg::svg(&picture(view, frames, frame)));
     let done: Vec<f64> = frames.iter().map(|frame| view.model().progress(frame.time)).collect();
     let whole = done[done.len() - 1] - done[0];
     let until_next = done.windows(2).map(|pair| LENGTH * (pair[1] - pair[0]) / whole);
     let delays: Vec<u16> = until_next.map(|hundredths| hundredths.max(SHORTEST).round() as u16).chain([LAST]).collect();
     vec![("shapes.gif".to_owned(), raster::gif(pictures, &delays))]
-}
-
-/// At most `most` pictures spread over the frames, the last among them.
-pub fn pictures(view: &StageView, frames: &[&Frame], most: usize) -> Vec<Chart> {
-    spread(frames, most).into_iter().map(|frame| picture(view, frames, frame)).collect()
 }
 
 /// Picture of a frame, with the window, scale and axes of the whole animation.

@@ -5,7 +5,6 @@ pub(crate) mod axis;
 mod bands;
 pub mod chart;
 mod dimensions;
-mod display;
 pub(crate) mod fields;
 pub mod forming_diagram;
 mod frame_recorder;

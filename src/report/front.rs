@@ -38,7 +38,7 @@ pub(super) fn content(report: &Report) -> Markup {
             span.{ (answer.light.name()) } { (word(answer.light)) } " " (capitalised(&answer.sentence)) "."
         }
         @if !issues.is_empty() {
-            ul.issues { @for (issue, advice) in advised(&issues[..issues.len().min(ISSUES)]) { (issue_of(issue, advice)) } }
+            ul.issues { @for issue in issues.iter().take(ISSUES) { (issue_of(issue)) } }
         }
         @if left > 0 { p { (left) " more below: see Verdict." } }
         dl.numbers {
@@ -53,7 +53,7 @@ pub(super) fn content(report: &Report) -> Markup {
     }
 }
 
-fn issue_of(issue: &Finding, advice: &str) -> Markup {
+fn issue_of(issue: &Finding) -> Markup {
     let found = issue.statement();
     let (found, limit) = (brief(&found), brief(&issue.limit));
     html! {
@@ -62,7 +62,7 @@ fn issue_of(issue: &Finding, advice: &str) -> Markup {
                 span.{ (issue.light.name()) } { (word(issue.light)) } " " strong { (issue.label) } ": " (found)
                 @if !limit.is_empty() { " (limit: " (limit) ")" }
             }
-            @if !advice.is_empty() { p.advice { "What to change: " (advice) } }
+            @if !issue.advice.is_empty() { p.advice { "What to change: " (issue.advice) } }
         }
     }
 }
@@ -70,15 +70,6 @@ fn issue_of(issue: &Finding, advice: &str) -> Markup {
 /// Text up to the first semicolon: the full verdict has the rest.
 fn brief(text: &str) -> &str {
     text.split_once("; ").map_or(text, |(first, _)| first)
-}
-
-/// Issues with the same advice after each other, and the advice with the last of them only.
-fn advised<'a>(issues: &[&'a Finding]) -> Vec<(&'a Finding, &'a str)> {
-    let mut issues = issues.to_vec();
-    let order: Vec<&str> = issues.iter().map(|issue| issue.advice.as_str()).collect();
-    issues.sort_by_key(|issue| order.iter().position(|advice| *advice == issue.advice));
-    let is_last = |i: usize| issues.get(i + 1).is_none_or(|next| next.advice != issues[i].advice);
-    (0..issues.len()).map(|i| (issues[i], if is_last(i) { issues[i].advice.as_str() } else { "" })).collect()
 }
 
 /// The part at the end, and the load of the stage that tears or takes most of it.

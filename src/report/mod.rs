@@ -39,11 +39,6 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Prepares a report without error bars.
-    pub fn of(solution: &'a Solution) -> Self {
-        Self::verified(solution, None)
-    }
-
     /// Prepares a report with the error bars of a verified case.
     pub fn verified(solution: &'a Solution, bars: Option<&'a ErrorBars>) -> Self {
         Self::answered(solution, bars, answered(solution, bars))

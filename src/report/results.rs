@@ -51,15 +51,11 @@ fn changes(view: &StageView) -> Option<Markup> {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
         let bar = change.after.and_then(|after| view.half(amount(after)));
-        let text = |value: Option<f64>, shows_bar: bool| match (value.map(amount), bar) {
-            (None, _) => "none".to_owned(),
-            (Some(amount), Some(bar)) if shows_bar => amount.with_bar(bar).parts().0,
-            (Some(amount), Some(bar)) => {
-                amount.with_bar(bar).parts().0.split(" ± ").next().unwrap_or_default().to_owned()
-            }
-            (Some(amount), None) => amount.parts().0,
+        let text = |value: Option<f64>, bar: Option<f64>| {
+            let amount = |value| bar.map_or(amount(value), |bar| amount(value).with_bar(bar));
+            value.map_or_else(|| "none".to_owned(), |value| amount(value).parts().0)
         };
-        let [before, after, by] = [text(change.before, false), text(change.after, true), text(change.change(), false)];
+        let [before, after, by] = [text(change.before, None), text(change.after, bar), text(change.change(), None)];
         [change.quantity.label.to_string(), before, after, by, amount(0.0).parts().1.to_owned()]
     });
     Some(table(&["Spring-back", "Before", "After", "Change", "Unit"], rows))

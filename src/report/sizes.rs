@@ -44,12 +44,8 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
             found.push(plain("Travel", Amount::set(model.travel), Mark::Along { r, from, to: from + model.travel }));
         }
     }
-    found.extend(
-        model
-            .beads
-            .iter()
-            .map(|bead| wide(model, "Draw bead", bead.at, Amount::drawn, Mark::At(Point::new(bead.at, -half)))),
-    );
+    let beads = model.beads.iter().map(|bead| bead.at);
+    found.extend(beads.map(|r| wide(model, "Draw bead", r, Amount::drawn, Mark::At(Point::new(r, -half)))));
     found
 }
 

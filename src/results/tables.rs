@@ -150,8 +150,8 @@ pub(super) fn residual_stress(view: &StageView) -> Option<Table> {
     let (extent, layers) = (view.extent(), &frame.through.layers);
     let points = &frame.through.points[..elements.len() * layers.len()];
     let of_elements = |field: Field<ElementRecord>| {
-        let each = elements.iter().flat_map(|e| std::iter::repeat_n((field.value)(e), layers.len()));
-        field.filled(extent, each.collect())
+        let values = elements.iter().flat_map(|e| std::iter::repeat_n((field.value)(e), layers.len())).collect();
+        field.filled(extent, values)
     };
     let of_points = |field: Field<ElementRecord>, value: fn(&PointRecord) -> f64| {
         field.filled(extent, points.iter().map(value).collect())

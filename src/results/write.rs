@@ -77,10 +77,7 @@ fn refuse_others(dir: &Path) -> Result<(), WriteError> {
         if !path.file_name().and_then(|name| name.to_str()).is_some_and(is_result) {
             continue;
         }
-        if path.is_dir() {
-            return Err(WriteError { path, source: ErrorKind::IsADirectory.into() });
-        }
-        if !is_of_a_run || path.is_symlink() {
+        if !is_of_a_run || path.is_symlink() || path.is_dir() {
             let source =
                 io::Error::new(ErrorKind::AlreadyExists, "it is there, and nothing says that a run has written it");
             return Err(WriteError { path, source });

@@ -5,8 +5,6 @@ use csv::StringRecord;
 
 /// Most rows: a hundred times what a drawn curve needs.
 const MOST: usize = 100_000;
-/// Longest line \[bytes\]: hundreds of columns.
-const LONGEST_LINE: usize = 10_000;
 /// Longest quotation from a file \[characters\].
 const LONGEST: usize = 40;
 
@@ -52,10 +50,6 @@ impl Csv {
     /// # Errors
     /// If there are only comments, the first line names no columns, a row is longer than it, or the size limits are exceeded.
     pub fn read(text: &str, name: &str, example: &str) -> Result<Self, CsvError> {
-        if let Some(i) = text.lines().position(|line| line.len() > LONGEST_LINE && !line.starts_with('#')) {
-            let what = format!("{name} is no table of numbers: line {} is longer than {LONGEST_LINE} bytes", i + 1);
-            return refused(None, what, example);
-        }
         let mut reader = csv::ReaderBuilder::new();
         reader.comment(Some(b'#')).trim(csv::Trim::All).flexible(true).has_headers(false);
         let records = reader.from_reader(text.as_bytes()).into_records().take(MOST + 2);
@@ -139,9 +133,8 @@ impl Record {
                 format!("{name} is no table of numbers: its first line names no columns, it begins with \"{word}\"");
             return refused(None, what, example);
         }
-        let separated = |c: char| self.fields.iter().any(|field| field.contains(c));
-        let Some((_, separator)) = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(|(c, _)| separated(*c))
-        else {
+        let is_separated = |(c, _): &(char, _)| self.fields.iter().any(|field| field.contains(*c));
+        let Some((_, separator)) = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(is_separated) else {
             return Ok(());
         };
         let help = format!("separate columns by commas and write decimals with a point; {example}");

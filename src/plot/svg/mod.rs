@@ -5,7 +5,6 @@
 mod annotations;
 mod page;
 mod panel;
-mod polygon;
 mod shapes;
 pub(crate) mod text;
 mod ticks;

@@ -1,8 +1,7 @@
 //! One pair of axes: ranges, ticks, labels and series.
 
 use super::annotations::{self, Flags};
-use super::polygon::clipped;
-use super::shapes::{self, pen};
+use super::shapes::{self, clipped, pen};
 use super::text::{LABEL, SPACING, TICK, clean, style, width};
 use super::ticks::{Ticked, label, tick_count, values};
 use super::{Canvas, FINE, IN_MEMORY, units};
