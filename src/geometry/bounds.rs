@@ -21,14 +21,12 @@ impl Bounds {
 
     /// True if a point lies farther away than `margin` \[mm\] along an axis.
     pub fn is_beyond(&self, p: Point, margin: f64) -> bool {
-        let out = (self.low - p).sup(&(p - self.high));
-        out.x > margin || out.y > margin
+        self.is_apart(&Self { low: p, high: p }, margin)
     }
 
     /// True if two boxes lie farther apart than `margin` \[mm\] along an axis.
     pub fn is_apart(&self, other: &Self, margin: f64) -> bool {
-        let out = (self.low - other.high).sup(&(other.low - self.high));
-        out.x > margin || out.y > margin
+        (self.low - other.high).sup(&(other.low - self.high)).max() > margin
     }
 }
 

@@ -1,5 +1,4 @@
-use super::monotone::{Extrapolation, Monotone};
-use super::table::{Points, curve};
+use super::table::{Extrapolation, Monotone, Points, curve};
 use super::{FlowStress, HardeningLaw};
 use crate::material::law::prelude::*;
 

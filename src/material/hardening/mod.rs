@@ -8,7 +8,6 @@ mod hollomon;
 mod isotherms;
 mod ludwik;
 mod mixed;
-mod monotone;
 mod piecewise_power;
 mod swift;
 mod table;
@@ -16,8 +15,8 @@ mod voce;
 
 pub use crate::material::law::LawError;
 pub use flow_stress::FlowStress;
-pub use monotone::Extrapolation;
 pub use piecewise_power::Branch;
+pub use table::Extrapolation;
 
 use crate::material::law::family;
 

@@ -2,7 +2,6 @@
 
 use super::RateLaw;
 use crate::material::law::prelude::*;
-use crate::numerics::ValueAndSlope;
 
 parameters! {
     /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.

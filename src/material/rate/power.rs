@@ -1,6 +1,5 @@
 use super::RateLaw;
 use crate::material::law::prelude::*;
-use crate::numerics::ValueAndSlope;
 
 parameters! {
     /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
