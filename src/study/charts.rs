@@ -1,10 +1,10 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
 use super::run::response_key;
-use super::{FailureMode, Run, RunTable, Sweep, UncertaintyResult, Variable};
+use super::{FailureMode, Run, RunTable, Spread, Sweep};
+use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::plot::{Axis, Spacing};
 use crate::results::error_bars::Origin;
 use crate::units::{Sense, Unit};
 use contour::ContourBuilder;
@@ -21,7 +21,7 @@ const PANELS: usize = 5;
 const BINS: usize = 24;
 const DASHED: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] };
 
-type Charts = Vec<(String, Chart)>;
+pub(super) type Charts = Vec<(String, Chart)>;
 
 /// Places of the most important responses that vary.
 pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
@@ -35,7 +35,7 @@ pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
 }
 
 /// One chart of some panels, each label once in its legend.
-fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
+pub(super) fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
     let mut labels = BTreeSet::new();
     for series in panels.iter_mut().flat_map(|panel| &mut panel.series) {
         series.label = series.label.take().filter(|label| labels.insert(label.clone()));
@@ -72,7 +72,7 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
 }
 
 /// Numbers of known runs over a variable, each with its limit and one circled run; labelled trials are not joined.
-fn trends(
+pub(super) fn trends(
     runs: &RunTable,
     x: &Axis,
     mut positions: Vec<(f64, &Run)>,
@@ -189,28 +189,9 @@ fn bar(x: (f64, f64), y: (f64, f64), fill: Color, edge: Color) -> Series {
     Series::silent(outline, Style::Area { fill, edge: Some(edge) })
 }
 
-pub(super) fn search(
-    variable: &Variable,
-    spacing: Spacing,
-    runs: &RunTable,
-    limits: &[(usize, f64)],
-    best: Option<usize>,
-) -> Charts {
-    let (unit, factor) = variable.axis_unit();
-    let positions: Vec<(f64, &Run)> = runs.runs.iter().map(|run| (factor * run.value(0), run)).collect();
-    let result = best.map(|best| positions[best]);
-    let mut numbers: Vec<_> = limits.iter().map(|(place, limit)| (*place, Some(*limit))).collect();
-    if numbers.is_empty() {
-        numbers.extend(decisive(runs, 1).into_iter().map(|place| (place, None)));
-    }
-    let x = Axis::named(variable.label(), unit).spaced(spacing);
-    let panels = trends(runs, &x, positions, numbers, result, Some("Result"));
-    chart("search", &format!("Search: {}", variable.label()), panels)
-}
-
-pub(super) fn scatter(runs: &RunTable, result: &UncertaintyResult) -> Charts {
+pub(super) fn scatter(runs: &RunTable, spreads: &[Spread]) -> Charts {
     let panel = |place: usize| {
-        let values = &result.spreads.iter().find(|spread| spread.response == place)?.values;
+        let values = &spreads.iter().find(|spread| spread.response == place)?.values;
         let (low, high) = (values[0], values[values.len() - 1]);
         let width = (high - low) / BINS as f64;
         let mut counts = [0.0; BINS];

@@ -1,6 +1,6 @@
 //! Studies: many evaluations of one case, and what they say.
 //!
-//! A [`Study`] is a plan over the variables of a [`BaseCase`]: [`Sweep`], [`LimitSearch`] or [`Scatter`]. [`evaluate`] runs
+//! A [`Study`] is a plan over the variables of a [`BaseCase`]: [`Sweep`], [`LimitSearch`] or [`Scatter`]. [`evaluate()`] runs
 //! its [`Design`]s into the rows of a [`RunTable`], which a [`TableFile`] keeps on the disk; its report is a [`StudyReport`].
 //! [`verify`] gives error bars from finer runs, [`fit`] laws and keys from measurements, [`compare`] runs side by side.
 
@@ -39,7 +39,7 @@ pub use measured_curve::measured_curve;
 pub use report::{Cell, ReportTable, StudyReport};
 pub use run::{Design, Evaluated, Run};
 pub use run_table::RunTable;
-pub use scatter::{Event, Scatter, Spread, UncertaintyResult};
+pub use scatter::{Event, Scatter, Spread};
 pub use search::{LimitSearch, SearchRequest};
 pub use statistics::quantile;
 use study_file::StudyFile;

@@ -41,15 +41,6 @@ pub struct Scatter {
     notes: Vec<String>,
 }
 
-/// Results of a sample.
-#[derive(Clone, Debug)]
-pub struct UncertaintyResult {
-    /// Lights by their rows, the most important first.
-    pub events: Vec<Event>,
-    /// Spread of every response that varies, by its place.
-    pub spreads: Vec<Spread>,
-}
-
 /// A light and its probability.
 #[derive(Clone, Debug)]
 pub struct Event {
@@ -124,8 +115,8 @@ impl Scatter {
         Design { index, settings: settings.collect(), values }
     }
 
-    /// Statistics of all runs.
-    pub fn result(&self, runs: &RunTable) -> UncertaintyResult {
+    /// Lights by their rows, the most important first, and the spread of every response.
+    pub fn result(&self, runs: &RunTable) -> (Vec<Event>, Vec<Spread>) {
         let known: Vec<&Run> = runs.runs.iter().filter(|run| run.light.is_some() && run.is_known()).collect();
         let inputs = (0..self.variables.len()).map(|i| known.iter().map(|run| run.value(i)).collect());
         let inputs: Vec<Vec<f64>> = inputs.collect();
@@ -149,7 +140,7 @@ impl Scatter {
             events.push(event(label, Light::Red, &|run| run.red.contains(key)).filter(|event| event.hits > 0));
             events.push(event(label, Light::Amber, &|run| run.amber.contains(key)).filter(|event| event.hits > 0));
         }
-        UncertaintyResult { events: events.into_iter().flatten().collect(), spreads: spreads.collect() }
+        (events.into_iter().flatten().collect(), spreads.collect())
     }
 
     /// The variables with a noticeable rank correlation, the largest first: `friction +0.92, strength -0.31`.
@@ -161,17 +152,17 @@ impl Scatter {
         joined(all.iter().map(|(key, c)| format!("{key} {c:+.2}")), ", ").into()
     }
 
-    fn tables(&self, runs: &RunTable, result: &UncertaintyResult) -> Vec<ReportTable> {
+    fn tables(&self, runs: &RunTable, events: &[Event], spreads: &[Spread]) -> Vec<ReportTable> {
         let columns = ["Light", "Row", "Share of parts", "from", "to", "Rank correlation"];
         let mut lights = ReportTable::new("scatter_lights", &columns);
-        for event in &result.events {
+        for event in events {
             let [value, low, high] = event.probability.map(|share| Amount::share(share).into());
             let (light, label) = (Cell::Light(event.light, String::new()), event.label.clone().into());
             lights.rows.push(vec![light, label, value, low, high, self.influences(&event.correlations)]);
         }
         let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
         let mut numbers = ReportTable::new("scatter_numbers", &columns);
-        for spread in &result.spreads {
+        for spread in spreads {
             let number = &runs.responses[spread.response].quantity;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
             if quantiles[0] != quantiles[2] {
@@ -193,17 +184,16 @@ impl Study for Scatter {
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
-        let result = self.result(runs);
+        let (events, spreads) = self.result(runs);
         let n = runs.runs.len();
-        let [tears, red, amber] =
-            [0, 1, 2].map(|i| result.events.get(i).map(|event| event.probability.map(Amount::share)));
+        let [tears, red, amber] = [0, 1, 2].map(|i| events.get(i).map(|event| event.probability.map(Amount::share)));
         let headline = match tears {
             None => format!("None of {n} runs came to a result."),
-            Some([_, _, high]) if result.events[0].hits == 0 => {
+            Some([_, _, high]) if events[0].hits == 0 => {
                 format!("No tear in {n} parts: fewer than {high} scrap, 95 % sure.")
             }
             Some([_, low, high]) => {
-                format!("{} of {n} parts tear: {low} to {high}, 95 % sure.", result.events[0].hits)
+                format!("{} of {n} parts tear: {low} to {high}, 95 % sure.", events[0].hits)
             }
         };
         let [red, amber] = [red, amber].map(|shares| shares.map_or(Amount::share(0.0), |[share, ..]| share));
@@ -213,7 +203,7 @@ impl Study for Scatter {
             notes.push(format!("{failed} runs came to no result and are left out."));
         }
         notes.extend(self.notes.iter().cloned());
-        let (tables, charts) = (self.tables(runs, &result), charts::scatter(runs, &result));
+        let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
         StudyReport { headline, notes, tables, found: true, charts }
     }
 }

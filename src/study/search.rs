@@ -1,13 +1,14 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
 use super::bracket::{Search, Trial};
+use super::charts::{self, Charts};
 use super::goals::Goal;
 use super::variable::{SearchRange, in_unit, written};
 use super::{
-    BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, charts,
-    fail,
+    BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, fail,
 };
 use crate::assess::estimate;
+use crate::plot::Axis;
 use crate::units::significant;
 
 /// Request of a search, as on the command line.
@@ -168,6 +169,18 @@ impl LimitSearch {
         }
         notes
     }
+
+    fn charts(&self, runs: &RunTable, best: Option<usize>) -> Charts {
+        let (label, (unit, factor)) = (self.variable().label(), self.variable().axis_unit());
+        let positions: Vec<(f64, &Run)> = runs.runs.iter().map(|run| (factor * run.value(0), run)).collect();
+        let result = best.map(|best| positions[best]);
+        let limits = self.aim.limits().into_iter().map(|(place, limit)| (place, Some(limit)));
+        let others = charts::decisive(runs, 1).into_iter().map(|place| (place, None));
+        let numbers = if limits.len() > 0 { limits.collect() } else { others.collect() };
+        let x = Axis::named(label, unit).spaced(self.search.range.spacing);
+        let panels = charts::trends(runs, &x, positions, numbers, result, Some("Result"));
+        charts::chart("search", &format!("Search: {label}"), panels)
+    }
 }
 
 impl Study for LimitSearch {
@@ -191,7 +204,7 @@ impl Study for LimitSearch {
             notes: self.notes(runs),
             tables: Vec::new(),
             found: matches!(found, Bracket::Between(_) | Bracket::Everywhere(_)),
-            charts: charts::search(self.variable(), self.search.range.spacing, runs, &self.aim.limits(), best),
+            charts: self.charts(runs, best),
         }
     }
 }

@@ -38,13 +38,13 @@ fn the_sample_fills_each_variable_evenly() {
 fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     let mut scatter = scatter(&["friction=uniform 0.05..0.11"], 32, 1).expect("a scatter");
     let table = run(&mut scatter, 2, &());
-    let result = scatter.result(&table);
+    let (events, spreads) = scatter.result(&table);
     let force = table.response("punch_force").expect("a force");
-    let spread = result.spreads.iter().find(|spread| spread.response == force).expect("a spread");
+    let spread = spreads.iter().find(|spread| spread.response == force).expect("a spread");
     assert!(spread.correlations[0].is_some_and(|c| c > 0.999), "{:?}", spread.correlations);
     let median = stampflow::study::quantile(&spread.values, 0.5);
     assert!((median / table.base.numbers[force] - 1.0).abs() < 0.01, "{median}");
-    let tear = &result.events[0];
+    let tear = &events[0];
     assert_eq!((tear.label.as_str(), tear.hits, tear.probability[1]), ("Tears", 0, 0.0));
     assert!(tear.probability[2] > 0.05 && tear.probability[2] < 0.15, "{:?}", tear.probability);
     let report = scatter.report(&table);
