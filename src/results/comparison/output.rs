@@ -28,12 +28,7 @@ impl Comparison {
 
     /// Verdict in words: `in`, `OUT`, `OUT, demonstration`.
     pub fn outcome(&self) -> String {
-        let word = match self.verdict {
-            Verdict::In => "in",
-            Verdict::Out => "OUT",
-            Verdict::NotReached => "not reached",
-            Verdict::NoData => "no data",
-        };
+        let word = ["in", "OUT", "not reached", "no data"][self.verdict as usize];
         if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
     }
 
