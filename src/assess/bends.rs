@@ -1,7 +1,7 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
-use super::bottom_tearing::nose;
 use super::design::{SHARP, THIN, bent_strength};
+use super::tear::nose;
 use super::{Finding, Run};
 use crate::geometry::{Arc, CORNER, Point};
 use crate::model::tool_sizes::extent;

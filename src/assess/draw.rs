@@ -1,9 +1,9 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
-use super::bottom_tearing::NoseEnd;
 use super::design::{LIMITING_RATIO, REDRAW_RATIO};
 use super::estimate::{self, draw_ratio, held_area, siebel_pressure, tensile_strength};
 use super::holder::if_open;
+use super::tear::NoseEnd;
 use super::{Finding, Light, Run};
 use crate::material::RValues;
 use crate::model::tool_sizes::extent;

@@ -5,7 +5,6 @@
 
 mod answer;
 mod bends;
-mod bottom_tearing;
 pub mod check;
 pub mod design;
 mod draw;
@@ -13,7 +12,6 @@ pub mod estimate;
 mod finding;
 mod forming_limit;
 mod holder;
-mod key_number;
 mod material;
 mod press;
 pub mod size;
@@ -23,11 +21,10 @@ mod stop;
 mod tear;
 mod tools;
 
-pub use answer::{Answer, FailureMode};
+pub use answer::{Answer, FailureMode, largest_force};
 pub use finding::{Finding, Kind, Light, When, by_advice, headline, judgements, sentences};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
-pub use key_number::largest_force;
 pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
@@ -64,7 +61,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tear::localisation,
     forming_limit::margin,
     forming_limit::paths,
-    bottom_tearing::judge,
+    tear::bottom,
     draw::redraw,
     draw::wrinkling,
     draw::wall_wrinkles,

@@ -1,7 +1,7 @@
 //! Friction, clearance between punch and die, and ironing.
 
-use super::bottom_tearing::NoseEnd;
 use super::design::IRONING_LIMIT;
+use super::tear::NoseEnd;
 use super::{Finding, Light, Run, estimate};
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};

@@ -78,8 +78,9 @@ impl FromStr for Heading {
 /// When no layer or no tool is named.
 pub fn layer(text: &str) -> Result<(String, Option<Role>), String> {
     let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
-    match Role::from_word(tool) {
-        None if tool != "none" => Err("give punch, die, holder, none".to_owned()),
-        role => Ok((name.to_owned(), role)),
+    match Role::named_in(tool)[..] {
+        [role] => Ok((name.to_owned(), Some(role))),
+        _ if tool == "none" => Ok((name.to_owned(), None)),
+        _ => Err("give punch, die, holder, none".to_owned()),
     }
 }

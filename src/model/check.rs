@@ -2,12 +2,10 @@
 //!
 //! Laws are checked by their values at a few places, so that a new law needs nothing here.
 
-use super::error::{
-    Checked, agree, check, count, curve, excludes, finite, needs, not_negative, positive, rising, within,
-};
-use super::{Blank, Edge, Friction, Gas, Heat, Mode, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
+use super::{Edge, Friction, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
 use crate::contact::friction::Sliding;
-use crate::material::Material;
+use crate::model::{Gas, Heat, Mode};
+use crate::numerics::PiecewiseLinear;
 use std::ops::RangeInclusive;
 
 /// Strains at which hardening laws are checked \[–\].
@@ -19,6 +17,88 @@ const PRESSURES: [f64; 3] = [1e-2, 1.0, 1e3];
 /// Allowed numbers of elements, and of points through the thickness.
 const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
 const POINTS: RangeInclusive<usize> = 2..=1000;
+/// Largest relative difference of two numbers that must agree \[–\].
+const SAME: f64 = 1e-6;
+/// Ranges of finite numbers.
+const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
+const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
+const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
+
+/// Reason why a model cannot be solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("`{what}` {problem}")]
+pub struct ModelError {
+    /// Path of the value in the model.
+    pub what: String,
+    /// Condition that is not met, and the found value.
+    pub problem: String,
+    /// Nearest whole number that can be solved.
+    pub nearest: Option<usize>,
+}
+
+type Checked = Result<(), ModelError>;
+
+/// An error unless a condition holds.
+fn check(holds: bool, what: &str, problem: impl FnOnce() -> String) -> Checked {
+    if holds { Ok(()) } else { Err(ModelError { what: what.into(), problem: problem(), nearest: None }) }
+}
+
+/// A number within its range, both ends included.
+fn number(what: &str, value: f64, range: [f64; 2]) -> Checked {
+    let [least, most] = range;
+    check((least..=most).contains(&value), what, || match range {
+        FINITE => format!("must be finite, found {value:?}"),
+        NOT_NEGATIVE => format!("must be zero or positive and finite, found {value:?}"),
+        POSITIVE => format!("must be positive and finite, found {value:?}"),
+        _ => format!("must lie between {least:?} and {most:?}, found {value:?}"),
+    })
+}
+
+fn optional(what: &str, value: Option<f64>, range: [f64; 2]) -> Checked {
+    value.map_or(Ok(()), |value| number(what, value, range))
+}
+
+fn numbers<const N: usize>(of: &str, values: [(&str, f64, [f64; 2]); N]) -> Checked {
+    values.into_iter().try_for_each(|(key, value, range)| number(&format!("{of}.{key}"), value, range))
+}
+
+fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
+    let (least, most) = (*range.start(), *range.end());
+    check(range.contains(&value), what, || format!("must lie between {least} and {most}, found {value}"))
+        .map_err(|error| ModelError { nearest: Some(value.clamp(least, most)), ..error })
+}
+
+/// Finite numbers that rise, the first above `before`.
+fn rising(what: &str, mut before: f64, values: impl IntoIterator<Item = f64>) -> Checked {
+    for value in values {
+        number(what, value, FINITE)?;
+        check(value > before, what, || format!("must rise from entry to entry, found {value:?} after {before:?}"))?;
+        before = value;
+    }
+    Ok(())
+}
+
+/// A curve with finite arguments and values in a range.
+fn curve(what: &str, curve: &PiecewiseLinear, range: [f64; 2]) -> Checked {
+    curve.points().iter().try_for_each(|(x, value)| number(what, *x, FINITE).and_then(|()| number(what, *value, range)))
+}
+
+fn agree(what: &str, value: f64, other: &str, wanted: f64) -> Checked {
+    let same = (value - wanted).abs() <= SAME * value.abs().max(wanted.abs());
+    check(same, what, || format!("is {value:?} and must agree with `{other}`, {wanted:?}"))
+}
+
+fn needs(what: &str, given: bool, other: &str) -> Checked {
+    check(given, what, || format!("needs `{other}`"))
+}
+
+fn excludes(both: bool, what: &str, other: &str) -> Checked {
+    check(!both, what, || format!("and `{other}` exclude each other"))
+}
+
+fn once(is_repeated: bool, what: &str) -> Checked {
+    check(!is_repeated, what, || "is given more than once".into())
+}
 
 impl Model {
     /// Checks that every number is finite and in its range, and that every needed part is there.
@@ -26,22 +106,67 @@ impl Model {
     /// # Errors
     /// The first invalid value, with its bounds.
     pub fn check(&self) -> Checked {
-        self.blank.check()?;
-        self.material.check()?;
-        self.check_mode()?;
+        self.check_blank()?;
+        self.check_material()?;
         self.check_tools()?;
         self.check_loads()?;
-        self.heat.as_ref().map_or(Ok(()), |heat| heat.check(self))?;
+        self.heat.as_ref().map_or(Ok(()), |heat| self.check_heat(heat))?;
         self.check_motion()?;
-        optional(self.stop.load_drop, |share| positive("stop.load_drop", share))?;
-        optional(self.stop.contact_share, |share| within("stop.contact_share", share, 0.0, 1.0))?;
+        optional("stop.load_drop", self.stop.load_drop, POSITIVE)?;
+        optional("stop.contact_share", self.stop.contact_share, [0.0, 1.0])?;
         self.settings.check()
     }
 
-    fn check_mode(&self) -> Checked {
+    fn check_blank(&self) -> Checked {
+        let blank = &self.blank;
+        numbers("blank", [("thickness", blank.thickness, POSITIVE), ("length", blank.length, POSITIVE)])?;
+        count("blank.elements", blank.elements, ELEMENTS)?;
+        count("blank.layers", blank.layers, if blank.theory == Theory::Membrane { 1..=1 } else { POINTS })?;
+        match blank.edge {
+            Edge::Pulled { speed } => number("blank.edge.speed", speed, FINITE),
+            Edge::Free | Edge::Clamped => Ok(()),
+        }
+    }
+
+    fn check_material(&self) -> Checked {
         let material = &self.material;
-        let shifts = material.chaboche.iter().any(|law| law.modulus != 0.0);
+        let mut before = 0.0;
+        for strain in STRAINS {
+            let stress = material.hardening.at(strain).stress;
+            number(&format!("material.hardening at a strain of {strain}"), stress, [before, f64::MAX])?;
+            before = stress;
+        }
+        number("material.hardening", before, POSITIVE)?;
+        for rate in RATES.iter().filter_map(|rate| Some(material.rate?.at(*rate))) {
+            number("material.rate", rate.value, POSITIVE)?;
+        }
+        if let Some(elastic) = material.elastic {
+            numbers(
+                "material.elastic",
+                [("young", elastic.young, POSITIVE), ("poisson", elastic.poisson, [0.0, 0.5])],
+            )?;
+        }
+        number("material.yield_criterion", material.yield_criterion.ratio(), POSITIVE)?;
+        for law in &material.chaboche {
+            let recovery = ("dynamic_recovery", law.dynamic_recovery, NOT_NEGATIVE);
+            numbers("material.chaboche", [("modulus", law.modulus, NOT_NEGATIVE), recovery])?;
+        }
+        if let Some(gtn) = &material.gtn {
+            let initial = ("initial", gtn.initial, [0.0, gtn.fracture()]);
+            let factors = [("q1", gtn.q1, POSITIVE), ("q2", gtn.q2, POSITIVE), ("q3", gtn.q3, POSITIVE), initial];
+            numbers("material.gtn", factors)?;
+            if let Some(law) = gtn.coalescence {
+                number("material.gtn.coalescence.critical", law.critical, NOT_NEGATIVE)?;
+                rising("material.gtn.coalescence", law.critical, [law.fracture])?;
+            }
+            if let Some(law) = gtn.nucleation {
+                let range = [("fraction", law.fraction, NOT_NEGATIVE), ("strain", law.strain, NOT_NEGATIVE)];
+                numbers("material.gtn.nucleation", range)?;
+                number("material.gtn.nucleation.deviation", law.deviation, POSITIVE)?;
+            }
+        }
         if self.mode == Mode::Flow {
+            let shifts = material.chaboche.iter().any(|law| law.modulus != 0.0);
             excludes(shifts, "mode flow", "material.chaboche")?;
             return excludes(self.release.is_some(), "mode flow", "release");
         }
@@ -52,11 +177,23 @@ impl Model {
 
     fn check_tools(&self) -> Checked {
         for (i, tool) in self.tools.iter().enumerate() {
-            let twice = self.tools[..i].iter().any(|other| other.role == tool.role);
-            check(!twice, tool.role.name(), || "is given more than once".into())?;
-            tool.check()?;
-            if matches!(tool.motion, Motion::Pressed(_) | Motion::Gap(_)) {
-                needs(tool.role.name(), tool.role == Role::Holder, "the role of a holder")?;
+            let Tool { role, profile, friction, motion } = tool;
+            let name = role.name();
+            once(self.tools[..i].iter().any(|other| other.role == *role), name)?;
+            let ends = profile.pieces().iter().flat_map(|piece| [piece.first(), piece.last()]);
+            ends.flat_map(|end| [end.x, end.y]).try_for_each(|x| number(&format!("{name}.profile"), x, FINITE))?;
+            check_friction(&format!("{name}.friction"), friction)?;
+            let path = format!("{name}.motion");
+            match motion {
+                Motion::Fixed | Motion::Travel => {}
+                Motion::Path(way) => number(&path, way.y, FINITE).and(number(&path, way.x, FINITE))?,
+                Motion::Gap(gap) => number(&path, *gap, POSITIVE)?,
+                Motion::Pressed(press) => {
+                    curve(&path, &press.force, NOT_NEGATIVE).and(number(&path, press.stiffness, NOT_NEGATIVE))?;
+                }
+            }
+            if matches!(motion, Motion::Pressed(_) | Motion::Gap(_)) {
+                needs(name, *role == Role::Holder, "the role of a holder")?;
                 needs("holder", self.tool(Role::Die).is_some(), "die")?;
             }
         }
@@ -65,33 +202,47 @@ impl Model {
 
     fn check_loads(&self) -> Checked {
         for (i, bead) in self.beads.iter().enumerate() {
-            within(&format!("beads.{i}.at"), bead.at, 0.0, self.blank.length)?;
-            not_negative(&format!("beads.{i}.restraining"), bead.restraining)?;
-            not_negative(&format!("beads.{i}.closing"), bead.closing)?;
+            let forces = [("restraining", bead.restraining, NOT_NEGATIVE), ("closing", bead.closing, NOT_NEGATIVE)];
+            number(&format!("beads.{i}.at"), bead.at, [0.0, self.blank.length])?;
+            numbers(&format!("beads.{i}"), forces)?;
         }
         for (i, gas) in self.gas.iter().enumerate() {
-            let twice = self.gas[..i].iter().any(|other| other.face == gas.face);
-            check(!twice, "gas on one face", || "is given more than once".into())?;
-            gas.check(&format!("gas.{i}"))?;
+            once(self.gas[..i].iter().any(|other| other.face == gas.face), "gas on one face")?;
+            check_gas(&format!("gas.{i}"), gas)?;
         }
         let held = self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count();
-        check(held < 2, "gas that holds a strain rate", || "is given more than once".into())?;
+        once(held > 1, "gas that holds a strain rate")?;
         let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
         let acts = pulled || !self.tools.is_empty() || !self.gas.is_empty() || self.release.is_some();
         check(acts, "tools", || "are missing: there is no gas, no pulled edge and no release that acts either".into())
     }
 
+    fn check_heat(&self, heat: &Heat) -> Checked {
+        curve("heat.initial", &heat.initial, POSITIVE)?;
+        for (_, temperature) in heat.initial.points() {
+            optional("material.thermal", self.material.thermal.map(|law| law.at(*temperature)), NOT_NEGATIVE)?;
+        }
+        let Some(flow) = &heat.flow else { return Ok(()) };
+        let shares = [("capacity", flow.capacity, POSITIVE), ("plastic_share", flow.plastic_share, [0.0, 1.0])];
+        numbers("heat.flow", shares)?;
+        number("heat.flow.conductivity", flow.conductivity, NOT_NEGATIVE)?;
+        flow.tools.iter().try_for_each(|tool| {
+            needs("heat.flow.tools", self.tool(tool.role).is_some(), tool.role.name())?;
+            let transfer = ("transfer", tool.transfer, NOT_NEGATIVE);
+            numbers("heat.flow.tools", [("temperature", tool.temperature, POSITIVE), transfer])
+        })
+    }
+
     fn check_motion(&self) -> Checked {
-        positive("duration", self.duration)?;
-        positive("speed", self.speed)?;
-        not_negative("travel", self.travel)?;
-        if self.tools.iter().any(|tool| tool.motion == Motion::Travel) {
-            positive("travel", self.travel)?;
+        number("duration", self.duration, POSITIVE)?;
+        number("speed", self.speed, POSITIVE)?;
+        let driven = self.tools.iter().any(|tool| tool.motion == Motion::Travel);
+        number("travel", self.travel, if driven || self.schedule.is_some() { POSITIVE } else { NOT_NEGATIVE })?;
+        if driven {
             agree("speed", self.speed, "travel over duration", self.travel / self.duration)?;
         }
         if let Some(schedule) = &self.schedule {
-            positive("travel", self.travel)?;
-            curve("schedule", schedule, not_negative)?;
+            curve("schedule", schedule, NOT_NEGATIVE)?;
             let (first, last) = (schedule.points()[0], schedule.points()[schedule.points().len() - 1]);
             agree("first time of the schedule", first.0, "zero", 0.0)?;
             agree("first travel of the schedule", first.1, "zero", 0.0)?;
@@ -112,7 +263,7 @@ impl Stage {
     /// As [`Model::check`].
     pub fn check(&self, before: Option<&Model>) -> Checked {
         self.model.check()?;
-        optional(self.begin.trim, |radius| positive("begin.trim", radius))?;
+        optional("begin.trim", self.begin.trim, POSITIVE)?;
         for role in &self.begin.meets {
             needs("begin.meets", self.model.tool(*role).is_some(), role.name())?;
         }
@@ -126,116 +277,6 @@ impl Stage {
     }
 }
 
-impl Blank {
-    fn check(&self) -> Checked {
-        positive("blank.thickness", self.thickness)?;
-        positive("blank.length", self.length)?;
-        count("blank.elements", self.elements, ELEMENTS)?;
-        match self.theory {
-            Theory::Membrane => count("blank.layers", self.layers, 1..=1)?,
-            Theory::Bending | Theory::Selective => count("blank.layers", self.layers, POINTS)?,
-        }
-        match self.edge {
-            Edge::Pulled { speed } => finite("blank.edge.speed", speed),
-            Edge::Free | Edge::Clamped => Ok(()),
-        }
-    }
-}
-
-impl Material {
-    fn check(&self) -> Checked {
-        let mut before = 0.0;
-        for strain in STRAINS {
-            let stress = self.hardening.at(strain).stress;
-            let at = format!("material.hardening at a strain of {strain}");
-            not_negative(&at, stress)?;
-            within(&at, stress, before, f64::MAX)?;
-            before = stress;
-        }
-        positive("material.hardening", before)?;
-        for rate in RATES.iter().filter_map(|rate| Some(self.rate?.at(*rate))) {
-            positive("material.rate", rate.value)?;
-        }
-        if let Some(elastic) = self.elastic {
-            positive("material.elastic.young", elastic.young)?;
-            within("material.elastic.poisson", elastic.poisson, 0.0, 0.5)?;
-        }
-        positive("material.yield_criterion", self.yield_criterion.ratio())?;
-        for law in &self.chaboche {
-            not_negative("material.chaboche.modulus", law.modulus)?;
-            not_negative("material.chaboche.dynamic_recovery", law.dynamic_recovery)?;
-        }
-        let Some(gtn) = &self.gtn else { return Ok(()) };
-        for (what, value) in [("q1", gtn.q1), ("q2", gtn.q2), ("q3", gtn.q3)] {
-            positive(&format!("material.gtn.{what}"), value)?;
-        }
-        if let Some(law) = gtn.coalescence {
-            not_negative("material.gtn.coalescence.critical", law.critical)?;
-            rising("material.gtn.coalescence", law.critical, [law.fracture])?;
-        }
-        if let Some(law) = gtn.nucleation {
-            not_negative("material.gtn.nucleation.fraction", law.fraction)?;
-            not_negative("material.gtn.nucleation.strain", law.strain)?;
-            positive("material.gtn.nucleation.deviation", law.deviation)?;
-        }
-        within("material.gtn.initial", gtn.initial, 0.0, gtn.fracture())
-    }
-}
-
-impl Tool {
-    fn check(&self) -> Checked {
-        let name = self.role.name();
-        let ends = self.profile.pieces().iter().flat_map(|piece| [piece.first(), piece.last()]);
-        ends.flat_map(|end| [end.x, end.y]).try_for_each(|x| finite(&format!("{name}.profile"), x))?;
-        slides(&format!("{name}.friction"), &self.friction)?;
-        let motion = format!("{name}.motion");
-        match &self.motion {
-            Motion::Fixed | Motion::Travel => Ok(()),
-            Motion::Path(way) => finite(&motion, way.y).and(finite(&motion, way.x)),
-            Motion::Gap(gap) => positive(&motion, *gap),
-            Motion::Pressed(press) => {
-                curve(&motion, &press.force, not_negative).and(not_negative(&motion, press.stiffness))
-            }
-        }
-    }
-}
-
-impl Gas {
-    fn check(&self, at: &str) -> Checked {
-        positive(&format!("{at}.within"), self.within)?;
-        let pressure = format!("{at}.pressure");
-        match &self.pressure {
-            Pressure::OverTime(history) => curve(&pressure, history, not_negative),
-            Pressure::Rate(control) => {
-                positive(&format!("{pressure}.target"), control.target)?;
-                within(&format!("{pressure}.exponent"), control.exponent, 1.0, 1000.0)?;
-                // Without a cap both are infinite.
-                within(&format!("{pressure}.max_pressure"), control.max_pressure, f64::MIN_POSITIVE, f64::INFINITY)?;
-                within(&format!("{pressure}.max_rise"), control.max_rise, f64::MIN_POSITIVE, f64::INFINITY)
-            }
-        }
-    }
-}
-
-impl Heat {
-    fn check(&self, model: &Model) -> Checked {
-        curve("heat.initial", &self.initial, positive)?;
-        for (_, temperature) in self.initial.points() {
-            optional(model.material.thermal, |law| not_negative("material.thermal", law.at(*temperature)))?;
-        }
-        let Some(flow) = &self.flow else { return Ok(()) };
-        positive("heat.flow.capacity", flow.capacity)?;
-        within("heat.flow.plastic_share", flow.plastic_share, 0.0, 1.0)?;
-        not_negative("heat.flow.conductivity", flow.conductivity)?;
-        for tool in &flow.tools {
-            needs("heat.flow.tools", model.tool(tool.role).is_some(), tool.role.name())?;
-            positive("heat.flow.tools.temperature", tool.temperature)?;
-            not_negative("heat.flow.tools.transfer", tool.transfer)?;
-        }
-        Ok(())
-    }
-}
-
 impl Settings {
     /// Checks that every parameter is in its range and the steps in their order.
     ///
@@ -243,38 +284,45 @@ impl Settings {
     /// The first invalid parameter; `what` is its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
-        optional(self.facets, |facets| count("settings.facets", facets, 1..=1000))?;
-        for (key, value, least, most) in [
-            ("tolerance", self.tolerance, 1e-12, 0.1),
-            ("min_step", self.min_step, 1e-12, 0.1),
-            ("max_step", self.max_step, 1e-5, 0.5),
-            ("cutoff_strain", self.cutoff_strain, 1e-10, 1e-2),
-            ("contact_stiffness", self.contact_stiffness, 1.0, 1e7),
-            ("contact_smoothing", self.contact_smoothing, 1e-6, 0.1),
-            ("slip_speed", self.slip_speed, 1e-6, 1.0),
-            ("strain_step", self.strain_step, 1e-3, 1.0),
-            ("bend_ratio", self.bend_ratio, 1e-4, 1.0),
-        ] {
-            within(&format!("settings.{key}"), value, least, most)?;
+        self.facets.map_or(Ok(()), |facets| count("settings.facets", facets, 1..=1000))?;
+        let ranges = [
+            ("tolerance", self.tolerance, [1e-12, 0.1]),
+            ("min_step", self.min_step, [1e-12, 0.1]),
+            ("max_step", self.max_step, [1e-5, 0.5]),
+            ("cutoff_strain", self.cutoff_strain, [1e-10, 1e-2]),
+            ("contact_stiffness", self.contact_stiffness, [1.0, 1e7]),
+            ("contact_smoothing", self.contact_smoothing, [1e-6, 0.1]),
+            ("slip_speed", self.slip_speed, [1e-6, 1.0]),
+            ("strain_step", self.strain_step, [1e-3, 1.0]),
+            ("bend_ratio", self.bend_ratio, [1e-4, 1.0]),
+        ];
+        numbers("settings", ranges)?;
+        number("settings.first_step", self.first_step, [self.min_step, self.max_step])
+    }
+}
+
+fn check_gas(path: &str, gas: &Gas) -> Checked {
+    number(&format!("{path}.within"), gas.within, POSITIVE)?;
+    let path = format!("{path}.pressure");
+    match &gas.pressure {
+        Pressure::OverTime(history) => curve(&path, history, NOT_NEGATIVE),
+        Pressure::Rate(control) => {
+            // Without a cap both are infinite.
+            let cap = [f64::MIN_POSITIVE, f64::INFINITY];
+            numbers(&path, [("target", control.target, POSITIVE), ("exponent", control.exponent, [1.0, 1000.0])])?;
+            numbers(&path, [("max_pressure", control.max_pressure, cap), ("max_rise", control.max_rise, cap)])
         }
-        within("settings.first_step", self.first_step, self.min_step, self.max_step)
     }
 }
 
-fn optional<T>(value: Option<T>, valid: impl FnOnce(T) -> Checked) -> Checked {
-    value.map_or(Ok(()), valid)
-}
-
-fn slides(what: &str, law: &Friction) -> Checked {
-    not_negative(what, law.largest_coefficient())?;
+fn check_friction(what: &str, law: &Friction) -> Checked {
+    number(what, law.largest_coefficient(), NOT_NEGATIVE)?;
     if let Friction::Tresca(law) = law {
-        not_negative(what, law.factor)?;
+        number(what, law.factor, NOT_NEGATIVE)?;
     }
-    for pressure in PRESSURES {
+    PRESSURES.into_iter().try_for_each(|pressure| {
         let drag = law.at(&Sliding { pressure, slip: 1e-3, scale: 1e-3, duration: 1.0, shear_yield: 100.0 });
-        not_negative(what, drag.value)?;
-        finite(what, drag.by_pressure)?;
-        finite(what, drag.by_slip)?;
-    }
-    Ok(())
+        number(what, drag.value, NOT_NEGATIVE)?;
+        [drag.by_pressure, drag.by_slip].into_iter().try_for_each(|slope| number(what, slope, FINITE))
+    })
 }

@@ -1,8 +1,7 @@
 //! Extent of the part that forces, work and heat refer to, and their units.
 
 use super::Geometry;
-use crate::units::Amount;
-use crate::units::Unit;
+use crate::units::{Amount, Unit};
 
 /// Extent of the part: always the whole section, both halves of a plane one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,9 +61,7 @@ impl Extent {
         match self {
             Self::Ring => "forces of the whole ring".into(),
             Self::PerDepth => "forces of the whole section, both halves, per mm of depth".into(),
-            Self::Depth(depth) => {
-                format!("forces of the whole part, {depth} deep", depth = Amount::size(depth))
-            }
+            Self::Depth(depth) => format!("forces of the whole part, {} deep", Amount::size(depth)),
         }
     }
 }

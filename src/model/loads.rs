@@ -70,15 +70,9 @@ impl Pressure {
     }
 }
 
-impl From<PiecewiseLinear> for Pressure {
-    fn from(history: PiecewiseLinear) -> Self {
-        Self::OverTime(history)
-    }
-}
-
-impl From<f64> for Pressure {
-    fn from(pressure: f64) -> Self {
-        Self::OverTime(pressure.into())
+impl<T: Into<PiecewiseLinear>> From<T> for Pressure {
+    fn from(history: T) -> Self {
+        Self::OverTime(history.into())
     }
 }
 

@@ -2,7 +2,6 @@
 
 mod blank;
 mod check;
-mod error;
 mod extent;
 mod heat;
 mod loads;
@@ -15,7 +14,7 @@ pub mod tool_sizes;
 mod tools;
 
 pub use blank::{Blank, Edge, Grading, ThicknessRule};
-pub use error::ModelError;
+pub use check::ModelError;
 pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};

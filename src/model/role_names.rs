@@ -15,9 +15,6 @@ const WORDS: [(Role, &str); 3] = [
 /// Letters with an accent, and without.
 const ACCENTS: &str = "àáâãäå=a ç=c èéêë=e ìíîï=i ñ=n òóôõö=o ùúûü=u ß=ss œ=oe";
 
-/// Prefixes that do not change the tool: `blank holder`, `Ziehstempel`.
-const BEFORE: [&str; 6] = ["blank", "draw", "drawing", "forming", "zieh", "blech"];
-
 /// Names of other tools that contain a tool's name.
 const OTHERS: [&str; 7] =
     ["gegenhalter", "gegenstempel", "counterpunch", "counterholder", "contrepoincon", "stempelhalter", "portepoincon"];
@@ -26,15 +23,6 @@ const OTHERS: [&str; 7] =
 const SHORT: usize = 3;
 
 impl Role {
-    /// Tool of a whole word or phrase, without case, accents and separators: `binder`, `Ziehstempel`, `serre-flan`.
-    pub fn from_word(word: &str) -> Option<Self> {
-        let word: String = letters(word).concat();
-        let means = |word: &str| {
-            WORDS.iter().find(|(_, words)| words.split(' ').any(|other| other == word)).map(|(role, _)| *role)
-        };
-        means(&word).or_else(|| BEFORE.iter().find_map(|before| means(word.strip_prefix(before)?)))
-    }
-
     /// Tools that a text names, in the order of [`ALL`](Self::ALL): `upper punch`, `OP20_PUNCH`, `Matrize 1`.
     pub fn named_in(text: &str) -> Vec<Self> {
         let words = letters(text);
@@ -76,31 +64,18 @@ fn letters(text: &str) -> Vec<String> {
     words
 }
 
+/// Trust: the words of the trade, written out by hand.
 #[cfg(test)]
-mod tests {
-    use super::*;
+#[test]
+fn words_and_texts_name_their_tools_in_three_languages() {
     use Role::{Die, Holder, Punch};
-
-    /// Trust: the words of the trade, written out by hand.
-    #[test]
-    fn words_and_texts_name_their_tools_in_three_languages() {
-        for (words, role) in [
-            ("punch, PUNCH, Stempel, Ziehstempel, draw punch, Poinçon, poinc\u{327}on", Some(Punch)),
-            ("die, matrix, draw ring, draw_die, Matrize, Ziehring, matrice", Some(Die)),
-            ("holder, binder, blank holder, blank_holder, Blech-Niederhalter, serre-flan, serre-tôle", Some(Holder)),
-            ("blank, Gegenhalter, punch holder, ring, died, punches 2", None),
-        ] {
-            words.split(", ").for_each(|word| assert_eq!(Role::from_word(word), role, "{word}"));
-        }
-        for (texts, roles) in [
-            ("OP20_PUNCH, upper punch, OP10 - Ziehstempel unten", &[Punch][..]),
-            ("LowerDie2, lowerdie", &[Die]),
-            ("SERRE FLAN, Blank holder 1", &[Holder]),
-            ("punch and die", &[Punch, Die]),
-            ("die holder", &[Die, Holder]),
-            ("Gegenhalter, counter-punch, Stempelhalter, Radien, centre line", &[]),
-        ] {
-            texts.split(", ").for_each(|text| assert_eq!(Role::named_in(text), roles, "{text}"));
-        }
+    for (texts, roles) in [
+        ("punch, OP20_PUNCH, OP10 - Ziehstempel unten, draw punch, Poinçon, poinc\u{327}on", &[Punch][..]),
+        ("LowerDie2, lowerdie, draw_die, Matrize, Ziehring, matrice", &[Die]),
+        ("SERRE FLAN, Blank holder 1, binder, blank_holder, Blech-Niederhalter, serre-tôle", &[Holder]),
+        ("punch and die", &[Punch, Die]),
+        ("Gegenhalter, counter-punch, Stempelhalter, Radien, centre line, blank, ring, died", &[]),
+    ] {
+        texts.split(", ").for_each(|text| assert_eq!(Role::named_in(text), roles, "{text}"));
     }
 }

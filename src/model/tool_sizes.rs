@@ -78,7 +78,7 @@ pub(crate) fn shoulder_end(die: &Tool) -> f64 {
 }
 
 /// Level of the outermost flat of a tool \[mm\].
-pub(crate) fn flat_level(tool: &Tool) -> Option<f64> {
+fn flat_level(tool: &Tool) -> Option<f64> {
     flats(tool).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x))).map(|flat| flat.to.y)
 }
 
