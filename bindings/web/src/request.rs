@@ -75,7 +75,8 @@ impl Request {
             }
             Self::Sliders { text } => Ok(json!(Sliders::of_case(text))),
             Self::Solve { case, coarse } => Ok(solve::solve(case.case()?, *coarse)),
-            Self::Trace { case, step } => trace::step(&case.case()?, *step),
+            Self::Trace { case, step } => trace::step(&case.case()?, *step)
+                .map_err(|missing| Failure { what: missing.to_string(), ..Failure::default() }),
             Self::Drawing { name } => drawing(name, file),
         }
     }

@@ -1,23 +1,21 @@
 //! One step of the first stage, iteration by iteration, with each of the corrector's matrices from the same state.
 
-use crate::request::Failure;
 use serde_json::{Value, json};
 use stampflow::case::Case;
 use stampflow::model::Iteration;
 use stampflow::solver::IterateSnapshot;
 use stampflow::solver::solution::IterationRecord;
-use stampflow::solver::trace::{IterationHistory, TraceRequest, trace};
+use stampflow::solver::trace::{IterationHistory, NoSuchStep, TraceRequest, trace};
 
 /// Matrices by their keys on the page.
 const MATRICES: [(Iteration, &str); 3] =
     [(Iteration::PrimalDual, "primal_dual"), (Iteration::Newton, "newton"), (Iteration::Secant, "secant")];
 
 /// Iterations of a step with each matrix, and where its power goes.
-pub fn step(case: &Case, step: usize) -> Result<Value, Failure> {
+pub fn step(case: &Case, step: usize) -> Result<Value, NoSuchStep> {
     let matrices = MATRICES.map(|(matrix, _)| matrix).to_vec();
     let request = TraceRequest { stage: 1, step, matrices, tolerance: None };
-    let traced = trace(&case.stages, &request, &mut ())
-        .map_err(|none| Failure { what: none.to_string(), ..Failure::default() })?;
+    let traced = trace(&case.stages, &request, &mut ())?;
     let (record, power) = (&traced.record, &traced.record.power);
     let histories = traced.histories.iter().zip(MATRICES).map(|(history, (_, key))| with_matrix(history, key));
     Ok(json!({
