@@ -81,7 +81,13 @@ impl<'a> Converged<'a> {
             ),
             shift: Grid::from_values(points_of_contact, trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),
-            ..state.clone()
+            volume: state.volume.clone(),
+            dilation: state.dilation.clone(),
+            dilation_rate: state.dilation_rate.clone(),
+            temperature: state.temperature.clone(),
+            temperature_rates: state.temperature_rates.clone(),
+            ironed: state.ironed.clone(),
+            s0: state.s0.clone(),
         };
         mark_steady(step, evaluation, &mut next);
         if let Some(elastic) = model.elasticity() {
