@@ -48,9 +48,8 @@ impl Table {
     /// # Panics
     /// When the columns differ in length or two have the same header: a mistake of the caller.
     pub fn new(columns: Vec<Column>) -> Self {
-        let rows = columns.first().map_or(0, |c| c.values.len());
         for (i, column) in columns.iter().enumerate() {
-            assert_eq!(column.values.len(), rows, "column {} has another length", column.key);
+            assert_eq!(column.values.len(), columns[0].values.len(), "column {} has another length", column.key);
             assert!(columns[..i].iter().all(|c| c.key != column.key), "column {} appears twice", column.key);
         }
         Self { columns }

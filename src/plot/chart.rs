@@ -1,6 +1,5 @@
 //! Chart values: panels of series with labelled axes, a title and notes, free of any drawing library.
 
-use super::palette::pale;
 use crate::plot::Axis;
 use crate::units::DisplayUnit;
 use serde::Serialize;
@@ -194,16 +193,6 @@ impl Panel {
     /// Adds annotations.
     pub fn annotated(mut self, annotations: impl IntoIterator<Item = Annotation>) -> Self {
         self.annotations.extend(annotations);
-        self
-    }
-
-    /// Adds the area between two curves, given by abscissa, lower and upper side, behind all else and last in the legend.
-    pub fn with_band(mut self, label: impl Into<String>, band: &[[f64; 3]], color: Color) -> Self {
-        let low = band.iter().map(|[x, low, _]| (*x, *low));
-        let outline = low.chain(band.iter().rev().map(|[x, _, high]| (*x, *high))).collect();
-        let style = Style::Area { fill: pale(color), edge: None };
-        self.series.insert(0, Series::silent(outline, style));
-        self.series.push(Series::new(label, Vec::new(), style));
         self
     }
 

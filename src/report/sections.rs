@@ -52,13 +52,10 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
 
 /// Inputs and what follows from them, as the check of a case has them.
 pub(super) fn inputs(report: &Report) -> Section {
-    let rows = |lines: &[Line]| {
-        let row = |line: &Line| [line.label.to_string(), line.value.to_string(), line.meaning.to_string()];
-        lines.iter().map(row).collect::<Vec<_>>()
-    };
+    let row = |line: &Line| [line.label.to_string(), line.value.to_string(), line.meaning.to_string()];
     let content = html! {
-        (table(&["Input", "Value", "Meaning"], rows(&report.check.lines)))
-        (table(&["Sheet, mesh and solver", "Value", "Meaning"], rows(&report.check.details)))
+        (table(&["Input", "Value", "Meaning"], report.check.lines.iter().map(row)))
+        (table(&["Sheet, mesh and solver", "Value", "Meaning"], report.check.details.iter().map(row)))
     };
     Section::new("Inputs", content)
 }

@@ -70,9 +70,9 @@ fn collection(stem: &str, model: &Model, frames: &[&Frame], grid: fn(&Model, &Fr
 
 fn section(model: &Model, frame: &Frame) -> String {
     let thinning = frame.elements.iter().map(|element| percent(model.blank.thickness, element.thickness)).collect();
-    let others = std::iter::once(S0).chain(tables::element_fields(model));
+    let others = [S0].into_iter().chain(tables::element_fields(model));
     let others = others.map(|field| field.column(model.extent(), &frame.elements));
-    let fields = std::iter::once(Column::new("thinning", "Thinning", Unit::Percent, thinning)).chain(others);
+    let fields = [Column::new("thinning", "Thinning", Unit::Percent, thinning)].into_iter().chain(others);
     let points = (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|side| sections::surface(frame, i, side)));
     let cells: Vec<_> = (0..frame.elements.len()).map(|e| [2 * e, 2 * e + 1, 2 * e + 3, 2 * e + 2]).collect();
     grid(&points.collect::<Vec<_>>(), &cells, QUADRILATERAL, &fields.collect::<Vec<_>>())
