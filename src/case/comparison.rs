@@ -167,31 +167,23 @@ impl fmt::Display for Source {
 #[schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] }))]
 pub struct Compare {
     /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
-    #[schemars(example = "woo_load_travel.csv")]
     reference: String,
     /// Compared quantity.
-    #[schemars(example = &"punch_force")]
     quantity: ComparedQuantity,
     /// Column of the CSV along which to compare with a curve.
-    #[schemars(example = &"travel_mm")]
     x: Option<String>,
     /// Column of the CSV that is compared with a curve. Forces of a plane section are of both halves: per mm of depth, N_per_mm,
     /// or in all if blank.depth is given; a published curve of one half is doubled in the file, with a word on it.
-    #[schemars(example = &"punch_force_N")]
     y: Option<String>,
     /// Part of the curve that is compared, in units of the x column; default all of it.
     range: Option<[Number; 2]>,
     /// Accepted relative difference from a curve.
-    #[schemars(example = "5 %")]
     tolerance: Option<Positive<Ratio>>,
     /// Columns of the CSV whose values, all rows of them, span the band.
-    #[schemars(example = &("diameter_x_mm", "diameter_y_mm"))]
     band: Option<Vec<String>>,
     /// Column of the CSV with each row's error of measurement, which widens the band.
-    #[schemars(example = &"error_mm")]
     error: Option<String>,
     /// Reason of the tolerance, or of a difference.
-    #[schemars(example = "reading error of the published graph")]
     reason: String,
     /// True if the file may be missing: drop the CSV into `reference_data` to see the overlay.
     #[serde(default)]

@@ -4,7 +4,7 @@ use super::file::{self, CaseFile};
 use super::files::{Disk, Folder};
 use super::sources::{Sheets, Sources, Thickness};
 use super::{CaseError, source::Source};
-use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
+use crate::forming_limit::{Curve, Sheet, uniform_strain};
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::material::hardening::HardeningTable;
 use crate::material::{BackStress, Material};
@@ -214,17 +214,7 @@ pub struct Entry {
 impl Entry {
     /// Uniform strain of the hardening law, n of a power law; `None` if the law has no load maximum \[–\].
     pub fn n(&self) -> Option<f64> {
-        uniform_strain(&self.sheet()).ok()
-    }
-
-    /// Forming limit by Hill and Swift, computed from the law; `None` if the law has no load maximum.
-    pub fn forming_limit(&self) -> Option<Curve> {
-        Kind::Hill(Hill { n: None }).curve(&self.sheet()).ok()
-    }
-
-    /// Sheet at room temperature.
-    pub fn sheet(&self) -> Sheet<'_> {
-        Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }
+        uniform_strain(&Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }).ok()
     }
 
     /// Proof stress: the law's stress at 0.2 % of plastic strain \[MPa\].
