@@ -2,12 +2,13 @@
 
 use super::*;
 use anyhow::Context;
+use options::length;
 use stampflow::author::{Import, Imported};
 use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::plot::png;
-use stampflow::units::{Dimensioned, Length, Positive};
+use stampflow::units::{Dimensioned, Length};
 
 options! {
     /// Read the tools from a drawing (DXF) and write a case file with them
@@ -38,11 +39,6 @@ options! {
         travel: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
             "Punch travel [default: a placeholder]",
     } json: Json;
-}
-
-/// Reads a length \[mm\].
-fn length(text: &str) -> Result<f64, String> {
-    text.parse().map(Positive::<Length>::value).map_err(|error: stampflow::units::QuantityError| error.to_string())
 }
 
 pub fn import(args: Args) -> Result<Code> {

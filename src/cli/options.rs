@@ -8,7 +8,7 @@ use stampflow::plot::{Captions, Format, Pictures};
 use stampflow::results::comparison::{Computed, comparisons};
 use stampflow::results::error_bars;
 use stampflow::study::verify::{quick, verify};
-use stampflow::units::{Dimensioned, Length, Positive};
+use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
 use std::ffi::OsStr;
 use std::sync::LazyLock;
 use std::thread::available_parallelism;
@@ -168,9 +168,14 @@ impl PictureOptions {
     }
 }
 
+/// Reads a length above 0 \[mm\].
+pub fn length(text: &str) -> Result<f64, String> {
+    text.parse().map(Positive::<Length>::value).map_err(|error: QuantityError| error.to_string())
+}
+
 /// Reads a width on paper \[mm\].
 fn width(text: &str) -> Result<f64, String> {
-    let mm = text.parse::<Positive<Length>>().map_err(|error| error.to_string())?.value();
+    let mm = length(text)?;
     let is_paper = (50.0..=400.0).contains(&mm);
     is_paper.then_some(mm).ok_or_else(|| "give 50 to 400 mm: 85 mm is a column, 170 mm a page".to_owned())
 }
