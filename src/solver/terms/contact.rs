@@ -132,12 +132,14 @@ fn gradient(step: &Step, i: usize, out: &Evaluation) -> [Vector6; 3] {
 fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     for e in 0..step.bends.len() {
         let (mut forces, mut matrix) = (Vector6::zeros(), Matrix6::zeros());
-        let (mut bowed, mut squeeze, thickness) = (Point::zeros(), 0.0, out.thickness[e]);
+        let (mut bowed, mut squeeze, mut acts, thickness) = (Point::zeros(), 0.0, false, out.thickness[e]);
         for (i, station) in (STATIONS * e..).zip(step.stations(e)) {
             let (f, k) = &out.contact_sums[i];
-            if f.z == 0.0 {
+            // The chord to a carried pressure has a slope beyond the reach too.
+            if f.z == 0.0 && k.m33 == 0.0 {
                 continue;
             }
+            acts = true;
             let g = gradient(step, i, out);
             forces += g[0] * f.x + g[1] * f.y + g[2] * f.z;
             squeeze += f.z;
@@ -154,7 +156,7 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
                 }
             }
         }
-        if squeeze == 0.0 {
+        if !acts {
             continue;
         }
         out.system.add_forces(e, &forces);
