@@ -12,7 +12,6 @@ mod sources;
 
 pub use error::CaseError;
 pub use file::{Press, Springback, TitleBlock};
-pub(crate) use schema::{definition, whole};
 pub use schema::{keys, schema};
 pub use sources::{Sheets, Sources, Thickness};
 

@@ -28,15 +28,6 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
 }
 
-pub(crate) fn whole() -> &'static Value {
-    &SCHEMA
-}
-
-/// Returns a named definition of the schema; null if there is none.
-pub(crate) fn definition(name: &str) -> &'static Value {
-    &SCHEMA["$defs"][name]
-}
-
 /// Returns a line that would set the key at a dotted path: `thickness = "0.9 mm"`.
 pub(super) fn example(path: &str) -> Option<String> {
     let property = path.split('.').try_fold(&*SCHEMA, property)?;
@@ -48,7 +39,7 @@ pub(super) fn is_index(name: &str) -> bool {
 }
 
 fn reference(node: &Value) -> Option<&'static Value> {
-    Some(definition(node.get("$ref")?.as_str()?.rsplit('/').next()?))
+    Some(&SCHEMA["$defs"][node.get("$ref")?.as_str()?.rsplit('/').next()?])
 }
 
 fn alternatives(node: &Value) -> impl Iterator<Item = &Value> {

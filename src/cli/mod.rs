@@ -97,10 +97,7 @@ enum Verb {
     Merge(study::MergeArgs),
     /// Print the JSON schema of case files, for completion in editors
     #[command(hide = true)]
-    Schema {
-        #[arg(long, help = "Print a reference for people instead, as Markdown")]
-        markdown: bool,
-    },
+    Schema,
     #[command(about = "Print the completions of a shell", hide = true)]
     Completions {
         shell: Shell,
@@ -154,8 +151,7 @@ fn command() -> Result<Code> {
         Verb::Trace(args) => trace::trace(args),
         Verb::Materials(args) => materials::materials(&args),
         Verb::Merge(args) => study::merge(&args),
-        Verb::Schema { markdown: true } => print(stampflow::author::case_reference()),
-        Verb::Schema { .. } => print(case::schema()),
+        Verb::Schema => print(case::schema()),
         Verb::Completions { shell } => {
             let mut bytes = Vec::new();
             clap_complete::generate(shell, &mut program(), "stampflow", &mut bytes);

@@ -6,7 +6,7 @@
 //! $ stampflow run cup.toml                              and `...` where more follow
 //! cup: AMBER: ...
 //! <!-- picture: out/cup/part.png as cup_part.png -->    a picture of the page, as its commands draw it
-//! <!-- printed: stampflow schema --markdown -->         Markdown that a command prints, all of it, up to
+//! <!-- printed: stampflow verify cases/quickstart.toml --> Markdown that a command prints, all of it, up to
 //! <!-- end -->
 //! ```
 //! How long something took is told as `…`.
