@@ -39,10 +39,23 @@ impl Profile {
         if let Some(v) = self.vertices().find(|v| v.turn.abs() > BACK) {
             return Some(Fold::Back { at: v.point, after: v.after, turn: v.turn });
         }
+        // In the order of their boxes along the chain's longer way, a piece meets only those that begin before it ends.
         let boxes: Vec<Bounds> = self.pieces().iter().map(Piece::bounds).collect();
-        let pairs = (0..boxes.len()).flat_map(|i| (i + 1..boxes.len()).map(move |j| [i, j]));
-        let mut close = pairs.filter(|[i, j]| !boxes[*i].is_apart(&boxes[*j], 2.0 * TOUCH));
-        close.find_map(|pieces| Some(Fold::Crossing { at: self.meeting(pieces)?, pieces }))
+        let size = Bounds::around(self.pieces()).map_or(Point::zeros(), |all| all.high - all.low);
+        let way = if size.x >= size.y { 0 } else { 1 };
+        let mut order: Vec<usize> = (0..boxes.len()).collect();
+        order.sort_by(|a, b| boxes[*a].low[way].total_cmp(&boxes[*b].low[way]));
+        let mut first: Option<([usize; 2], Point)> = None;
+        for (k, &a) in order.iter().enumerate() {
+            let reach = boxes[a].high[way] + 2.0 * TOUCH;
+            for &b in order[k + 1..].iter().take_while(|b| boxes[**b].low[way] <= reach) {
+                let pair = [a.min(b), a.max(b)];
+                if !boxes[a].is_apart(&boxes[b], 2.0 * TOUCH) && first.is_none_or(|(found, _)| pair < found) {
+                    first = self.meeting(pair).map(|at| (pair, at)).or(first);
+                }
+            }
+        }
+        first.map(|(pieces, at)| Fold::Crossing { at, pieces })
     }
 
     /// Meeting point of two pieces, of neighbours away from their vertex.
