@@ -52,12 +52,11 @@ fn print_raw(checked: &Checked, seed: u64) {
         });
         let runs: Vec<String> = runs.collect();
         println!(
-            "raw {seed} {:?} {} {:.10e} {} {:.3} {}",
+            "raw {seed} {:?} {} {:.10e} {} {}",
             number.origin,
             number.quantity.key,
             number.quantity.amount.value,
             base.end.kind.replace(' ', "_"),
-            base.shortest,
             runs.join(" ")
         );
     }

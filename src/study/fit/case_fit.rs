@@ -1,6 +1,6 @@
 //! Keys of a case fitted to measured curves by Levenberg-Marquardt.
 
-use super::estimate::{Estimate, estimates, table};
+use super::{Estimate, estimates, table};
 use crate::case::comparison::Spec;
 use crate::numerics::least_squares::{Ended, Parameter, minimise};
 use crate::plot::chart::{Chart, Panel, Series, Style};

@@ -1,6 +1,5 @@
 //! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
-use super::law::straight_line;
 use super::tension::{FlowPoint, Tension};
 use crate::study::error::ensure;
 use crate::study::{StudyError, fail};
@@ -185,4 +184,15 @@ impl Tests {
         }
         Ok(curves)
     }
+}
+
+/// Intercept, slope and standard error of the slope of the regression through points.
+pub(super) fn straight_line(points: Vec<(f64, f64)>) -> [f64; 3] {
+    let n = points.len() as f64;
+    let [x, y] = [points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n];
+    let xx: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+    let xy: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+    let rest: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
+    [y - slope * x, slope, (rest / (n - 2.0).max(1.0) / xx).sqrt()]
 }

@@ -1,10 +1,10 @@
 //! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
-use super::estimate::{Estimate, table};
-use super::law_fit::{LawFit, LawFits};
+use super::law::{LawFit, LawFits};
+use super::{Estimate, table};
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
-use crate::plot::palette::{BLACK, GREY, color};
+use crate::plot::palette::{BLACK, color};
 use crate::study::{Cell, ReportTable, StudyReport};
 use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 
@@ -59,34 +59,22 @@ impl LawFits {
 
     fn chart(&self) -> Chart {
         let (best, end) = (self.best(), self.end());
-        let strains = || (0..=POINTS).map(|i| BEYOND * end * i as f64 / POINTS as f64);
         let laws = self.fits.iter().enumerate().map(|(i, fit)| {
-            let curve = strains().map(|e| (e, fit.stress(e, None))).collect();
-            Series::new(fit.kind.label(), curve, Style::curve(i))
+            let strains = (0..=POINTS).map(|i| BEYOND * end * i as f64 / POINTS as f64);
+            Series::new(fit.kind.label(), strains.map(|e| (e, fit.stress(e, None))).collect(), Style::curve(i))
         });
         let tests = self.tests.iter().enumerate().map(|(i, test)| {
             let style = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
-            Series::new(test.name.as_str(), thinned(test.points.iter().map(|p| (p.strain, p.stress))), style)
+            let every = test.points.len().div_ceil(DRAWN).max(1);
+            let points = test.points.iter().step_by(every).map(|p| (p.strain, p.stress));
+            Series::new(test.name.as_str(), points.collect(), style)
         });
         let flag = Annotation::new(AnnotationKind::Flag, "end of the points", (end, best.stress(end, None)));
-        let points = self.fitted().flat_map(|test| test.points.iter().map(|point| (point, test.rate)));
-        let misses = thinned(points.map(|(p, rate)| (p.strain, best.stress(p.strain, rate) - p.stress)));
-        let zero = Series::silent(vec![(0.0, 0.0), (end, 0.0)], Style::Line { color: GREY, width: 1.2, dash: &[] });
-        let panel = |label: &'static str, height, least| {
-            let strain = Axis::named("True plastic strain", Unit::None);
-            Panel::fit(strain, Axis::named(label, Unit::MPa), height, least)
-        };
-        let above = panel("True stress", 330.0, 10.0).with(laws.chain(tests)).annotated([flag]);
-        let below = [zero, Series::silent(misses, Style::Dots { color: BLACK })];
-        let panels = vec![above, panel("Law less point", 210.0, 1.0).with(below)];
-        Chart::new(format!("{} fitted", best.kind.label()), panels, Vec::new())
+        let strain = Axis::named("True plastic strain", Unit::None);
+        let panel = Panel::fit(strain, Axis::named("True stress", Unit::MPa), 330.0, 10.0);
+        let panel = panel.with(laws.chain(tests)).annotated([flag]);
+        Chart::new(format!("{} fitted", best.kind.label()), vec![panel], Vec::new())
     }
-}
-
-fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let all: Vec<(f64, f64)> = points.collect();
-    let every = all.len().div_ceil(DRAWN).max(1);
-    all.into_iter().step_by(every).collect()
 }
 
 /// Poisson's ratio, which a tension test without a width does not give \[–\].

@@ -4,7 +4,7 @@ use crate::model::{Grading, Model, Stage};
 use crate::units::Amount;
 
 /// A direction in which a solution is refined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Elements along the meridian.
     Elements,
@@ -28,16 +28,17 @@ pub enum Direction {
 const LEAST_ELEMENTS: usize = 8;
 const LEAST_POINTS: usize = 3;
 
-/// Name in tables, and a refinement in words with its factor as `{}`, by the order of the directions.
-const NAMES: [(&str, &str); 8] = [
-    ("elements", "{} times the elements"),
-    ("points", "{} times the points through the thickness"),
-    ("steps", "steps of 1/{} of the length"),
-    ("contact stiffness", "{} times the contact stiffness"),
-    ("contact smoothing", "1/{} of the contact smoothing"),
-    ("slip speed", "1/{} of the slip speed"),
-    ("cut-off", "1/{} of the cut-off strain"),
-    ("all together", "everything {} times as fine"),
+/// Name, refinement in words with its factor as `{}`, and formal order of convergence \[–\], by the order of the directions.
+/// Points may or may not meet the reversal of stress, so they have no order.
+const TABLE: [(&str, &str, Option<f64>); 8] = [
+    ("elements", "{} times the elements", Some(2.0)),
+    ("points", "{} times the points through the thickness", None),
+    ("steps", "steps of 1/{} of the length", Some(1.0)),
+    ("contact stiffness", "{} times the contact stiffness", Some(1.0)),
+    ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
+    ("slip speed", "1/{} of the slip speed", Some(1.0)),
+    ("cut-off", "1/{} of the cut-off strain", Some(1.0)),
+    ("all together", "everything {} times as fine", None),
 ];
 
 impl Direction {
@@ -52,26 +53,17 @@ impl Direction {
 
     /// Name in tables.
     pub fn label(self) -> &'static str {
-        NAMES[self as usize].0
+        TABLE[self as usize].0
     }
 
     /// Refinement in words: `4 times the elements`.
     pub fn text(self, times: f64) -> String {
-        NAMES[self as usize].1.replace("{}", &Amount::number(times).to_string())
+        TABLE[self as usize].1.replace("{}", &Amount::number(times).to_string())
     }
 
-    /// Formal order of convergence \[–\]; points may or may not meet the reversal of stress, so they have none.
-    pub fn order(self) -> Option<f64> {
-        match self {
-            Self::Points | Self::Together => None,
-            Self::Elements => Some(2.0),
-            _ => Some(1.0),
-        }
-    }
-
-    /// Cost of a run that is refined on its own over that of the run as it is \[–\].
-    pub(super) fn cost(self, times: f64) -> f64 {
-        if matches!(self, Self::Elements | Self::Points | Self::Steps) { times } else { 1.0 }
+    /// Formal order of convergence \[–\].
+    pub(super) fn order(self) -> Option<f64> {
+        TABLE[self as usize].2
     }
 
     /// Stages refined by a factor, coarser below 1; `None` if there is nothing to refine.

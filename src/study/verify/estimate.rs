@@ -16,9 +16,6 @@ const COARSER: f64 = 5.0;
 const LEAST: f64 = 3e-3;
 const LEAST_PERCENT: f64 = 1.5;
 
-/// Accepted factor between observed and formal order \[–\].
-const BELIEVED: f64 = 2.0;
-
 /// Least error over the number, in tolerances to which every step was solved \[–\].
 const SOLVED: f64 = 10.0;
 
@@ -26,18 +23,14 @@ const SOLVED: f64 = 10.0;
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 
-/// Directions of refinement, each with its runs from coarse to fine.
-pub(super) type Refined<'a> = [(Direction, Vec<&'a Outcome>)];
-
 /// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation if three levels show an order
 /// near the formal one, else by their spread.
 pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let order = match levels {
-        [coarse, fine, finest, ..] => Some((coarse - fine) / (fine - finest)),
+        [coarse, fine, finest, ..] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
         _ => None,
     };
-    let order = order.filter(|quotient| quotient.is_finite() && *quotient > 0.0).map(f64::log2);
-    let is_near = |p: &f64| direction.order().is_some_and(|q| (q / BELIEVED..=q * BELIEVED).contains(p));
+    let is_near = |p: &f64| direction.order().is_some_and(|q| (0.5 * q..=2.0 * q).contains(p));
     let believed = order.filter(is_near);
     let end = |of: fn(f64, f64) -> f64| levels.iter().copied().reduce(of).unwrap_or(0.0);
     let error = match believed {
@@ -48,7 +41,7 @@ pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
 }
 
 /// Number with its error bar from all refined runs, solved to a tolerance; places stay without.
-pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) -> Number {
+pub(super) fn with_bar(number: &Number, directions: &[(Direction, Vec<&Outcome>)], tolerance: f64) -> Number {
     if number.quantity.error != ErrorBar::NotComputed {
         return number.clone();
     }
@@ -82,4 +75,31 @@ pub(super) fn with_bar(number: &Number, directions: &Refined, tolerance: f64) ->
     let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(least) } else { 0.0 };
     let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
     Number { quantity, contributions, ..number.clone() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Trust: f = 7 + c hᵖ with h = 1, 1/2, 1/4 has the error c on its first level; the others by hand.
+    #[test]
+    fn a_power_law_is_extrapolated_and_anything_else_has_its_spread() {
+        use Direction::{Elements, Points, Steps, Together};
+        for (direction, p) in [(Steps, 0.6), (Steps, 1.0), (Steps, 1.9), (Elements, 1.1), (Elements, 3.9)] {
+            let estimate = estimate(direction, &[1.0_f64, 0.5, 0.25].map(|h| 7.0 - 2.0 * h.powf(p)));
+            assert_relative_eq!(estimate.order.expect("one sign"), p, max_relative = 1e-9);
+            assert_relative_eq!(estimate.error, 1.25 * 2.0, max_relative = 1e-9);
+        }
+        for (direction, levels, error, order) in [
+            (Steps, &[10.0, 7.0, 8.0][..], 9.0, None),
+            (Steps, &[10.0, 9.0, 6.0], 12.0, Some((1.0_f64 / 3.0).log2())),
+            (Elements, &[10.0, 9.0, 9.0], 3.0, None),
+            (Points, &[10.0, 9.0, 8.5], 4.5, Some(1.0)),
+            (Together, &[5.0, 4.0], 5.0, None),
+        ] {
+            let estimate = estimate(direction, levels);
+            assert_eq!((estimate.error, estimate.order, estimate.extrapolated), (error, order, false), "{levels:?}");
+        }
+    }
 }

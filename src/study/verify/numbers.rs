@@ -4,7 +4,7 @@ use super::Direction;
 use crate::assess::{self, Answer, Finding, after, forming_limit_used, largest_force};
 use crate::case::{Case, Solution};
 use crate::measure::{Shape, changes, thickest};
-use crate::model::{Motion, Role, mesh};
+use crate::model::{Motion, Role};
 use crate::numerics::interpolated;
 use crate::results::error_bars::{Number, Origin};
 use crate::solver::solution::{StageSolution, Stop};
@@ -27,8 +27,6 @@ pub struct Outcome {
     pub thickness: Vec<(f64, f64)>,
     /// Used share of the forming limit \[%\] over the initial distance from the axis \[mm\]; empty without a limit.
     pub used: Vec<(f64, f64)>,
-    /// Shortest element over the sheet thickness \[–\].
-    pub shortest: f64,
 }
 
 /// End of a run.
@@ -75,8 +73,6 @@ impl Outcome {
         let load = largest_force(stages).map_or(&[][..], |(i, _)| &stages[i].steps);
         let elements =
             stages.last().and_then(|stage| stage.frames.last()).into_iter().flat_map(|frame| &frame.elements);
-        let first = case.model();
-        let shortest = mesh::nodes(first).windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
         Self {
             direction: None,
             times: 1.0,
@@ -85,7 +81,6 @@ impl Outcome {
             load: load.iter().map(|step| (step.travel, step.punch_force)).collect(),
             thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
             used: forming_limit_used(stages).map_or_else(Vec::new, |used| used.shares),
-            shortest: shortest / first.blank.thickness,
         }
     }
 
@@ -94,11 +89,6 @@ impl Outcome {
         let own = self.numbers.iter().find(|own| own.is(number))?;
         let there = number.s0.filter(|_| !self.used.is_empty()).map(|place| interpolated(&self.used, place));
         Some(there.unwrap_or(own.quantity.amount.value))
-    }
-
-    /// True if it came to another end than the verified run, for a reason of the part's.
-    pub(super) fn ends_otherwise(&self, base: &Self) -> bool {
-        !self.end.lost && !self.end.is_like(&base.end)
     }
 
     /// Refinement in words.
