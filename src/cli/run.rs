@@ -4,7 +4,7 @@ use super::*;
 use rayon::prelude::*;
 use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
-use stampflow::results::{OUTPUTS, ResultFolder, Results, is_report, result_folder, tables};
+use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, is_report, result_folder, tables};
 
 options! {
     /// Solve cases and write their tables and plots
@@ -88,7 +88,7 @@ impl Args {
         let traced = traced.map(|(path, iterations)| write(path, &tables::iterations(iterations)));
         let mut output = Output { code: solved.code(self.strict), ..Output::default() };
         if self.common.json() {
-            let mut value = serde_json::to_value(results.summary())?;
+            let mut value = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
             value["verdict"] = solved.verdict();
             value["comparisons"] = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));
             value["folder"] = json!(dir);
@@ -107,7 +107,7 @@ impl Args {
 
     /// Printed text below the answer, with --verbose also the solver's part.
     fn rest(&self, results: &Results, files: &str) -> ScreenText {
-        let (summary, mut text) = (results.summary(), ScreenText::default());
+        let (summary, mut text) = (CaseSummary::of(results.solution, &results.views), ScreenText::default());
         if !summary.lines.is_empty() {
             text = wrapped(format!("\n{}", summary.lines));
         }

@@ -66,11 +66,10 @@ pub const OUTPUTS: &[Output] = &[
         shapes::plot,
     ),
     output(
-        "section.pvd",
+        vtk::COLLECTION,
         "with --vtu: some 25 states from the start to the end, for ParaView",
-        Make::Moving(Extra::Vtu, vtk::section_files),
+        Make::Moving(Extra::Vtu, vtk::files),
     ),
-    output("tools.pvd", "with --vtu: the tools beside them", Make::Moving(Extra::Vtu, vtk::tool_files)),
     output(
         "shapes.gif",
         "with --animate: the section and the load as they move",

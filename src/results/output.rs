@@ -38,7 +38,7 @@ impl Output {
     pub fn is_named(&self, name: &str) -> bool {
         let is_other = match self.make {
             Make::Plot(_) => Format::stem(name) == Some(self.stem()),
-            Make::Moving(..) => vtk::is_of(self.file, name),
+            Make::Moving(extra, _) => extra == Extra::Vtu && vtk::is_ours(name),
             Make::OfCase(_) => self.file.starts_with(comparison::PREFIX) && comparison::is_comparison(name),
             Make::Table(_) | Make::Text(_) => false,
         };

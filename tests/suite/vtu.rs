@@ -38,7 +38,7 @@ fn read(path: &Path) -> Grid {
     let piece = file.descendants().find(|node| node.has_tag_name("Piece")).unwrap();
     let count = |name: &str| piece.attribute(name).unwrap().parse::<usize>().unwrap();
     assert_eq!((count("NumberOfPoints"), count("NumberOfCells")), (grid.points.len(), grid.cells.len()));
-    assert!(cells["types"].iter().zip(&grid.cells).all(|(kind, cell)| (*kind, cell.len()) == (9.0, 4) || *kind == 3.0));
+    assert!(cells["types"].iter().zip(&grid.cells).all(|(kind, cell)| (*kind, cell.len()) == (9.0, 4)));
     assert!(grid.fields.values().all(|values| values.len() == grid.cells.len()));
     grid
 }
@@ -98,9 +98,9 @@ fn the_section_is_that_of_the_profile_and_keeps_its_volume() {
 }
 
 /// Trust: the flat blank is level and at rest; between states lies a twenty-fifth of the travel, give or take a step, which
-/// is a hundredth at most. The punch's face is half a thickness below z = 0 and starts a few smoothing lengths away.
+/// is a hundredth at most.
 #[test]
-fn states_are_spread_evenly_and_the_tools_stand_where_the_punch_has_come_to() {
+fn states_are_spread_evenly_over_the_travel() {
     let dir = folder(CUP);
     stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
     let out = dir.path().join("out/cup");
@@ -115,13 +115,4 @@ fn states_are_spread_evenly_and_the_tools_stand_where_the_punch_has_come_to() {
     let blank = read(&out.join(&sets[0].1));
     assert!(blank.points.iter().all(|point| (point[1].abs() - 0.5).abs() < 1e-12));
     assert!(blank.fields["strain_equivalent [-]"].iter().all(|strain| *strain == 0.0));
-    for (travel, name) in collection(&out.join("tools.pvd")) {
-        let grid = read(&out.join(name));
-        let mut roles = grid.fields["role [-]"].clone();
-        let punch = grid.cells.iter().zip(&roles).filter(|(_, role)| **role == 0.0).flat_map(|(cell, _)| cell);
-        let lowest = punch.map(|&i| grid.points[i][1]).fold(f64::NEG_INFINITY, f64::max);
-        assert!((lowest - (travel - 0.5)).abs() < 0.05, "{lowest} at {travel}");
-        roles.dedup();
-        assert_eq!(roles, [0.0, 1.0, 2.0]);
-    }
 }

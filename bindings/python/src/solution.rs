@@ -10,7 +10,7 @@ use stampflow::Table;
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
 use stampflow::results::error_bars::{ErrorBars, answered};
-use stampflow::results::{self, Make, OUTPUTS, Output, Results, tables};
+use stampflow::results::{self, CaseSummary, Make, OUTPUTS, Output, Results, tables};
 use stampflow::solver::solution::NodeRecord;
 use stampflow::study::verify;
 use stampflow::table::{Column as NamedColumn, Unit};
@@ -110,7 +110,7 @@ impl Solution {
 
     /// Contents of `summary.json`; with several stages a list of them.
     fn summary(&self, py: Python<'_>) -> PyResult<String> {
-        json(&self.results(py)?.summary())
+        json(&CaseSummary::of(&self.solution, &self.results(py)?.views))
     }
 
     /// Light, sentence and rows of the verdict, as JSON.

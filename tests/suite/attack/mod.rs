@@ -169,7 +169,7 @@ fn check_accepted(case: Case, work: usize) -> bool {
             drop(make(&results));
         }
     }
-    let _ = (results.summary(), solution.summary());
+    let _ = solution.summary();
     true
 }
 

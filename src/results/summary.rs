@@ -1,0 +1,492 @@
+//! Summary of a stage: one list of lines, printed as text and written as JSON.
+
+use super::{StageView, stages, tables};
+use crate::assess::{Kind, holder_lift, sentences};
+use crate::case::Solution;
+use crate::case::files::sha256;
+use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
+use crate::model::{Extent, Geometry, Grading, Mode, Model, Role, Theory};
+use crate::plot::stop_text;
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
+use crate::table::{JOULES, Unit, worded};
+use crate::units::{Amount, Digits, ZERO_CELSIUS, joined, rounded};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use serde_json::{Value as Json, json};
+use std::fmt;
+
+/// Subject of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// The case that was solved, and warnings.
+    Case,
+    /// The part, the load that formed it, and the end of the stage.
+    Part,
+    /// The numerical solution.
+    Solution,
+}
+
+#[derive(Clone, Debug)]
+struct Line {
+    group: Group,
+    key: &'static str,
+    /// Indented where the line belongs to the one above; empty in lines for programs only.
+    label: String,
+    value: Value,
+}
+
+#[derive(Clone, Debug)]
+enum Value {
+    Number(Amount),
+    /// Count, flag or text.
+    Plain(Json),
+    /// Rows with labels, and their JSON.
+    Rows(Vec<[String; 2]>, Json),
+}
+
+/// Lines in the order of printing; displays as aligned text, serialises with units in the keys.
+#[derive(Clone, Debug)]
+pub struct Summary(Vec<Line>);
+
+impl Summary {
+    /// Sums up a stage.
+    pub fn of(view: &StageView) -> Self {
+        let (model, run) = (view.model(), view.stage);
+        let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
+        let mut lines = Lines { view, model, run, last, group: Group::Case, lines: Vec::new() };
+        lines.plain("case", "Case", view.name.clone());
+        lines.plain("title", "Title", model.title.clone());
+        lines.plain("section", "Section", section_of(model.extent()));
+        lines.group = Group::Part;
+        lines.load();
+        lines.part();
+        lines.condition();
+        lines.group = Group::Solution;
+        lines.solution();
+        lines.group = Group::Case;
+        for (key, label, entries) in [
+            ("overrides", "Set on the command line", view.overrides.to_vec()),
+            ("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption)),
+            ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
+            ("notes", "Declared assumptions", model.notes.clone()),
+        ] {
+            let rows = entries.iter().map(|entry| [String::new(), format!("- {entry}")]).collect();
+            lines.add(key, label, Value::Rows(rows, entries.into()));
+        }
+        Self(lines.lines)
+    }
+
+    /// Label, value and unit of the lines of a group that have one value.
+    pub fn figures(&self, group: Group) -> impl Iterator<Item = [String; 3]> {
+        self.printed().filter(move |line| line.group == group).filter_map(|Line { label, value, .. }| {
+            let (value, unit) = match value {
+                Value::Number(amount) => amount.parts(),
+                value => (value.text()?, ""),
+            };
+            Some([label.clone(), value, unit.to_owned()])
+        })
+    }
+
+    /// Labels and values of all printed lines; the entries of a list stand below each other.
+    pub fn rows(&self) -> impl Iterator<Item = [String; 2]> {
+        self.printed().flat_map(|Line { label, value, .. }| match value {
+            Value::Rows(rows, _) => {
+                let mut rows = rows.clone();
+                rows.iter_mut().take(1).for_each(|[first, _]| first.insert_str(0, label));
+                rows
+            }
+            value => vec![[label.clone(), value.text().unwrap_or_default()]],
+        })
+    }
+
+    fn printed(&self) -> impl Iterator<Item = &Line> {
+        self.0.iter().filter(|line| !line.label.is_empty())
+    }
+
+    /// Text of `summary.json`, with the verdict on the whole case if it was judged.
+    pub(super) fn json(view: &StageView) -> Option<String> {
+        let mut summary = Self::of(view);
+        let verdict = view.verdict.clone().map(Value::Plain);
+        summary.0.extend(verdict.map(|value| Line { group: Group::Case, key: "verdict", label: String::new(), value }));
+        serde_json::to_string_pretty(&summary).ok().map(|text| text + "\n")
+    }
+}
+
+impl Value {
+    /// Value of a line that is no list.
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Number(amount) => Some(amount.to_string()),
+            Self::Plain(Json::Bool(flag)) => Some(if *flag { "yes" } else { "no" }.to_owned()),
+            Self::Plain(Json::String(text)) => Some(text.clone()),
+            Self::Plain(count) => Some(count.to_string()),
+            Self::Rows(..) => None,
+        }
+    }
+
+    /// `44.1 mm, 48.3 kN: rim meets the die`; the time in place of travel and force where a gas works.
+    fn events(events: &[Event], force: Unit) -> Self {
+        let row = |event: &Event| {
+            let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
+            let at =
+                if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
+            [String::new(), format!("{at}: {}", event.kind.label())]
+        };
+        let entry = |event: &Event| {
+            json!({
+                "key": event.kind.key(),
+                "what": event.kind.label(),
+                Unit::Mm.keyed("travel"): rounded(event.travel),
+                Unit::Second.keyed("time"): rounded(event.time),
+                force.keyed("punch_force"): rounded(event.force),
+            })
+        };
+        Self::Rows(events.iter().map(row).collect(), events.iter().map(entry).collect())
+    }
+
+    /// `Wall to the punch direction  0.3° → 8.2° (+7.9°)`
+    fn changes(changes: &[Change]) -> Self {
+        let row = |change: &Change| {
+            let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed_text(by)));
+            [format!("  {}", change.quantity.label), format!("{change}{by}")]
+        };
+        let entry = |change: &Change| {
+            json!({
+                "key": change.quantity.key,
+                "unit": change.quantity.unit.spelled(),
+                "before": change.before.map(rounded),
+                "after": change.after.map(rounded),
+                "change": change.change().map(rounded),
+            })
+        };
+        let head = [String::new(), "before → after (change)".to_owned()];
+        Self::Rows(std::iter::once(head).chain(changes.iter().map(row)).collect(), changes.iter().map(entry).collect())
+    }
+}
+
+impl Serialize for Summary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for Line { key, value, .. } in &self.0 {
+            match value {
+                Value::Number(amount) => {
+                    map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?;
+                    if let Some(bar) = amount.bar {
+                        map.serialize_entry(&amount.unit.keyed(&format!("{key}_error_bar")), &rounded(bar))?;
+                    }
+                }
+                Value::Plain(json) | Value::Rows(_, json) => map.serialize_entry(key, json)?,
+            }
+        }
+        map.end()
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.rows().map(|[label, _]| label.chars().count()).max().unwrap_or(0);
+        self.rows().try_for_each(|[label, value]| writeln!(f, "{label:<width$}  {value}"))
+    }
+}
+
+/// Summary of a case: displays as aligned text; serialises as its one stage, or with a list of them.
+#[derive(Clone, Debug)]
+pub struct CaseSummary {
+    case: String,
+    complete: bool,
+    /// Summaries of the stages that were run.
+    pub stages: Vec<Summary>,
+    /// A line for every stage; empty in a case of one stage.
+    pub lines: String,
+}
+
+impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self, &self.views())
+    }
+}
+
+impl CaseSummary {
+    /// Sums up every stage by its view.
+    pub fn of(solution: &Solution, views: &[StageView]) -> Self {
+        let (case, complete) = (solution.case.name.clone(), solution.is_complete());
+        Self { case, complete, stages: views.iter().map(Summary::of).collect(), lines: stages::printed(solution) }
+    }
+}
+
+impl Serialize for CaseSummary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.stages.as_slice() {
+            [stage] if self.lines.is_empty() => stage.serialize(serializer),
+            stages => json!({"case": self.case, "complete": self.complete, "stages": stages}).serialize(serializer),
+        }
+    }
+}
+
+impl fmt::Display for CaseSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let stages: Vec<String> = self.stages.iter().map(Summary::to_string).collect();
+        let lines = if self.lines.is_empty() { String::new() } else { format!("\nStages\n{}\n", self.lines) };
+        write!(f, "{}{lines}", stages.join("\n"))
+    }
+}
+
+/// Geometry, and the extent that forces refer to.
+pub fn section_of(extent: Extent) -> String {
+    let section = match extent.geometry() {
+        Geometry::Axisymmetric => "axisymmetric",
+        Geometry::PlaneStrain => "plane strain",
+    };
+    joined([section.into(), extent.described()], "; ")
+}
+
+/// Lines of a stage as they are collected.
+struct Lines<'a> {
+    view: &'a StageView<'a>,
+    model: &'a Model,
+    run: &'a StageSolution,
+    /// Last step, or the sheet at its start.
+    last: StepRecord,
+    group: Group,
+    lines: Vec<Line>,
+}
+
+impl Lines<'_> {
+    fn add(&mut self, key: &'static str, label: &str, value: Value) {
+        self.lines.push(Line { group: self.group, key, label: label.to_owned(), value });
+    }
+
+    fn number(&mut self, key: &'static str, label: &str, amount: Amount) {
+        let amount = self.view.half(amount).map_or(amount, |bar| amount.with_bar(bar));
+        self.add(key, label, Value::Number(amount));
+    }
+
+    fn plain(&mut self, key: &'static str, label: &str, value: impl Into<Json>) {
+        self.add(key, label, Value::Plain(value.into()));
+    }
+
+    fn force(&self, force: f64) -> Amount {
+        Amount::force(force, self.model.extent().force_unit())
+    }
+
+    /// Largest value over the steps, or 0.
+    fn largest(&self, value: fn(&StepRecord) -> f64) -> f64 {
+        self.run.steps.iter().map(value).fold(0.0, f64::max)
+    }
+
+    /// End, travel and forces of the punch, or pressure of the gas.
+    fn load(&mut self) {
+        let Self { model, run, last, .. } = *self;
+        self.plain("hardening", "Hardening", model.material.describe());
+        let is_full = run.stop.kind == StopKind::FullTravel;
+        let ended = if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() };
+        self.plain("stop", "Ended", ended);
+        self.plain("complete", "", run.stop.is_complete());
+        if model.travel > 0.0 {
+            let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
+            let peak = peak.unwrap_or_default();
+            self.number("travel", "Punch travel reached", Amount::place(last.travel));
+            self.number("peak_punch_force", "Peak punch force", self.force(peak.punch_force));
+            self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
+        }
+        if !model.gas.is_empty() {
+            self.number("peak_pressure", "Largest gas pressure", Amount::stress(self.largest(|s| s.pressure.abs())));
+            self.number("pole_height", "Height of the middle", Amount::place(last.pole_height));
+        }
+        if let Some(control) = model.rate_control() {
+            let rate = |rate| Amount::new(rate, Unit::PerSecond, Digits::Significant(3));
+            let least = run.steps.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
+            self.number("held_rate_target", "Strain rate to be held", rate(control.target));
+            self.number("held_rate_least", "  least", rate(least));
+            self.number("held_rate_largest", "  largest", rate(self.largest(|s| s.held_rate)));
+            self.number("time", "Time of the cycle", Amount::time(last.time));
+        }
+        if last.contact_share > 0.0 {
+            self.number("contact_share", "Sheet on punch and die at the end", Amount::share(last.contact_share));
+        }
+        self.add("events", "Events", Value::events(&events(run), model.extent().force_unit()));
+    }
+
+    /// Height, angles, the thinnest and thickest places, the distance to the forming limit, and the draw-in.
+    fn part(&mut self) {
+        let Self { view, model, run, last, .. } = *self;
+        let end = run.frames.last();
+        if let Some(height) = end.and_then(part_height) {
+            self.number("part_height", "Part height over all", Amount::place(height));
+        }
+        if let Some(changes) = tables::springback_changes(run) {
+            self.add("springback", "Spring-back", Value::changes(&changes));
+        } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
+            self.number("wall_angle", "Wall to the punch direction", Amount::angle(angle));
+        }
+        let over_initial = |thickness| Amount::share(thickness / model.blank.thickness);
+        let from =
+            worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
+        self.number("thinnest", "Thinnest place", Amount::thickness(last.thinnest));
+        self.number("thinnest_over_initial", "  over the initial thickness", over_initial(last.thinnest));
+        self.number("thinnest_s0", from, Amount::place(last.thinnest_s0));
+        if let Some((thickest, s0)) = end.and_then(thickest) {
+            self.number("thickest", "Thickest place", Amount::thickness(thickest));
+            self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
+            self.number("thickest_s0", from, Amount::place(s0));
+        }
+        if let Some(opening) = view.ring_opening() {
+            self.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
+        }
+        if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
+            let (worst, least) = (assessment.worst(), Amount::ratio(curve.plane_strain()));
+            self.plain("forming_limit", "Forming limit", curve.name);
+            self.number("forming_limit_plane_strain", "  at plane strain, true strain", least);
+            self.number("forming_margin", "  least margin in major true strain", Amount::ratio(worst.margin()));
+            self.number("forming_ratio", "  major strain over the limit there", Amount::share(worst.ratio()));
+            self.number("forming_margin_s0", "  at s0, its initial distance", Amount::place(worst.s0));
+            self.plain("forming_paths_crooked", "  elements whose path is not straight", assessment.crooked());
+            self.plain("forming_limit_reached", "  reached", assessment.reached.is_some());
+            if let Some(reached) = assessment.reached {
+                if model.travel > 0.0 {
+                    self.number("forming_limit_travel", "    first at a travel of", Amount::place(reached.travel));
+                } else {
+                    self.number("forming_limit_time", "    first at a time of", Amount::time(reached.time));
+                }
+                self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
+            }
+        }
+        self.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
+    }
+
+    /// Work, heat, voids, temperatures, ironing, bends, and force and lift of the holder.
+    fn condition(&mut self) {
+        let Self { model, run, last, .. } = *self;
+        let energy = |energy: f64| Amount::force(JOULES * energy, model.extent().energy_unit());
+        let work = last.work.without_round_off();
+        self.number("work_external", "Work of the tools", energy(work.external));
+        self.number("work_plastic", "  plastic", energy(work.plastic));
+        if model.mode != Mode::Flow {
+            self.number("work_elastic", "  stored in the sheet", energy(work.elastic));
+        }
+        self.number("work_friction", "  friction", energy(work.friction));
+        self.number("work_contact", "  stored in contact", energy(work.contact));
+        if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
+            self.number("heat_stored", "Heat stored in the sheet", energy(last.heat.stored));
+            self.number("heat_plastic", "  from plastic work", energy(last.heat.plastic));
+            self.number("heat_tools", "  from the tools", energy(last.heat.tools));
+        }
+        if model.material.gtn.is_some() {
+            self.number("porosity", "Largest porosity", Amount::share(last.porosity));
+            self.number("porous_s0", "  at an initial distance of", Amount::place(last.porous_s0));
+        }
+        if let Some(heat) = &model.heat {
+            // A run that never started has the temperature it was given.
+            let coldest = run.steps.iter().map(|s| s.coldest).reduce(f64::min).unwrap_or(heat.initial.smallest());
+            let hottest = run.steps.iter().map(|s| s.hottest).reduce(f64::max).unwrap_or(heat.initial.largest());
+            self.number("coldest", "Lowest temperature", Amount::temperature(coldest - ZERO_CELSIUS));
+            self.number("hottest", "Highest temperature", Amount::temperature(hottest - ZERO_CELSIUS));
+        }
+        let ironing = self.largest(|s| s.ironing);
+        if ironing > 0.0 {
+            let [force, friction] = [self.largest(|s| s.ironing_force), self.largest(|s| s.ironing_friction)];
+            let pressure = Amount::stress(self.largest(|s| s.ironing_pressure));
+            self.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
+            self.number("ironing_force", "Largest ironing force of the die", self.force(force));
+            self.number("ironing_friction", "Largest friction in it", self.force(friction));
+            self.number("ironing_pressure", "Largest ironing pressure", pressure);
+        }
+        // A flat sheet has no bend.
+        let sharpest = self.largest(|s| s.sharpest_bend);
+        let radius = if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 };
+        self.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(radius));
+        if model.tool(Role::Holder).is_none() || model.release.is_some() {
+            return;
+        }
+        if let Some(closing) = run.closing {
+            self.number("closing_way", "Way of the holder to close over the sheet", Amount::place(closing.way));
+            self.number("closing_gap", "  stands open by", Amount::thickness(closing.gap));
+            self.number("closing_force", "  with a force of", self.force(closing.force));
+        }
+        self.number("peak_holder_force", "Largest holder force", self.force(self.largest(|s| s.holder_force)));
+        let rim = format!("  last share on the outer {}", Amount::given_thicknesses(StepRecord::RIM));
+        let last = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
+        self.number("rim_share", &rim, Amount::share(last));
+        if let Some(lift) = holder_lift(run) {
+            self.number("holder_lift", "  lifted by up to, while there is a flange", Amount::thickness(lift));
+        }
+    }
+
+    /// Errors of the balance and the layers, contact, mesh, method and effort.
+    fn solution(&mut self) {
+        let Self { view, model, run, last, .. } = *self;
+        let (effort, work) = (&run.effort, last.work.without_round_off());
+        let share = |part: f64, whole: f64| Amount::share(if whole == 0.0 { 0.0 } else { part / whole });
+        let count = |value: fn(&StepRecord) -> usize| run.steps.iter().map(value).sum::<usize>();
+        self.number("imbalance", "Work missing in the balance", share(last.work.missing(), run.largest_work()));
+        self.number("cutoff_share", "Plastic work in nearly rigid zones", share(work.cutoff, work.plastic));
+        let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
+        if let Some(error) = bent.and_then(moment_error) {
+            self.number("moment_error", "Bending moment missed by the layers, estimated", Amount::share(error));
+        }
+        let [deepest, strain] = [self.largest(|s| s.penetration), self.largest(|s| s.strain_increment)];
+        self.number("penetration", "Tools in the sheet, of its thickness", Amount::share(deepest));
+        self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
+        self.plain("flips", "Contacts that came or went", count(|s| s.contact_changes));
+        self.number("strain_increment", "Largest strain of one step", Amount::ratio(strain));
+        self.plain("mesh", "Mesh", mesh(model));
+        let settings = &model.settings;
+        let matrix = ["primal-dual Newton", "Newton", "secant"][settings.iteration as usize];
+        let norm = ["velocity", "residual", "velocity and residual"][settings.norm as usize];
+        let corrector = format!("{matrix} matrix, {norm} norm below {}", Amount::norm(settings.tolerance));
+        self.plain("corrector", "Corrector", corrector);
+        self.plain("steps", "Steps", run.steps.len());
+        self.plain("iterations", "Iterations", count(|s| s.iterations));
+        // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
+        let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
+        if let Some(norm) = known.reduce(f64::max) {
+            self.number("velocity_norm", "Largest accepted velocity norm", Amount::norm(norm));
+        }
+        let residual = Amount::norm(self.largest(|s| s.residual_norm));
+        self.number("residual_norm", "Largest accepted residual norm", residual);
+        self.plain("rejected", "Rejected tries", count(|s| s.rejected) + effort.abandoned);
+        for (key, count) in [
+            ("steps_from_predictor", effort.predictor),
+            ("steps_from_secant", effort.secant),
+            ("steps_from_softened", effort.softened),
+            ("steps_halved", effort.halved),
+            ("steps_overstrained", effort.overstrained),
+            ("steps_overstepped", effort.overstepped),
+        ] {
+            self.plain(key, "", count);
+        }
+        if let Some(wall) = view.wall {
+            self.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
+        }
+        self.plain("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
+        self.plain("case_sha256", "", sha256([view.case_text]));
+    }
+}
+
+/// Record of a stage without a step: the sheet at its start, or the blank.
+fn as_begun(run: &StageSolution) -> StepRecord {
+    let blank = &run.model.blank;
+    let (elements, nodes) = run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements, &start.nodes));
+    let thinnest = elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness));
+    StepRecord {
+        thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
+        thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
+        draw_in: nodes.last().map_or(0.0, |node| blank.length - node.r),
+        pole_height: nodes.first().map_or(0.0, |node| node.z),
+        ..StepRecord::default()
+    }
+}
+
+fn mesh(model: &Model) -> String {
+    let blank = &model.blank;
+    let theory = match blank.theory {
+        Theory::Membrane => "membrane".to_owned(),
+        Theory::Bending => format!("bending, {} layers", blank.layers),
+        Theory::Selective => {
+            format!("bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
+        }
+    };
+    let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
+    format!("{} elements, {theory}, {grading}", blank.elements)
+}
