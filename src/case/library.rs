@@ -12,7 +12,6 @@ use crate::model::Mode;
 use crate::units::{Dimensioned, Stress, did_you_mean};
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
-use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Plastic strain of the proof stress \[–\].
@@ -85,7 +84,6 @@ impl Description {
 #[serde(deny_unknown_fields)]
 pub struct Class {
     strength: Option<[Stress; 2]>,
-    thickness: Option<String>,
     /// Source of the range of its strength.
     pub source: String,
 }
@@ -94,35 +92,6 @@ impl Class {
     /// Least and largest tensile strength that the standard allows \[MPa\].
     pub fn strength(&self) -> Option<[f64; 2]> {
         self.strength.map(|ends| ends.map(Stress::value))
-    }
-
-    /// Half of that range over its middle \[–\].
-    pub fn strength_share(&self) -> Option<f64> {
-        self.strength().map(|[low, high]| (high - low) / (high + low))
-    }
-
-    /// Standard of its thickness.
-    pub fn thickness(&self) -> Option<ThicknessStandard> {
-        let mut standards: BTreeMap<String, _> = read("standards", include_str!("library/standards.toml")).ok()?;
-        standards.remove(self.thickness.as_ref()?)
-    }
-}
-
-/// Thickness tolerances by a standard.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ThicknessStandard {
-    /// Source of its numbers.
-    pub source: String,
-    least: f64,
-    rows: Vec<[f64; 2]>,
-}
-
-impl ThicknessStandard {
-    /// Tolerance of a thickness to either side \[mm\]; `None` if the standard does not have it.
-    pub fn tolerance(&self, thickness: f64) -> Option<f64> {
-        let [_, tolerance] = self.rows.iter().find(|[up_to, _]| thickness <= *up_to)?;
-        (thickness >= self.least).then_some(*tolerance)
     }
 }
 

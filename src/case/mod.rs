@@ -12,7 +12,7 @@ mod sources;
 
 pub use error::CaseError;
 pub use file::{Press, Springback, TitleBlock};
-pub use schema::{keys, schema};
+pub use schema::schema;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::material::RValues;

@@ -2,7 +2,7 @@
 
 use super::file::CaseFile;
 use serde_json::{Map, Value};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Examples of keys by the schema's definition of their table.
@@ -51,25 +51,4 @@ fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
     let own = if is_index(segment) { node.get("items") } else { node.get("properties").and_then(|p| p.get(segment)) };
     let referred = || reference(node).and_then(|node| property(node, segment));
     own.or_else(referred).or_else(|| alternatives(node).find_map(|choice| property(choice, segment)))
-}
-
-/// Returns the dotted path of every key that holds a value, `tools.punch.travel`; of lists the keys of the first entry,
-/// `stages.0.trim`.
-pub fn keys() -> BTreeSet<String> {
-    let mut keys = BTreeSet::new();
-    collect(&SCHEMA, "", &mut keys);
-    keys
-}
-
-fn collect(node: &Value, path: &str, keys: &mut BTreeSet<String>) {
-    let forms: Vec<&Value> = alternatives(node).chain(reference(node)).filter(|node| node["type"] != "null").collect();
-    forms.iter().for_each(|form| collect(form, path, keys));
-    let properties = node.get("properties").and_then(Value::as_object);
-    let entry = node.get("items").filter(|entry| entry.get("$ref").is_some()).map(|entry| ("0", entry));
-    for (key, value) in properties.into_iter().flatten().map(|(key, value)| (key.as_str(), value)).chain(entry) {
-        collect(value, &if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }, keys);
-    }
-    if forms.is_empty() && properties.is_none() && entry.is_none() {
-        keys.insert(path.to_owned());
-    }
 }

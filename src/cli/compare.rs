@@ -12,15 +12,6 @@ use stampflow::units::rounded;
 
 options! {
     /// Compare cases, variants and measured curves, or cases with their references
-    #[command(after_long_help = "\
-Each --also is one more run of the first case. A FILE.csv is laid over the runs: travel_mm,punch_force_kN or \
-s0_mm,thickness_mm. A folder, or one case alone, is compared with the references of its [[compare]] tables.
-
-Examples:
-  stampflow compare cup.toml --also \"tools.die.shoulder=4 mm; friction=0.12\" measured.csv
-  stampflow compare cases
-
-Exit code 1: a comparison is out of its tolerance.")]
     Args {
         files: Vec<PathBuf> = "CASE.toml|CURVE.csv|DIR" [default_value = "cases"]
             "Case files and CSV files of measured curves; or one case or folder, to compare with its references",

@@ -10,16 +10,6 @@ const STRAIN: &str = "a plain number";
 
 options! {
     /// Fit a hardening law to tension tests, or keys of a case to measured curves
-    #[command(after_long_help = "\
-CSV files are tension tests; headers end in the unit: engineering_strain_percent, engineering_stress_MPa, true_strain, \
-true_stress_MPa, plastic_strain, width_strain, standard_deviation_MPa, or elongation_mm and force_kN with --gauge and \
---section. A case file is fitted to measured curves.
-
-Examples:
-  stampflow fit test.csv --law swift --young \"210 GPa\"
-  stampflow fit slow.csv fast.csv --rate 0.001,1
-  stampflow fit rd.csv dd.csv td.csv --direction 0,45,90
-  stampflow fit cup.toml --vary \"friction=0.1 in 0.01..0.3\" --to curve.csv")]
     Args {
         files: Vec<PathBuf> = "TEST.csv|CASE.toml" [required = true] "Tension tests, or one case or study file",
         law: Option<HardeningKind> = "LAW" [long] "Fit only this law to tension tests",

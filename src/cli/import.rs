@@ -30,7 +30,7 @@ options! {
         tolerance: f64 = "LENGTH" [long, default_value = "0.001 mm", allow_hyphen_values = true, value_parser = length]
             "Largest distance of a spline from the arcs that replace it",
         geometry: Geometry [long, default_value = "axisymmetric"] "axisymmetric or plane_strain",
-        material: Option<String> = "NAME" [long, value_parser = Suggested::SHEETS, hide_possible_values = true]
+        material: Option<String> = "NAME" [long]
             "Sheet of the library or a grade such as DC04 [default: a placeholder]",
         thickness: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
             "Thickness of the sheet [default: a placeholder]",

@@ -47,8 +47,6 @@ fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item 
         let arg = value(key, format!("its diameter, instead of --{}", choice.key)).conflicts_with(choice.key.as_str());
         if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg }
     });
-    let is_sheet = choice.key == "material";
-    let arg = if is_sheet { arg.value_parser(Suggested::SHEETS).hide_possible_values(true) } else { arg };
     std::iter::once(arg).chain(diameter)
 }
 

@@ -1,48 +1,14 @@
 //! Options that several verbs have.
 
 use super::*;
-use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::{Arg, Command};
-use stampflow::case::{Solution, library};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use stampflow::case::Solution;
 use stampflow::plot::{Captions, Format, Pictures};
 use stampflow::results::comparison::{Computed, comparisons};
 use stampflow::results::error_bars;
 use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
-use std::ffi::OsStr;
-use std::sync::LazyLock;
 use std::thread::available_parallelism;
-
-/// Parser of a text with words that a shell offers to complete; any other text is accepted too.
-#[derive(Clone)]
-pub struct Suggested(&'static LazyLock<Vec<String>>);
-
-impl Suggested {
-    pub const SHEETS: Self = Self(&SHEETS);
-    pub const KEYS: Self = Self(&KEYS);
-}
-
-/// Sheets of the library and the grades that they stand for; a space would end a word of the shell.
-static SHEETS: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let grades = library::materials().into_iter().flatten().filter_map(|entry| entry.about.stands_for);
-    let grades = grades.flat_map(|stands| stands.grades).filter(|grade| !grade.contains(' '));
-    library::names().map(str::to_owned).chain(grades).collect()
-});
-
-/// Keys of a case file, ready for their value.
-static KEYS: LazyLock<Vec<String>> = LazyLock::new(|| case::keys().into_iter().map(|key| key + "=").collect());
-
-impl TypedValueParser for Suggested {
-    type Value = String;
-
-    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
-        StringValueParser::new().parse_ref(command, arg, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(self.0.iter().map(|word| PossibleValue::new(word.as_str()))))
-    }
-}
 
 /// Parser of one word of a list.
 pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
@@ -68,9 +34,9 @@ options! {
         json: bool [long] "Print JSON, errors too; show no progress",
     };
     Overrides {
-        set: Vec<String> = "KEY=VALUE" [long = "set", value_parser = Suggested::KEYS, hide_possible_values = true]
+        set: Vec<String> = "KEY=VALUE" [long = "set"]
             "Replace a value of the case, as often as needed: tools.die.friction=0.1",
-        material: Option<String> = "NAME" [long, value_parser = Suggested::SHEETS, hide_possible_values = true]
+        material: Option<String> = "NAME" [long]
             "Take another sheet of the library, by name or grade, in place of the [material] table",
     };
     /// Options of verbs that solve.

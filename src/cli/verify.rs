@@ -9,12 +9,6 @@ use std::time::Instant;
 
 options! {
     /// Refine mesh, steps, points and contact for an error bar of every number
-    #[command(after_long_help = "\
-Elements, points through the thickness, steps, contact and regularisation are refined one by one, twice and four times. \
-A bar is the sum of what Richardson's extrapolation gives. Errors of laws, friction and tools are no part of it.
-
-Example:
-  stampflow verify cases/quickstart.toml --out out/quickstart")]
     Args {
         cases: Vec<PathBuf> = "CASE.toml" [required = true] "Case files",
         out: Option<PathBuf> = "DIR" [long, alias = "output"]

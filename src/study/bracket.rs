@@ -137,28 +137,3 @@ impl Search {
         values
     }
 }
-
-#[cfg(test)]
-#[test]
-fn limits_and_roots_are_bracketed() {
-    let search = |is_limit: bool, value: &dyn Fn(f64) -> Option<f64>| {
-        let range = SearchRange { ends: [0.0, 10.0], count: None, spacing: Spacing::Even, start: None };
-        let search = Search { range, tolerance: Some(0.01), is_limit, side: Side::Largest };
-        let mut trials: Vec<Trial> = Vec::new();
-        while let next @ [_, ..] = &search.next(&trials)[..] {
-            trials.extend(next.iter().map(|x| (*x, value(*x))));
-        }
-        assert!(trials.len() < 30);
-        search.result(&trials)
-    };
-    let sign = |positive: bool| Some(if positive { 1.0 } else { -1.0 });
-    for (found, expected) in [
-        (search(true, &|x| sign((4.0..4.6).contains(&x))), 4.6),
-        (search(false, &|x| Some(x * x - 20.0)), 20f64.sqrt()),
-    ] {
-        let Bracket::Between([a, b]) = found else { panic!("{found:?}") };
-        assert!((a - expected) * (b - expected) <= 0.0 && (a - b).abs() <= 0.0101, "{found:?}");
-    }
-    assert_eq!(search(true, &|_| None), Bracket::Failed);
-    assert_eq!(search(true, &|x| (x < 5.1).then_some(1.0)), Bracket::Open(5.0));
-}

@@ -6,12 +6,10 @@ use super::charts;
 use super::error::ensure;
 use super::statistics::{quantile, rank_correlation, wilson};
 use super::uncertain_variable::UncertainVariable;
-use super::variable::written;
 use super::{
     BaseCase, Cell, Design, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport, fail,
 };
 use crate::assess::Light;
-use crate::case::Case;
 use crate::units::{Amount, joined};
 use sobol_burley::sample;
 use std::path::Path;
@@ -37,8 +35,6 @@ pub struct Scatter {
     plan: Plan,
     variables: Vec<UncertainVariable>,
     seed: u32,
-    /// Sources of default distributions.
-    notes: Vec<String>,
 }
 
 /// A light and its probability.
@@ -79,14 +75,11 @@ impl Scatter {
         Self::new(BaseCase::load(file.case, file.set)?, &file.variables, runs, seed)
     }
 
-    /// Samples `KEY=DISTRIBUTION` variables of a case; default distributions if there are none.
+    /// Samples `KEY=DISTRIBUTION` variables of a case.
     pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self, StudyError> {
         let case = base.case(&[])?;
-        let defaults = if vary.is_empty() { default_scatter(&case) } else { Vec::new() };
         let variable = |text: &String| UncertainVariable::read(&base, &case, text);
-        let all = vary.iter().chain(defaults.iter().map(|(text, _)| text));
-        let variables = all.map(variable).collect::<Result<Vec<_>, _>>()?;
-        let notes = defaults.iter().map(|(text, source)| format!("{text} ({source}).")).collect();
+        let variables = vary.iter().map(variable).collect::<Result<Vec<_>, _>>()?;
         let help = "give --vary \"KEY=DISTRIBUTION\", such as \"friction=uniform 0.05..0.12\"";
         ensure(!variables.is_empty(), "nothing of the case scatters", help)?;
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
@@ -102,7 +95,7 @@ impl Scatter {
         }
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
-        Ok(Self { plan, variables, seed, notes })
+        Ok(Self { plan, variables, seed })
     }
 
     fn design(&self, index: u64) -> Design {
@@ -202,37 +195,7 @@ impl Study for Scatter {
         if failed > 0 {
             notes.push(format!("{failed} runs came to no result and are left out."));
         }
-        notes.extend(self.notes.iter().cloned());
         let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
         StudyReport { headline, notes, tables, found: true, charts }
     }
-}
-
-/// Half width of the friction coefficient \[–\]; declared.
-const FRICTION: f64 = 0.02;
-
-/// Default `KEY=DISTRIBUTION` texts of a case, each with its source.
-fn default_scatter(case: &Case) -> Vec<(String, String)> {
-    let tools = case.written("friction");
-    let number = |(key, mu): &(String, String)| Some((key.clone(), mu.parse().ok()?));
-    let mut frictions: Vec<(String, f64)> = tools.iter().filter_map(number).collect();
-    if frictions.len() == tools.len() && frictions.windows(2).all(|pair| pair[0].1 == pair[1].1) {
-        frictions = frictions.into_iter().take(1).map(|(_, mu)| ("friction".to_owned(), mu)).collect();
-    }
-    let uniform = |(key, mu): (String, f64)| {
-        let [low, high] = [(mu - FRICTION).max(0.5 * mu), mu + FRICTION].map(written);
-        (format!("{key}=uniform {low}..{high}"), "declared".to_owned())
-    };
-    let mut all: Vec<(String, String)> = frictions.into_iter().filter(|(_, mu)| *mu > 0.0).map(uniform).collect();
-    let Some(class) = case.sheet().and_then(|sheet| sheet.about.class) else { return all };
-    let thickness = case.model().blank.thickness;
-    if let Some((tolerance, source)) = class.thickness().and_then(|by| Some((by.tolerance(thickness)?, by.source))) {
-        let (deviation, low, high) = (tolerance / 3.0, thickness - tolerance, thickness + tolerance);
-        all.push((format!("blank.thickness=normal {thickness} ± {deviation:.5} mm in {low:.5}..{high:.5} mm"), source));
-    }
-    if let Some(share) = class.strength_share() {
-        let (deviation, low, high) = (0.5 * share, 1.0 - share, 1.0 + share);
-        all.push((format!("strength=normal 1 ± {deviation:.4} in {low:.4}..{high:.4}"), class.source));
-    }
-    all
 }

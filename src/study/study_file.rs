@@ -11,10 +11,6 @@
 //! [vary]                                   # as --vary has it; the last key varies fastest
 //! tools.die.shoulder = "4..10 mm/7"
 //! friction = [0.04, 0.08, 0.12]
-//!
-//! [[together]]                             # sweep: keys that move together
-//! blank.radius = "50..60 mm/3"
-//! tools.punch.travel = "30..36 mm/3"
 //! ```
 
 use super::base_case::read_text;
@@ -42,13 +38,11 @@ pub(super) struct StudyFile {
     to: Option<Value>,
     #[serde(skip)]
     pub curves: Vec<PathBuf>,
-    /// `KEY=VALUES & KEY=VALUES`.
+    /// `KEY=VALUES`.
     #[serde(skip)]
     pub variables: Vec<String>,
     #[serde(default)]
     vary: Table,
-    #[serde(default)]
-    together: Vec<Table>,
 }
 
 impl StudyFile {
@@ -82,11 +76,6 @@ impl StudyFile {
         let help = "`case` is the path of a case file, relative to the study file";
         ensure(file.case.exists(), format!("there is no file {}", file.case.display()), help)?;
         file.variables = pairs(&file.vary, "")?;
-        for together in &file.together {
-            let keys = pairs(together, "")?;
-            ensure(!keys.is_empty(), "a [[together]] has no keys", "give it two keys or more")?;
-            file.variables.push(keys.join(" & "));
-        }
         Ok(file)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::charts;
 use super::error::ensure;
-use super::variable::{check_distinct, in_unit, number};
+use super::variable::{check_distinct, in_unit, number, with_unit};
 use super::{
     BaseCase, Cell, Design, FailureMode, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
     Variable,
@@ -21,11 +21,10 @@ pub struct Sweep {
     one_at_a_time: bool,
 }
 
-/// Variables that move together; the first names the axis.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
-    variables: Vec<Variable>,
-    values: Vec<Vec<String>>,
+    variable: Variable,
+    values: Vec<String>,
     /// Axis of a picture; it has names if the values are words.
     pub drawn: plot::Axis,
     /// In the solver's unit; the index for words.
@@ -40,33 +39,24 @@ const DRAWN: usize = 10_000;
 
 impl Axis {
     fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
-        let variables = text.split('&').map(Variable::read).collect::<Result<Vec<_>, _>>()?;
-        let values = variables.iter().map(Variable::values).collect::<Result<Vec<_>, _>>()?;
-        let (first, names, (unit, factor)) = (&variables[0], &values[0], variables[0].axis_unit());
-        for (variable, own) in variables.iter().zip(&values) {
-            let what = format!("{} has {} values but {} has {}", first.key, names.len(), variable.key, own.len());
-            ensure(own.len() == names.len(), what, "keys that move together have as many values")?;
-        }
-        let mut drawn = plot::Axis::named(first.label(), unit);
-        let numbers: Option<Vec<f64>> = names.iter().map(|value| Some(factor * number(value)?)).collect();
-        let own = base.value(&first.key).and_then(|own| match &numbers {
-            Some(_) => Some(factor * in_unit(&own, &first.unit)?),
-            None => names.iter().position(|name| *name == own).map(|i| i as f64),
+        let variable = Variable::read(text)?;
+        let (values, (unit, factor)) = (variable.values()?, variable.axis_unit());
+        let mut drawn = plot::Axis::named(variable.label(), unit);
+        let numbers: Option<Vec<f64>> = values.iter().map(|value| Some(factor * number(value)?)).collect();
+        let own = base.value(&variable.key).and_then(|own| match &numbers {
+            Some(_) => Some(factor * in_unit(&own, &variable.unit)?),
+            None => values.iter().position(|name| *name == own).map(|i| i as f64),
         });
         let positions = numbers.unwrap_or_else(|| {
-            drawn.names = names.clone();
-            (0..names.len()).map(|i| i as f64).collect()
+            drawn.names = values.clone();
+            (0..values.len()).map(|i| i as f64).collect()
         });
-        let labels = names.iter().map(|value| format!("{value} {}", first.unit).trim_end().to_owned()).collect();
-        Ok(Self { variables, values, drawn, positions, labels, own })
+        let labels = values.iter().map(|value| with_unit(value.clone(), &variable.unit)).collect();
+        Ok(Self { variable, values, drawn, positions, labels, own })
     }
 
     pub fn count(&self) -> usize {
         self.positions.len()
-    }
-
-    fn settings(&self, i: usize) -> impl Iterator<Item = String> {
-        self.variables.iter().zip(&self.values).map(move |(variable, values)| variable.setting(&values[i]))
     }
 }
 
@@ -82,7 +72,7 @@ impl Sweep {
         let axes = vary.iter().map(|text| Axis::read(text, &base)).collect::<Result<Vec<_>, _>>()?;
         let help = "give --vary KEY=VALUES, as often as needed";
         ensure(!axes.is_empty(), "nothing of the case is varied", help)?;
-        let variables = || axes.iter().flat_map(|axis| &axis.variables);
+        let variables = || axes.iter().map(|axis| &axis.variable);
         check_distinct(variables(), "is varied twice", "give all its values at once")?;
         let mut counts = axes.iter().map(|axis| axis.count() as u64);
         let countless =
@@ -93,7 +83,7 @@ impl Sweep {
         };
         for axis in &axes {
             let last = axis.count() - 1;
-            base.check_any([0, last / 2, last].map(|i| axis.settings(i).collect()))?;
+            base.check_any([0, last / 2, last].map(|i| vec![axis.variable.setting(&axis.values[i])]))?;
         }
         let columns = variables().map(Variable::header).collect();
         let plan = Plan::new(base, &format!("{vary:?}{one_at_a_time}"), columns, designs);
@@ -120,8 +110,8 @@ impl Sweep {
     fn design(&self, index: u64) -> Design {
         let (mut values, mut settings) = (Vec::new(), Vec::new());
         for (axis, place) in self.axes.iter().zip(self.places(index)) {
-            values.extend(axis.values.iter().map(|values| place.map_or_else(String::new, |i| values[i].clone())));
-            settings.extend(place.into_iter().flat_map(|i| axis.settings(i)));
+            settings.extend(place.map(|i| axis.variable.setting(&axis.values[i])));
+            values.push(place.map_or_else(String::new, |i| axis.values[i].clone()));
         }
         Design { index, values, settings }
     }

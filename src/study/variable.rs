@@ -6,7 +6,6 @@
 //! KEY=FROM..TO UNIT             a search range                     blank.diameter=90..140 mm
 //! KEY=START in LOW..HIGH UNIT   a search range with its start      friction=0.1 in 0.01..0.3
 //! KEY=A,B,C UNIT                these values                       friction=0.04,0.08,0.12
-//! KEY=... & KEY=...             variables that move together
 //! ```
 
 use super::StudyError;
@@ -56,7 +55,7 @@ impl Variable {
     fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
         let help =
             "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
-        let mut reader = NumberReader::new(key, values, help)?;
+        let mut reader = NumberReader::new(key, values, help);
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
         let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));
         let counted = to.rsplit_once('/').and_then(|(to, count)| Some((to, count.trim().parse::<usize>().ok()?)));
@@ -75,12 +74,8 @@ impl Variable {
     }
 
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
-        let what = format!("{key}: a decimal comma, or two values, in `{values}`");
-        let point = values.replacen(',', ".", 1);
-        let help = format!("write a point, {point}, or a blank behind a comma between values");
-        ensure(!has_decimal_comma(values), what, help)?;
         let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
-        let mut reader = NumberReader { key, text: values, help, unit: String::new() };
+        let mut reader = NumberReader::new(key, values, help);
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
         reader.ensure(!items.contains(&""), "misses a value")?;
         if items.iter().all(|item| split_number(item).is_some()) {
@@ -177,14 +172,6 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     Some((key.trim(), values.trim())).filter(|(key, values)| !key.is_empty() && !values.is_empty())
 }
 
-/// Whether a list is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
-fn has_decimal_comma(list: &str) -> bool {
-    let items: Vec<&str> = list.trim().split(',').collect();
-    let digits = |item: &str| item.bytes().take_while(u8::is_ascii_digit).count();
-    let is_share = items.len() == 2 && items[0] == "0" && digits(items[1]) > 0 && !items[1].contains('.');
-    is_share || items[1..].iter().any(|item| item.starts_with('0') && digits(item) > 1)
-}
-
 /// Reader of the numbers of one text, which must have one unit.
 pub(super) struct NumberReader<'a> {
     key: &'a str,
@@ -194,12 +181,8 @@ pub(super) struct NumberReader<'a> {
 }
 
 impl<'a> NumberReader<'a> {
-    /// Reader of a text in which a comma separates nothing.
-    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Result<Self, StudyError> {
-        let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
-        let (what, point) = (format!("{key}: a decimal comma in `{text}`"), text.replace(',', "."));
-        ensure(!text.as_bytes().windows(3).any(is_decimal), what, format!("write a point: {point}"))?;
-        Ok(Self { key, text, help, unit: String::new() })
+    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Self {
+        Self { key, text, help, unit: String::new() }
     }
 
     pub fn wrong(&self, what: impl AsRef<str>) -> StudyError {
@@ -257,27 +240,4 @@ pub(super) fn in_unit(text: &str, unit: &str) -> Option<f64> {
     let (given, zero, one) = (given?, zero?, one?);
     let is_alike = own.is_empty() == unit.is_empty() && given.dimension == one.dimension;
     is_alike.then_some((given.value - zero.value) / (one.value - zero.value))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: by hand.
-    #[test]
-    fn ranges_and_lists_give_the_overrides_that_a_user_would_type() {
-        for (text, expected) in [
-            ("a.b=4..10 mm/4", "a.b=4 mm|a.b=6 mm|a.b=8 mm|a.b=10 mm"),
-            ("k=1..100 GPa/3 log", "k=1 GPa|k=10 GPa|k=100 GPa"),
-            ("friction=0.04,0.08", "friction=0.04|friction=0.08"),
-            ("f=0,5,10 kN", "f=0 kN|f=5 kN|f=10 kN"),
-            ("material=dc04,\"dc06\"", "material=\"dc04\"|material=\"dc06\""),
-            ("f=1e3,2E+3 N", "f=1e3 N|f=2E+3 N"),
-        ] {
-            let variable = Variable::read(text).expect("a variable");
-            let settings = variable.values().expect("values").into_iter().map(|value| variable.setting(&value));
-            assert_eq!(settings.collect::<Vec<_>>().join("|"), expected);
-        }
-        assert_eq!(Variable::read("a.b=1,2 N/mm").expect("a variable").header(), "a.b_N_per_mm");
-    }
 }

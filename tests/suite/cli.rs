@@ -3,7 +3,6 @@
 use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, read_json, stampflow, text};
 use crate::common::files::files;
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::SystemTime;
@@ -248,7 +247,7 @@ fn pipes_and_devices_are_refused() {
 /// Trust: the run is far longer than the test, so only the signal can have ended it.
 #[cfg(unix)]
 #[test]
-fn a_long_run_prints_where_it_is_and_an_interrupted_one_writes_what_it_has() {
+fn an_interrupted_run_writes_what_it_has() {
     let dir = folder(&endless());
     let mut run = Command::new(env!("CARGO_BIN_EXE_stampflow"))
         .args(["run", "cases/cup.toml", "--trace", "trace.csv"])
@@ -257,9 +256,7 @@ fn a_long_run_prints_where_it_is_and_an_interrupted_one_writes_what_it_has() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let mut progress = String::new();
-    BufReader::new(run.stderr.take().unwrap()).read_line(&mut progress).unwrap();
-    assert!(progress.starts_with("cup: 0 %, travel 0.0"), "{progress}");
+    std::thread::sleep(std::time::Duration::from_secs(4));
     assert!(run.try_wait().unwrap().is_none(), "still running");
     assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
     assert_eq!(run.wait_with_output().unwrap().status.code(), Some(130));

@@ -114,7 +114,7 @@ fn errors_are_json_where_it_is_asked_for() {
 
 const VERBS: &str = "new import check run report sweep search scatter fit compare verify trace materials";
 
-/// Trust: the verbs; sheets and keys of a case are offered by the shells that can.
+/// Trust: the verbs.
 #[test]
 fn completions_and_manual_pages_name_every_verb() {
     let dir = temp_dir::TempDir::new().unwrap();
@@ -122,11 +122,6 @@ fn completions_and_manual_pages_name_every_verb() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = print(&["completions", shell]);
         assert!(VERBS.split(' ').all(|verb| script.contains(verb)), "{shell}");
-        let offered = ["drawing-steel", "DC04", "tools.punch.friction=", "blank.diameter=", "tools.holder.force="];
-        assert!(
-            ["powershell", "elvish"].contains(&shell) || offered.iter().all(|word| script.contains(word)),
-            "{shell}"
-        );
     }
     let whole = print(&["man"]);
     for verb in VERBS.split(' ') {

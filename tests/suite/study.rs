@@ -31,12 +31,11 @@ pub fn run(study: &mut dyn Study, threads: usize, watch: &dyn Watch) -> RunTable
 
 /// Trust: two grids by hand, the last key fastest.
 #[test]
-fn designs_are_counted_with_the_last_key_fastest_and_pairs_together() {
-    let mut sweep = sweep(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm & tools.punch.friction=0.1,0.2"], false)
-        .expect("a sweep");
+fn designs_are_counted_with_the_last_key_fastest() {
+    let mut sweep = sweep(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm"], false).expect("a sweep");
     let runs = begin(&mut sweep, &Evaluation { threads: 1, shard: Shard::WHOLE, watch: &() }).expect("a run");
     let values: Vec<Vec<String>> = sweep.next(&runs).into_iter().map(|design| design.values).collect();
-    assert_eq!(values, [["0.05", "5", "0.1"], ["0.05", "6", "0.2"], ["0.1", "5", "0.1"], ["0.1", "6", "0.2"]]);
+    assert_eq!(values, [["0.05", "5"], ["0.05", "6"], ["0.1", "5"], ["0.1", "6"]]);
 }
 
 /// Trust: the same on any number of threads; friction raises the force.
