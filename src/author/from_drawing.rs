@@ -125,7 +125,6 @@ impl Import {
     }
 }
 
-/// Case of a text, `None` without a punch; errors name the drawing and the option.
 fn case(text: &str, drawing: &str, tools: &DrawnTools) -> Result<Option<Case>, CaseError> {
     if tools.tool(Role::Die).is_none() {
         let what = "there is no die: nothing would draw the sheet over the punch";
@@ -223,7 +222,6 @@ fn friction() -> f64 {
     Inputs::of_sheet().value("friction")
 }
 
-/// Name of an operation's stage.
 fn stage(number: u32) -> String {
     format!("op{number}")
 }

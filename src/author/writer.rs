@@ -23,12 +23,10 @@ pub(super) type Step = (Point, Option<(Point, bool)>);
 pub(super) struct Values(BTreeMap<String, (String, String)>);
 
 impl Values {
-    /// Sets a value and its reason.
     pub fn set(&mut self, name: &str, value: impl Display, why: &str) {
         self.0.insert(name.to_owned(), (value.to_string(), why.to_owned()));
     }
 
-    /// Sets lengths \[mm\].
     pub fn lengths<const N: usize>(&mut self, lengths: [(&str, &Picked); N]) {
         lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
     }
@@ -65,7 +63,6 @@ impl Values {
         text.trim().to_owned() + "\n"
     }
 
-    /// A line with its values, and their reasons.
     fn line(&self, line: &str, is_round: bool) -> Option<(String, String)> {
         let (mut filled, mut reasons, mut parts) = (String::new(), Vec::new(), line.split('<'));
         filled += parts.next()?;
@@ -112,7 +109,6 @@ pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bo
     (comment(why) + table).trim().to_owned()
 }
 
-/// Profile as TOML, as it was drawn.
 pub(super) fn drawn_profile(profile: &Profile) -> String {
     let arc = |piece: &Piece| if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
     let steps: Vec<Step> = profile.pieces().iter().map(|piece| (piece.last(), arc(piece))).collect();
@@ -132,12 +128,10 @@ pub(super) fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> Stri
     format!("[\n    {{ from = {} }},\n{}]", point(&start), steps.iter().map(step).collect::<String>())
 }
 
-/// Joins those reasons that are not empty.
 pub(super) fn joined(reasons: &[&str]) -> String {
     reasons.iter().filter(|reason| !reason.is_empty()).copied().collect::<Vec<_>>().join(", ")
 }
 
-/// Length for a sentence.
 pub(super) fn plain(length: f64) -> String {
     format!("{} mm", trimmed(length, 3))
 }

@@ -119,7 +119,6 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
     Some(Assessment { elements: paths.s0.iter().enumerate().map(judged).collect(), reached })
 }
 
-/// When an element first comes to the curve, as far as it goes.
 fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Reached> {
     let at = |i: usize| {
         let [a, b] = paths.instants[i].strains[element];

@@ -8,8 +8,9 @@
 //!
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
-use super::plane::Plane;
-use super::{Curve, Sheet};
+use super::{Curve, Sheet, overrates_biaxial};
+use crate::material::YieldCriterion;
+use crate::material::flow::YieldCondition;
 use crate::material::law::LawError;
 use crate::numerics::bisect;
 use crate::units::{Amount, Digits};
@@ -57,18 +58,19 @@ pub(super) struct Proportional {
 }
 
 impl Proportional {
-    pub fn new(plane: Plane, beta: f64) -> Self {
-        let unit = 1.0 / plane.equivalent_increment([1.0, beta]);
-        Self { strain: [unit, beta * unit], stress: plane.stress([1.0, beta]) }
+    pub fn new(criterion: YieldCriterion, beta: f64) -> Self {
+        let unit = 1.0 / criterion.equivalent_increment([1.0, beta, 0.0]);
+        let [s1, s2, _] = criterion.stress([1.0, beta, 0.0]);
+        Self { strain: [unit, beta * unit], stress: [s1, s2] }
     }
 }
 
 /// Ratios from tension to plane strain in `left` intervals, and to equi-biaxial stretching in `right` ones unless the yield
-/// condition [overrates](Plane::overrates_biaxial) it, ends included.
-pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<Item = f64> {
-    let right = if plane.overrates_biaxial() { 0 } else { right };
+/// condition [overrates](overrates_biaxial) it, ends included.
+pub(super) fn ratios(criterion: YieldCriterion, left: usize, right: usize) -> impl Iterator<Item = f64> {
+    let right = if overrates_biaxial(criterion) { 0 } else { right };
     // β of uniaxial tension, by the meaning of r̄.
-    let tension = -plane.ratio() / (1.0 + plane.ratio());
+    let tension = -criterion.ratio() / (1.0 + criterion.ratio());
     let drawn = (0..=left).map(move |i| tension * (1.0 - i as f64 / left as f64));
     drawn.chain((1..=right).map(move |i| i as f64 / right as f64))
 }
@@ -121,7 +123,6 @@ impl Swift {
     }
 }
 
-/// Loss of section by Swift's two forces \[–\].
 fn diffuse(Proportional { strain: [e1, e2], stress: [s1, s2] }: &Proportional) -> f64 {
     s1 * e1 * e1 + s2 * e2 * e2
 }
@@ -134,13 +135,13 @@ fn curve(
     what: &str,
     loss: impl Fn(&Proportional) -> f64,
 ) -> Result<Curve, LawError> {
-    let plane = Plane::of(sheet.material);
+    let criterion = sheet.material.yield_criterion;
     let point = |beta: f64| {
-        let path = Proportional::new(plane, beta);
+        let path = Proportional::new(criterion, beta);
         let strain = limit(sheet, n, loss(&path))?;
         Ok([path.strain[1] * strain, path.strain[0] * strain])
     };
-    let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;
+    let points = ratios(criterion, 20, 20).map(point).collect::<Result<_, _>>()?;
     let law = n.map_or("the hardening law of the sheet".into(), |n| {
         format!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
     });

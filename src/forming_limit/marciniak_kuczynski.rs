@@ -13,7 +13,6 @@
 //! not read; the equations are derived beside this).
 
 use super::instability::{Proportional, ratios};
-use super::plane::Plane;
 use super::{Curve, Sheet};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits};
@@ -84,7 +83,7 @@ impl MarciniakKuczynski {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
-        let limits = ratios(Plane::of(sheet.material), 8, 10)
+        let limits = ratios(sheet.material.yield_criterion, 8, 10)
             .map(|beta| self.limit(sheet, beta))
             .collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
@@ -106,7 +105,7 @@ impl MarciniakKuczynski {
     /// halved.
     pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LawError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
-        let path = Proportional::new(Plane::of(sheet.material), beta);
+        let path = Proportional::new(sheet.material.yield_criterion, beta);
         let mut before = f64::NAN;
         for step in Self::STEPS {
             let Some(strain) = Groove::new(*self, sheet, beta, angle).neck(step)? else {
@@ -125,7 +124,6 @@ impl MarciniakKuczynski {
         Err(LawError::new(what, "use hill, or an imperfection further from 1"))
     }
 
-    /// The groove that necks first.
     fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LawError> {
         let at = |angle: f64| {
             let strain = Groove::new(*self, sheet, beta, angle).neck(Self::STEPS[0])?;

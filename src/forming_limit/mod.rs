@@ -15,7 +15,6 @@ mod instability;
 mod keeler_brazier;
 mod marciniak_kuczynski;
 mod paths;
-mod plane;
 mod points;
 
 pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
@@ -25,10 +24,8 @@ pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};
 pub use paths::{Instant, Paths};
 pub use points::{Points, Strain};
 
-use plane::Plane;
-
-use crate::material::Material;
 use crate::material::law::LawError;
+use crate::material::{Material, YieldCriterion};
 use crate::units::Amount;
 
 /// The sheet that a curve is for.
@@ -47,6 +44,17 @@ impl Sheet<'_> {
     fn hardening(&self, strain: f64) -> crate::material::FlowStress {
         self.material.monotonic(strain, self.temperature)
     }
+}
+
+/// Whether limits of biaxial stretching come out too high: Hill 1948 with r̄ below 1 yields in equi-biaxial tension at
+/// √((1 + r̄)/2) of the yield stress, where aluminium is as strong or stronger, on a curve that is far too blunt.
+///
+/// # References
+/// That aluminium is stronger: J. Woodthorpe, R. Pearce, Int. J. Mech. Sci. 12 (1970) 341–347. That the limit follows the
+/// bluntness of the curve: A. Graf, W. F. Hosford, Metall. Trans. A 21 (1990) 87–94; J. Lian, F. Barlat, B. Baudelet, Int. J.
+/// Plasticity 5 (1989) 131–147 (all not read).
+fn overrates_biaxial(criterion: YieldCriterion) -> bool {
+    matches!(criterion, YieldCriterion::Hill48(hill) if hill.ratio < 1.0)
 }
 
 /// Origin of a curve.
@@ -97,10 +105,6 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Points of minor and major logarithmic strain.
-    ///
-    /// # Errors
-    /// When there are fewer than two, or the minor strain does not rise.
     fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<String>) -> Result<Self, LawError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
@@ -116,10 +120,10 @@ impl Curve {
 
     /// Curve that follows from the yield condition of a sheet, which may end it in plane strain.
     fn computed(mut self, sheet: &Sheet) -> Self {
-        let plane = Plane::of(sheet.material);
-        self.ends = plane.overrates_biaxial();
+        let criterion = sheet.material.yield_criterion;
+        self.ends = overrates_biaxial(criterion);
         if self.ends {
-            let r = Amount::number(plane.ratio());
+            let r = Amount::number(criterion.ratio());
             self.notes.push(format!(
                 "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high."
             ));

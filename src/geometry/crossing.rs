@@ -58,7 +58,6 @@ impl Profile {
         first.map(|(pieces, at)| Fold::Crossing { at, pieces })
     }
 
-    /// Meeting point of two pieces, of neighbours away from their vertex.
     fn meeting(&self, [i, j]: [usize; 2]) -> Option<Point> {
         let (a, b) = (&self.pieces()[i], &self.pieces()[j]);
         // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
@@ -95,7 +94,6 @@ pub(super) fn common(a: &Piece, b: &Piece) -> Vec<Point> {
     points
 }
 
-/// Intersections of the lines and circles of two pieces.
 fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
     match (a, b) {
         (Piece::Segment(s), Piece::Segment(t)) => {

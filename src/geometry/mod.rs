@@ -30,7 +30,6 @@ pub use rounding::{CORNER, biarc};
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;
 
-/// Turns a vector by +90° in the r-z plane.
 pub(crate) fn turned(v: Point) -> Point {
     Point::new(-v.y, v.x)
 }

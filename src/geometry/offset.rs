@@ -60,7 +60,6 @@ impl Profile {
         }
     }
 
-    /// First and last point, and the tangents there.
     pub(super) fn end_tangents(&self) -> [(Point, Point); 2] {
         let [first, last] = [self.pieces[0], self.pieces[self.pieces.len() - 1]];
         [(first.first(), first.tangent(false)), (last.last(), last.tangent(true))]

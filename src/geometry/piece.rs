@@ -42,7 +42,6 @@ pub enum Piece {
     Arc(Arc),
 }
 
-/// Closest point of a piece.
 pub(super) enum Foot {
     /// Inside the piece, with signed distance \[mm\].
     Interior { distance: f64 },

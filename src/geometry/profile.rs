@@ -81,7 +81,6 @@ impl Profile {
         Ok(Self { pieces, vertex_normals, ends })
     }
 
-    /// Profile of pieces that are known to be connected.
     pub(super) fn connected(pieces: impl IntoIterator<Item = Piece>) -> Self {
         Self::new(pieces.into_iter().collect()).expect("a connected chain")
     }

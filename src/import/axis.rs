@@ -10,7 +10,6 @@ use crate::model::Role;
 /// Largest distance of a punch from x = 0 over the farthest x of all tools \[–\], at which it still reaches the axis.
 const REACHES: f64 = 0.02;
 
-/// Refuses tools that would be rings or lie symmetric about a line other than x = 0.
 pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], frame: &Frame) -> Result<(), ImportError> {
     let pieces = |roles: &[Role]| {
         let strokes = strokes.iter().filter(|(tool, _)| roles.contains(&tool.role)).flat_map(|(_, strokes)| strokes);

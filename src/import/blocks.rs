@@ -15,7 +15,6 @@ const DEEPEST: usize = 50;
 /// Layer whose entities take that of the reference.
 const NO_LAYER: &str = "0";
 
-/// Entity as it is placed in the drawing.
 #[derive(Debug)]
 pub(super) struct Placed<'a> {
     pub source: Source,
@@ -74,9 +73,6 @@ fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Pl
 }
 
 /// Entities of a drawing with all blocks placed; a reference to a missing block or out of the plane stays.
-///
-/// # Errors
-/// When a block holds itself, or there are too many entities.
 pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>, ImportError> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();
@@ -97,7 +93,6 @@ struct Explosion<'a> {
 }
 
 impl<'a> Explosion<'a> {
-    /// Places entities; `by` is their reference.
     fn entities(&mut self, entities: &'a [Entity], outer: Placement, by: Option<&Source>) -> Result<(), ImportError> {
         for entity in entities {
             self.count(&entity.source)?;

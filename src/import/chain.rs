@@ -23,7 +23,6 @@ pub(super) struct Chain {
 type End = (usize, bool);
 
 impl Chain {
-    /// Pieces of one entity.
     pub fn stroke(pieces: impl IntoIterator<Item = Piece>, source: &Source) -> Self {
         let source = Rc::new(source.clone());
         Self { pieces: pieces.into_iter().map(|piece| (piece, source.clone())).collect(), is_closed: false }
@@ -52,16 +51,11 @@ impl Chain {
         }
     }
 
-    /// Source of a piece.
     pub fn source(&self, piece: usize) -> &Source {
         &self.pieces[piece].1
     }
 }
 
-/// Joins the strokes of a tool.
-///
-/// # Errors
-/// When they overlap, branch, cross, or leave a gap.
 pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain, ImportError> {
     let strokes = without_repeats(strokes, frame);
     let corners = corners(&strokes, frame.join);
@@ -126,7 +120,6 @@ fn corners(strokes: &[Chain], join: f64) -> Vec<(Point, Vec<End>)> {
     corners
 }
 
-/// Refuses ends inside another stroke: overlaps and side branches.
 fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
     let boxes: Vec<Bounds> = strokes.iter().map(Chain::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
@@ -177,7 +170,6 @@ fn lines(strokes: &[Chain], corners: &[(Point, Vec<End>)]) -> Vec<Chain> {
     lines
 }
 
-/// Error of the two ends of different lines that come closest.
 fn gap(lines: &[Chain], tool: ToolId, frame: &Frame) -> ImportError {
     let ends = |line: usize| {
         let chain = &lines[line];

@@ -13,7 +13,6 @@ pub const LARGEST: usize = 50_000_000;
 /// Most lines and arcs of a tool; a section may have 2000.
 pub(super) const MOST: usize = 5000;
 
-/// Most entities of a drawing.
 pub(super) const ENTITIES: usize = 200_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
@@ -181,7 +180,6 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     Ok(bytes.iter().map(|byte| windows(byte).unwrap_or(char::from(*byte))).collect())
 }
 
-/// Owner of the next groups.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
     Block,
@@ -191,10 +189,6 @@ enum Part {
     Other,
 }
 
-/// Reads a drawing's text.
-///
-/// # Errors
-/// When it is no DXF, is cut short, is too large, or has no number where one has to be.
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     let mut drawing = Drawing::default();
     let (mut section, mut opens, mut is_dxf, mut last_line) = ("", false, false, 0);

@@ -25,7 +25,6 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Unit and axis of the options, or else the header's unit ($INSUNITS, then a metric $MEASUREMENT).
     pub fn new(drawing: &Drawing, options: &Options) -> Result<Self, ImportError> {
         let (unit, from) = options.unit.map_or_else(|| header_unit(drawing), |unit| Ok((unit, "as asked for")))?;
         let Options { join, tolerance, .. } = *options;

@@ -62,7 +62,6 @@ fn is_right(piece: &Piece) -> bool {
     piece.sample(2)[1].x > 0.0
 }
 
-/// Refuses halves that differ.
 fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
         let points =

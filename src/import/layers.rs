@@ -26,7 +26,6 @@ impl fmt::Display for ToolId {
     }
 }
 
-/// Tools by the layer's name.
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
 /// Tools by layer: those of `--layer`, then those by name.
@@ -72,7 +71,6 @@ pub(super) fn nothing_drawn(layers: &Layers) -> ImportError {
     ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
 }
 
-/// List for a sentence, of twenty entries at most.
 pub(super) fn list(mut entries: impl Iterator<Item = String>) -> String {
     let first = entries.by_ref().take(20).collect::<Vec<_>>().join(", ");
     let more = entries.count();

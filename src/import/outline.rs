@@ -24,7 +24,6 @@ use std::rc::Rc;
 /// Least distance of the middles of tools above each other, over the height of the lower one \[–\].
 const APART: f64 = 0.1;
 
-/// Whether a line is closed, or begins and ends on the axis.
 pub(super) fn is_outline(chain: &Chain) -> bool {
     chain.is_closed || chain.first().x == 0.0 && chain.last().x == 0.0
 }
@@ -47,7 +46,6 @@ pub(super) fn heading(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
 /// Two measures of a point, the second one among those with nearly the largest first.
 type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
-/// Side of an outline towards the sheet, as an open line.
 pub(super) fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
     // Larger where nearer to the sheet.
     let height = |p: Point| if (tool.role == Role::Die) == (heading == Heading::Down) { p.y } else { -p.y };

@@ -7,7 +7,6 @@ use super::dxf::{Entity, MOST};
 use crate::geometry::{Piece, Point, biarc, turn};
 use nalgebra::Vector3;
 
-/// Most halvings of one span.
 const DEEPEST: usize = 12;
 
 /// Largest turn of the ends of a biarc from their chord \[rad\].
@@ -34,9 +33,6 @@ struct Curve {
 }
 
 /// Arcs within `tolerance` of a spline through control points \[mm\], with its ends and tangents.
-///
-/// # Errors
-/// The reason, as the end of a sentence.
 pub(super) fn pieces(entity: &Entity, control: &[Point], tolerance: f64) -> Result<Vec<Piece>, String> {
     let curve = Curve::new(entity, control, tolerance)?;
     let mut pieces = Vec::new();
@@ -76,7 +72,6 @@ impl Curve {
         Ok(Self { degree, knots, control, tolerance })
     }
 
-    /// Point and derivative at a parameter of a span.
     fn at(&self, span: usize, u: f64) -> (Point, Point) {
         let (p, t) = (self.degree, &self.knots);
         let mut d: Vec<Vector3<f64>> = self.control[span - p..=span].to_vec();

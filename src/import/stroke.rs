@@ -13,7 +13,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Kinds of annotations, which are no part of an outline.
 const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER TOLERANCE HATCH POINT ATTDEF XLINE RAY VIEWPORT \
                            IMAGE WIPEOUT";
 
@@ -28,10 +27,6 @@ const CLOSED: i64 = 1;
 const MESH: i64 = 16 | 64;
 const OFF_THE_CURVE: i64 = 16;
 
-/// Strokes of a tool.
-///
-/// # Errors
-/// When its layers hold what is no curve, or too much.
 pub(super) fn strokes(
     entities: &[Placed],
     layers: &Layers,
@@ -156,7 +151,6 @@ impl Pen<'_> {
         self.placed.placement.similarity().ok_or_else(|| self.error(elliptic))
     }
 
-    /// Lines and arcs of an LWPOLYLINE, or of a POLYLINE, which may be a mesh or have vertices off the curve.
     fn vertices(&self) -> Result<Vec<Piece>, ImportError> {
         let entity = self.placed.entity;
         let (flags, mut vertices) = (entity.number(70, 0.0) as i64, entity.vertices());

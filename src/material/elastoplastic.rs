@@ -110,7 +110,6 @@ fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -
     (update, Tangent { own, ..Tangent::default() })
 }
 
-/// Yielding point at its Δp.
 struct Return {
     increment: f64,
     /// n.
@@ -171,7 +170,6 @@ impl ElastoplasticLaw<'_> {
         self.hardening.map_or(f64::INFINITY, |hardening| self.radius(hardening, point, 0.0).stress)
     }
 
-    /// Size of the yield surface after Δp, and its slope.
     fn radius(&self, hardening: &Hardening, point: &Carried, increment: f64) -> FlowStress {
         let yielding = hardening.at_temperature(point.strain + increment, point.temperature);
         let rate = increment / self.duration;

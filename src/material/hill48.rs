@@ -35,7 +35,6 @@ pub struct Hill48 {
 }
 
 impl Default for Hill48 {
-    /// Huber-Mises, r̄ = 1.
     fn default() -> Self {
         Self::new(1.0)
     }

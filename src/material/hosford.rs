@@ -39,7 +39,6 @@ const EXPONENT: [f64; 2] = [2.0, 10.0];
 /// The yield condition of r̄ and a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hosford {
-    /// Hill's condition of the same r̄.
     pub(super) quadratic: Hill48,
     power: Power,
     /// σ_θ/σ_s where Δε_θ = 0 \[–\].

@@ -33,14 +33,3 @@ impl Surroundings {
         FlowStress { stress: yielding.stress * factor, slope }
     }
 }
-
-/// Trust: the formula; ten times the rate is 2.3 exponents less the share of the floor.
-#[cfg(test)]
-#[test]
-fn faster_flow_is_resisted_and_slower_flow_helped() {
-    let around = Surroundings { exponent: 0.005, increment: 0.01, floor: 5e-4 };
-    for (increment, factor) in [(0.01, 1.0), (0.1, 1.0 + 0.005 * (0.1005_f64 / 0.0105).ln()), (0.001, 0.990_270_45)] {
-        let held = around.held(FlowStress { stress: 300.0, slope: 500.0 }, increment).stress;
-        approx::assert_relative_eq!(held, 300.0 * factor, max_relative = 1e-6);
-    }
-}

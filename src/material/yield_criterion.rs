@@ -70,7 +70,6 @@ impl YieldCondition for YieldCriterion {
 }
 
 impl fmt::Display for YieldCriterion {
-    /// The formula with its name and numbers.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let r = self.ratio();
         match self {

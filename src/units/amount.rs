@@ -155,7 +155,6 @@ fn magnitude(value: f64, digits: usize) -> i32 {
     rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
-/// Without a minus before 0.
 fn unsigned_zero(number: &str) -> String {
     let is_zero = number.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
     if is_zero { number.replace('-', "") } else { number.to_owned() }

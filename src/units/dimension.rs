@@ -19,7 +19,6 @@ const POWER: Dimension = Dimension([1, 1, -1, 0, 0]);
 const STRESS: Dimension = Dimension([-2, 1, 0, 0, 0]);
 
 impl Dimension {
-    /// Dimension of a unit's text, such as `N/mm`.
     pub(super) fn of_unit(unit: &str) -> Self {
         parse(format!("1 {unit}").trim_end()).map_or(NONE, |parsed| parsed.dimension)
     }
@@ -41,7 +40,6 @@ impl Dimension {
 pub(super) const LBF: f64 = 4.448_221_615_260_5;
 pub(super) const INCH: f64 = 25.4;
 
-/// Names of units with their factors to solver units.
 const UNITS: &[(Dimension, &[(&str, f64)])] = &[
     (
         LENGTH,
@@ -77,7 +75,6 @@ fn names() -> impl Iterator<Item = &'static str> {
     UNITS.iter().flat_map(|(_, units)| units.iter().map(|(name, _)| *name))
 }
 
-/// Factor to solver units and dimension of the unit of that name.
 pub(super) fn find(name: &str) -> Option<(f64, Dimension)> {
     let factor = |units: &[(&str, f64)]| units.iter().find(|(own, _)| *own == name).map(|(_, factor)| *factor);
     UNITS.iter().find_map(|(dimension, units)| Some((factor(units)?, *dimension)))

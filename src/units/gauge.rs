@@ -3,7 +3,6 @@
 use super::QuantityError;
 use super::dimension::INCH;
 
-/// Heaviest gauge that is called sheet.
 const HEAVIEST: usize = 3;
 
 /// Thickness of uncoated steel by the US Manufacturers' Standard Gauge, from the heaviest on \[in\].

@@ -92,7 +92,6 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     Ok(parsed)
 }
 
-/// Splits the longest leading decimal number off.
 fn split_number(text: &str) -> Option<(f64, &str)> {
     let is_part = |(_, c): &(usize, char)| c.is_ascii_digit() || "+-−.eE".contains(*c);
     let characters: Vec<(usize, char)> = text.char_indices().take(400).take_while(is_part).collect();

@@ -69,7 +69,6 @@ impl Kind {
     }
 }
 
-/// Reads text as a quantity: number, unit, dimension, range.
 fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
     let (kind, found, parsed) = (Q::KIND, text.trim(), parse(text)?);
     // A bare 8 would be 800 %.

@@ -37,7 +37,6 @@ units! {
     Celsius: "°C", "C";
 }
 
-/// Every spelling with its unit.
 fn spellings() -> impl Iterator<Item = (&'static str, Unit)> {
     UNITS.iter().flat_map(|(unit, _, spellings)| spellings.split_whitespace().map(|spelling| (spelling, *unit)))
 }

@@ -37,13 +37,11 @@ fn placeholder(value: f64, why: &str) -> Picked {
     Picked { value, why: why.to_owned() }
 }
 
-/// Rounded down to a tenth of a millimetre.
 fn down(mm: f64) -> f64 {
     rounded((mm * 10.0).floor() / 10.0)
 }
 
 impl<'a> DrawnTools<'a> {
-    /// Tools with thickness, blank and travel as given \[mm\], or with placeholders for them.
     pub fn new(geometry: Geometry, sections: Vec<&'a Section>, given: [Option<f64>; 3]) -> Self {
         let (open, [thickness, blank, travel]) = (placeholder(0.0, ""), given);
         let mut tools = Self { geometry, sections, thickness: open.clone(), blank: open, travel: None };

@@ -45,7 +45,6 @@ impl Strip<'_> {
         2.0 * step * fibres.sum::<f64>()
     }
 
-    /// From a straight strip to a curvature.
     fn bent_to(&self, curvature: f64) -> Vec<Bent> {
         let (mut last, mut work) = ([0.0; 2], 0.0);
         let points = (0..=CURVATURES).map(|i| {

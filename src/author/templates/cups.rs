@@ -20,8 +20,6 @@ pub(super) struct Cup {
 }
 
 impl Cup {
-    /// # Errors
-    /// When nose, radius and height do not fit each other.
     pub fn read(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Self, CaseError> {
         let [radius, height] = inputs.values(["punch-radius", "height"]);
         let nose = nose(inputs, sheet, radius)?;

@@ -50,10 +50,8 @@ impl Choice {
     }
 }
 
-/// Option whose value is the thickness of the sheet.
 const THICKNESS: &str = "thickness";
 
-/// Values of a template's options.
 pub(in crate::author) struct Inputs {
     options: Vec<Choice>,
     /// Name under which an option was given, text and number, by key.
@@ -61,13 +59,10 @@ pub(in crate::author) struct Inputs {
 }
 
 impl Inputs {
-    /// Defaults of the sheet.
     pub fn of_sheet() -> Self {
         Self { options: SHEET.0.clone(), given: BTreeMap::new() }
     }
 
-    /// # Errors
-    /// When an option is unknown or given twice, or a value is not of its kind.
     pub fn read(template: &Template, given: &[(&str, &str)]) -> Result<Self, CaseError> {
         let mut inputs = Self { options: template.options().cloned().collect(), given: BTreeMap::new() };
         // Other lengths may be multiples of the thickness.
@@ -99,12 +94,10 @@ impl Inputs {
         }
     }
 
-    /// Number that was given, if any.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.given.get(key).map(|(_, _, number)| *number)
     }
 
-    /// Word that was given, if any.
     pub fn name(&self, key: &str) -> Option<&str> {
         self.given.get(key).map(|(_, text, _)| text.as_str())
     }
@@ -116,7 +109,6 @@ impl Inputs {
         self.number(key).or_else(default).unwrap_or_else(|| unreachable!("--{key} has a value for a default"))
     }
 
-    /// Numbers of several options.
     pub fn values<const N: usize>(&self, keys: [&str; N]) -> [f64; N] {
         keys.map(|key| self.value(key))
     }

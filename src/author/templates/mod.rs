@@ -36,7 +36,6 @@ use sizes::{draw_ratio, ensure, newtons, nose, throat};
 use std::fmt::Write;
 use std::sync::LazyLock;
 
-/// Function that derives the values of a template's placeholders.
 type Sizes = fn(&Inputs, &Sheet) -> Result<Values, CaseError>;
 
 /// Kind of case that is written from a few sizes.
@@ -52,7 +51,6 @@ pub struct Template {
     sizes: Sizes,
 }
 
-/// Beginning of a template's file.
 #[derive(Deserialize)]
 struct Header {
     #[serde(default)]
@@ -81,7 +79,6 @@ pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
     files.map(template).into()
 });
 
-/// Inputs of the sheet, which every template has, and the text of its material.
 pub(super) static SHEET: LazyLock<(Vec<Choice>, &'static str)> = LazyLock::new(|| {
     let (header, text) = header(include_str!("sheet.toml"));
     (header.inputs, text)

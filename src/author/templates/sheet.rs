@@ -12,10 +12,8 @@ use crate::units::rounded;
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
 /// Elasticity of steel \[MPa, –\], where the library has none of a sheet.
 const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
-/// Options of Swift's law.
 pub(in crate::author) const LAW: [&str; 3] = ["k", "n", "offset"];
 
-/// Thickness, material and friction.
 pub(in crate::author) struct Sheet {
     /// \[mm\]
     pub thickness: f64,
@@ -31,8 +29,6 @@ pub(in crate::author) struct Sheet {
 }
 
 impl Sheet {
-    /// # Errors
-    /// When there is no such law or material, or both are given.
     pub fn read(inputs: &Inputs) -> Result<Self, CaseError> {
         let own = LAW.iter().find(|key| inputs.number(key).is_some());
         let (law, [thickness, friction]) = (inputs.values(LAW), inputs.values(["thickness", "friction"]));
@@ -62,7 +58,6 @@ impl Sheet {
         self.metal.elastic.unwrap_or(STEEL)
     }
 
-    /// Values of the sheet: thickness, friction, material and forming limit.
     pub fn values(&self, is_elastic: bool) -> Values {
         let (mut values, mut material) = (Values::default(), Values::default());
         let mut why = String::new();

@@ -20,9 +20,6 @@ impl Values {
     }
 
     /// Sets a holder that presses on a flat from the end of the shoulder to the edge \[mm\], by a pressure \[MPa\].
-    ///
-    /// # Errors
-    /// When the shoulder leaves no flat.
     pub fn holder(&mut self, geometry: Geometry, [end, edge]: [f64; 2], pressure: &Picked) -> Result<(), CaseError> {
         let what = || {
             let [end, edge] = [end, edge].map(plain);
@@ -57,9 +54,6 @@ pub(super) struct Draw {
 
 impl Draw {
     /// Values of sheet, blank, die and holder, and the holder's pressure \[MPa\], which is that of a draw ratio.
-    ///
-    /// # Errors
-    /// When there is nothing to hold.
     pub fn values(&self, inputs: &Inputs, sheet: &Sheet, pressure_ratio: f64) -> Result<(Values, f64), CaseError> {
         let Self { punch, corner, ratio, clearance, shoulder, blank } = self;
         let throat = throat(*punch, clearance);
@@ -80,15 +74,11 @@ impl Draw {
     }
 }
 
-/// Refuses sizes that do not fit each other.
 pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> Result<(), CaseError> {
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
 /// Draw ratio of the blank for a part of this height.
-///
-/// # Errors
-/// When one draw does not reach it; the message has the height that it reaches, and `or` what else may be done.
 pub(super) fn draw_ratio(blank_for: impl Fn(f64) -> f64, height: f64, punch: f64, or: &str) -> Result<f64, CaseError> {
     let ratio = |height: f64| blank_for(height) / punch;
     let wanted = ratio(height);
@@ -113,10 +103,6 @@ pub(super) fn newtons(force: f64) -> String {
     }
 }
 
-/// Radius of the punch's corner.
-///
-/// # Errors
-/// When it is larger than the punch's radius or half-width \[mm\].
 pub(super) fn nose(inputs: &Inputs, sheet: &Sheet, punch: f64) -> Result<Picked, CaseError> {
     let nose = inputs.pick("nose", || rules::tool_radius(sheet.thickness));
     let what = || format!("a nose radius of {} does not fit a punch of {}", plain(nose.value), plain(punch));
@@ -124,7 +110,6 @@ pub(super) fn nose(inputs: &Inputs, sheet: &Sheet, punch: f64) -> Result<Picked,
     Ok(nose)
 }
 
-/// Radius or half-width of the die's opening round a punch.
 pub(super) fn throat(punch: f64, clearance: &Picked) -> Picked {
     Picked::by(punch + clearance.value, format!("punch and clearance{}", clearance.reason(", ")))
 }

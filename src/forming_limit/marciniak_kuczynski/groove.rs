@@ -12,7 +12,8 @@
 use super::MarciniakKuczynski;
 use crate::forming_limit::Sheet;
 use crate::forming_limit::instability::Proportional;
-use crate::forming_limit::plane::Plane;
+use crate::material::YieldCriterion;
+use crate::material::flow::YieldCondition;
 use crate::material::law::LawError;
 use nalgebra::{Matrix2, Vector2};
 
@@ -29,7 +30,7 @@ pub struct Groove<'a> {
     parameters: MarciniakKuczynski,
     sheet: &'a Sheet<'a>,
     path: Proportional,
-    plane: Plane,
+    criterion: YieldCriterion,
     tangent: f64,
 }
 
@@ -47,8 +48,8 @@ struct Strained {
 impl<'a> Groove<'a> {
     /// A groove whose normal lies at `angle` \[rad\] from the major strain at the start, for a strain ratio `beta`.
     pub fn new(parameters: MarciniakKuczynski, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
-        let plane = Plane::of(sheet.material);
-        Self { parameters, sheet, path: Proportional::new(plane, beta), plane, tangent: angle.tan() }
+        let criterion = sheet.material.yield_criterion;
+        Self { parameters, sheet, path: Proportional::new(criterion, beta), criterion, tangent: angle.tan() }
     }
 
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
@@ -101,7 +102,7 @@ impl<'a> Groove<'a> {
         let [across_force, along_force] = [force * stress, force * shear];
         // Missing part of the sheet's forces in the groove, over the force across it.
         let residual = |x: Vector2<f64>| {
-            let (increment, [pull, slip]) = self.plane.turned(x[0], along, x[1]);
+            let (increment, [pull, slip]) = self.turned(x[0], along, x[1]);
             let yields = self.yield_stress(now.groove + increment, increment / duration);
             let thin = (now.thickness - x[0] - along).exp();
             let missing =
@@ -112,7 +113,7 @@ impl<'a> Groove<'a> {
         let h = 1e-7 * step;
         for _ in 0..ITERATIONS {
             let r = residual(x)?;
-            let (increment, _) = self.plane.turned(x[0], along, x[1]);
+            let (increment, _) = self.turned(x[0], along, x[1]);
             if r.amax() < TOLERANCE {
                 let thickness = now.thickness - x[0] - along;
                 return Some(Strained { sheet, groove: now.groove + increment, thickness, rate: x / step });
@@ -136,6 +137,19 @@ impl<'a> Groove<'a> {
         let cos2 = 1.0 / (1.0 + tan * tan);
         let (sin2, product) = (1.0 - cos2, tan * cos2);
         ([cos2 * first + sin2 * second, sin2 * first + cos2 * second], product * (second - first))
+    }
+
+    /// Equivalent strain increment \[–\], and the stresses σ_nn and σ_nt over the yield stress \[–\], of the increments Δε_nn,
+    /// Δε_tt and Δγ_nt.
+    fn turned(&self, nn: f64, tt: f64, shear: f64) -> (f64, [f64; 2]) {
+        let (mean, half, slip) = (0.5 * (nn + tt), 0.5 * (nn - tt), 0.5 * shear);
+        let radius = half.hypot(slip);
+        let principal = [mean + radius, mean - radius, 0.0];
+        let [s1, s2, _] = self.criterion.stress(principal);
+        // Where both strains are alike, so are the stresses, and no direction stands out.
+        let (cos, sin) = if radius > 0.0 { (half / radius, slip / radius) } else { (1.0, 0.0) };
+        let (middle, apart) = (0.5 * (s1 + s2), 0.5 * (s1 - s2));
+        (self.criterion.equivalent_increment(principal), [middle + apart * cos, apart * sin])
     }
 
     fn yield_stress(&self, strain: f64, rate: f64) -> f64 {

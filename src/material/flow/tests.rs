@@ -69,41 +69,6 @@ fn newton_matrix_is_the_derivative_of_stress_and_moment_for_every_law() {
     }
 }
 
-/// Trust: a path that turns, ε = (0.3 t, 0.2 t²) with t up to 1, has its end's rate (0.3, 0.4), and its ε̄ by an
-/// integration with a hundred thousand chords, which miss 1e-10. The order of the error in stress is that of the rate:
-/// 2 where a step follows the last one, 1 where it does not.
-#[test]
-fn stress_is_second_order_in_the_step_where_the_flow_goes_on() {
-    let hardening = &Hardening::examples()[0].1;
-    let rate = &Rate::examples()[0].1;
-    let path = |t: f64| [0.3 * t, 0.2 * t * t, 0.0];
-    let chord = |from: f64, to: f64| [0, 1, 2].map(|i| path(to)[i] - path(from)[i]);
-    let metal = Hill48::default();
-    let chords = (0..100_000).map(|k| metal.equivalent_increment(chord(f64::from(k) * 1e-5, f64::from(k + 1) * 1e-5)));
-    let speed = [0.3, 0.4, 0.0];
-    let yield_stress = hardening.at(chords.sum()).stress * rate.at(metal.equivalent_increment(speed)).value;
-    let exact = metal.apply(speed).map(|a| a * yield_stress / metal.equivalent_increment(speed));
-    let error = |steps: u32, weight: f64| {
-        let dt = 1.0 / f64::from(steps);
-        let law = FlowLaw { rate: Some(rate), duration: dt, ..flow(hardening, metal.into(), Iteration::Newton) };
-        let (mut total, mut stress) = (0.0, [0.0; 3]);
-        for k in 0..steps {
-            let t = dt * f64::from(k);
-            let mut point = PointState::at(total);
-            if k > 0 {
-                point = point.following(chord(t - dt, t), [0.0; 2], weight, metal.into(), None);
-            }
-            let (update, _) = law.respond(&point, &mut Iterate::default(), chord(t, t + dt), [0.0; 2]);
-            (total, stress) = (total + update.increment, update.stress);
-        }
-        (stress[0] - exact[0]).hypot(stress[1] - exact[1]) / yield_stress
-    };
-    for (weight, order) in [(0.5, 2.0), (0.0, 1.0)] {
-        let observed = (error(40, weight) / error(80, weight)).log2();
-        assert!((observed - order).abs() < 0.1, "weight {weight}: order {observed}");
-    }
-}
-
 /// Trust: with w = σ the primal-dual matrix is Newton's, to round-off; with w inside the yield surface it has no negative
 /// eigenvalue, from whatever iterate it comes.
 #[test]

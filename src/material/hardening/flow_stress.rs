@@ -14,7 +14,6 @@ pub struct FlowStress {
 }
 
 impl FlowStress {
-    /// `share` of the way to another flow stress.
     pub(super) fn towards(self, other: Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
         Self { stress: between(self.stress, other.stress), slope: between(self.slope, other.slope) }
@@ -28,7 +27,6 @@ impl FlowStress {
         Self { stress: self.stress * factor.value, slope }
     }
 
-    /// Flow stress of a metal `factor` times as strong.
     pub(in crate::material) fn times(self, factor: f64) -> Self {
         Self { stress: factor * self.stress, slope: factor * self.slope }
     }

@@ -19,10 +19,8 @@ const REACH: [f64; 2] = [1.0 / 3.0, 0.1];
 /// Fewest points among which a parabola can smooth.
 const FIT: usize = 8;
 
-/// Pairs of strain and stress, as a case has them.
 pub(super) type Points = Vec<(NonNegative<Number>, Positive<Stress>)>;
 
-/// Most points.
 const MOST: usize = 1000;
 
 /// Measured points, interpolated smoothly through each of up to 50; a longer record has scatter and is smoothed first.
@@ -73,14 +71,12 @@ impl HardeningLaw for Table {
     }
 }
 
-/// Curve through pairs of strain and stress.
 pub(super) fn curve(points: &Points, beyond: Extrapolation) -> Result<Monotone, LawError> {
     few("points", points.len(), MOST)?;
     let pairs: Vec<_> = points.iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
     Monotone::new(&pairs, beyond)
 }
 
-/// No more entries than `most`.
 pub(super) fn few(key: &str, length: usize, most: usize) -> Result<(), LawError> {
     require_or(&format!("{key}.{most}"), length <= most, "leave out what is not needed", || {
         format!("`{key}` has {length} entries, more than {most}")
@@ -108,7 +104,6 @@ pub(super) struct Monotone {
 }
 
 impl Monotone {
-    /// Points of strain, rising from 0, and stress > 0 that does not fall.
     pub fn new(points: &[(f64, f64)], beyond: Extrapolation) -> Result<Self, LawError> {
         let n = points.len();
         require("", n >= 2, || format!("needs at least two points, each with a strain and a stress; found {n}"))?;
@@ -137,7 +132,6 @@ impl Monotone {
         Ok(Self { slope: (0..n).map(slope).collect(), strain, stress, beyond })
     }
 
-    /// Five points of a steel, its stresses times `factor`.
     pub fn example(factor: f64) -> Self {
         let points = [(0.0, 150.0), (0.02, 210.0), (0.1, 290.0), (0.3, 360.0), (0.8, 420.0)];
         let points = points.map(|(strain, stress)| (strain, factor * stress));

@@ -32,7 +32,6 @@ pub(crate) trait Example {
     fn example() -> Self;
 }
 
-/// Imports of a law's file.
 pub(crate) mod prelude {
     pub use super::LawError;
     pub(crate) use super::{Example, parameters, require, require_or, require_range};
@@ -46,12 +45,10 @@ pub(crate) mod prelude {
     }
 }
 
-/// An error at `key` unless `ok`.
 pub(crate) fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
     require_or(key, ok, "check the constants and their units", message)
 }
 
-/// An error at `key` with a remedy unless `ok`.
 pub(crate) fn require_or(
     key: &str,
     ok: bool,
