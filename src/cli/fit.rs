@@ -3,7 +3,7 @@
 use super::compare::is_curve;
 use super::study::StudyOptions;
 use super::*;
-use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, Tests, fit_case, fit_laws, material_text};
+use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, fit_laws, flow_curves, material_text};
 use stampflow::units::parse;
 
 const STRAIN: &str = "a plain number";
@@ -47,15 +47,9 @@ pub fn fit(args: &Args) -> Result<Code> {
 fn laws(args: &Args, dir: &Path) -> Result<Code> {
     let what = "--vary and --to are of a case: name its file in place of a test";
     ensure!(args.vary.is_empty() && args.to.is_empty(), bad_request(what));
-    let tests = Tests {
-        tests: args.files.clone(),
-        reduction: Reduction { young: args.young, offset: args.offset, from: args.from, to: args.until },
-        section: args.section,
-        gauge: args.gauge,
-        rate: args.rate.clone(),
-        direction: args.direction.clone(),
-    };
-    let fits = fit_laws(tests.curves()?, args.law)?;
+    let &Args { young, offset, from, until: to, section, gauge, .. } = args;
+    let reduction = Reduction { young, offset, from, to, section, gauge };
+    let fits = fit_laws(flow_curves(&args.files, &reduction, &args.rate, &args.direction)?, args.law)?;
     let best = fits.best();
     let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
     let extra = json!({ "law": best.kind.name(), "parameters": best.estimates });

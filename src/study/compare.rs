@@ -110,8 +110,10 @@ impl SideBySide {
             watch.ran(solved.len(), candidates.len());
             Ok(())
         });
-        let failed = |reason: String| format!("a case cannot be run: {reason}");
-        ended.map_err(|reason| StudyError::new(failed(reason), "try `stampflow check` on each"))?;
+        let failed = |reason: String| {
+            StudyError::new(format!("a case cannot be run: {reason}"), "try `stampflow check` on each")
+        };
+        ended.map_err(failed)?;
         let members = candidates.iter().zip(solved).enumerate();
         let members = members.map(|(i, (candidate, solved))| Member::new(i, candidate, solved)).collect();
         Ok(Self { members, curves })
@@ -143,31 +145,31 @@ impl SideBySide {
             table.rows.push(vec![label.into(), member.mark.clone().into(), value, change, beyond.into()]);
         };
         self.members.iter().for_each(|member| add("Verdict", member, member.light.clone(), "".into(), ""));
-        self.members
-            .iter()
-            .for_each(|member| add("End", member, member.outcome.end.why.as_str().into(), "".into(), ""));
+        let end = |member: &Member| member.outcome.end.why.as_str().into();
+        self.members.iter().for_each(|member| add("End", member, end(member), "".into(), ""));
         for number in self.numbers() {
             let first = self.members[0].number(number);
             for (i, member) in self.members.iter().enumerate() {
                 let own = member.number(number);
-                let (change, beyond) = first.filter(|_| i > 0).zip(own).map_or(("".into(), ""), |(first, own)| {
+                let (mut change, mut beyond) = ("".into(), "");
+                if let Some((first, own)) = first.filter(|_| i > 0).zip(own) {
                     let base = first.quantity.amount;
-                    let change = own.quantity.amount.value - base.value;
+                    let difference = own.quantity.amount.value - base.value;
+                    let is_more = |size: f64| difference.abs() > size;
+                    change = Amount::new(difference, base.unit, base.digits).into();
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                    let is_beyond = |(a, b)| change.abs() > SAME * base.value.abs() && change.abs() > a + b;
-                    let beyond =
-                        first.half().zip(own.half()).map_or("", |bars| if is_beyond(bars) { "yes" } else { "no" });
-                    (Amount::new(change, base.unit, base.digits).into(), beyond)
-                });
+                    let is_beyond =
+                        |(a, b)| if is_more(SAME * base.value.abs()) && is_more(a + b) { "yes" } else { "no" };
+                    beyond = first.half().zip(own.half()).map_or("", is_beyond);
+                }
                 let value = own.map_or_else(|| "–".into(), |own| own.quantity.amount.into());
                 add(number.quantity.label, member, value, change, beyond);
             }
         }
         for (i, curve) in self.curves.iter().enumerate() {
+            let label = format!("Misfit of curve {}, r.m.s.", i + 1);
             for (member, misfit) in self.members.iter().filter_map(|member| Some((member, member.misfit(curve)?))) {
-                let (misfit, used, all) = misfit;
-                let note = format!("at {used} of {all} points");
-                add(&format!("Misfit of curve {}, r.m.s.", i + 1), member, misfit.into(), note.into(), "");
+                add(&label, member, misfit.0.into(), misfit.1.into(), "");
             }
         }
         table
@@ -175,11 +177,12 @@ impl SideBySide {
 
     /// Numbers of all runs, but those that only the verdict has.
     fn numbers(&self) -> Vec<&Number> {
-        let all = self.members.iter().flat_map(|member| &member.outcome.numbers);
-        all.filter(|number| number.origin != Origin::Verdict).fold(Vec::new(), |mut numbers, number| {
-            numbers.extend(Some(number).filter(|number| !numbers.iter().any(|known: &&Number| known.is(number))));
-            numbers
-        })
+        let mut numbers: Vec<&Number> = Vec::new();
+        for number in self.members.iter().flat_map(|member| &member.outcome.numbers) {
+            let is_new = number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number));
+            numbers.extend(is_new.then_some(number));
+        }
+        numbers
     }
 
     /// File name, subject and chart of load, thickness and section.
@@ -242,13 +245,13 @@ impl Member {
         self.outcome.numbers.iter().find(|own| own.is(number))
     }
 
-    /// Root mean square of computed less measured, the number of points that the run has, and of all points.
-    fn misfit(&self, curve: &Spec) -> Option<(Amount, usize, usize)> {
+    /// Root mean square of computed less measured, and the points that it is of: `at 5 of 8 points`.
+    fn misfit(&self, curve: &Spec) -> Option<(Amount, String)> {
         let computed = Computed::of(self.solution.stages.first()?);
         let points = computed.points(curve).ok()?;
         let squares: Vec<f64> = points.iter().filter_map(|p| Some((p.computed? - p.reference).powi(2))).collect();
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
         let amount = Amount::new(rms, computed.columns(curve.quantity).1.unit, Digits::Significant(3));
-        (!squares.is_empty()).then_some((amount, squares.len(), points.len()))
+        (!squares.is_empty()).then(|| (amount, format!("at {} of {} points", squares.len(), points.len())))
     }
 }

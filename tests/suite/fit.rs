@@ -7,8 +7,7 @@ use stampflow::numerics::least_squares::Ended;
 use stampflow::study::BaseCase;
 use stampflow::study::Watch;
 use stampflow::study::fit::{
-    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, Reduction, Tension, fit_case, fit_laws,
-    material_text,
+    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, Reduction, fit_case, fit_laws, material_text,
 };
 use std::fmt::Write;
 use std::fs;
@@ -50,8 +49,7 @@ fn normal(rng: &mut Rng) -> f64 {
 }
 
 fn fitted(text: &str, wanted: Option<HardeningKind>, reduction: &Reduction) -> LawFits {
-    let test = Tension::read(text, "test.csv", None, None).unwrap_or_else(|error| panic!("{error}"));
-    let curve = FlowCurve::of(&test, reduction).unwrap_or_else(|error| panic!("{error}"));
+    let curve = FlowCurve::read(text, "test.csv", reduction).unwrap_or_else(|error| panic!("{error}"));
     fit_laws(vec![curve], wanted).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -122,8 +120,7 @@ fn tests_at_two_rates_give_the_exponent_back() {
     let faster = vec![truth[0] * 1000f64.powf(exponent), truth[1], truth[2]];
     let curves = [(truth, 1e-3), (&faster, 1.0)].map(|(parameters, rate)| {
         let text = test_of(&HardeningKind::Swift.law(parameters).expect("a law"), 0.0, &mut Rng::with_seed(1));
-        let test = Tension::read(&text, "test.csv", None, None).expect("a test");
-        FlowCurve { rate: Some(rate), ..FlowCurve::of(&test, &Reduction::default()).expect("a curve") }
+        FlowCurve { rate: Some(rate), ..FlowCurve::read(&text, "test.csv", &Reduction::default()).expect("a curve") }
     });
     let fits = fit_laws(curves.to_vec(), Some(HardeningKind::Swift)).expect("a fit");
     let found = fits.best().estimate("rate.exponent").expect("an exponent").value;
@@ -143,8 +140,10 @@ fn tests_in_three_directions_give_r_values_and_stress_ratios() {
             let _ =
                 writeln!(text, "{strain},{},{}", times * 500.0 * (0.004 + strain).powf(0.2), -r / (1.0 + r) * strain);
         }
-        let test = Tension::read(&text, "test.csv", None, None).expect("a test");
-        FlowCurve { direction: Some(angle), ..FlowCurve::of(&test, &Reduction::default()).expect("a curve") }
+        FlowCurve {
+            direction: Some(angle),
+            ..FlowCurve::read(&text, "test.csv", &Reduction::default()).expect("a curve")
+        }
     };
     let tests = vec![of(90.0, 1.8, 0.98), of(0.0, 1.5, 1.0), of(45.0, 1.2, 1.03)];
     let fits = fit_laws(tests, Some(HardeningKind::Swift)).expect("a fit");
@@ -165,8 +164,8 @@ fn a_test_is_cut_where_its_force_is_largest() {
         let strain = 0.002 * f64::from(i);
         let _ = writeln!(text, "{strain},{}", 500.0 * (0.01 + strain).powf(0.2));
     }
-    let test = Tension::read(&text, "test.csv", None, None).expect("a test");
-    let curve = FlowCurve::of(&test, &Reduction { young: Some(1e9), ..Reduction::default() }).expect("a curve");
+    let reduction = Reduction { young: Some(1e9), ..Reduction::default() };
+    let curve = FlowCurve::read(&text, "test.csv", &reduction).expect("a curve");
     // Trust: to half a row.
     let uniform = curve.uniform.expect("a largest force");
     assert!((uniform - 0.19).abs() <= 0.0011 && curve.end() <= uniform + 1e-9, "{uniform}");
@@ -176,8 +175,8 @@ fn a_test_is_cut_where_its_force_is_largest() {
 /// deviations are those of 8 specimens.
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
-    let test = Tension::load(Path::new("reference_data/aisi304l_bar_flow_curve.csv"), None, None).expect("a test");
-    let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
+    let test = Path::new("reference_data/aisi304l_bar_flow_curve.csv");
+    let curve = FlowCurve::load(test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve], None).expect("a fit");
     let best = fits.best();
     assert_eq!(best.kind, HardeningKind::Ludwik);

@@ -9,7 +9,7 @@ use stampflow::material::Hardening;
 use stampflow::measure::{Ring, Shape};
 use stampflow::model::Mode;
 use stampflow::solver::solution::StopKind;
-use stampflow::study::fit::{FlowCurve, HardeningKind, Reduction, Tension, fit_laws};
+use stampflow::study::fit::{FlowCurve, HardeningKind, Reduction, fit_laws};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const AGREEMENT: &str = "docs/agreement.md";
@@ -90,8 +90,7 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     told(AGREEMENT, "Friction 0.02 gives {} mm, 0.15 gives {};", &plain(&friction, 1));
 
     let points = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
-    let test = Tension::read(points, "points.csv", None, None).expect("a test");
-    let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
+    let curve = FlowCurve::read(points, "points.csv", &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift)).expect("a fit");
     let swift = fits.best();
     let Hardening::Swift(_) = swift.hardening else { panic!("{:?}", swift.hardening) };

@@ -10,7 +10,7 @@ use crate::study::error::ensure;
 use crate::study::measured_curve::{deviations, measured_curve};
 use crate::study::variable::{check_distinct, written};
 use crate::study::{BaseCase, StudyError, StudyFile, StudyReport, Variable, Watch, parallel_map};
-use crate::units::significant;
+use crate::units::{joined, significant};
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
@@ -21,8 +21,6 @@ pub struct CaseFitRequest {
     variables: Vec<Variable>,
     parameters: Vec<Parameter>,
     curves: Vec<Spec>,
-    /// Standard deviations of all points, if every curve has them.
-    deviations: Option<Vec<Vec<f64>>>,
 }
 
 /// Fitted keys.
@@ -75,10 +73,8 @@ impl CaseFitRequest {
         let curves: Vec<Spec> = curves.into_iter().filter(|c| c.quantity.is_curve() && c.data.is_some()).collect();
         let what = "there is no curve to fit to, and the case has no [[compare]] with one";
         ensure(!curves.is_empty(), what, "give --to curve.csv")?;
-        let mut request = Self { base, variables, parameters, curves, deviations: None };
-        let case = request.base.case(&request.settings(&request.starts()))?;
-        let computed = Computed::nothing(case.model());
-        request.deviations = request.curves.iter().map(|curve| deviations(curve, &computed)).collect();
+        let request = Self { base, variables, parameters, curves };
+        request.base.case(&request.settings(&request.starts()))?;
         Ok(request)
     }
 
@@ -102,18 +98,17 @@ impl CaseFitRequest {
         self.curves.iter().map(pair).collect()
     }
 
-    /// One over each point's standard deviation, or over the mean height of its curve; 0 where the run has no value.
-    fn weights(&self, first: &[RunCurve]) -> Result<Vec<Vec<f64>>, StudyError> {
+    /// One over each point's standard deviation, if every curve has them, or over the mean height of its curve; 0 where the
+    /// run has no value.
+    fn weights(&self, first: &[RunCurve], deviations: Option<&[Vec<f64>]>) -> Result<Vec<Vec<f64>>, StudyError> {
         let mut all = Vec::new();
         for (i, (curve, (points, _))) in self.curves.iter().zip(first).enumerate() {
             let mean = points.iter().map(|p| p.reference.abs()).sum::<f64>() / points.len() as f64;
-            let deviations = self.deviations.as_ref().map(|all| all[i].clone());
-            let sizes = deviations.unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
-            let weight = |(p, size): (&Point, f64)| if p.computed.is_some() { 1.0 / size } else { 0.0 };
-            let weights: Vec<f64> = points.iter().zip(sizes).map(weight).collect();
+            let size = |j: usize| deviations.map_or(mean.max(f64::MIN_POSITIVE), |all| all[i][j]);
+            let weight = |(j, p): (usize, &Point)| if p.computed.is_some() { 1.0 / size(j) } else { 0.0 };
+            all.push(points.iter().enumerate().map(weight).collect::<Vec<_>>());
             let what = format!("{} does not overlap the run", curve.reference.display());
-            ensure(weights.iter().any(|w| *w > 0.0), what, "check its unit and where its travel begins")?;
-            all.push(weights);
+            ensure(all[i].iter().any(|w| *w > 0.0), what, "check its unit and where its travel begins")?;
         }
         let (count, keys) = (all.iter().flatten().filter(|w| **w > 0.0).count(), self.variables.len());
         ensure(count > keys, format!("{count} points for {keys} keys"), "a fit needs more points than keys")?;
@@ -126,7 +121,10 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let first = request.run(&request.starts(), watch).map_err(|reason| {
         StudyError::new(format!("the case at the start of the fit: {reason}"), "begin where it can be run")
     })?;
-    let weights = request.weights(&first)?;
+    let model = request.base.case(&[])?;
+    let computed = Computed::nothing(model.model());
+    let deviations: Option<Vec<Vec<f64>>> = request.curves.iter().map(|curve| deviations(curve, &computed)).collect();
+    let weights = request.weights(&first, deviations.as_deref())?;
     let residuals = |curves: &[RunCurve]| -> Option<Vec<f64>> {
         let all = curves.iter().zip(&weights).flat_map(|((points, _), weights)| points.iter().zip(weights));
         let used = all.filter(|(_, weight)| **weight > 0.0);
@@ -156,7 +154,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
         return Err(StudyError::new(what, "begin elsewhere, or narrow the ranges"));
     }
     let names = request.variables.iter().map(|v| (v.key.as_str(), v.unit.as_str()));
-    let estimates = estimates(names, &request.parameters, &minimum, request.deviations.is_some());
+    let estimates = estimates(names, &request.parameters, &minimum, deviations.is_some());
     let rounded: Vec<f64> = estimates.iter().map(|e| e.written().parse().unwrap_or(e.value)).collect();
     let settings = request.settings(&rounded);
     // Also after an interruption: the best so far is shown.
@@ -170,38 +168,34 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
         let error = e.error.map_or_else(String::new, |error| format!(" ± {}", significant(error, 2)));
         format!("{} = {}{error} {}", e.key, e.written(), e.unit).trim_end().to_owned()
     });
-    let headline = format!("{}.", keys.collect::<Vec<_>>().join(", "));
+    let headline = format!("{}.", joined(keys, ", "));
     let [before, after] = rms.map(|rms| significant(rms, 2));
     let mut notes = vec![format!("Weighted misfit {before} at the start, {after} at the end (r.m.s.).")];
-    match ended {
-        Ended::Found => {}
-        Ended::Stopped => notes.push("It was interrupted: this is the best so far.".into()),
-        Ended::Steps | Ended::Blind(_) => notes.push("It did not converge: begin again from here.".into()),
-    }
-    for e in estimates.iter().filter(|e| e.bound.is_some()) {
-        notes.push(format!("{} is at its bound: the curves want it beyond.", e.key));
-    }
-    let (model, mut charts) = (request.base.case(&[])?, Vec::new());
+    notes.extend(match ended {
+        Ended::Found => None,
+        Ended::Stopped => Some("It was interrupted: this is the best so far.".to_owned()),
+        Ended::Steps | Ended::Blind(_) => Some("It did not converge: begin again from here.".to_owned()),
+    });
+    let at_bound = estimates.iter().filter(|e| e.bound.is_some());
+    notes.extend(at_bound.map(|e| format!("{} is at its bound: the curves want it beyond.", e.key)));
+    let mut charts = Vec::new();
     for (((curve, (_, before)), (points, after)), weights) in request.curves.iter().zip(first).zip(last).zip(&weights) {
         let (file, left_out, all) = (curve.file(), weights.iter().filter(|w| **w == 0.0).count(), points.len());
-        if left_out > 0 {
-            let reason = "are left out: the run at the start ended before them";
-            notes.push(format!("{left_out} of {all} points of {file} {reason}."));
-        }
+        let note =
+            format!("{left_out} of {all} points of {file} are left out: the run at the start ended before them.");
+        notes.extend((left_out > 0).then_some(note));
         let measured = points.iter().map(|p| (p.x, p.reference)).collect();
         let series = [
             Series::new("Run at the start", before, Style::curve(1)),
             Series::new("Fitted run", after, Style::curve(0)),
             Series::new(file, measured, Style::Circles { color: BLACK }),
         ];
-        let (x, y) = Computed::nothing(model.model()).columns(curve.quantity);
+        let (x, y) = computed.columns(curve.quantity);
         let name = if charts.is_empty() { "fit".to_owned() } else { format!("fit_{}", charts.len() + 1) };
         charts.push((name, Chart::new("", vec![Panel::fit(x.axis(), y.axis(), 350.0, 0.0).with(series)], Vec::new())));
     }
-    if failed > 0 {
-        notes.push(format!("{failed} runs failed or ended before the curves do."));
-    }
-    notes.push(settings.iter().map(|s| format!("--set \"{s}\"")).collect::<Vec<_>>().join(" "));
+    notes.extend((failed > 0).then(|| format!("{failed} runs failed or ended before the curves do.")));
+    notes.push(joined(settings.iter().map(|s| format!("--set \"{s}\"")), " "));
     let tables = vec![table(estimates.iter().map(|e| ("case".to_owned(), e)))];
     let report = StudyReport { headline, notes, tables, found: true, charts };
     Ok(CaseFit { estimates, rms, ended, text, report })

@@ -1,10 +1,12 @@
 //! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
-use super::tension::{FlowPoint, Tension};
+use super::tension::{EXAMPLE, FlowPoint, rows};
 use crate::study::error::ensure;
+use crate::study::measured_curve::{csv_error, read_csv};
 use crate::study::{StudyError, fail};
+use crate::table::Csv;
 use crate::units::{Amount, joined, significant};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Settings of the reduction of tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +19,10 @@ pub struct Reduction {
     pub from: Option<f64>,
     /// Last plastic strain that laws are fitted to; uniform elongation by default \[–\].
     pub to: Option<f64>,
+    /// Section of the specimen, for forces \[mm²\].
+    pub section: Option<f64>,
+    /// Gauge length, for elongations \[mm\].
+    pub gauge: Option<f64>,
 }
 
 /// Flow curve that laws are fitted to.
@@ -53,26 +59,36 @@ const FALLEN: f64 = 0.002;
 
 impl Default for Reduction {
     fn default() -> Self {
-        Self { young: None, offset: 0.002, from: None, to: None }
+        Self { young: None, offset: 0.002, from: None, to: None, section: None, gauge: None }
     }
 }
 
 impl FlowCurve {
-    /// Reduces a test.
-    pub fn of(test: &Tension, reduction: &Reduction) -> Result<Self, StudyError> {
+    /// Reads and reduces a test.
+    pub fn load(path: &Path, reduction: &Reduction) -> Result<Self, StudyError> {
+        Self::new(&read_csv(path, EXAMPLE)?, &path.to_string_lossy(), reduction)
+    }
+
+    /// Reads and reduces a test from a text.
+    pub fn read(text: &str, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
+        Self::new(&Csv::read(text, "the test", EXAMPLE).map_err(|error| csv_error(name, error))?, name, reduction)
+    }
+
+    fn new(csv: &Csv, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
+        let (rows, is_plastic) = rows(csv, name, reduction)?;
+        let offset = reduction.offset;
         let line = match reduction.young {
-            young if test.is_plastic => young.map(|young| (young, 0.0)),
-            young => Some(elastic_line(test, young)?),
+            young if is_plastic => young.map(|young| (young, 0.0)),
+            young => Some(elastic_line(&rows, name, young)?),
         };
-        let (offset, toe) = (reduction.offset, line.map_or(0.0, |(_, toe)| toe));
         let elastic = |row: &FlowPoint| line.map_or(0.0, |(young, _)| row.stress / young);
         // Plastic strain and engineering stress.
         let reduced = |row: &FlowPoint| {
-            let sum = if test.is_plastic { row.strain + elastic(row) } else { row.strain - toe };
-            let plastic = if test.is_plastic { row.strain } else { sum - elastic(row) };
-            (plastic, row.stress * (-sum).exp())
+            let sum =
+                if is_plastic { row.strain + elastic(row) } else { row.strain - line.map_or(0.0, |(_, toe)| toe) };
+            (if is_plastic { row.strain } else { sum - elastic(row) }, row.stress * (-sum).exp())
         };
-        let all: Vec<(f64, f64)> = test.rows.iter().map(reduced).collect();
+        let all: Vec<(f64, f64)> = rows.iter().map(reduced).collect();
         let peak = (0..all.len()).max_by(|a, b| all[*a].1.total_cmp(&all[*b].1)).unwrap_or(0);
         let strength = all[peak].1;
         let uniform = all[peak..].iter().any(|at| at.1 < (1.0 - FALLEN) * strength).then(|| all[peak].0);
@@ -80,34 +96,32 @@ impl FlowCurve {
         let to = reduction.to.unwrap_or(f64::INFINITY).min(uniform.unwrap_or(f64::INFINITY)) + ROUNDED;
         let is_used = |i: &usize| (from..=to).contains(&all[*i].0) && (*i <= peak || uniform.is_none());
         let used: Vec<usize> = (0..all.len()).filter(is_used).collect();
-        let what = format!("{} has no points with a plastic strain from {:.4} to {to:.4}", test.name, from + ROUNDED);
+        let what = format!("{name} has no points with a plastic strain from {:.4} to {to:.4}", from + ROUNDED);
         ensure(!used.is_empty(), what, "see whether --young, --offset, --from and --to go with it")?;
         let crossing = all[..=used[used.len() - 1]].windows(2).find(|pair| pair[0].0 < offset && pair[1].0 >= offset);
         let yield_stress = match crossing {
             Some([a, b]) => Some(a.1 + (b.1 - a.1) * (offset - a.0) / (b.0 - a.0)),
             _ => ((all[0].0 - offset).abs() <= ROUNDED).then(|| all[0].1),
         };
-        let across = |i: &usize| Some((all[*i].0, test.rows[*i].width? + POISSON * elastic(&test.rows[*i])));
+        let across = |i: &usize| Some((all[*i].0, rows[*i].width? + POISSON * elastic(&rows[*i])));
         let r = r_value(used.iter().filter_map(across).collect());
-        let point = |i: usize| FlowPoint { strain: all[i].0, ..test.rows[i] };
-        let points: Vec<FlowPoint> = used.into_iter().map(point).collect();
+        let points: Vec<FlowPoint> = used.into_iter().map(|i| FlowPoint { strain: all[i].0, ..rows[i] }).collect();
         let source = if reduction.young.is_none() { "slope of the elastic line" } else { "E as given" };
         let young = line.map(|(young, _)| young);
-        let strength = Amount::stress(strength);
         let cut = uniform.map_or("the force does not fall: no cut".to_owned(), |uniform| {
-            format!("largest force at a plastic strain of {uniform:.3}, {strength}: cut there")
+            format!("largest force at a plastic strain of {uniform:.3}, {}: cut there", Amount::stress(strength))
         });
+        let name = name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
         let (count, first) = (points.len(), points[0].strain);
-        let last = points.iter().map(|point| point.strain).fold(0.0, f64::max);
+        let mut curve = Self { name, direction: None, rate: None, young, uniform, points, r, sentence: String::new() };
         let parts = [
             young.map(|young| format!("{source} {}", Amount::stress(significant(young, 3)))),
             yield_stress.map(|stress| format!("yield stress {}", Amount::stress(stress))),
-            Some(format!("{cut}; {count} points from {first:.4} to {last:.3}")),
+            Some(format!("{cut}; {count} points from {first:.4} to {:.3}", curve.end())),
             r.map(|(r, error)| format!("r {r:.3} ± {error:.3}")),
         ];
-        let name = test.name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
-        let sentence = format!("{name}: {}.", joined(parts.into_iter().flatten(), "; "));
-        Ok(Self { name, direction: None, rate: None, young, uniform, points, r, sentence })
+        curve.sentence = format!("{}: {}.", curve.name, joined(parts.into_iter().flatten(), "; "));
+        Ok(curve)
     }
 
     /// Largest plastic strain that laws are fitted to \[–\].
@@ -117,22 +131,22 @@ impl FlowCurve {
 }
 
 /// Slope \[MPa\] of the elastic line and the strain at which it begins: a given one goes through the middle of its points.
-fn elastic_line(test: &Tension, young: Option<f64>) -> Result<(f64, f64), StudyError> {
+fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f64, f64), StudyError> {
     let help = "give --young \"210 GPa\"";
-    let at = test.rows.iter().find(|row| row.strain >= 0.01).or(test.rows.last()).map_or(0.0, |row| row.stress);
+    let at = rows.iter().find(|row| row.strain >= 0.01).or(rows.last()).map_or(0.0, |row| row.stress);
     let is_elastic = |row: &&FlowPoint| (ELASTIC[0] * at..=ELASTIC[1] * at).contains(&row.stress);
-    let before = test.rows.iter().take_while(|row| row.strain < 0.01).filter(is_elastic);
+    let before = rows.iter().take_while(|row| row.strain < 0.01).filter(is_elastic);
     let points: Vec<(f64, f64)> = before.map(|row| (row.stress, row.strain)).collect();
     let count = points.len();
     if let Some(young) = young {
         let toe = points.iter().map(|(stress, strain)| strain - stress / young).sum::<f64>() / count as f64;
         return Ok((young, if count < LINE { 0.0 } else { toe }));
     }
-    let what = format!("{} has {count} points on its elastic line, too few for its slope", test.name);
+    let what = format!("{name} has {count} points on its elastic line, too few for its slope");
     ensure(count >= LINE, what, help)?;
     match straight_line(points) {
         [toe, compliance, _] if compliance > 0.0 => Ok((1.0 / compliance, toe)),
-        _ => fail(format!("{} begins without an elastic line", test.name), help),
+        _ => fail(format!("{name} begins without an elastic line"), help),
     }
 }
 
@@ -142,48 +156,33 @@ fn r_value(points: Vec<(f64, f64)>) -> Option<(f64, f64)> {
     (-1.0 < slope && slope < 0.0).then(|| (-slope / (1.0 + slope), error / (1.0 + slope).powi(2)))
 }
 
-/// Tension tests and the settings of their reduction.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tests {
-    /// A CSV file for each test.
-    pub tests: Vec<PathBuf>,
-    /// Settings of the reduction.
-    pub reduction: Reduction,
-    /// Section of the specimen, for forces \[mm²\].
-    pub section: Option<f64>,
-    /// Gauge length, for elongations \[mm\].
-    pub gauge: Option<f64>,
-    /// Strain rate of each test, or none \[1/s\].
-    pub rate: Vec<f64>,
-    /// Angle of each test to the rolling direction, or none \[°\].
-    pub direction: Vec<f64>,
-}
-
-impl Tests {
-    /// Reads and reduces the tests.
-    pub fn curves(&self) -> Result<Vec<FlowCurve>, StudyError> {
-        let count = self.tests.len();
-        for (option, own) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
-            ensure(own == 0 || own == count, format!("{option} has {own} values for {count} tests"), "give one each")?;
-        }
-        for rate in &self.rate {
-            ensure(*rate > 0.0 && rate.is_finite(), format!("a strain rate of {rate} /s"), "it must be above 0")?;
-        }
-        let mut curves: Vec<FlowCurve> = Vec::new();
-        for (i, path) in self.tests.iter().enumerate() {
-            let curve = FlowCurve::of(&Tension::load(path, self.section, self.gauge)?, &self.reduction)?;
-            let (rate, direction) = (self.rate.get(i).copied(), self.direction.get(i).copied());
-            let curve = FlowCurve { rate, direction, ..curve };
-            // Equal numbers are no second measurement, and would make every interval narrower.
-            let same =
-                |other: &FlowCurve| (rate, direction, &curve.points) == (other.rate, other.direction, &other.points);
-            let twin = curves.iter().position(same).unwrap_or(i);
-            let what = format!("{} and {} are one test", self.tests[twin].display(), path.display());
-            ensure(twin == i, what, "give every test once")?;
-            curves.push(curve);
-        }
-        Ok(curves)
+/// Reads and reduces tests, maybe with a strain rate \[1/s\] and an angle to the rolling direction \[°\] of each.
+pub fn flow_curves(
+    tests: &[PathBuf],
+    reduction: &Reduction,
+    rates: &[f64],
+    directions: &[f64],
+) -> Result<Vec<FlowCurve>, StudyError> {
+    for (option, own) in [("--rate", rates.len()), ("--direction", directions.len())] {
+        let what = format!("{option} has {own} values for {} tests", tests.len());
+        ensure(own == 0 || own == tests.len(), what, "give one each")?;
     }
+    for rate in rates {
+        ensure(*rate > 0.0 && rate.is_finite(), format!("a strain rate of {rate} /s"), "it must be above 0")?;
+    }
+    let mut curves: Vec<FlowCurve> = Vec::new();
+    for (i, path) in tests.iter().enumerate() {
+        let (rate, direction) = (rates.get(i).copied(), directions.get(i).copied());
+        let curve = FlowCurve { rate, direction, ..FlowCurve::load(path, reduction)? };
+        // Equal numbers are no second measurement, and would make every interval narrower.
+        let same = |other: &FlowCurve| (rate, direction, &curve.points) == (other.rate, other.direction, &other.points);
+        if let Some(twin) = curves.iter().position(same) {
+            let what = format!("{} and {} are one test", tests[twin].display(), path.display());
+            return fail(what, "give every test once");
+        }
+        curves.push(curve);
+    }
+    Ok(curves)
 }
 
 /// Intercept, slope and standard error of the slope of the regression through points.

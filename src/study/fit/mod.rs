@@ -7,10 +7,10 @@ mod law_report;
 mod tension;
 
 pub use case_fit::{CaseFit, CaseFitRequest, fit_case};
-pub use flow_curve::{FlowCurve, Reduction, Tests};
+pub use flow_curve::{FlowCurve, Reduction, flow_curves};
 pub use law::{Direction, HardeningKind, LawFit, LawFits, fit_laws};
 pub use law_report::material_text;
-pub use tension::{FlowPoint, Tension};
+pub use tension::FlowPoint;
 
 use crate::numerics::least_squares::{Minimum, Parameter};
 use crate::study::{Cell, ReportTable};
