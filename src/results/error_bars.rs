@@ -4,14 +4,14 @@ use crate::assess::{self, Answer, Finding, Kind, Light};
 use crate::case::Solution;
 use crate::plot::StageView;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
-use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::json;
 
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
 
-/// Contributions in text: the largest, each at least this share of the bar \[–\].
-const MOST: usize = 3;
-const SHARE: f64 = 0.05;
+/// Number of contributions in text, and the least share of the bar that one has \[–\].
+const MOST: (usize, f64) = (3, 0.05);
 
 /// List that a number stands in; keys are unique there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl Number {
             ErrorBar::Half(half) if *half > 0.0 => {}
             _ => return ErrorBar::UNMOVED.to_owned(),
         }
-        let parts = self.contributions.iter().filter(|part| part.share >= SHARE).take(MOST).map(|part| {
+        let parts = self.contributions.iter().filter(|part| part.share >= MOST.1).take(MOST.0).map(|part| {
             let order = part.order.filter(|_| part.extrapolated).map(|order| format!(" ({})", Amount::norm(order)));
             format!("{} {}{}", part.direction, Amount::share(part.share), order.unwrap_or_default())
         });
@@ -146,8 +146,8 @@ impl ErrorBars {
 
     /// Error bar of a number, or the reason why a number that is not listed has none.
     fn error(&self, origin: Origin, key: &str, why_none: &str) -> ErrorBar {
-        let known = self.number(origin, key).map(|number| number.quantity.error.clone());
-        known.unwrap_or_else(|| ErrorBar::Missing(why_none.to_owned()))
+        let missing = || ErrorBar::Missing(why_none.to_owned());
+        self.number(origin, key).map_or_else(missing, |number| number.quantity.error.clone())
     }
 
     /// Findings with their bars: a light is green only if the whole bar is.
@@ -185,17 +185,14 @@ impl ErrorBars {
             let finer = self.finer_that_differs.as_ref().filter(|_| finding.light == Light::Green)?;
             return Some(format!("with {finer} it ends otherwise"));
         }
-        let bar = self.number(Origin::Verdict, finding.key)?.half()?;
-        let amount = finding.quantity.as_ref()?.amount;
+        let (bar, amount) = (self.number(Origin::Verdict, finding.key)?.half()?, finding.quantity.as_ref()?.amount);
         let Limits { sense, amber, red } = finding.limits()?;
         let is_beyond = |limit: &f64| match sense {
             Sense::AtMost => amount.value + bar > *limit,
             Sense::AtLeast => amount.value - bar < *limit,
         };
-        let (light, at, limit) = match (red.filter(is_beyond), amber.filter(is_beyond)) {
-            (Some(red), _) => (Light::Red, "red at", red),
-            (None, amber) => (Light::Amber, "the limit of", amber?),
-        };
+        let red = red.filter(is_beyond).map(|limit| (Light::Red, "red at", limit));
+        let (light, at, limit) = red.or_else(|| Some((Light::Amber, "the limit of", amber.filter(is_beyond)?)))?;
         let limit = amount.with_value(limit).to(Digits::Given(3));
         (light > finding.light).then(|| format!("with its error bar it reaches {at} {limit}"))
     }
@@ -239,11 +236,7 @@ impl ErrorBars {
 impl Serialize for ErrorBars {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let numbers: Vec<_> = self.numbers.iter().filter(|number| number.origin != Origin::Verdict).collect();
-        let mut value = serializer.serialize_struct("ErrorBars", 4)?;
-        value.serialize_field("method", &self.method())?;
-        value.serialize_field("runs", &self.runs)?;
-        value.serialize_field("told", &self.sentences())?;
-        value.serialize_field("numbers", &numbers)?;
-        value.end()
+        json!({ "method": self.method(), "runs": self.runs, "told": self.sentences(), "numbers": numbers })
+            .serialize(serializer)
     }
 }

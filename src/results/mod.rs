@@ -5,7 +5,6 @@ pub(crate) mod csv;
 pub mod error_bars;
 mod file;
 mod folder;
-mod output;
 mod stages;
 pub mod summary;
 pub mod tables;
@@ -14,11 +13,11 @@ mod write;
 
 use crate::plot::{self, Chart, Extra, Format, FrameRecorder, Pictures, StageView, animation};
 use crate::plot::{forming_diagram, part, profiles, shapes};
+use crate::solver::solution::Frame;
+use crate::table::Table;
 pub use csv::csv;
 pub use file::{WriteError, can_write, write};
 pub use folder::{IsOurs, ResultFolder};
-pub use output::{Files, Make, Output};
-use output::{output, picture, table};
 pub use summary::{CaseSummary, Summary};
 pub use write::{OutputError, REPORT_MARKER, Results, comparison_folder, is_report, is_result, result_folder, verdict};
 
@@ -32,20 +31,12 @@ pub const OUTPUTS: &[Output] = &[
     table("profile.csv", "shape, thickness, strains and stresses of every kept frame", |view| {
         Some(tables::profile(view.model(), &view.stage.frames))
     }),
-    output(
-        "springback.csv",
-        "what was measured before and after a release of the tools",
-        Make::Text(tables::springback),
-    ),
+    output("springback.csv", "measures before and after a release of the tools", Make::Text(tables::springback)),
     picture("springback.png", "the section before and after release", plot::springback::plot),
     table("residual_stress.csv", "stress at every thickness point after release", tables::residual_stress),
     picture("residual_stress.png", "residual stress through the thickness", plot::residual_stress::plot),
     picture("load_travel.png", "forces over the punch travel", plot::load_travel::plot),
-    table(
-        "pressure_cycle.csv",
-        "pressure and strain rate over time, where a gas pressure holds a rate",
-        tables::pressure_cycle,
-    ),
+    table("pressure_cycle.csv", "gas pressure and the strain rate it holds, over time", tables::pressure_cycle),
     picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
     picture("porosity.png", "porosity over the blank, of a sheet with voids", profiles::porosity),
@@ -54,31 +45,88 @@ pub const OUTPUTS: &[Output] = &[
     table("forming_limit.csv", "the forming limit curve, where one is given", |view| {
         view.model().forming_limit.as_ref().map(tables::forming_limit)
     }),
-    table(
-        "strain_paths.csv",
-        "strain path and margin of every element, where a forming limit is given",
-        tables::strain_paths,
-    ),
+    table("strain_paths.csv", "strain path of every element and its margin to the limit", tables::strain_paths),
     picture("forming_limit.png", "how near every place comes to the forming limit", forming_diagram::plot),
-    picture(
-        "shapes.png",
-        "the section over the travel, coloured by thinning, and the tools where they were then",
-        shapes::plot,
-    ),
-    output(
-        vtk::COLLECTION,
-        "with --vtu: some 25 states from the start to the end, for ParaView",
-        Make::Moving(Extra::Vtu, vtk::files),
-    ),
-    output(
-        "shapes.gif",
-        "with --animate: the section and the load as they move",
-        Make::Moving(Extra::Animation, animation::files),
-    ),
-    output(
-        "compare_*.png, csv",
-        "comparisons and differences for every reference the case is compared with",
-        Make::OfCase(comparison::files),
-    ),
+    picture("shapes.png", "section and tools over the travel, coloured by thinning", shapes::plot),
+    output(vtk::COLLECTION, "with --vtu: some 25 states for ParaView", Make::Moving(Extra::Vtu, vtk::files)),
+    output("shapes.gif", "with --animate: section and load", Make::Moving(Extra::Animation, animation::files)),
+    output("compare_*.png, csv", "each reference beside the computed values", Make::OfCase(comparison::files)),
     output(stages::FILE, "a line for every stage, of a case with several", Make::OfCase(stages::files)),
 ];
+
+/// Files with their names.
+pub type Files = Vec<(String, Vec<u8>)>;
+
+/// Function that makes an output; `None` or no files where the solution has no such thing.
+#[derive(Clone, Copy, Debug)]
+pub enum Make {
+    /// Table of a stage.
+    Table(fn(&StageView) -> Option<Table>),
+    /// Text of a stage.
+    Text(fn(&StageView) -> Option<String>),
+    /// Picture of a stage.
+    Plot(fn(&StageView) -> Option<Chart>),
+    /// Files from the recorded frames of a stage, rising in time.
+    Moving(Extra, fn(&StageView, &[&Frame]) -> Files),
+    /// Files of the whole case, beside the folders of its stages.
+    OfCase(fn(&Results) -> Files),
+}
+
+/// A file, or a family of files.
+#[derive(Clone, Copy, Debug)]
+pub struct Output {
+    /// Name of the file, or of the first of a family; pictures may have other endings.
+    pub file: &'static str,
+    /// Content, for help texts and captions.
+    pub about: &'static str,
+    /// Its making.
+    pub make: Make,
+}
+
+impl Output {
+    /// Tells whether a file's name is one of this output.
+    pub fn is_named(&self, name: &str) -> bool {
+        let is_other = match self.make {
+            Make::Plot(_) => Format::stem(name) == Some(self.stem()),
+            Make::Moving(extra, _) => extra == Extra::Vtu && vtk::is_ours(name),
+            Make::OfCase(_) => self.file.starts_with(comparison::PREFIX) && comparison::is_comparison(name),
+            Make::Table(_) | Make::Text(_) => false,
+        };
+        self.file == name || is_other
+    }
+
+    /// Files of a stage, a plot in every chosen format.
+    pub fn files(&self, view: &StageView) -> Files {
+        let file = |bytes| vec![(self.file.to_owned(), bytes)];
+        let files = match self.make {
+            Make::Table(make) => make(view).map(|table| file(csv(&table))),
+            Make::Text(make) => make(view).map(|text| file(text.into_bytes())),
+            Make::Plot(_) => self.chart(view).map(|chart| view.pictures.files(self.stem(), &chart)),
+            Make::Moving(..) | Make::OfCase(_) => None,
+        };
+        files.unwrap_or_default()
+    }
+
+    /// Picture of a stage in display units; `None` if there is nothing to draw or this is no plot.
+    pub fn chart(&self, view: &StageView) -> Option<Chart> {
+        let Make::Plot(make) = self.make else { return None };
+        Some(make(view)?.displayed())
+    }
+
+    /// Name without the ending of a picture.
+    pub fn stem(&self) -> &'static str {
+        Format::stem(self.file).unwrap_or(self.file)
+    }
+}
+
+const fn output(file: &'static str, about: &'static str, make: Make) -> Output {
+    Output { file, about, make }
+}
+
+const fn table(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Table>) -> Output {
+    output(file, about, Make::Table(make))
+}
+
+const fn picture(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Chart>) -> Output {
+    output(file, about, Make::Plot(make))
+}

@@ -232,11 +232,7 @@ pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
 
 /// Name of a matrix in case files and tables.
 pub fn matrix_key(matrix: Iteration) -> &'static str {
-    match matrix {
-        Iteration::PrimalDual => "primal_dual",
-        Iteration::Newton => "newton",
-        Iteration::Secant => "secant",
-    }
+    ["primal_dual", "newton", "secant"][matrix as usize]
 }
 
 fn iteration_table<'a>(iterations: impl Iterator<Item = &'a IterationRecord> + Clone) -> Table {

@@ -168,10 +168,9 @@ impl Comparison {
                 let circles = Series::new("Reference", reference, Style::Circles { color: color(1) });
                 let below = Panel::fit(x.clone(), Axis::named("Difference", Unit::Percent), 150.0, 0.0).with(below);
                 let judged = self.points.iter().filter(|point| point.judged);
-                let missed = judged.clone().filter(|point| point.computed.is_none()).count();
-                let missed = format!("{missed} of {} reference points were not reached", judged.count());
+                let missed = judged.filter(|point| point.computed.is_none()).count();
                 let worst = self.worst_at().map(|worst| format!("largest difference {worst}"));
-                let text = joined(worst.into_iter().chain([missed]), "; ");
+                let text = joined(worst.into_iter().chain([format!("{missed} points not reached")]), "; ");
                 (vec![Panel::fit(x, y, 270.0, 0.0).with([computed, circles]), below], text)
             }
             Some(band) => {
@@ -189,9 +188,7 @@ impl Comparison {
                 });
                 let series = widened.into_iter().chain([area("Reference", band.measured, MEASURED), computed]);
                 let series = series.chain(circles.filter(|circles| !circles.points.is_empty()));
-                let text = band.computed.zip(self.worst());
-                let text = text.map(|(ends, worst)| format!("computed {}: {worst}", interval_text(ends, self.y.unit)));
-                let text = text.unwrap_or_else(|| "the run ended before the compared value".to_owned());
+                let text = self.worst().unwrap_or_else(|| "the run ended before the compared value".to_owned());
                 (vec![Panel::fit(x, y, 350.0, 0.0).with(series)], text)
             }
         };
