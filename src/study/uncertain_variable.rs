@@ -127,7 +127,7 @@ impl Distribution {
     /// Reads a distribution of a key and its unit; `own` is the case's value with its unit.
     pub fn read(key: &str, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(Self, String), StudyError> {
         let plain = text.trim().replace("+/-", "±").replace("+-", "±");
-        let mut reader = NumberReader::new(key, &plain, HELP);
+        let mut reader = NumberReader::new(key, &plain, HELP)?;
         let (word, rest) = plain.split_once(char::is_whitespace).unwrap_or((&plain, ""));
         reader.ensure(["uniform", "normal"].contains(&word), "is no distribution")?;
         let cut = rest.rsplit_once(" in ").filter(|(_, cut)| word == "normal" && cut.contains(".."));

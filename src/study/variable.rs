@@ -55,7 +55,7 @@ impl Variable {
     fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
         let help =
             "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
-        let mut reader = NumberReader::new(key, values, help);
+        let mut reader = NumberReader::new(key, values, help)?;
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
         let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));
         let counted = to.rsplit_once('/').and_then(|(to, count)| Some((to, count.trim().parse::<usize>().ok()?)));
@@ -75,7 +75,11 @@ impl Variable {
 
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
         let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
-        let mut reader = NumberReader::new(key, values, help);
+        let what = format!("{key}: a decimal comma, or two values, in `{values}`");
+        let help_point =
+            format!("write a point, {}, or a blank behind a comma between values", values.replacen(',', ".", 1));
+        ensure(!has_decimal_comma(values), what, help_point)?;
+        let mut reader = NumberReader { key, text: values, help, unit: String::new() };
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
         reader.ensure(!items.contains(&""), "misses a value")?;
         if items.iter().all(|item| split_number(item).is_some()) {
@@ -172,6 +176,14 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     Some((key.trim(), values.trim())).filter(|(key, values)| !key.is_empty() && !values.is_empty())
 }
 
+/// Whether a list is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
+fn has_decimal_comma(list: &str) -> bool {
+    let items: Vec<&str> = list.trim().split(',').collect();
+    let digits = |item: &str| item.bytes().take_while(u8::is_ascii_digit).count();
+    let is_share = items.len() == 2 && items[0] == "0" && digits(items[1]) > 0 && !items[1].contains('.');
+    is_share || items[1..].iter().any(|item| item.starts_with('0') && digits(item) > 1)
+}
+
 /// Reader of the numbers of one text, which must have one unit.
 pub(super) struct NumberReader<'a> {
     key: &'a str,
@@ -181,8 +193,12 @@ pub(super) struct NumberReader<'a> {
 }
 
 impl<'a> NumberReader<'a> {
-    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Self {
-        Self { key, text, help, unit: String::new() }
+    /// Reader of a text in which a comma separates nothing.
+    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Result<Self, StudyError> {
+        let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
+        let (what, point) = (format!("{key}: a decimal comma in `{text}`"), text.replace(',', "."));
+        ensure(!text.as_bytes().windows(3).any(is_decimal), what, format!("write a point: {point}"))?;
+        Ok(Self { key, text, help, unit: String::new() })
     }
 
     pub fn wrong(&self, what: impl AsRef<str>) -> StudyError {
