@@ -17,7 +17,7 @@ options! {
 pub fn check(args: &Args) -> Result<Code> {
     let (case, is_json) = (args.common.overrides.load(&args.case)?, args.common.json());
     let report = check::report(&case);
-    let mut value = serde_json::to_value(&report)?;
+    let value = serde_json::to_value(&report)?;
     let what = "error bars are of a run: write --run --error-bars";
     ensure!(args.run || !args.bars.error_bars, bad_request(what));
     if !args.run {
@@ -25,10 +25,11 @@ pub fn check(args: &Args) -> Result<Code> {
     }
     let progress = args.common.progress();
     let solved = Solved::new(progress.watch(&case).solve(case), &args.bars, &progress, true);
-    value["complete"] = json!(solved.solution.is_complete());
-    value["verdict"] = solved.verdict();
-    value["run_warnings"] = json!(sentences(&solved.findings, Kind::Warning));
-    emit(is_json, value, || solved.screen() + verdict_table(args.verbose.then_some(&report), &solved.findings))?;
+    let (verdict, warnings) = (solved.verdict(), sentences(&solved.findings, Kind::Warning));
+    let own = json!({ "complete": solved.solution.is_complete(), "verdict": verdict, "run_warnings": warnings });
+    emit(is_json, with(value, own), || {
+        solved.screen() + verdict_table(args.verbose.then_some(&report), &solved.findings)
+    })?;
     Ok(solved.code(args.strict))
 }
 

@@ -127,24 +127,25 @@ fn row((case, comparison): &(String, Comparison)) -> [String; 6] {
 
 /// Reasons of comparisons that are not inside, each once.
 fn reasons(all: &[(String, Comparison)]) -> String {
-    let mut lines: Vec<String> = Vec::new();
+    let mut lines = Vec::new();
     for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {
         let reason = comparison.spec.reason.trim_end_matches('.');
         let (quantity, miss) = (comparison.spec.quantity.label(), comparison.worst().unwrap_or_default());
-        lines.push(format!("{case}, {quantity} {miss}: {reason}."));
+        let line = format!("{case}, {quantity} {miss}: {reason}.");
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
     }
-    let first = |(i, line): &(usize, &String)| !lines[..*i].contains(line);
-    lines.iter().enumerate().filter(first).map(|(_, line)| line.as_str()).collect::<Vec<_>>().join("\n")
+    lines.join("\n")
 }
 
 /// Comparisons inside, by kind of reference: `experiment: 1 of 3 inside`.
 fn counts(all: &[(String, Comparison)]) -> String {
     let line = |name: &&str| {
-        let known = all.iter().map(|(_, comparison)| comparison).filter(|c| c.verdict != Verdict::NoData);
-        let own: Vec<_> =
-            known.filter(|c| c.spec.source.as_ref().is_some_and(|source| source.kind() == *name)).collect();
-        let inside = own.iter().filter(|c| c.verdict == Verdict::In).count();
-        (!own.is_empty()).then(|| format!("{name}: {inside} of {} inside", own.len()))
+        let own = |c: &Comparison| c.spec.source.as_ref().is_some_and(|source| source.kind() == *name);
+        let count = |is: &dyn Fn(&Verdict) -> bool| all.iter().filter(|(_, c)| is(&c.verdict) && own(c)).count();
+        let (known, inside) = (count(&|verdict| *verdict != Verdict::NoData), count(&|v| *v == Verdict::In));
+        (known > 0).then(|| format!("{name}: {inside} of {known} inside"))
     };
     KINDS.iter().filter_map(line).collect::<Vec<_>>().join("\n")
 }

@@ -40,7 +40,7 @@ use clap_complete::Shell;
 use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
 use options::{Common, ErrorBars, Json, Overrides, PictureOptions, Threads};
 use progress::Progress;
-use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn, wrapped};
+use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn, with, wrapped};
 use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
 use stampflow::case::files::visible;

@@ -32,13 +32,8 @@ pub fn report(args: &Args) -> Result<Code> {
     let versus = compared.map(|(candidates, curves)| {
         let bars = verification.clone().unwrap_or_else(|| quick(solution, &()).bars);
         let count = progress.count(format!("{}, compared", solution.case.name));
-        SideBySide::solve(
-            &candidates,
-            curves,
-            Some((solution.clone(), bars)),
-            Threads { threads: None }.count(),
-            &count,
-        )
+        let (first, threads) = (Some((solution.clone(), bars)), Threads { threads: None }.count());
+        SideBySide::solve(&candidates, curves, first, threads, &count)
     });
     let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
     let versus = versus.transpose()?;
@@ -56,8 +51,8 @@ impl Args {
         let default = || place::folder(Path::new("out"), case).map(|folder| folder.join("report.html"));
         let path = self.output.clone().map_or_else(default, Ok)?;
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("html");
-        let what =
-            format!("a report is an HTML page and no .{ending} file: write -o NAME.html; a browser prints it as PDF");
+        let help = "write -o NAME.html; a browser prints it as PDF";
+        let what = format!("a report is an HTML page and no .{ending} file: {help}");
         ensure!(matches!(ending, "html" | "htm"), bad_request(what));
         let is_free = self.force || path.symlink_metadata().is_err() || path.is_dir() || is_report(&path);
         let what = "is there and is no report of ours: choose another name with -o, or replace it with --force";

@@ -88,12 +88,11 @@ impl Args {
         let traced = traced.map(|(path, iterations)| write(path, &tables::iterations(iterations)));
         let mut output = Output { code: solved.code(self.strict), ..Output::default() };
         if self.common.json() {
-            let mut value = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
-            value["verdict"] = solved.verdict();
-            value["comparisons"] = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));
-            value["folder"] = json!(dir);
-            value["files"] = json!(written.as_deref().unwrap_or_default());
-            output.json = Some(value);
+            let comparisons = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));
+            let (verdict, files) = (solved.verdict(), written.as_deref().unwrap_or_default());
+            let own = json!({ "verdict": verdict, "comparisons": comparisons, "folder": dir, "files": files });
+            let summary = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
+            output.json = Some(with(summary, own));
         } else {
             let files = written.as_ref().map(|files| format!("{} files in {}", files.len(), dir.display()));
             let files = files.unwrap_or_default();

@@ -55,6 +55,14 @@ pub fn emit(is_json: bool, value: Value, text: impl FnOnce() -> ScreenText) -> R
     if is_json { print_json(&value) } else { print(text()) }
 }
 
+/// Adds the entries of an object to another.
+pub fn with(mut value: Value, more: Value) -> Value {
+    if let (Value::Object(own), Value::Object(more)) = (&mut value, more) {
+        own.extend(more);
+    }
+    value
+}
+
 /// Prints whole lines on the error stream; failures are ignored.
 pub fn warn(text: impl Into<ScreenText>) {
     let _ = print_lines(&mut io::stderr().lock(), &text.into());
@@ -64,15 +72,12 @@ fn print_lines(stream: &mut impl Write, ScreenText(text): &ScreenText) -> io::Re
     write!(stream, "{text}{}", if text.is_empty() || text.ends_with('\n') { "" } else { "\n" })
 }
 
+/// ANSI colours of grey, green, amber and red.
+const COLORS: [Option<u8>; 4] = [None, Some(2), Some(3), Some(1)];
+
 /// ANSI colour of a light; `None` without colours.
 fn color(light: Light) -> Option<u8> {
-    let color = match light {
-        Light::Grey => None,
-        Light::Green => Some(2),
-        Light::Amber => Some(3),
-        Light::Red => Some(1),
-    };
-    color.filter(|_| has_colours(&io::stdout()))
+    COLORS[light as usize].filter(|_| has_colours(&io::stdout()))
 }
 
 /// Whether a stream takes colours: a terminal without `NO_COLOR` (<https://no-color.org>).

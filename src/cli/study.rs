@@ -185,9 +185,7 @@ impl StudyOptions {
         files.extend(report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart)));
         files.iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         let files = folder.commit()?;
-        let mut value = serde_json::to_value(report)?;
-        extra.as_object().into_iter().flatten().for_each(|(key, number)| value[key] = number.clone());
-        value["files"] = json!(files);
+        let value = with(with(serde_json::to_value(report)?, extra), json!({ "files": files }));
         emit(self.common.json(), value, || {
             let text = wrapped(&report.headline) + list(&report.notes);
             let text = tables().fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));

@@ -44,12 +44,8 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let moved = verification.bars.moved(&assess::after(&solution.case, &solution.stages));
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.common.json() {
-        let mut value = as_json(&verification);
-        value["case"] = json!(solution.case.name);
-        value["seconds"] = json!(seconds);
-        value["lights"] = json!(moved);
-        value["file"] = json!(path);
-        return Ok(Output { code, json: Some(value), ..Output::default() });
+        let own = json!({ "case": solution.case.name, "seconds": seconds, "lights": moved, "file": path });
+        return Ok(Output { code, json: Some(with(as_json(&verification), own)), ..Output::default() });
     }
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
