@@ -27,7 +27,7 @@ pub(crate) mod thinning;
 
 pub use axis::{Axis, Spacing};
 pub use chart::Chart;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, dimensioned};
 pub use frame_recorder::{Extra, FrameRecorder};
 pub use settings::{Captions, Format, PAPER, Pictures, png};
 pub use sketch::{SketchedTool, sketch};

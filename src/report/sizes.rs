@@ -5,7 +5,7 @@ use super::page::{Section, figure, table};
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::plot::{Dimension, Mark, dimensioned};
+use crate::plot::{Dimension, dimensioned};
 use crate::solver::solution::{Frame, StageSolution};
 use crate::units::Amount;
 use maud::html;
@@ -22,15 +22,15 @@ const ON_AXIS: f64 = 1e-6;
 /// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
 /// the sheet of `start`, without the blank's.
 pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
-    let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
+    let blank = &model.blank;
     let mut found = Vec::new();
     if start.is_none() {
-        found.push(wide(model, "Blank", blank.length, Amount::set, Mark::Across(blank.length)));
-        found.push(plain("Thickness", Amount::size(blank.thickness), Mark::At(Point::new(0.97 * blank.length, 0.0))));
+        found.push(wide(model, "Blank", Amount::set, Point::new(blank.length, 0.0)));
+        found.push(plain("Thickness", Amount::size(blank.thickness), Point::new(0.8 * blank.length, 0.0)));
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
-        let across = |name: &'static str, r: f64| wide(model, name, r, Amount::drawn, Mark::Across(r));
+        let across = |name: &'static str, r: f64| wide(model, name, Amount::drawn, Point::new(r, 0.0));
         match tool.role {
             Role::Punch => found.push(across("Punch", extent(tool).1)),
             Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
@@ -39,28 +39,28 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
         found.extend(roundings(tool, moved));
         found.extend(load(model, tool, moved));
         if tool.role == Role::Punch && model.travel > 0.0 {
-            let from = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) + moved.y;
-            let r = 0.25 * extent(tool).1.min(blank.length);
-            found.push(plain("Travel", Amount::set(model.travel), Mark::Along { r, from, to: from + model.travel }));
+            let lowest = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+            let end = Point::new(0.25 * extent(tool).1.min(blank.length), lowest + moved.y + model.travel);
+            found.push(plain("Travel", Amount::set(model.travel), end));
         }
     }
-    let beads = model.beads.iter().map(|bead| bead.at);
-    found.extend(beads.map(|r| wide(model, "Draw bead", r, Amount::drawn, Mark::At(Point::new(r, -half)))));
+    let beads = model.beads.iter().map(|bead| Point::new(bead.at, -0.5 * blank.thickness));
+    found.extend(beads.map(|at| wide(model, "Draw bead", Amount::drawn, at)));
     found
 }
 
-fn plain(of: &'static str, amount: Amount, mark: Mark) -> Dimension {
-    Dimension { name: of.into(), text: format!("{of} {amount}"), amount, mark }
+fn plain(of: &'static str, amount: Amount, at: Point) -> Dimension {
+    Dimension { name: of.into(), text: format!("{of} {amount}"), amount, at }
 }
 
-/// The diameter of a round part, or the width of a strip, at a distance from its middle.
-fn wide(model: &Model, of: &'static str, r: f64, amount: fn(f64) -> Amount, mark: Mark) -> Dimension {
+/// Diameter of a round part, or width of a strip, at a point's distance from the middle.
+fn wide(model: &Model, of: &'static str, amount: fn(f64) -> Amount, at: Point) -> Dimension {
     let (kind, sign) = match model.geometry {
         Geometry::Axisymmetric => ("diameter", "Ø"),
         Geometry::PlaneStrain => ("width", "width"),
     };
-    let amount = amount(2.0 * r);
-    Dimension { name: format!("{of} {kind}"), text: format!("{of} {sign} {amount}"), amount, mark }
+    let amount = amount(2.0 * at.x);
+    Dimension { name: format!("{of} {kind}"), text: format!("{of} {sign} {amount}"), amount, at }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
@@ -84,12 +84,12 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
         found[0].0 = format!("{of} least", of = found[0].0);
     }
     let radius = |(of, alike, arc): (String, usize, Arc)| {
-        let (amount, mark) = (Amount::drawn(arc.radius), Mark::At(arc.at(0.5) + moved));
+        let (amount, at) = (Amount::drawn(arc.radius), arc.at(0.5) + moved);
         let (times, sign) = match alike {
             1 => (String::new(), String::new()),
             n => (format!(", {n} times"), format!("{n} × ")),
         };
-        Dimension { name: format!("{of} radius{times}"), text: format!("{of} {sign}R {amount}"), amount, mark }
+        Dimension { name: format!("{of} radius{times}"), text: format!("{of} {sign}R {amount}"), amount, at }
     };
     found.into_iter().map(radius).collect()
 }
@@ -114,7 +114,7 @@ fn named(role: Role, arc: &Arc) -> String {
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
-    let at = Mark::At(under + moved);
+    let at = under + moved;
     match &tool.motion {
         Motion::Gap(gap) => Some(plain("Holder gap", Amount::drawn(*gap), at)),
         Motion::Pressed(press) => {

@@ -10,7 +10,6 @@ pub(crate) mod text;
 mod ticks;
 
 use super::chart::{Chart, Color};
-use page::layout;
 use plotters::backend::SVGBackend;
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
@@ -22,6 +21,9 @@ pub const WIDTH: f64 = 800.0;
 
 /// Backend units per px: plotters rounds to whole units, which shows as steps in curves at 1.
 const FINE: f64 = 8.0;
+
+/// Height of the canvas until its content is drawn \[units\].
+const TALL: u32 = 1_999_999_999;
 
 const IN_MEMORY: &str = "drawing into memory does not fail";
 
@@ -36,22 +38,23 @@ pub fn svg(chart: &Chart) -> String {
 pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
     text::register();
     let chart = &chart.clone().displayed();
-    let height = layout(chart, width, None);
-    let size = (units(width) as u32, units(height) as u32);
+    let wide = units(width) as u32;
     let mut svg = String::new();
-    {
-        let canvas = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+    let height = {
+        let canvas = SVGBackend::with_string(&mut svg, (wide, TALL)).into_drawing_area();
         canvas.fill(&WHITE).expect(IN_MEMORY);
-        layout(chart, width, Some(&canvas));
+        let height = page::draw(chart, width, &canvas);
         canvas.present().expect(IN_MEMORY);
-    }
+        height
+    };
     let outer = match paper {
         Some(mm) => format!("<svg width=\"{mm}mm\" height=\"{:.2}mm\"", height * mm / width),
         None => format!("<svg width=\"{width}\" height=\"{height}\""),
     };
-    let inner = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
+    let inner = format!("<svg width=\"{wide}\" height=\"{TALL}\"");
     let family = format!(" font-family=\"{FONT}\"");
     let svg = svg.replace(" opacity=\"1\"", "").replace(&family, "").replacen(&inner, &outer, 1);
+    let svg = svg.replace(&TALL.to_string(), &units(height).to_string());
     svg.replacen("<svg", &format!("<svg{family} stroke-linejoin=\"round\""), 1)
 }
 

@@ -18,15 +18,12 @@ const AFTER_LABEL: f64 = 20.0;
 const SMALL: f64 = 230.0;
 const SMALL_WITH_AXES: f64 = 360.0;
 
-/// Lays out a picture, draws it if there is a canvas, and gives its height.
-pub(super) fn layout(chart: &Chart, width: f64, canvas: Option<&Canvas>) -> f64 {
+/// Draws a picture and gives its height.
+pub(super) fn draw(chart: &Chart, width: f64, canvas: &Canvas) -> f64 {
     let mut y = MARGIN;
     let paragraph = |text: &str, size: f64, color, y: &mut f64| {
-        let lines = if text.is_empty() { Vec::new() } else { wrapped(text, size, width - 2.0 * MARGIN) };
-        for line in lines {
-            if let Some(canvas) = canvas {
-                text::draw(canvas, &line, size, color, (MARGIN, *y));
-            }
+        for line in wrapped(text, size, width - 2.0 * MARGIN).iter().filter(|_| !text.is_empty()) {
+            text::draw(canvas, line, size, color, (MARGIN, *y));
             *y += SPACING * size;
         }
     };
@@ -40,11 +37,9 @@ pub(super) fn layout(chart: &Chart, width: f64, canvas: Option<&Canvas>) -> f64 
 }
 
 /// Rows of legend entries; gives the lower edge.
-fn legend(chart: &Chart, page: f64, top: f64, canvas: Option<&Canvas>) -> f64 {
+fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
     let heading = if chart.legend.is_empty() { 0.0 } else { text::width(&chart.legend, TICK) + MARGIN };
-    if let Some(canvas) = canvas {
-        text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, top));
-    }
+    text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, top));
     let (mut x, mut below) = (f64::INFINITY, top);
     for series in chart.panels.iter().flat_map(|panel| &panel.series) {
         let Some(label) = &series.label else { continue };
@@ -54,17 +49,15 @@ fn legend(chart: &Chart, page: f64, top: f64, canvas: Option<&Canvas>) -> f64 {
             x = MARGIN + heading;
         }
         let y = below - SPACING * TICK;
-        if let Some(canvas) = canvas {
-            sample(canvas, series.style, (x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
-            text::draw(canvas, label, TICK, BLACK, (x + SAMPLE + AFTER_SAMPLE, y));
-        }
+        sample(canvas, series.style, (x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
+        text::draw(canvas, label, TICK, BLACK, (x + SAMPLE + AFTER_SAMPLE, y));
         x += width + AFTER_LABEL;
     }
     below
 }
 
 /// Panels in a row each, small ones side by side, their y axes in line; gives the lower edge.
-fn panels(panels: &[Panel], width: f64, top: f64, canvas: Option<&Canvas>) -> f64 {
+fn panels(panels: &[Panel], width: f64, top: f64, canvas: &Canvas) -> f64 {
     let left = panels.iter().map(y_labels_width).fold(0.0, f64::max);
     let has_axes = panels.iter().any(|panel| panel.is_small && !panel.has_no_axes());
     let narrowest = if has_axes { SMALL_WITH_AXES } else { SMALL };
@@ -80,13 +73,11 @@ fn panels(panels: &[Panel], width: f64, top: f64, canvas: Option<&Canvas>) -> f6
         let caption = if panel.is_small { SPACING * TICK } else { 0.0 };
         let height = frame.height + if panel.has_no_axes() { 0.0 } else { x_labels_height() };
         let x = MARGIN + column as f64 * (small_width + MARGIN);
-        if let Some(canvas) = canvas {
-            if panel.is_small {
-                text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
-            }
-            let area = canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height)));
-            frame.draw(panel, &area, left);
+        if panel.is_small {
+            text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
         }
+        let area = canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height)));
+        frame.draw(panel, &area, left);
         column = if panel.is_small { column + 1 } else { columns };
         below = below.max(y + caption + height + GAP);
     }
