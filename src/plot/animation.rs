@@ -1,7 +1,7 @@
 //! Animation: the section coloured by thinning, its tools, and the load.
 
 use super::chart::{Chart, Panel, Series};
-use super::thinning::{Thinning, exaggeration, thickness_note};
+use super::thinning::Thinning;
 use super::{StageView, load_travel, raster, sections, svg};
 use crate::solver::solution::Frame;
 use crate::units::{Amount, Digits};
@@ -36,14 +36,13 @@ fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
     let largest = frames.iter().map(|frame| view.progress_value(frame).0).fold(0.0, f64::max);
     let decimals = if largest > 0.0 { (2.0 - largest.log10().floor()).clamp(0.0, 6.0) as usize } else { 0 };
     let at = Amount::new(value, unit, Digits::Decimals(decimals));
-    let thinning = Thinning::new(model.blank.thickness, frames.iter().copied());
-    let times = exaggeration(model.blank.thickness, WIDTH / window[0].1);
+    let thinning = Thinning::new(model.blank.thickness, WIDTH / window[0].1, frames.iter().copied());
     let section = sections::panel(model.geometry, window)
         .with(sections::tools(model, Some(frame), window[0].1))
-        .with(thinning.section(frame, times, false));
+        .with(thinning.section(frame, false));
     let panels = [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect();
     let title = format!("{}: {} {at}", model.title, view.progress());
-    Chart { title, ..view.chart("", panels, [thickness_note(times)]) }
+    Chart { title, ..view.chart("", panels, [thinning.note()]) }
 }
 
 /// Load up to a time, in front of the whole curve; `None` without a load.

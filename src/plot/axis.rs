@@ -1,8 +1,9 @@
 //! Axes: label, unit and spacing.
 
+use super::chart::bounds;
 use crate::model::Extent;
 use crate::table::{Column, Field, Unit};
-use crate::units::{DisplaySettings, DisplayUnit};
+use crate::units::DisplaySettings;
 use serde::Serialize;
 
 /// Linear or logarithmic spacing of values.
@@ -76,13 +77,15 @@ impl Axis {
         Self { spacing, ..self }
     }
 
-    /// Axis in the display unit of values up to `largest`, and the conversion to it; `None` if it was converted before.
-    pub fn displayed(self, largest: f64) -> (Self, Option<DisplayUnit>) {
-        let Some(to) = self.solver_unit.map(|unit| DisplaySettings::current().unit(unit, largest)) else {
-            return (self, None);
-        };
-        let unit = if to.symbol.is_empty() { self.unit } else { to.symbol.to_owned() };
-        (Self { unit, solver_unit: None, ..self }, Some(to))
+    /// Changes to the display unit of these places and gives their conversion; it changes nothing the second time.
+    pub(super) fn displayed(&mut self, places: &[f64]) -> impl Fn(f64) -> f64 + use<> {
+        let spacing = self.spacing;
+        let largest = bounds(places.iter().map(|place| spacing.value(*place).abs())).1.max(0.0);
+        let to = self.solver_unit.take().map(|unit| DisplaySettings::current().unit(unit, largest));
+        if let Some(to) = to.filter(|to| !to.symbol.is_empty()) {
+            self.unit = to.symbol.to_owned();
+        }
+        move |place| to.map_or(place, |to| spacing.place(to.convert(spacing.value(place))))
     }
 
     /// Label with its unit: `Punch force [N]`.

@@ -1,7 +1,6 @@
 //! Chart values: panels of series with labelled axes, a title and notes, free of any drawing library.
 
 use crate::plot::Axis;
-use crate::units::DisplayUnit;
 use serde::Serialize;
 
 /// Picture: panels below each other, one legend above them, notes below.
@@ -154,9 +153,9 @@ impl Series {
 }
 
 impl Annotation {
-    /// Text at a point.
-    pub fn new(kind: AnnotationKind, text: impl Into<String>, at: (f64, f64)) -> Self {
-        Self { at, text: text.into(), kind }
+    /// Text above all curves with a line to its point.
+    pub fn flag(text: impl Into<String>, at: (f64, f64)) -> Self {
+        Self { at, text: text.into(), kind: AnnotationKind::Flag }
     }
 }
 
@@ -206,29 +205,20 @@ impl Panel {
     }
 
     fn displayed(mut self) -> Self {
-        let largest = |axis: &Axis, coordinate: fn(&(f64, f64)) -> f64| {
-            let points = self.series.iter().flat_map(|series| &series.points);
-            bounds(points.map(|point| axis.spacing.value(coordinate(point)).abs())).1.max(0.0)
-        };
-        let sizes = [largest(&self.x, |point| point.0), largest(&self.y, |point| point.1)];
-        let ((x, x_unit), (y, y_unit)) = (self.x.displayed(sizes[0]), self.y.displayed(sizes[1]));
-        let along = |v: &mut f64| *v = convert(&x, x_unit, *v);
-        let up = |v: &mut f64| *v = convert(&y, y_unit, *v);
-        let mut point = |(a, b): &mut (f64, f64)| {
-            along(a);
-            up(b);
-        };
-        self.series.iter_mut().flat_map(|series| &mut series.points).for_each(&mut point);
-        self.annotations.iter_mut().map(|annotation| &mut annotation.at).for_each(point);
+        let points = self.series.iter().flat_map(|series| series.points.iter().copied());
+        let (xs, ys): (Vec<f64>, Vec<f64>) = points.unzip();
+        let (along, up) = (self.x.displayed(&xs), self.y.displayed(&ys));
+        let points = self.series.iter_mut().flat_map(|series| &mut series.points);
+        let points = points.chain(self.annotations.iter_mut().map(|annotation| &mut annotation.at));
+        points.for_each(|(x, y)| (*x, *y) = (along(*x), up(*y)));
         match &mut self.scale {
-            Scale::Fit { least, .. } => *least *= y_unit.map_or(1.0, |unit| unit.factor),
+            Scale::Fit { least, .. } => *least = up(*least) - up(0.0),
             Scale::Section { x, y } | Scale::Window { x, y, .. } => {
-                [&mut x.0, &mut x.1].into_iter().for_each(along);
-                [&mut y.0, &mut y.1].into_iter().for_each(up);
+                (*x, *y) = ((along(x.0), along(x.1)), (up(y.0), up(y.1)));
             }
             Scale::Bar => {}
         }
-        Self { x, y, ..self }
+        self
     }
 
     /// Ranges of x and y: the given window, or the least one that holds every point.
@@ -244,11 +234,6 @@ impl Panel {
             }
         }
     }
-}
-
-/// Converts a coordinate along an axis, which is a logarithm on a logarithmic one.
-fn convert(axis: &Axis, unit: Option<DisplayUnit>, place: f64) -> f64 {
-    unit.map_or(place, |unit| axis.spacing.place(unit.convert(axis.spacing.value(place))))
 }
 
 /// Larger values are not drawn: ranges must not overflow.
@@ -281,12 +266,12 @@ fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
 #[test]
 fn ranges_hold_all_values_and_zero_if_it_is_near() {
     let range = |values: &[f64]| fitted(values.iter().copied(), 0.0);
-    assert_eq!(range(&[1.0, 10.0]), (0.0, 10.0));
-    assert_eq!(range(&[8.0, 10.0]), (8.0, 10.0));
-    assert_eq!(range(&[-3.0, -1.0]), (-3.0, 0.0));
-    assert_eq!(range(&[]), (0.0, 1.0));
-    for values in [[2.0, 2.0], [0.0, 0.0], [-1.0, -1.0], [f64::NAN, 4.0]] {
-        let (low, high) = range(&values);
-        assert!(low < high && values.iter().all(|v| v.is_nan() || (low..=high).contains(v)), "{values:?}");
-    }
+    let table: [(&[f64], _); 5] = [
+        (&[1.0, 10.0], (0.0, 10.0)),
+        (&[8.0, 10.0], (8.0, 10.0)),
+        (&[-3.0, -1.0], (-3.0, 0.0)),
+        (&[], (0.0, 1.0)),
+        (&[f64::NAN, 4.0], (2.0, 6.0)),
+    ];
+    table.into_iter().for_each(|(values, expected)| assert_eq!(range(values), expected));
 }

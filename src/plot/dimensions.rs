@@ -1,6 +1,6 @@
 //! Section at the start with its dimensions.
 
-use super::chart::{Annotation, AnnotationKind, Chart, Series, Style, bounds};
+use super::chart::{Annotation, Chart, Series, Style, bounds};
 use super::palette::color;
 use super::sections::{flat, panel, tools, whole_sheet};
 use crate::geometry::Point;
@@ -32,8 +32,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let width = bounds(points().map(|p| p.0)).1 + around;
     let (top, bottom) = bounds(points().map(|p| p.1).chain([-4.0 * around, 4.0 * around]));
     let window = [(0.0, width), (top - around, bottom + around)];
-    let flag = |(own, at): (&Dimension, (f64, f64))| Annotation::new(AnnotationKind::Flag, own.text.clone(), at);
-    let flags: Vec<_> = dimensions.iter().zip(points()).map(flag).collect();
+    let flags: Vec<_> = dimensions.iter().map(|own| Annotation::flag(&own.text, (own.at.x, own.at.y))).collect();
     let note = match start {
         Some(_) => "Blue: the sheet that the stage begins with. Grey: the tools.",
         None => "Blue: the blank. Grey: the tools, where they touch the flat sheet.",

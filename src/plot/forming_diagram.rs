@@ -100,8 +100,8 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     series.push(Series::silent(worst_path, Style::solid(color(1), 2.2)));
     series.push(Series::new(worst_label(&elements[worst]), end, Style::Circles { color: color(1) }));
     let measure = if view.pictures.engineering_strain { "engineering" } else { "true" };
-    let [x, y] = ["Minor", "Major"]
-        .map(|which| Axis::named(format!("{which} {measure} strain, mid-surface"), Unit::None));
+    let [x, y] =
+        ["Minor", "Major"].map(|which| Axis::named(format!("{which} {measure} strain, mid-surface"), Unit::None));
     Panel::new(x, y, Scale::Window { height: HEIGHT, x: (left, right), y: (least, top) }).with(series)
 }
 

@@ -1,6 +1,6 @@
 //! Forces over the punch travel, or the gas pressure over the height of the dome.
 
-use super::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
+use super::chart::{Annotation, Chart, Panel, Series, Style};
 use super::palette::BLACK;
 use super::{Axis, StageView};
 use crate::measure;
@@ -18,18 +18,19 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut notes = Vec::new();
     if view.model().travel > 0.0 {
         let unit = view.extent().force_unit();
-        let flag = |text, travel, force| Annotation::new(AnnotationKind::Flag, text, (travel, force));
         let events = measure::events(view.stage);
         let events = events.into_iter().map(|event| {
-            flag(format!("{}, {}", event.kind.label(), Amount::place(event.travel)), event.travel, event.force)
+            let text = format!("{}, {}", event.kind.label(), Amount::place(event.travel));
+            Annotation::flag(text, (event.travel, event.force))
         });
         panel = panel.annotated(events);
         let steps = &view.stage.steps;
         let peak = steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
             let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
-            panel = panel.annotated([flag(format!("peak {force} at {travel}"), peak.travel, peak.punch_force)]);
-            if let Some(rating) = view.press.force {
+            let text = format!("peak {force} at {travel}");
+            panel.annotations.push(Annotation::flag(text, (peak.travel, peak.punch_force)));
+            if let Some(rating) = view.case.and_then(|case| case.press.force) {
                 let label = format!("Press rating, {}", Amount::force(rating, unit));
                 if rating <= NEAR * peak.punch_force {
                     let ends = [steps.first(), steps.last()].into_iter().flatten();

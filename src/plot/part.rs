@@ -1,39 +1,34 @@
 //! The part: its whole section coloured by thinning, its thinnest place and the place of a tear.
 
 use super::StageView;
-use super::chart::{Annotation, AnnotationKind, Chart};
-use super::sections::{cross, panel, whole_tools, whole_window};
-use super::thinning::{Thinning, exaggeration, thickness_note};
+use super::chart::{Annotation, Chart};
+use super::sections::{panel, whole_tools, whole_window};
+use super::thinning::Thinning;
 use crate::assess::tears_at;
 use crate::solver::solution::ElementRecord;
 use crate::units::Amount;
 
 /// Width of the section \[px\].
 const WIDTH: f64 = 680.0;
-/// Half the width of the cross \[px\].
-const CROSS: f64 = 9.0;
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frame) = (view.model(), view.stage.frames.last()?);
     let window = whole_window(frame);
     let (right, initial) = (window[0].1, model.blank.thickness);
-    let mm = 2.0 * right / WIDTH;
-    let (thinning, times) = (Thinning::new(initial, [frame]), exaggeration(initial, 1.0 / mm));
+    let thinning = Thinning::new(initial, 0.5 * WIDTH / right, [frame]);
     let is_released = model.release.is_some();
     let tools = whole_tools(model, frame, right).filter(|_| !is_released);
     let least =
         |value: &dyn Fn(&ElementRecord) -> f64| frame.elements.iter().min_by(|a, b| value(a).total_cmp(&value(b)));
-    let flag = |text, r, z| Annotation::new(AnnotationKind::Flag, text, (r, z));
     let thinnest = least(&|element| element.thickness)?;
     let text = thickness_text(initial, thinnest.thickness);
-    let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, times, true));
-    section.annotations.push(flag(text, thinnest.r, thinnest.z));
+    let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, true));
+    section.annotations.push(Annotation::flag(text, (thinnest.r, thinnest.z)));
     if let Some(torn) = tears_at(view.stage).and_then(|s0| least(&|element| (element.s0 - s0).abs())) {
-        section.annotations.push(flag("tears here".to_owned(), -torn.r, torn.z));
-        section = section.with(cross((-torn.r, torn.z), CROSS * mm));
+        section.annotations.push(Annotation::flag("tears here", (-torn.r, torn.z)));
     }
     let tools = if is_released { "" } else { " Grey: the tools at the end." };
-    let note = thickness_note(times) + tools;
+    let note = thinning.note() + tools;
     Some(view.chart("the part and its thinning", vec![section, thinning.scale()], [note]))
 }
 

@@ -1,7 +1,7 @@
 //! Outlines of sheet and tools in a section.
 
 use super::chart::{Panel, Scale, Series, Style, bounds};
-use super::palette::{BLACK, GREY, PALE, WHITE};
+use super::palette::{GREY, PALE};
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Extent, Geometry, Model, Role};
 use crate::plot::fields::element::{R, Z};
@@ -115,14 +115,6 @@ pub(crate) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
     let along = (after - before).try_normalize(0.0).unwrap_or(Point::new(1.0, 0.0));
     let p = at(&nodes[i]) + 0.5 * side * nodes[i].thickness * Point::new(-along.y, along.x);
     (p.x, p.y)
-}
-
-/// Black cross with a white rim, visible on every colour; `half` is half its width \[mm\].
-pub(super) fn cross((x, y): (f64, f64), half: f64) -> impl Iterator<Item = Series> {
-    let styles = [Style::solid(WHITE, 7.0), Style::solid(BLACK, 3.5)];
-    styles.into_iter().flat_map(move |style| {
-        [half, -half].map(|up| Series::silent(vec![(x - half, y + up), (x + half, y - up)], style))
-    })
 }
 
 /// Reference: a rectangle at the middle becomes one of twice the width, one beside it stays two.

@@ -5,7 +5,7 @@ use super::chart::{Chart, Panel, Series, Style};
 use super::palette::color;
 use super::sections::{flat, panel, tools, window};
 use super::stage_view::spread;
-use super::thinning::{Thinning, exaggeration, thickness_note};
+use super::thinning::Thinning;
 use crate::plot::axis::capitalised;
 use crate::solver::solution::Frame;
 use crate::units::Amount;
@@ -19,25 +19,22 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frames) = (view.model(), &view.stage.frames);
     let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let width = window[0].1;
-    let thinning = Thinning::new(model.blank.thickness, frames);
-    let times = exaggeration(model.blank.thickness, SMALL / width);
+    let thinning = Thinning::new(model.blank.thickness, SMALL / width, frames);
     let small = |at: Amount, frame: Option<&Frame>, sheet: Vec<Series>| {
         let caption = capitalised(&format!("{} {at}", view.progress()));
         let section = panel(model.geometry, window).with(tools(model, frame, width)).with(sheet);
         Panel { caption, is_small: true, ..section }
     };
     let states = states(view);
-    let mut panels: Vec<Panel> = states
-        .iter()
-        .map(|frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, times, false)))
-        .collect();
+    let state = |frame: &&Frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, false));
+    let mut panels: Vec<Panel> = states.iter().map(state).collect();
     if panels.is_empty() {
         let sheet = Series::silent(flat(model), Style::area(color(0)));
         panels.push(small(Amount::size(0.0), None, vec![sheet]));
     } else {
         panels.push(thinning.scale());
     }
-    let notes = [Some(thickness_note(times)), view.frames_note()];
+    let notes = [Some(thinning.note()), view.frames_note()];
     Some(view.chart("sections", panels, notes.into_iter().flatten()))
 }
 

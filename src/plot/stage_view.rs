@@ -5,7 +5,7 @@ use super::palette::COLORS;
 use super::svg::text;
 use super::{Captions, Pictures};
 use crate::assess::{self, Finding, Kind, sentences};
-use crate::case::{Press, Solution};
+use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
 use crate::model::{Extent, Model};
@@ -27,14 +27,10 @@ const SAME: f64 = 1e-12;
 pub struct StageView<'a> {
     /// Name of the case, with several stages that of the stage too: `cup/1-draw`.
     pub name: String,
-    /// Text of the case file, for its checksum.
-    pub case_text: &'a str,
-    /// `key=value` settings from the command line.
-    pub overrides: &'a [String],
+    /// Case of the stage, if it is known.
+    pub case: Option<&'a Case>,
     /// Findings: assumptions and warnings.
     pub findings: Vec<Finding>,
-    /// Ratings of the press.
-    pub press: Press,
     /// Ring that is cut from the part, of the last stage.
     pub ring: Option<Ring>,
     /// Solution of the stage.
@@ -63,10 +59,8 @@ impl Solution {
         let view = |(i, findings): (usize, Vec<Finding>)| {
             let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
             StageView {
-                case_text: &case.text,
-                overrides: &case.overrides,
+                case: Some(case),
                 findings,
-                press: case.press,
                 ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
                 wall: self.wall,
                 ..StageView::alone(&name, &self.stages[i])
@@ -91,10 +85,8 @@ impl<'a> StageView<'a> {
     pub fn alone(name: &str, stage: &'a StageSolution) -> Self {
         Self {
             name: name.to_owned(),
-            case_text: "",
-            overrides: &[],
+            case: None,
             findings: assess::of_stage(0, stage),
-            press: Press::default(),
             ring: None,
             stage,
             wall: None,
@@ -164,9 +156,8 @@ impl<'a> StageView<'a> {
             notes.push(format!("Stopped early: {stop}."));
         }
         if self.pictures.captions == Captions::Full {
-            if !self.overrides.is_empty() {
-                notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
-            }
+            let set = self.case.filter(|case| !case.overrides.is_empty());
+            notes.extend(set.map(|case| format!("Set on the command line: {}.", case.overrides.join(", "))));
             let warnings = sentences(&self.findings, Kind::Warning).into_iter();
             notes.extend(warnings.map(|warning| format!("Warning: {warning}.")));
             notes.extend(self.model().notes.iter().cloned());

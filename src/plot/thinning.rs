@@ -30,6 +30,8 @@ pub(super) struct Thinning {
     step: f64,
     /// Colours, in steps from zero, a border between two.
     levels: Range<i32>,
+    /// Factor on the drawn thickness that makes the sheet visible.
+    times: f64,
 }
 
 /// Reduction of the thickness \[%\]; negative if thicker.
@@ -38,9 +40,11 @@ pub(crate) fn percent(initial: f64, thickness: f64) -> f64 {
 }
 
 impl Thinning {
-    /// Finest scale that covers every element of these frames.
-    pub fn new<'a>(initial: f64, frames: impl IntoIterator<Item = &'a Frame>) -> Self {
-        Self::over(initial, frames.into_iter().flat_map(|frame| &frame.elements).map(|element| element.thickness))
+    /// Finest scale that covers every element of these frames; a mm is drawn as so many `px`.
+    pub fn new<'a>(initial: f64, px: f64, frames: impl IntoIterator<Item = &'a Frame>) -> Self {
+        let thickness = frames.into_iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
+        let px = initial * px;
+        Self { times: if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() }, ..Self::over(initial, thickness) }
     }
 
     fn over(initial: f64, thickness: impl IntoIterator<Item = f64>) -> Self {
@@ -49,7 +53,7 @@ impl Thinning {
         let fits = |step: &f64| levels(*step).len() as i32 <= MOST;
         let step = STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1]);
         let Range { start, end } = levels(step);
-        Self { initial, step, levels: start..end.max(start + LEAST) }
+        Self { initial, step, levels: start..end.max(start + LEAST), times: 1.0 }
     }
 
     fn level(&self, thickness: f64) -> i32 {
@@ -63,8 +67,8 @@ impl Thinning {
         viridis(if level < 0 { zero + (LIGHTEST - zero) * middle / start } else { zero * (1.0 - middle / end) })
     }
 
-    /// One half of the section, or both, drawn `times` as thick as it is.
-    pub fn section(&self, frame: &Frame, times: f64, is_whole: bool) -> Vec<Series> {
+    /// One half of the section, or both.
+    pub fn section(&self, frame: &Frame, is_whole: bool) -> Vec<Series> {
         let parts = |outline| if is_whole { mirrored(outline) } else { vec![outline] };
         let levels: Vec<i32> = frame.elements.iter().map(|element| self.level(element.thickness)).collect();
         let (mut series, mut from) = (Vec::new(), 0);
@@ -72,10 +76,11 @@ impl Thinning {
             // One element under the next colour, so that no paper shines through.
             let elements = from..(from + equal.len() + 1).min(levels.len());
             let style = Style::area(self.color(equal[0]));
-            series.extend(parts(sheet(frame, elements, times)).into_iter().map(|part| Series::silent(part, style)));
+            series
+                .extend(parts(sheet(frame, elements, self.times)).into_iter().map(|part| Series::silent(part, style)));
             from += equal.len();
         }
-        for mut edge in parts(whole_sheet(frame, times)) {
+        for mut edge in parts(whole_sheet(frame, self.times)) {
             edge.extend(edge.first().copied());
             series.push(Series::silent(edge, OUTLINE));
         }
@@ -94,18 +99,11 @@ impl Thinning {
         let zero = Series::silent(vec![(0.0, 0.0), (0.0, 1.0)], Style::solid(BLACK, 3.0));
         Panel::new(axis.clone(), axis, Scale::Bar).with(colors.chain([zero]))
     }
-}
-
-/// Factor on the drawn thickness that makes the sheet visible, if a mm is so many px.
-pub(super) fn exaggeration(thickness: f64, px: f64) -> f64 {
-    let px = thickness * px;
-    if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() }
-}
-
-pub(super) fn thickness_note(times: f64) -> String {
-    match times {
-        1.0 => "The sheet is true to thickness.".to_owned(),
-        _ => format!("The sheet is drawn {times} times as thick as it is."),
+    pub fn note(&self) -> String {
+        match self.times {
+            1.0 => "The sheet is true to thickness.".to_owned(),
+            times => format!("The sheet is drawn {times} times as thick as it is."),
+        }
     }
 }
 

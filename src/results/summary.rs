@@ -65,7 +65,7 @@ impl Summary {
         lines.solution();
         lines.group = Group::Case;
         for (key, label, entries) in [
-            ("overrides", "Set on the command line", view.overrides.to_vec()),
+            ("overrides", "Set on the command line", view.case.map_or_else(Vec::new, |case| case.overrides.clone())),
             ("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption)),
             ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
             ("notes", "Declared assumptions", model.notes.clone()),
@@ -460,7 +460,7 @@ impl Lines<'_> {
             self.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
         }
         self.plain("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
-        self.plain("case_sha256", "", sha256([view.case_text]));
+        self.plain("case_sha256", "", sha256([view.case.map_or("", |case| &case.text)]));
     }
 }
 

@@ -170,8 +170,8 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
                     series.push(bar((own, end.number), (y - 0.34, y + 0.34), fill, (70, 70, 70)));
                     let kind = if end.number < own { AnnotationKind::End } else { AnnotationKind::Start };
                     let fails = if end.is_sound { "" } else { " (fails)" };
-                    let label = sweep.axes[s.axis].labels[end.place].clone() + fails;
-                    labels.push(Annotation::new(kind, label, (end.number, y)));
+                    let text = sweep.axes[s.axis].labels[end.place].clone() + fails;
+                    labels.push(Annotation { at: (end.number, y), text, kind });
                 }
             }
         }

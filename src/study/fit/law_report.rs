@@ -3,7 +3,7 @@
 use super::law::{LawFit, LawFits};
 use super::{Estimate, table};
 use crate::plot::Axis;
-use crate::plot::chart::{Annotation, AnnotationKind, Chart, Panel, Series, Style};
+use crate::plot::chart::{Annotation, Chart, Panel, Series, Style};
 use crate::plot::palette::{BLACK, color};
 use crate::study::{Cell, ReportTable, StudyReport};
 use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
@@ -69,7 +69,7 @@ impl LawFits {
             let points = test.points.iter().step_by(every).map(|p| (p.strain, p.stress));
             Series::new(test.name.as_str(), points.collect(), style)
         });
-        let flag = Annotation::new(AnnotationKind::Flag, "end of the points", (end, best.stress(end, None)));
+        let flag = Annotation::flag("end of the points", (end, best.stress(end, None)));
         let strain = Axis::named("True plastic strain", Unit::None);
         let panel = Panel::fit(strain, Axis::named("True stress", Unit::MPa), 330.0, 10.0);
         let panel = panel.with(laws.chain(tests)).annotated([flag]);
