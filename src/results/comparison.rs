@@ -103,8 +103,8 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
         points = reference.points([&x, &y])?;
         let mut judged = points.iter().filter(|point| point.judged);
         if let Some(Point { x, reference: value, line, .. }) = judged.clone().find(|p| p.reference.abs() < NOTHING) {
-            let (value, remedy) =
-                (four_digits(*value), "which no relative difference can be taken from; narrow `range`");
+            let remedy = "which no relative difference can be taken from; narrow `range`";
+            let value = four_digits(*value);
             return reference.refuse(format!(", line {line}: the reference value is {value} at {x}, {remedy}"));
         }
         let is_beyond = |point: &Point| point.difference().is_some_and(|d| d.abs() > spec.tolerance || d.is_nan());

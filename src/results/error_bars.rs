@@ -10,8 +10,9 @@ use serde_json::json;
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
 
-/// Number of contributions in text, and the least share of the bar that one has \[–\].
-const MOST: (usize, f64) = (3, 0.05);
+/// Contributions in text: the largest, each at least this share of the bar \[–\].
+const MOST: usize = 3;
+const SHARE: f64 = 0.05;
 
 /// List that a number stands in; keys are unique there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +104,7 @@ impl Number {
             ErrorBar::Half(half) if *half > 0.0 => {}
             _ => return ErrorBar::UNMOVED.to_owned(),
         }
-        let parts = self.contributions.iter().filter(|part| part.share >= MOST.1).take(MOST.0).map(|part| {
+        let parts = self.contributions.iter().filter(|part| part.share >= SHARE).take(MOST).map(|part| {
             let order = part.order.filter(|_| part.extrapolated).map(|order| format!(" ({})", Amount::norm(order)));
             format!("{} {}{}", part.direction, Amount::share(part.share), order.unwrap_or_default())
         });

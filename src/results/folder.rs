@@ -1,9 +1,6 @@
 //! Folder of results that goes from one complete set of files to the next in one rename.
 //!
-//! | name beside `cup` | holds | left by a killed run |
-//! |---|---|---|
-//! | `.cup.lock` | number of the process that writes | taken over |
-//! | `.cup.part` | results being written; after the exchange the earlier ones | removed |
+//! Beside `cup`, `.cup.lock` holds the number of the process that writes and `.cup.part` the new set, then the earlier one.
 //!
 //! Files of other origin are hard-linked into the new set before the exchange. The set goes in file by file if folders cannot be
 //! exchanged: no support by the system, a program standing in the folder (`--out .`), more than [`MOST_CARRIED`] other files.

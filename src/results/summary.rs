@@ -257,7 +257,8 @@ impl Lines<'_> {
         self.lines.push(Line { group: self.group, key, label: label.to_owned(), value });
     }
 
-    fn number(&mut self, key: &'static str, label: &str, amount: Amount) {
+    fn number(&mut self, key: &'static str, label: &str, amount: impl Into<Option<Amount>>) {
+        let Some(amount) = amount.into() else { return };
         let amount = self.view.half(amount).map_or(amount, |bar| amount.with_bar(bar));
         self.add(key, label, Value::Number(amount));
     }
@@ -302,9 +303,8 @@ impl Lines<'_> {
             self.number("held_rate_largest", "  largest", rate(self.largest(|s| s.held_rate)));
             self.number("time", "Time of the cycle", Amount::time(last.time));
         }
-        if last.contact_share > 0.0 {
-            self.number("contact_share", "Sheet on punch and die at the end", Amount::share(last.contact_share));
-        }
+        let touching = Some(last.contact_share).filter(|share| *share > 0.0);
+        self.number("contact_share", "Sheet on punch and die at the end", touching.map(Amount::share));
         self.add("events", "Events", Value::events(&events(run), model.extent().force_unit()));
     }
 
@@ -312,9 +312,7 @@ impl Lines<'_> {
     fn part(&mut self) {
         let Self { view, model, run, last, .. } = *self;
         let end = run.frames.last();
-        if let Some(height) = end.and_then(part_height) {
-            self.number("part_height", "Part height over all", Amount::place(height));
-        }
+        self.number("part_height", "Part height over all", end.and_then(part_height).map(Amount::place));
         if let Some(changes) = tables::springback_changes(run) {
             self.add("springback", "Spring-back", Value::changes(&changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
@@ -331,9 +329,7 @@ impl Lines<'_> {
             self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
             self.number("thickest_s0", from, Amount::place(s0));
         }
-        if let Some(opening) = view.ring_opening() {
-            self.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
-        }
+        self.number("ring_opening", "Opening of a slit ring", view.ring_opening().map(Amount::place));
         if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
             let (worst, least) = (assessment.worst(), Amount::ratio(curve.plane_strain()));
             self.plain("forming_limit", "Forming limit", curve.name);
@@ -362,9 +358,8 @@ impl Lines<'_> {
         let work = last.work.without_round_off();
         self.number("work_external", "Work of the tools", energy(work.external));
         self.number("work_plastic", "  plastic", energy(work.plastic));
-        if model.mode != Mode::Flow {
-            self.number("work_elastic", "  stored in the sheet", energy(work.elastic));
-        }
+        let elastic = (model.mode != Mode::Flow).then(|| energy(work.elastic));
+        self.number("work_elastic", "  stored in the sheet", elastic);
         self.number("work_friction", "  friction", energy(work.friction));
         self.number("work_contact", "  stored in contact", energy(work.contact));
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
@@ -408,9 +403,8 @@ impl Lines<'_> {
         let rim = format!("  last share on the outer {}", Amount::given_thicknesses(StepRecord::RIM));
         let last = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
         self.number("rim_share", &rim, Amount::share(last));
-        if let Some(lift) = holder_lift(run) {
-            self.number("holder_lift", "  lifted by up to, while there is a flange", Amount::thickness(lift));
-        }
+        let lift = holder_lift(run).map(Amount::thickness);
+        self.number("holder_lift", "  lifted by up to, while there is a flange", lift);
     }
 
     /// Errors of the balance and the layers, contact, mesh, method and effort.
@@ -422,9 +416,8 @@ impl Lines<'_> {
         self.number("imbalance", "Work missing in the balance", share(last.work.missing(), run.largest_work()));
         self.number("cutoff_share", "Plastic work in nearly rigid zones", share(work.cutoff, work.plastic));
         let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
-        if let Some(error) = bent.and_then(moment_error) {
-            self.number("moment_error", "Bending moment missed by the layers, estimated", Amount::share(error));
-        }
+        let missed = bent.and_then(moment_error).map(Amount::share);
+        self.number("moment_error", "Bending moment missed by the layers, estimated", missed);
         let [deepest, strain] = [self.largest(|s| s.penetration), self.largest(|s| s.strain_increment)];
         self.number("penetration", "Tools in the sheet, of its thickness", Amount::share(deepest));
         self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
@@ -440,9 +433,7 @@ impl Lines<'_> {
         self.plain("iterations", "Iterations", count(|s| s.iterations));
         // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
         let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
-        if let Some(norm) = known.reduce(f64::max) {
-            self.number("velocity_norm", "Largest accepted velocity norm", Amount::norm(norm));
-        }
+        self.number("velocity_norm", "Largest accepted velocity norm", known.reduce(f64::max).map(Amount::norm));
         let residual = Amount::norm(self.largest(|s| s.residual_norm));
         self.number("residual_norm", "Largest accepted residual norm", residual);
         self.plain("rejected", "Rejected tries", count(|s| s.rejected) + effort.abandoned);
@@ -456,9 +447,7 @@ impl Lines<'_> {
         ] {
             self.plain(key, "", count);
         }
-        if let Some(wall) = view.wall {
-            self.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
-        }
+        self.number("wall_time", "Wall time", view.wall.map(|wall| Amount::time(wall.as_secs_f64())));
         self.plain("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         self.plain("case_sha256", "", sha256([view.case.map_or("", |case| &case.text)]));
     }

@@ -5,13 +5,8 @@ use super::{StageView, csv};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
 use crate::model::{Extent, Geometry, Iteration, Model, PressureCap};
-use crate::plot::fields::element::{
-    BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
-    STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,
-};
-use crate::plot::fields::step::{
-    DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
-};
+use crate::plot::fields::element::*;
+use crate::plot::fields::step::*;
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
 use crate::plot::residual_stress::{PLACE, places_with_layers, released};
 use crate::solver::solution::{ElementRecord, Frame, IterationRecord, PointRecord, StageSolution, StepRecord};
