@@ -14,18 +14,14 @@ const GIF_WIDTH: f64 = 800.0;
 /// Speed of the search for a palette, 1 (best) to 30.
 const GIF_SPEED: i32 = 20;
 
-pub(super) fn tree(svg: &str) -> Tree {
+fn pixels(svg: &str, width: f64) -> Pixmap {
     static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
         let mut fonts = Database::new();
         fonts.load_font_data(FONT_DATA.to_vec());
         Arc::new(fonts)
     });
     let options = Options { fontdb: Arc::clone(&FONTS), font_family: "DejaVu Sans".to_owned(), ..Options::default() };
-    Tree::from_str(svg, &options).expect("the SVG is our own")
-}
-
-fn pixels(svg: &str, width: f64) -> Pixmap {
-    let tree = tree(svg);
+    let tree = Tree::from_str(svg, &options).expect("the SVG is our own");
     let size = tree.size();
     let scale = width as f32 / size.width();
     let height = (scale * size.height()).round();

@@ -111,11 +111,6 @@ impl<'a> StageView<'a> {
         self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar
     }
 
-    /// Same view for a page that has all captions above its pictures.
-    pub fn without_captions(self) -> Self {
-        Self { pictures: Pictures { captions: Captions::Own, ..self.pictures }, ..self }
-    }
-
     /// Model of the stage.
     pub fn model(&self) -> &'a Model {
         &self.stage.model

@@ -13,7 +13,7 @@ pub use sizes::dimensions;
 use crate::assess::check::{self, Check};
 use crate::assess::{self, Answer, Finding, Kind, judgements};
 use crate::case::{Solution, TitleBlock};
-use crate::plot::{Dimension, StageView};
+use crate::plot::{Captions, Dimension, StageView};
 use crate::results::Summary;
 use crate::results::error_bars::{ErrorBars, answered};
 use crate::study::compare::SideBySide;
@@ -54,10 +54,11 @@ impl<'a> Report<'a> {
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let mut views = solution.views_with(&assumed);
         bars.into_iter().for_each(|bars| bars.draw(&mut views));
-        let views = views.into_iter().map(StageView::without_captions);
+        views.iter_mut().for_each(|view| view.pictures.captions = Captions::Own);
+        let summarised = |view: StageView<'a>| (view.clone(), Summary::of(&view));
         Self {
             solution,
-            stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
+            stages: views.into_iter().map(summarised).collect(),
             check: check::report(&solution.case),
             dimensions: sizes::dimensions(solution.case.model(), None),
             findings: before.into_iter().chain(after).collect(),

@@ -51,7 +51,7 @@ impl Report<'_> {
         sections.extend(results::sections(self));
         sections.extend(self.versus.map(sections::versus));
         sections.extend([
-            sections::assumptions(self),
+            Section::new("Assumptions", list(&self.check.notes, "None are declared.")),
             sections::warnings(self),
             sections::solver(self),
             sections::case(self),

@@ -60,11 +60,6 @@ pub(super) fn inputs(report: &Report) -> Section {
     Section::new("Inputs", content)
 }
 
-/// Declared assumptions, and those made while reading.
-pub(super) fn assumptions(report: &Report) -> Section {
-    Section::new("Assumptions", list(&report.check.notes, "None are declared."))
-}
-
 /// Warnings of the check and of the solver.
 pub(super) fn warnings(report: &Report) -> Section {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);

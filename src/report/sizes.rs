@@ -6,7 +6,7 @@ use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::plot::{Dimension, dimensioned};
-use crate::solver::solution::{Frame, StageSolution};
+use crate::solver::solution::Frame;
 use crate::units::Amount;
 use maud::html;
 
@@ -114,31 +114,28 @@ fn named(role: Role, arc: &Arc) -> String {
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
-    let at = under + moved;
-    match &tool.motion {
-        Motion::Gap(gap) => Some(plain("Holder gap", Amount::drawn(*gap), at)),
-        Motion::Pressed(press) => {
-            Some(plain("Holder force", Amount::force(press.force.largest(), model.extent().force_unit()), at))
-        }
-        Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
-    }
+    let (of, amount) = match &tool.motion {
+        Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
+        Motion::Pressed(press) => ("Holder force", Amount::force(press.force.largest(), model.extent().force_unit())),
+        Motion::Fixed | Motion::Travel | Motion::Path(_) => return None,
+    };
+    Some(plain(of, amount, under + moved))
 }
 
 /// One section per stage with tools that no stage before it had.
 pub(super) fn sections(report: &Report) -> Vec<Section> {
     let (case, stages) = (&report.solution.case, &report.solution.stages);
     let mut sections = vec![section("Section".to_owned(), case.model(), None, &report.dimensions)];
-    for (i, stage) in stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage)) {
-        let start = stage.start.as_ref();
-        let heading = report.stage(i) + "section";
-        sections.push(section(heading, &stage.model, start, &dimensions(&stage.model, start)));
+    for (i, stage) in stages.iter().enumerate().skip(1) {
+        let earlier = stages[..i].iter().flat_map(|stage| &stage.model.tools);
+        let is_known = |tool: &Tool| earlier.clone().any(|other| other.profile == tool.profile);
+        if stage.model.release.is_none() && !stage.model.tools.iter().all(is_known) {
+            let start = stage.start.as_ref();
+            let heading = report.stage(i) + "section";
+            sections.push(section(heading, &stage.model, start, &dimensions(&stage.model, start)));
+        }
     }
     sections
-}
-
-fn brings_tools(before: &[StageSolution], stage: &StageSolution) -> bool {
-    let known = |tool: &Tool| before.iter().flat_map(|stage| &stage.model.tools).any(|t| t.profile == tool.profile);
-    stage.model.release.is_none() && stage.model.tools.iter().any(|tool| !known(tool))
 }
 
 fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
