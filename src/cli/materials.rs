@@ -15,8 +15,7 @@ const UNITS: [&str; 9] = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""];
 options! {
     /// List the built-in materials, or show one
     Args {
-        name: Option<String> []
-            "Material to show: its name, a grade that it stands for, or the beginning of one",
+        name: Option<String> [] "Material to show: its name, a grade that it stands for, or the beginning of one",
     } json: Json;
 }
 

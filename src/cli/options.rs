@@ -34,8 +34,7 @@ options! {
         json: bool [long] "Print JSON, errors too; show no progress",
     };
     Overrides {
-        set: Vec<String> = "KEY=VALUE" [long = "set"]
-            "Replace a value of the case, as often as needed: tools.die.friction=0.1",
+        set: Vec<String> = "KEY=VALUE" [long] "Replace a value of the case, as often as needed: tools.die.friction=0.1",
         material: Option<String> = "NAME" [long]
             "Take another sheet of the library, by name or grade, in place of the [material] table",
     };

@@ -72,18 +72,16 @@ fn as_json(verification: &Verification) -> Value {
         let Quantity { key, amount, error, .. } = &number.quantity;
         let why_none = if let ErrorBar::Missing(why) = error { Some(why) } else { None };
         let (value, unit, error_bar) = (rounded(amount.value), amount.unit.spelled(), number.half().map(rounded));
-        let parts: Vec<Value> = number.contributions.iter().map(part).collect();
+        let parts: Value = number.contributions.iter().map(part).collect();
         json!({
             "key": key, "value": value, "unit": unit, "error_bar": error_bar, "why_none": why_none, "parts": parts
         })
     };
-    let run = |run: &Outcome| {
-        let (direction, end) = (run.direction.map(|direction| direction.key()), &run.end);
-        json!({
-            "direction": direction, "times": run.times, "stages": end.stages, "end": end.kind, "complete": end.complete
-        })
+    let run = |Outcome { direction, times, end, .. }: &Outcome| {
+        let direction = direction.map(|direction| direction.key());
+        json!({ "direction": direction, "times": times, "stages": end.stages, "end": end.kind, "complete": end.complete })
     };
-    let numbers: Vec<Value> = verification.bars.numbers.iter().map(number).collect();
-    let runs: Vec<Value> = verification.outcomes.iter().map(run).collect();
+    let numbers: Value = verification.bars.numbers.iter().map(number).collect();
+    let runs: Value = verification.outcomes.iter().map(run).collect();
     json!({ "numbers": numbers, "told": verification.bars.notes, "runs": runs })
 }

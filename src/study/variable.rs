@@ -132,25 +132,17 @@ impl Variable {
     }
 }
 
-const NAMES: [(&str, &str); 18] = [
+const NAMES: [(&str, &str); 10] = [
     ("friction", "Friction"),
-    ("tools.punch.friction", "Friction at the punch"),
-    ("tools.die.friction", "Friction at the die"),
-    ("tools.holder.friction", "Friction at the holder"),
     ("tools.holder.force", "Holder force"),
-    ("tools.holder.gap", "Holder gap"),
     ("tools.die.shoulder", "Die shoulder radius"),
-    ("tools.die.throat", "Die throat radius"),
     ("tools.punch.flat.nose", "Punch nose radius"),
-    ("tools.punch.flat.radius", "Punch radius"),
     ("tools.punch.travel", "Punch travel"),
     ("blank.radius", "Blank radius"),
     ("blank.diameter", "Blank diameter"),
     ("blank.thickness", "Sheet thickness"),
     ("material", "Sheet"),
-    ("material.hardening.swift.k", "Strength K"),
     ("material.hardening.swift.n", "Hardening exponent n"),
-    ("press.force", "Rating of the press"),
 ];
 
 pub(super) fn written(value: f64) -> String {
