@@ -4,13 +4,12 @@ use super::{StudyError, fail};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::case::files::{self, Disk, Files};
 use crate::results::comparison::Computed;
-use crate::table::{Csv, CsvError, Record};
+use crate::table::{Csv, CsvError};
 use std::path::Path;
 
-/// A quantity, words of its abscissa and of its ordinate.
-type Rule = (ComparedQuantity, &'static [&'static str], &'static [&'static str]);
 const TRAVEL: &[&str] = &["travel", "stroke"];
-const RULES: [Rule; 4] = [
+/// Quantities, words of their abscissae and of their ordinates.
+const RULES: [(ComparedQuantity, &[&str], &[&str]); 4] = [
     (ComparedQuantity::PunchForce, TRAVEL, &["force", "load"]),
     (ComparedQuantity::DrawInAtTravel, TRAVEL, &["draw"]),
     (ComparedQuantity::ThicknessAtS0, &["s0"], &["thickness"]),
@@ -24,15 +23,26 @@ const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s
 
 /// Reads a measured curve, whose columns name its quantity.
 pub fn measured_curve(path: &Path) -> Result<Spec, StudyError> {
-    let csv = read_csv(path, EXAMPLE)?;
+    let mut csv = read_csv(path, EXAMPLE)?;
     let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
     let find = |any: &[&str]| csv.header.fields.iter().find(|name| is(name, any)).map(str::to_owned);
     let curve = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, vec![find(x)?, find(y)?])));
     let Some((quantity, columns)) = curve else {
         return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
     };
-    let (reference, data) = (path.to_owned(), Some(last_frame(csv)));
-    Ok(Spec { reference, data, quantity, columns, tolerance: f64::INFINITY, ..Spec::default() })
+    // Only the last frame of a table of thickness with one frame after another.
+    if let (Some(travel), Some(_)) = (csv.column("travel_mm"), csv.column("s0_mm")) {
+        let last = csv.rows.last().and_then(|row| row.fields.get(travel)).map(str::to_owned);
+        csv.rows.retain(|row| row.fields.get(travel) == last.as_deref());
+    }
+    Ok(Spec {
+        reference: path.to_owned(),
+        data: Some(csv),
+        quantity,
+        columns,
+        tolerance: f64::INFINITY,
+        ..Spec::default()
+    })
 }
 
 /// Standard deviation of each point of a curve; `None` if one has none.
@@ -63,14 +73,4 @@ pub(super) fn csv_error(name: &str, error: CsvError) -> StudyError {
 
 pub(super) fn has_word(header: &str, any: &[&str]) -> bool {
     header.to_lowercase().split(|c: char| !c.is_alphanumeric()).any(|word| any.contains(&word))
-}
-
-/// Rows of the last frame, of a table of thickness with one frame after another.
-fn last_frame(mut csv: Csv) -> Csv {
-    if let (Some(travel), Some(_)) = (csv.column("travel_mm"), csv.column("s0_mm")) {
-        let frame = |row: &Record| row.fields.get(travel).unwrap_or("").to_owned();
-        let last = csv.rows.last().map(frame);
-        csv.rows.retain(|row| Some(frame(row)) == last);
-    }
-    csv
 }

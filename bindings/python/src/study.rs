@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use serde::Deserialize;
 use stampflow::study::Watch;
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::fit::{CaseFitRequest, Tests, fit_case, fit_laws};
+use stampflow::study::fit::{CaseFitRequest, Reduction, fit_case, fit_laws, flow_curves};
 use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, RunTable, Scatter, SearchRequest, Shard, Side, Study, StudyError,
     StudyReport, Sweep, begin, evaluate, measured_curve,
@@ -96,8 +96,7 @@ fn run(
 /// Fits hardening laws to tension tests.
 #[pyfunction]
 pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
-    let tests = Tests { tests: files, ..Tests::default() };
-    let fits = tests.curves().and_then(|curves| fit_laws(curves, None));
+    let fits = flow_curves(&files, &Reduction::default(), &[], &[]).and_then(|curves| fit_laws(curves, None));
     results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
 }
 

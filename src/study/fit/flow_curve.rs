@@ -6,7 +6,7 @@ use crate::study::measured_curve::{csv_error, read_csv};
 use crate::study::{StudyError, fail};
 use crate::table::Csv;
 use crate::units::{Amount, joined, significant};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Settings of the reduction of tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,11 +64,6 @@ impl Default for Reduction {
 }
 
 impl FlowCurve {
-    /// Reads and reduces a test.
-    pub fn load(path: &Path, reduction: &Reduction) -> Result<Self, StudyError> {
-        Self::new(&read_csv(path, EXAMPLE)?, &path.to_string_lossy(), reduction)
-    }
-
     /// Reads and reduces a test from a text.
     pub fn read(text: &str, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
         Self::new(&Csv::read(text, "the test", EXAMPLE).map_err(|error| csv_error(name, error))?, name, reduction)
@@ -172,8 +167,9 @@ pub fn flow_curves(
     }
     let mut curves: Vec<FlowCurve> = Vec::new();
     for (i, path) in tests.iter().enumerate() {
+        let csv = read_csv(path, EXAMPLE)?;
         let (rate, direction) = (rates.get(i).copied(), directions.get(i).copied());
-        let curve = FlowCurve { rate, direction, ..FlowCurve::load(path, reduction)? };
+        let curve = FlowCurve { rate, direction, ..FlowCurve::new(&csv, &path.to_string_lossy(), reduction)? };
         // Equal numbers are no second measurement, and would make every interval narrower.
         let same = |other: &FlowCurve| (rate, direction, &curve.points) == (other.rate, other.direction, &other.points);
         if let Some(twin) = curves.iter().position(same) {

@@ -100,15 +100,13 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
         text += &format!("anisotropy = {}                   # of one direction\n", trimmed(r, 3));
     }
     text += &format!("\n[material.hardening.{}]\n", law.kind.name().replace('-', "_"));
-    let (of_rate, own): (Vec<&Estimate>, Vec<_>) = law.estimates.iter().partition(|e| e.key.starts_with("rate."));
-    for e in own {
+    for e in law.estimates.iter().filter(|e| !e.key.starts_with("rate.")) {
         let error = e.error.map_or_else(String::new, |error| format!("    # ± {}", significant(error, 2)));
         text += &format!("{} = {}{error}\n", e.key, quoted(e));
     }
-    if let Some(rate) = law.rate {
-        text += "\n[material.rate.power]\n";
-        text.extend(of_rate.iter().map(|e| format!("{} = {}\n", e.key.trim_start_matches("rate."), quoted(e))));
-        text += &format!("reference = \"{} /s\"\n", rate.reference);
+    if let Some((rate, e)) = law.rate.zip(law.estimate("rate.exponent")) {
+        let (exponent, reference) = (quoted(e), rate.reference);
+        text += &format!("\n[material.rate.power]\nexponent = {exponent}\nreference = \"{reference} /s\"\n");
     }
     text
 }

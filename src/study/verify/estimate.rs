@@ -8,8 +8,7 @@ use crate::units::{ErrorBar, Unit};
 const EXTRAPOLATED: f64 = 1.25;
 const SPREAD: f64 = 3.0;
 
-/// Error over the difference to the coarser run \[–\]: 1 by the first order; what is coarser in all directions has errors that
-/// cancel by chance, and of 60 random dies 19 numbers in 20 keep within five times.
+/// Error over the difference to the run that is coarser in all directions \[–\], which 19 in 20 numbers of 60 random dies keep.
 const COARSER: f64 = 5.0;
 
 /// Least bars from a coarser run, likewise measured: of the number \[–\], and of one in percent \[%\].
@@ -23,9 +22,8 @@ const SOLVED: f64 = 10.0;
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 
-/// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation if three levels show an order
-/// near the formal one, else by their spread.
-pub fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
+/// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation, or the spread.
+fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let order = match levels {
         [coarse, fine, finest, ..] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
         _ => None,

@@ -71,8 +71,8 @@ impl Outcome {
             lost: stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical()),
         };
         let load = largest_force(stages).map_or(&[][..], |(i, _)| &stages[i].steps);
-        let elements =
-            stages.last().and_then(|stage| stage.frames.last()).into_iter().flat_map(|frame| &frame.elements);
+        let frame = stages.last().and_then(|stage| stage.frames.last());
+        let elements = frame.into_iter().flat_map(|frame| &frame.elements);
         Self {
             direction: None,
             times: 1.0,
