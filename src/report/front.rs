@@ -6,7 +6,7 @@ use super::results::{PART, plot};
 use crate::assess::{Finding, Light, judgements, tears_at};
 use crate::plot::Chart;
 use crate::plot::axis::capitalised;
-use crate::plot::chart::Scale;
+use crate::plot::chart::{Scale, bounds};
 use crate::solver::solution::StepRecord;
 use maud::{Markup, html};
 
@@ -94,11 +94,8 @@ pub(super) fn pictures<'a>(report: &'a Report) -> impl Iterator<Item = FrontPict
 
 /// Stage with the largest punch force or pressure, counted from 0.
 fn heaviest(report: &Report) -> Option<usize> {
-    let stages = report.stages.iter().enumerate().filter(|(_, (view, _))| view.model().release.is_none());
-    let load = |step: &StepRecord| (step.punch_force, step.pressure.abs());
-    let peaks = stages.filter_map(|(i, (view, _))| {
-        let (force, pressure) = view.stage.steps.iter().map(load).reduce(|a, b| (a.0.max(b.0), a.1.max(b.1)))?;
-        Some((i, force, pressure))
-    });
-    peaks.max_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2))).map(|(i, ..)| i)
+    let peak = |i: usize, load: fn(&StepRecord) -> f64| bounds(report.stages[i].0.stage.steps.iter().map(load)).1;
+    let forming = (0..report.stages.len()).filter(|i| report.stages[*i].0.model().release.is_none());
+    let loads = forming.map(|i| (i, peak(i, |step| step.punch_force), peak(i, |step| step.pressure.abs())));
+    loads.max_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2))).map(|(i, ..)| i)
 }
