@@ -5,11 +5,8 @@
 //! sheet lies on the left**: the outward normal is the tangent turned by +90°, and the signed distance is
 //! positive on the sheet's side, negative inside the tool.
 
-mod bounds;
-mod cavity;
 mod crossing;
 mod fillet;
-mod moves;
 mod offset;
 mod piece;
 mod profile;
@@ -17,11 +14,10 @@ mod queries;
 mod rounding;
 mod shapes;
 
-pub(crate) use bounds::Bounds;
-pub use cavity::CavityError;
 pub use crossing::Fold;
 pub use fillet::{FilletTooLarge, fillet};
-pub use offset::OffsetError;
+pub use offset::{CavityError, OffsetError};
+pub(crate) use piece::Bounds;
 pub use piece::{Arc, Piece, Segment};
 pub use profile::{Closest, Nearest, Profile, ProfileError};
 pub use queries::Vertex;

@@ -1,7 +1,7 @@
 //! Pieces of a tool profile: straight segment and circular arc.
 
 use super::{Point, turned};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Length up to which a piece has no direction \[mm\].
 pub(super) const SHORTEST: f64 = 1e-9;
@@ -72,7 +72,7 @@ impl Arc {
             sweep,
             middle: direction(start + 0.5 * sweep),
             ends: [center + radius * direction(start), center + radius * direction(start + sweep)],
-            cos_half_sweep: (0.5 * sweep).abs().min(std::f64::consts::PI).cos(),
+            cos_half_sweep: (0.5 * sweep).abs().min(PI).cos(),
         }
     }
 
@@ -249,5 +249,73 @@ impl Piece {
                 (from_center * curvature, curvature)
             }
         }
+    }
+
+    /// Image of the piece, by those of points and of angles; `turn` is −1 for a mirror image.
+    pub(super) fn image(&self, point: impl Fn(Point) -> Point, angle: impl Fn(f64) -> f64, turn: f64) -> Self {
+        match self {
+            Piece::Segment(s) => Piece::line(point(s.from), point(s.to)),
+            Piece::Arc(a) => Piece::arc(point(a.center), a.radius, angle(a.start), turn * a.sweep),
+        }
+    }
+
+    /// Piece walked the other way.
+    pub fn reversed(&self) -> Self {
+        match self {
+            Piece::Segment(s) => Piece::line(s.to, s.from),
+            Piece::Arc(a) => Piece::arc(a.center, a.radius, a.start + a.sweep, -a.sweep),
+        }
+    }
+
+    /// Mirror image in the axis r = 0.
+    pub fn across_axis(&self) -> Self {
+        self.image(|p| Point::new(-p.x, p.y), |angle| PI - angle, -1.0)
+    }
+
+    /// Mirror image in the plane z = 0.
+    pub fn upside_down(&self) -> Self {
+        self.image(|p| Point::new(p.x, -p.y), |angle| -angle, -1.0)
+    }
+
+    pub(crate) fn bounds(&self) -> Bounds {
+        let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
+        self.poles().fold(ends, Bounds::with)
+    }
+
+    /// Points of an arc where it is parallel to an axis.
+    pub(crate) fn poles(&self) -> impl Iterator<Item = Point> + use<> {
+        let arc = if let Piece::Arc(arc) = *self { Some(arc) } else { None };
+        let poles = [Point::x(), Point::y(), -Point::x(), -Point::y()].map(|way| {
+            arc.map(|arc| arc.center + arc.radius * way).filter(|pole| arc.is_some_and(|arc| arc.faces(*pole)))
+        });
+        poles.into_iter().flatten()
+    }
+}
+
+/// Bounding box \[mm\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds {
+    pub low: Point,
+    pub high: Point,
+}
+
+impl Bounds {
+    /// Box around pieces; `None` without pieces.
+    pub fn around(pieces: &[Piece]) -> Option<Self> {
+        pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
+    }
+
+    fn with(self, p: Point) -> Self {
+        Self { low: self.low.inf(&p), high: self.high.sup(&p) }
+    }
+
+    /// True if a point lies farther away than `margin` \[mm\] along an axis.
+    pub fn is_beyond(&self, p: Point, margin: f64) -> bool {
+        self.is_apart(&Self { low: p, high: p }, margin)
+    }
+
+    /// True if two boxes lie farther apart than `margin` \[mm\] along an axis.
+    pub fn is_apart(&self, other: &Self, margin: f64) -> bool {
+        (self.low - other.high).sup(&(other.low - self.high)).max() > margin
     }
 }

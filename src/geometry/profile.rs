@@ -175,6 +175,22 @@ impl Profile {
         self.pieces[self.pieces.len() - 1].last()
     }
 
+    /// Profile moved by `dz` \[mm\] along z.
+    pub fn shifted(&self, dz: f64) -> Self {
+        let up = Point::new(0.0, dz);
+        Self::connected(self.pieces().iter().map(|piece| piece.image(|p| p + up, |angle| angle, 1.0)))
+    }
+
+    /// Line walked the other way: the sheet's side becomes the tool's.
+    pub fn reversed(&self) -> Self {
+        Self::connected(self.pieces().iter().rev().map(Piece::reversed))
+    }
+
+    /// Mirror image in the plane z = 0, the sheet on the left again: a punch becomes a die.
+    pub fn mirrored(&self) -> Self {
+        Self::connected(self.pieces().iter().rev().map(|piece| piece.upside_down().reversed()))
+    }
+
     /// Polyline for drawing: arcs sampled every `step` radians or finer.
     pub fn polyline(&self, step: f64) -> Vec<Point> {
         let rest = self.pieces.iter().flat_map(|piece| piece.polyline(step).into_iter().skip(1));

@@ -7,7 +7,7 @@
 //!    │ stroke, spline             entity → Stroke: pieces in mm
 //!    │ axis, halves               is the axis at x = 0? a second half is compared and left out
 //!    │ chain                      strokes joined end to end: gaps, overlaps, branches are named
-//!    └ orient, outline            Section: sheet on the left; of outlines the side towards the sheet
+//!    └ orient                     Section: sheet on the left; of outlines the side towards the sheet
 //! ```
 //!
 //! # Frame
@@ -24,7 +24,6 @@ mod halves;
 mod layers;
 mod options;
 mod orient;
-mod outline;
 mod spline;
 mod stroke;
 

@@ -12,7 +12,6 @@
 
 mod amount;
 mod dimension;
-mod gauge;
 mod number;
 mod parse;
 mod quantity;
