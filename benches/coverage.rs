@@ -14,7 +14,7 @@ mod random_die;
 
 use coverage::{Checked, case_of, check};
 use rayon::prelude::*;
-use stampflow::results::error_bars::ErrorBars;
+use stampflow::assess::error_bars::ErrorBars;
 use stampflow::study::verify::Direction;
 use std::time::Instant;
 

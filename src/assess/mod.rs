@@ -8,6 +8,7 @@ mod bends;
 pub mod check;
 pub mod design;
 mod draw;
+pub mod error_bars;
 pub mod estimate;
 mod finding;
 mod forming_limit;

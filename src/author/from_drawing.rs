@@ -53,9 +53,7 @@ pub struct Imported {
 
 impl Import {
     /// Makes a case of the bytes of a DXF file.
-    ///
-    /// # Errors
-    /// When the drawing cannot be read, the sheet is unknown, or the tools make no case.
+    /// Fails when the drawing cannot be read, the sheet is unknown, or the tools make no case.
     pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported, ImportError> {
         let sections = import::read(bytes, &self.options)?;
         let metal = match self.material.as_deref() {

@@ -137,9 +137,7 @@ impl fmt::Display for Spec {
 
 impl Source {
     /// Source of a reference file in the text of a `sources.toml`; `None` if it is not listed.
-    ///
-    /// # Errors
-    /// If the text is not one table per file with citation, kind, grade and, if known, scatter.
+    /// Fails if the text is not one table per file with citation, kind, grade and, if known, scatter.
     pub fn of(file: &str, sources: &str) -> Result<Option<Self>, toml::de::Error> {
         toml::from_str(sources).map(|mut sources: BTreeMap<String, Self>| sources.remove(file))
     }

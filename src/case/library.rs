@@ -218,9 +218,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
-///
-/// # Errors
-/// When there is none or more than one; the error proposes the nearest.
+/// Fails when there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
     let sheet = find(name).map_err(|[what, help]| CaseError::bare(what, help))?;
     entry(sheet.name, sheet.text)

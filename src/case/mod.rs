@@ -116,9 +116,7 @@ impl Case {
 }
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
-///
-/// # Errors
-/// When the file cannot be read, or as [`parse`].
+/// Fails when the file cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
     let path = path.as_ref();
     let text = Disk.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
@@ -130,9 +128,7 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
-///
-/// # Errors
-/// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
+/// Fails when the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
 pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
     parse_with(text, name, overrides, &Disk)
 }

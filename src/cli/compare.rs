@@ -150,7 +150,6 @@ fn counts(all: &[(String, Comparison)]) -> String {
     KINDS.iter().filter_map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Case files of a folder, sorted.
 fn case_files(dir: &Path) -> Result<Vec<PathBuf>> {
     let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", dir.display()));
     let files = std::fs::read_dir(dir).map_err(unreadable)?.flatten().map(|entry| entry.path());

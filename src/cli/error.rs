@@ -112,7 +112,6 @@ pub fn listen() -> std::io::Result<()> {
     Ok(())
 }
 
-/// Whether a signal has come.
 pub fn is_interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
 }

@@ -67,7 +67,6 @@ fn subcommand(template: &'static Template) -> Command {
         .arg(flag("json", "Print JSON, errors too"))
 }
 
-/// Adds options and templates to the verb.
 pub fn command(verb: Command) -> Command {
     verb.override_usage("stampflow new TEMPLATE [OPTIONS]\n       stampflow new --list")
         .arg(flag("list", "List all templates with their options"))

@@ -2,10 +2,10 @@
 
 use super::*;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use stampflow::assess::error_bars;
 use stampflow::case::Solution;
 use stampflow::plot::{Captions, Format, Pictures};
 use stampflow::results::comparison::{Computed, comparisons};
-use stampflow::results::error_bars;
 use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
 use std::thread::available_parallelism;

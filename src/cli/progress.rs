@@ -13,7 +13,6 @@ use std::time::Instant;
 /// Ticks of a full bar.
 const FULL: f64 = 1000.0;
 
-/// Bars of all runs.
 pub struct Progress(MultiProgress);
 
 /// Progress of many runs.

@@ -1,9 +1,9 @@
 //! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::*;
+use stampflow::assess::error_bars::{self, answered};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Solution;
-use stampflow::results::error_bars::{self, answered};
 use stampflow::units::joined;
 
 /// Output of one case of several: text or JSON, and errors that are no reason to give less of it.

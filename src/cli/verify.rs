@@ -2,7 +2,7 @@
 
 use super::*;
 use stampflow::assess;
-use stampflow::results::error_bars::{Contribution, Number, Origin};
+use stampflow::assess::error_bars::{Contribution, Number, Origin};
 use stampflow::study::verify::{self, BEGINNING, FILE, Outcome, Verification};
 use stampflow::units::{Amount, ErrorBar, Quantity, rounded};
 use std::time::Instant;

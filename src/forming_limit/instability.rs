@@ -20,9 +20,7 @@ const LARGEST: f64 = 3.0;
 const STEP: f64 = 1e-3;
 
 /// Strain at which the force of a tension test is largest, where σ' = σ (A. Considère, 1885) \[–\]: n of a power law.
-///
-/// # Errors
-/// When the law has no maximum of the force, or begins with it.
+/// Fails when the law has no maximum of the force, or begins with it.
 pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
     limit(sheet, None, 1.0)
 }

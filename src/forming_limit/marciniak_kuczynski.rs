@@ -71,9 +71,7 @@ impl MarciniakKuczynski {
     const ANGLES: usize = 12;
 
     /// Checks what was read.
-    ///
-    /// # Errors
-    /// When the groove is none that makes sense.
+    /// Fails when the groove is none that makes sense.
     pub fn check(&self) -> Result<(), LawError> {
         let help = "it is the groove's thickness over the sheet's: 0.98 to 0.999 is usual";
         require_or("imperfection", GROOVES.contains(&self.imperfection), help, || {
@@ -99,9 +97,7 @@ impl MarciniakKuczynski {
     }
 
     /// The limit of a strain ratio β, converged in the step.
-    ///
-    /// # Errors
-    /// When no groove necks below [`Self::LARGEST`], the integration fails, or the answer does not settle as its step is
+    /// Fails when no groove necks below [`Self::LARGEST`], the integration fails, or the answer does not settle as its step is
     /// halved.
     pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LawError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };

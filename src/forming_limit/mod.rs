@@ -74,9 +74,7 @@ pub enum Kind {
 
 impl Kind {
     /// The curve of a sheet.
-    ///
-    /// # Errors
-    /// When the kind does not hold for the sheet, or its equations have no solution.
+    /// Fails when the kind does not hold for the sheet, or its equations have no solution.
     pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         match self {
             Self::Points(kind) => kind.curve(),

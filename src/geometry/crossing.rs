@@ -130,33 +130,3 @@ fn either_side(middle: Point, along: Point, radius: f64, distance: f64) -> Vec<P
     let half = (radius * radius - distance * distance).max(0.0).sqrt();
     vec![middle + half * along, middle - half * along]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-
-    /// Trust: hand calculation.
-    #[test]
-    fn pieces_meet_where_geometry_says() {
-        let line = |x: [f64; 4]| Piece::line(Point::new(x[0], x[1]), Point::new(x[2], x[3]));
-        let arc = |x: f64, radius, start, sweep| Piece::arc(Point::new(x, 0.0), radius, start, sweep);
-        let upper = arc(0.0, 5.0, 0.0, PI);
-        for (a, b, wanted) in [
-            (line([0.0, 0.0, 2.0, 2.0]), line([0.0, 2.0, 2.0, 0.0]), &[[1.0, 1.0]][..]),
-            (line([0.0, 0.0, 0.9, 0.9]), line([0.0, 2.0, 2.0, 0.0]), &[]),
-            (line([0.0, 0.0, 2.0, 0.0]), line([1.0, 0.0, 3.0, 0.0]), &[[1.0, 0.0], [2.0, 0.0]]),
-            (line([0.0, 0.0, 2.0, 0.0]), line([1.0, 1e-3, 3.0, 1e-3]), &[]),
-            (line([-6.0, 3.0, 6.0, 3.0]), upper, &[[4.0, 3.0], [-4.0, 3.0]]),
-            (line([-6.0, -3.0, 6.0, -3.0]), upper, &[]),
-            (line([-6.0, 5.0, 6.0, 5.0]), upper, &[[0.0, 5.0]]),
-            (arc(6.0, 5.0, FRAC_PI_2, FRAC_PI_2), upper, &[[3.0, 4.0]]),
-            (arc(0.0, 5.0, FRAC_PI_4, FRAC_PI_4), upper, &[[0.0, 5.0]]),
-            (arc(0.0, 4.0, FRAC_PI_4, FRAC_PI_4), upper, &[]),
-        ] {
-            let found = common(&a, &b);
-            let is_found = |w: &[f64; 2]| found.iter().any(|p| (p - Point::from(*w)).norm() < 1e-9);
-            assert!(found.is_empty() == wanted.is_empty() && wanted.iter().all(is_found), "{a:?} {b:?} {found:?}");
-        }
-    }
-}

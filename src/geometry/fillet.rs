@@ -21,9 +21,7 @@ pub struct FilletTooLarge {
 }
 
 /// Chain through `points` \[mm\] with vertex `i` rounded by `radii[i]` \[mm\]; 0 leaves it sharp.
-///
-/// # Errors
-/// When the tangent lengths R tan(turn/2) of two neighbours are longer than the segment between them.
+/// Fails when the tangent lengths R tan(turn/2) of two neighbours are longer than the segment between them.
 pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLarge> {
     let sides: Vec<Piece> = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
     // Tangent length per radius; 0 at the ends.

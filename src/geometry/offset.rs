@@ -43,9 +43,7 @@ pub enum CavityError {
 
 impl Profile {
     /// Line at the distance `by` > 0 \[mm\] on the left; a sharp convex corner or a tip on the axis becomes an arc of this radius.
-    ///
-    /// # Errors
-    /// When a hollow is narrower than `by`.
+    /// Fails when a hollow is narrower than `by`.
     pub fn offset(&self, by: f64) -> Result<Self, OffsetError> {
         let mut moved = Vec::new();
         for piece in self.pieces() {
@@ -77,9 +75,7 @@ impl Profile {
 
     /// Die with this line as its cavity, drawn from the axis outward: down to the height `face`, a corner of the radius `shoulder`
     /// and the face out to `reach` \[mm\]; the result is drawn inward.
-    ///
-    /// # Errors
-    /// When the line does not cross the face, or the shoulder has no room.
+    /// Fails when the line does not cross the face, or the shoulder has no room.
     pub fn cavity(&self, face: f64, shoulder: f64, reach: f64) -> Result<Self, CavityError> {
         if self.first().y <= face {
             return Err(CavityError::Below(face - self.first().y));

@@ -49,9 +49,7 @@ pub struct ProfileError(String);
 
 impl Profile {
     /// Joins pieces into a profile.
-    ///
-    /// # Errors
-    /// When there is no piece, a piece has no length, or consecutive pieces are more than 1e-6 mm apart.
+    /// Fails when there is no piece, a piece has no length, or consecutive pieces are more than 1e-6 mm apart.
     pub fn new(pieces: Vec<Piece>) -> Result<Self, ProfileError> {
         if pieces.is_empty() {
             return Err(ProfileError("a profile needs at least one piece".into()));
@@ -195,60 +193,5 @@ impl Profile {
     pub fn polyline(&self, step: f64) -> Vec<Point> {
         let rest = self.pieces.iter().flat_map(|piece| piece.polyline(step).into_iter().skip(1));
         std::iter::once(self.first()).chain(rest).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-    use std::f64::consts::{FRAC_PI_2, PI};
-
-    fn point(x: f64, y: f64) -> Point {
-        Point::new(x, y)
-    }
-
-    /// A plate from the axis to r = 10 mm at z = 0, the sheet above, nothing else drawn.
-    fn plate() -> Profile {
-        Profile::connected([Piece::line(point(0.0, 0.0), point(10.0, 0.0))])
-    }
-
-    /// Trust: to the bit, along ways of small steps and of jumps past a plate, a nose and a die's shoulder.
-    #[test]
-    fn what_is_known_of_a_point_before_it_moved_changes_nothing() {
-        let shoulder = Profile::connected([
-            Piece::line(point(0.0, -9.0), point(0.0, -2.0)),
-            Piece::arc(point(2.0, -2.0), 2.0, PI, -FRAC_PI_2),
-            Piece::line(point(2.0, 0.0), point(9.0, 0.0)),
-        ]);
-        for (profile, step) in [plate(), shoulder].iter().flat_map(|p| [1e-3, 0.05, 0.7].map(|step| (p, step))) {
-            let (mut known, mut last) = (Nearest::default(), Point::zeros());
-            for t in (0..4000).map(|i| step * f64::from(i)) {
-                let x = point(4.0 + 6.0 * (0.31 * t).sin(), -1.0 + 4.0 * (0.53 * t).cos());
-                assert_eq!(profile.closest_after(x, (x - last).norm(), &mut known), profile.closest(x));
-                last = x;
-            }
-        }
-    }
-
-    /// Trust: by hand, right triangles of 3, 4 and 5.
-    #[test]
-    fn what_has_passed_the_end_is_outside_and_what_is_pressed_in_is_inside() {
-        for (x, distance, normal) in [
-            (point(5.0, 2.0), 2.0, point(0.0, 1.0)),
-            (point(5.0, -2.0), -2.0, point(0.0, 1.0)),
-            // Beyond the end, above and below the line drawn on.
-            (point(13.0, 4.0), 5.0, point(0.6, 0.8)),
-            (point(13.0, -4.0), 5.0, point(0.6, -0.8)),
-            // Behind the line: nearer round the end than through it, and the other way about.
-            (point(7.0, -4.0), 5.0, point(-0.6, -0.8)),
-            (point(6.0, -3.0), -3.0, point(0.0, 1.0)),
-            // The line meets its mirror image on the axis: that is no end.
-            (point(0.0, -2.0), -2.0, point(0.0, 1.0)),
-        ] {
-            let closest = plate().closest(x);
-            assert_relative_eq!(closest.distance, distance, epsilon = 1e-12);
-            assert_relative_eq!(closest.normal, normal, epsilon = 1e-12);
-        }
     }
 }

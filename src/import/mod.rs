@@ -102,9 +102,7 @@ pub struct Sections {
 }
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
-///
-/// # Errors
-/// When the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
+/// Fails when the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let drawing = dxf::drawing(&dxf::decode(bytes)?)?;
     let frame = frame::Frame::new(&drawing, options)?;

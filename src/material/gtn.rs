@@ -125,9 +125,7 @@ impl Gtn {
     }
 
     /// Checks the parameters against each other, once after they were read; q₃ that was not given becomes q₁².
-    ///
-    /// # Errors
-    /// When they do not go together.
+    /// Fails when they do not go together.
     pub fn prepare(&mut self) -> Result<(), LawError> {
         let square = self.q1 * self.q1;
         if self.q3 == 0.0 {

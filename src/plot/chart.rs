@@ -261,17 +261,3 @@ fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let pad = if is_point { 0.5 * high.abs().max(1e-6) } else { margin * (high - low) };
     (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })
 }
-
-#[cfg(test)]
-#[test]
-fn ranges_hold_all_values_and_zero_if_it_is_near() {
-    let range = |values: &[f64]| fitted(values.iter().copied(), 0.0);
-    let table: [(&[f64], _); 5] = [
-        (&[1.0, 10.0], (0.0, 10.0)),
-        (&[8.0, 10.0], (8.0, 10.0)),
-        (&[-3.0, -1.0], (-3.0, 0.0)),
-        (&[], (0.0, 1.0)),
-        (&[f64::NAN, 4.0], (2.0, 6.0)),
-    ];
-    table.into_iter().for_each(|(values, expected)| assert_eq!(range(values), expected));
-}

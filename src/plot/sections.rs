@@ -116,17 +116,3 @@ pub(crate) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
     let p = at(&nodes[i]) + 0.5 * side * nodes[i].thickness * Point::new(-along.y, along.x);
     (p.x, p.y)
 }
-
-/// Reference: a rectangle at the middle becomes one of twice the width, one beside it stays two.
-#[cfg(test)]
-#[test]
-fn an_outline_on_the_axis_joins_its_image() {
-    for start in 0..4 {
-        let mut rectangle = vec![(0.0, 0.0), (0.0, 1.0), (3.0, 1.0), (3.0, 0.0)];
-        rectangle.rotate_left(start);
-        let [whole] = &mirrored(rectangle)[..] else { panic!("one outline") };
-        let area = whole.iter().zip(whole.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>();
-        assert_eq!((whole.len(), area.abs()), (8, 12.0), "from corner {start}");
-    }
-    assert_eq!(mirrored(vec![(1.0, 0.0), (2.0, 1.0), (2.0, 0.0)]).len(), 2);
-}

@@ -11,11 +11,11 @@ mod sizes;
 pub use sizes::dimensions;
 
 use crate::assess::check::{self, Check};
+use crate::assess::error_bars::{ErrorBars, answered};
 use crate::assess::{self, Answer, Finding, Kind, judgements};
 use crate::case::{Solution, TitleBlock};
 use crate::plot::{Captions, Dimension, StageView};
 use crate::results::Summary;
-use crate::results::error_bars::{ErrorBars, answered};
 use crate::study::compare::SideBySide;
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
@@ -53,7 +53,7 @@ impl<'a> Report<'a> {
         let before = assess::before(&solution.case);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let mut views = solution.views_with(&assumed);
-        bars.into_iter().for_each(|bars| bars.draw(&mut views));
+        views.iter_mut().for_each(|view| view.bars = bars.map_or_else(Vec::new, ErrorBars::amounts));
         views.iter_mut().for_each(|view| view.pictures.captions = Captions::Own);
         let summarised = |view: StageView<'a>| (view.clone(), Summary::of(&view));
         Self {

@@ -120,11 +120,8 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
         }
     } else {
         band = Some(Reference::new(spec)?.band([&x, &y], computed)?);
-        match band.and_then(|band| band.outside()) {
-            Some(0.0) => Verdict::In,
-            Some(_) => Verdict::Out,
-            None => Verdict::NotReached,
-        }
+        let verdict = |outside| if outside == 0.0 { Verdict::In } else { Verdict::Out };
+        band.and_then(|band| band.outside()).map_or(Verdict::NotReached, verdict)
     };
     Ok(Comparison { spec: spec.clone(), points, band, verdict, x, y })
 }
@@ -166,13 +163,9 @@ impl<'a> Reference<'a> {
             if value.is_none_or(|value| value.abs() <= unit.largest()) {
                 return Ok(value);
             }
-            self.refuse(format!(
-                "{place}: {} is out of range, its magnitude must be at most {:e} {}: check the number and the unit at the end \
-                 of the header",
-                row.quoted(at),
-                unit.largest(),
-                unit.symbol()
-            ))
+            let most = format!("its magnitude must be at most {:e} {}", unit.largest(), unit.symbol());
+            let remedy = "check the number and the unit at the end of the header";
+            self.refuse(format!("{place}: {} is out of range, {most}: {remedy}", row.quoted(at)))
         };
         Ok((self.csv.rows.iter().map(value).collect::<Result<_, _>>()?, factor))
     }

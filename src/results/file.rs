@@ -59,7 +59,6 @@ pub(super) fn hidden(path: &Path, ending: &str) -> io::Result<PathBuf> {
     Ok(folder_of(path).join(format!(".{}.{ending}", name.to_str().ok_or(ErrorKind::InvalidFilename)?)))
 }
 
-/// The parent folder; `.` of a bare name.
 pub(super) fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

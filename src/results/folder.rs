@@ -46,9 +46,9 @@ impl ResultFolder {
                 fs::read_dir(&path)?;
                 can_write(&path.join("probe")).map_err(|error| error.source)?;
             }
-            let (part, lock) = match beside(&path) {
+            let (part, lock) = match part_and_lock(&path) {
                 Err(error) if path.is_dir() && error.kind() != ErrorKind::ResourceBusy => {
-                    beside(&path.join(env!("CARGO_PKG_NAME")))?
+                    part_and_lock(&path.join(env!("CARGO_PKG_NAME")))?
                 }
                 names => names?,
             };
@@ -146,8 +146,7 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Path of the new set beside a folder, and the lock.
-fn beside(folder: &Path) -> io::Result<(PathBuf, Lock)> {
+fn part_and_lock(folder: &Path) -> io::Result<(PathBuf, Lock)> {
     Ok((hidden(folder, "part")?, Lock::take(&hidden(folder, "lock")?)?))
 }
 

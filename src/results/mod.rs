@@ -2,7 +2,6 @@
 
 pub mod comparison;
 pub(crate) mod csv;
-pub mod error_bars;
 mod file;
 mod folder;
 mod stages;

@@ -9,7 +9,6 @@ use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::{Column, Field, Table, Unit};
 use crate::units::Amount;
 
-/// Name of the table.
 pub(super) const FILE: &str = "stages.csv";
 
 /// First columns, by which the table is recognised.

@@ -1,8 +1,8 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
 use super::comparison::Comparison;
-use super::error_bars::{ErrorBars, answered};
 use super::{FrameRecorder, Make, OUTPUTS, Pictures, ResultFolder, StageView, WriteError, comparison, stages};
+use crate::assess::error_bars::{ErrorBars, answered};
 use crate::assess::{Answer, Finding, judgements};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
@@ -107,7 +107,7 @@ impl<'a> Results<'a> {
 
     /// Adds error bars.
     pub fn verified(mut self, bars: Option<&'a ErrorBars>) -> Self {
-        bars.into_iter().for_each(|bars| bars.draw(&mut self.views));
+        self.views.iter_mut().for_each(|view| view.bars = bars.map_or_else(Vec::new, ErrorBars::amounts));
         Self { bars, ..self }
     }
 

@@ -84,9 +84,7 @@ pub enum NoSuchStep {
 }
 
 /// Runs stages up to a step and repeats that step with each requested matrix; `observer` sees the run and may end it.
-///
-/// # Errors
-/// When the run has no such step.
+/// Fails when the run has no such step.
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
     let &TraceRequest { stage, step, .. } = request;
     let missing = |text: String| Err(NoSuchStep::Missing(text));

@@ -2,10 +2,10 @@
 
 use super::run::response_key;
 use super::{FailureMode, Run, RunTable, Spread, Sweep};
+use crate::assess::error_bars::Origin;
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::results::error_bars::Origin;
 use crate::units::{Sense, Unit};
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
@@ -107,7 +107,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
     let mut grid: Vec<Option<&Run>> = vec![None; along.len() * up.len()];
     let mut points = Vec::new();
     for run in &runs.runs {
-        let places = sweep.places(run.index);
+        let places = sweep.positions(run.index);
         let (Some(i), Some(j)) = (places[x], places[y]) else { continue };
         grid[j * along.len() + i] = Some(run);
         points.push(((along[i], up[j]), run));

@@ -5,6 +5,7 @@ use super::run::Silent;
 use super::variable::split_pair;
 use super::verify::{Outcome, Watch, quick};
 use super::{BaseCase, Cell, ReportTable, StudyError, StudyReport, fail, parallel_map};
+use crate::assess::error_bars::{ErrorBars, Number, Origin, answered};
 use crate::assess::{self, Light};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::case::{Case, Solution};
@@ -12,7 +13,6 @@ use crate::plot::chart::{Chart, Panel, Series, Style};
 use crate::plot::palette::color;
 use crate::plot::sections;
 use crate::results::comparison::Computed;
-use crate::results::error_bars::{ErrorBars, Number, Origin, answered};
 use crate::results::summary::section_of;
 use crate::units::{Amount, Digits};
 

@@ -3,9 +3,9 @@
 use super::variable::number;
 use super::verify::{Outcome, Watch};
 use super::{BaseCase, FailureMode};
+use crate::assess::error_bars::{Number, Origin};
 use crate::assess::{self, Light};
 use crate::case::Solution;
-use crate::results::error_bars::{Number, Origin};
 use crate::units::rounded;
 
 /// A point of a study: values of its variables and the overrides that set them.

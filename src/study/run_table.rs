@@ -7,8 +7,8 @@
 use super::run::column;
 use super::{FailureMode, Plan, Run, StudyError};
 use crate::assess::Light;
+use crate::assess::error_bars::Number;
 use crate::results::csv::records;
-use crate::results::error_bars::Number;
 use crate::units::{did_you_mean, joined};
 use std::collections::BTreeMap;
 

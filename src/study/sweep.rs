@@ -91,7 +91,7 @@ impl Sweep {
     }
 
     /// Place of a design on every axis; `None` where the case keeps its own value.
-    pub(super) fn places(&self, index: u64) -> Vec<Option<usize>> {
+    pub(super) fn positions(&self, index: u64) -> Vec<Option<usize>> {
         let (index, mut places) = (index as usize, vec![None; self.axes.len()]);
         let mut stride = if self.one_at_a_time { self.plan.designs as usize } else { 1 };
         for (place, axis) in places.iter_mut().zip(&self.axes).rev() {
@@ -109,7 +109,7 @@ impl Sweep {
 
     fn design(&self, index: u64) -> Design {
         let (mut values, mut settings) = (Vec::new(), Vec::new());
-        for (axis, place) in self.axes.iter().zip(self.places(index)) {
+        for (axis, place) in self.axes.iter().zip(self.positions(index)) {
             settings.extend(place.map(|i| axis.variable.setting(&axis.values[i])));
             values.push(place.map_or_else(String::new, |i| axis.values[i].clone()));
         }
@@ -124,7 +124,7 @@ impl Sweep {
             _ => format!("The case as it stands fails: {modes}."),
         };
         let describe = |place: usize, run: &Run| {
-            let values = self.axes.iter().zip(self.places(run.index));
+            let values = self.axes.iter().zip(self.positions(run.index));
             let values = values.filter_map(|(axis, i)| Some(format!("{} {}", axis.drawn.label, axis.labels[i?])));
             format!("{} ({})", runs.display(place, run.numbers[place]), joined(values, ", "))
         };
@@ -144,7 +144,7 @@ impl Sweep {
         let own = runs.runs.first().map_or(f64::NAN, |run| run.numbers[response]);
         let one = |axis: usize| {
             let end = |run: &Run| {
-                let (place, number) = (self.places(run.index)[axis]?, run.response(response)?);
+                let (place, number) = (self.positions(run.index)[axis]?, run.response(response)?);
                 Some(End { number, place, is_sound: run.is_sound() })
             };
             let mut ends: Vec<End> = runs.runs.iter().skip(1).filter_map(end).collect();

@@ -46,9 +46,7 @@ fn refused<T>(line: impl Into<Option<usize>>, what: impl Into<String>, help: &st
 
 impl Csv {
     /// Reads a text. Messages call it by `name`, as in "the profile file", and end with `example`, a correct header.
-    ///
-    /// # Errors
-    /// If there are only comments, the first line names no columns, a row is longer than it, or the size limits are exceeded.
+    /// Fails if there are only comments, the first line names no columns, a row is longer than it, or the size limits are exceeded.
     pub fn read(text: &str, name: &str, example: &str) -> Result<Self, CsvError> {
         let mut reader = csv::ReaderBuilder::new();
         reader.comment(Some(b'#')).trim(csv::Trim::All).flexible(true).has_headers(false);
@@ -85,9 +83,7 @@ impl Csv {
     }
 
     /// Unit that a column's name ends in, and the factor to it.
-    ///
-    /// # Errors
-    /// If it ends in no known unit.
+    /// Fails if it ends in no known unit.
     pub fn unit(&self, column: usize) -> Result<(Unit, f64), String> {
         Unit::of_header(self.header.fields.get(column).unwrap_or(""))
     }
@@ -95,9 +91,7 @@ impl Csv {
 
 impl Record {
     /// Number in a column; `None` if it is empty.
-    ///
-    /// # Errors
-    /// If it is no finite number.
+    /// Fails if it is no finite number.
     pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
         let field = self.fields.get(column).unwrap_or("");
         let is = match field.parse::<f64>() {

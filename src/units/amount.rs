@@ -159,27 +159,3 @@ fn unsigned_zero(number: &str) -> String {
     let is_zero = number.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
     if is_zero { number.replace('-', "") } else { number.to_owned() }
 }
-
-/// Trust: by hand.
-#[cfg(test)]
-#[test]
-fn each_kind_of_number_has_its_digits_and_its_unit() {
-    for (amount, expected) in [
-        (Amount::place(23.53), ["23.5 mm", "0.926 in"]),
-        (Amount::size(30.0), ["30 mm", "1.1811 in"]),
-        (Amount::drawn(30.126), ["30.13 mm", "1.1861 in"]),
-        (Amount::force(36_180.0, Unit::N), ["36.2 kN", "4.07 US tonf"]),
-        (Amount::angle(-0.04), ["0.0°", "0.0°"]),
-        (Amount::thicknesses(0.193), ["0.19 t", "0.19 t"]),
-        (Amount::share(1.23e-8), ["0 %", "0 %"]),
-        (Amount::norm(1.23e-6), ["1.2e-6", "1.2e-6"]),
-        (Amount::stress(f64::NAN), ["– MPa", "– psi"]),
-        (Amount::temperature(100.0), ["100 °C", "212 °F"]),
-        (Amount::thickness(0.612).with_bar(0.0102), ["0.61 ± 0.01 mm", "0.0241 ± 0.0004 in"]),
-        (Amount::force(36_180.0, Unit::N).with_bar(2_400.0), ["36 ± 3 kN", "4.1 ± 0.3 US tonf"]),
-        (Amount::place(23.53).with_bar(f64::NAN), ["23.5 mm", "0.926 in"]),
-    ] {
-        let both = [DisplaySettings::Si, DisplaySettings::Us].map(|settings| text(amount.parts_in(settings)));
-        assert_eq!(both, expected);
-    }
-}

@@ -36,9 +36,7 @@ impl QuantityError {
 
 /// Reads a quantity such as `0.9 mm`, `60mm`, `20 ga_steel`, `30 N/mm2` or `5.4 tonf_uk/in^2`; `/` divides by the next factor
 /// only.
-///
-/// # Errors
-/// When there is no number, a unit is unknown (the closest known ones are named) or the text is malformed.
+/// Fails when there is no number, a unit is unknown (the closest known ones are named) or the text is malformed.
 pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     let text = text.trim();
     let Some((value, rest)) = split_number(text) else {

@@ -17,9 +17,7 @@ pub trait Dimensioned: Copy {
     const BOUNDS: &'static [(&'static str, f64)] = &[];
 
     /// Checks a number given in solver units.
-    ///
-    /// # Errors
-    /// When it is not finite or out of range; `found` is quoted in the message.
+    /// Fails when it is not finite or out of range; `found` is quoted in the message.
     fn checked(value: f64, found: &str) -> Result<Self, QuantityError>;
 
     /// Number in the solver's unit ([`Kind::unit`]).
@@ -256,9 +254,7 @@ pub struct As<Q>(PhantomData<Q>);
 
 impl<Q: Dimensioned> As<Q> {
     /// Reads the number.
-    ///
-    /// # Errors
-    /// When it is not such a quantity.
+    /// Fails when it is not such a quantity.
     pub fn deserialize<'de, N: From<f64>, D: Deserializer<'de>>(from: D) -> Result<N, D::Error> {
         from.deserialize_any(Written::<Q>(PhantomData)).map(|quantity| quantity.value().into())
     }

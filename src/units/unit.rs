@@ -63,9 +63,7 @@ impl Unit {
     }
 
     /// Solver's unit that a header ends in, and the factor that converts its values to it.
-    ///
-    /// # Errors
-    /// When the header ends in no known unit.
+    /// Fails when the header ends in no known unit.
     pub fn of_header(header: &str) -> Result<(Self, f64), String> {
         let ends = |(spelling, _): &(&str, Unit)| header.strip_suffix(spelling).is_some_and(|rest| rest.ends_with('_'));
         let longest = spellings().filter(ends).max_by_key(|(spelling, _)| spelling.len());

@@ -22,7 +22,7 @@ fn check_calls(dir: &Path, calls: &[Call]) {
 #[test]
 fn a_run_writes_every_file_and_a_trace() {
     let dir = folder(CUP);
-    check_calls(dir.path(), &[(&["run", "cases/cup.toml", "--trace", "trace.csv", "--verbose"], 0, "cup: 100 %")]);
+    check_calls(dir.path(), &[(&["run", "cases/cup.toml", "--trace", "trace.csv", "--verbose"], 0, "")]);
     let absent = "pressure_cycle porosity temperature forming_limit strain_paths springback residual_stress stages.csv \
                   compare_ section.pvd shapes.gif error_bars";
     for output in stampflow::results::OUTPUTS {
@@ -196,7 +196,7 @@ remove = ["holder"]
 fn every_stage_has_its_folder_and_its_row() {
     let dir = folder(&format!("{CUP}{STAGES}{APART}"));
     let out = dir.path().join("out/cup");
-    check_calls(dir.path(), &[(&["run", "cases/cup.toml"], 0, "cup/3-apart: 100 %")]);
+    check_calls(dir.path(), &[(&["run", "cases/cup.toml"], 0, "")]);
     for stage in ["1-draw", "2-retract", "3-apart"] {
         for file in ["summary.json", "load_travel.csv", "profile.csv", "shapes.png"] {
             assert!(out.join(stage).join(file).is_file(), "{stage}/{file}");

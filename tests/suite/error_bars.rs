@@ -3,9 +3,9 @@
 use crate::common::cli::{CUP, folder, stampflow, text};
 use crate::common::shipped::shipped_case;
 use serde_json::Value;
+use stampflow::assess::error_bars::{ErrorBars, Origin, answered};
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
-use stampflow::results::error_bars::{ErrorBars, Origin, answered};
 use stampflow::study::Watch;
 use stampflow::study::verify::{quick, verify};
 use std::path::Path;

@@ -2,7 +2,9 @@
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
-use stampflow::geometry::{Arc, CavityError, Closest, Fold, OffsetError, Piece, Point, Profile, Segment, fillet};
+use stampflow::geometry::{
+    Arc, CavityError, Closest, Fold, Nearest, OffsetError, Piece, Point, Profile, Segment, fillet,
+};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 fn all() -> Vec<Profile> {
@@ -470,4 +472,49 @@ fn corners_and_arcs_stay() {
     assert_eq!(die.rounded(), die);
     let holder = Profile::holder(60.0, 1.0);
     assert_eq!(holder.rounded(), holder);
+}
+
+/// A plate from the axis to r = 10 mm at z = 0, the sheet above, nothing else drawn.
+fn plate() -> Profile {
+    chain(&[[0.0, 0.0], [10.0, 0.0]])
+}
+
+/// Trust: to the bit, along ways of small steps and of jumps past a plate, a nose and a die's shoulder.
+#[test]
+fn what_is_known_of_a_point_before_it_moved_changes_nothing() {
+    let shoulder = Profile::new(vec![
+        Piece::line(Point::new(0.0, -9.0), Point::new(0.0, -2.0)),
+        Piece::arc(Point::new(2.0, -2.0), 2.0, PI, -FRAC_PI_2),
+        Piece::line(Point::new(2.0, 0.0), Point::new(9.0, 0.0)),
+    ])
+    .expect("a chain");
+    for (profile, step) in [plate(), shoulder].iter().flat_map(|p| [1e-3, 0.05, 0.7].map(|step| (p, step))) {
+        let (mut known, mut last) = (Nearest::default(), Point::zeros());
+        for t in (0..4000).map(|i| step * f64::from(i)) {
+            let x = Point::new(4.0 + 6.0 * (0.31 * t).sin(), -1.0 + 4.0 * (0.53 * t).cos());
+            assert_eq!(profile.closest_after(x, (x - last).norm(), &mut known), profile.closest(x));
+            last = x;
+        }
+    }
+}
+
+/// Trust: by hand, right triangles of 3, 4 and 5.
+#[test]
+fn what_has_passed_the_end_is_outside_and_what_is_pressed_in_is_inside() {
+    for (x, distance, normal) in [
+        (Point::new(5.0, 2.0), 2.0, Point::new(0.0, 1.0)),
+        (Point::new(5.0, -2.0), -2.0, Point::new(0.0, 1.0)),
+        // Beyond the end, above and below the line drawn on.
+        (Point::new(13.0, 4.0), 5.0, Point::new(0.6, 0.8)),
+        (Point::new(13.0, -4.0), 5.0, Point::new(0.6, -0.8)),
+        // Behind the line: nearer round the end than through it, and the other way about.
+        (Point::new(7.0, -4.0), 5.0, Point::new(-0.6, -0.8)),
+        (Point::new(6.0, -3.0), -3.0, Point::new(0.0, 1.0)),
+        // The line meets its mirror image on the axis: that is no end.
+        (Point::new(0.0, -2.0), -2.0, Point::new(0.0, 1.0)),
+    ] {
+        let closest = plate().closest(x);
+        assert_relative_eq!(closest.distance, distance, epsilon = 1e-12);
+        assert_relative_eq!(closest.normal, normal, epsilon = 1e-12);
+    }
 }

@@ -4,19 +4,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Lines that rooms beyond their budget may have until they come below it: they only shrink.
-const OVER: [(&str, usize); 9] = [
-    ("author", 2042),
-    ("case", 5224),
-    ("cli", 2397),
-    ("import", 1885),
-    ("material", 3747),
-    ("results", 2925),
-    ("study", 5529),
-    ("table", 343),
-    ("units", 1194),
-];
-
 /// Lines of the rooms of `src/`; any other may have 300.
 const ROOMS: [(&str, usize); 19] = [
     ("numerics", 800),
@@ -66,7 +53,6 @@ fn every_room_keeps_to_its_budget() {
     for (path, text) in &source {
         let room = path.iter().nth(1).expect("below src").to_string_lossy().replace(".rs", "");
         let budget = ROOMS.iter().find(|(name, _)| *name == room).map_or(300, |room| room.1);
-        let budget = OVER.iter().find(|(name, _)| *name == room).map_or(budget, |room| room.1);
         sizes.entry(room).or_insert((0, budget)).0 += text.lines().count();
         let largest = if path.ends_with("tests.rs") { usize::MAX } else { 350 };
         sizes.insert(path.display().to_string(), (text.lines().count(), largest));
@@ -75,7 +61,7 @@ fn every_room_keeps_to_its_budget() {
     let gates = source.iter().map(|(_, text)| text.matches("feature = ").count()).sum();
     sizes.insert("feature gates".into(), (gates, 60));
     for (name, size, budget) in [
-        ("src", lines(&source), 45_250),
+        ("src", lines(&source), 44_000),
         ("tests", lines(&texts("tests", "rs")), 14_000),
         ("docs", lines(&texts("docs", "md")), 3_500),
     ] {

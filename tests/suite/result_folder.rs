@@ -63,7 +63,11 @@ const VERBS: [[&str; 3]; 11] = [
         "--set blank.elements=20",
         "out/cup-search",
     ],
-    ["scatter cases/cup.toml -q --restart --runs 8", "--set blank.elements=20", "out/cup-scatter"],
+    [
+        "scatter cases/cup.toml -q --restart --runs 8 --vary friction=uniform\t0.05..0.12",
+        "--set blank.elements=20",
+        "out/cup-scatter",
+    ],
     ["fit cases/fit.toml -q", "--set blank.elements=20", "out/fit-fit"],
     ["compare cases/cup.toml -q --also friction=0.12", "--set blank.elements=20", "out/cup-compare"],
     ["verify cases/cup.toml -q --out bars --set tools.punch.travel=2mm", "--set blank.elements=20", "bars"],

@@ -4,7 +4,7 @@ use crate::common::cli::{stampflow, text};
 use crate::common::coverage::{Checked, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
-use stampflow::results::error_bars::{ErrorBars, Number, Origin};
+use stampflow::assess::error_bars::{ErrorBars, Number, Origin};
 use std::fs;
 use std::path::Path;
 

@@ -96,9 +96,7 @@ impl Template {
     }
 
     /// Writes the text of a case file from option names and their values with units.
-    ///
-    /// # Errors
-    /// When an option is unknown, a value is not of its kind, sizes do not fit each other, or the blank is too wide.
+    /// Fails when an option is unknown, a value is not of its kind, sizes do not fit each other, or the blank is too wide.
     pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
         let inputs = Inputs::read(self, given)?;
         let text = (self.sizes)(&inputs, &Sheet::read(&inputs)?)?.fill(self.text);
@@ -119,9 +117,7 @@ impl Template {
 }
 
 /// Returns the template of a name.
-///
-/// # Errors
-/// When there is none; the message names all.
+/// Fails when there is none; the message names all.
 pub fn find(name: &str) -> Result<&'static Template, CaseError> {
     TEMPLATES.iter().find(|template| template.name == name).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();

@@ -53,9 +53,7 @@ impl<'a> Groove<'a> {
     }
 
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
-    ///
-    /// # Errors
-    /// When the equations lose their solution before the groove is necking.
+    /// Fails when the equations lose their solution before the groove is necking.
     pub fn neck(&self, mut step: f64) -> Result<Option<f64>, LawError> {
         let ([across, _], shear) = self.in_groove(self.path.strain, 0.0);
         let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: Vector2::new(across, 2.0 * shear) };

@@ -27,9 +27,7 @@ pub struct Hollomon {
 
 impl Hollomon {
     /// Law with a declared offset strain, or else that of the elastic line of modulus `young`. `k` and `young` \[MPa\].
-    ///
-    /// # Errors
-    /// When a parameter is out of range, or the elastic line is met at a strain above 0.05 (then K or E has a wrong unit).
+    /// Fails when a parameter is out of range, or the elastic line is met at a strain above 0.05 (then K or E has a wrong unit).
     pub fn new(k: f64, n: f64, offset: Option<f64>, young: Option<f64>) -> Result<Self, LawError> {
         let mut law = Self { k, n, offset, start: 0.0 };
         law.prepare(young).map(|()| law)

@@ -41,9 +41,7 @@ const LARGEST_JUMP: f64 = 0.005;
 
 impl PiecewisePower {
     /// Joins branches, in order of strain; the last must have no end (infinite).
-    ///
-    /// # Errors
-    /// When a parameter is out of range, the ends do not rise, or two branches do not meet.
+    /// Fails when a parameter is out of range, the ends do not rise, or two branches do not meet.
     pub fn new(branches: Vec<Branch>) -> Result<Self, LawError> {
         let mut law = Self { branches };
         law.prepare(None).map(|()| law)

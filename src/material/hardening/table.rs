@@ -41,9 +41,7 @@ pub struct Table {
 
 impl Table {
     /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall.
-    ///
-    /// # Errors
-    /// When there are fewer than two points or they are not of that kind.
+    /// Fails when there are fewer than two points or they are not of that kind.
     pub fn new(strain: Vec<f64>, stress: Vec<f64>, extrapolation: Extrapolation) -> Result<Self, LawError> {
         let points: Vec<_> = strain.into_iter().zip(stress).collect();
         Ok(Self { points: Vec::new(), extrapolation, curve: Monotone::new(&points, extrapolation)? })

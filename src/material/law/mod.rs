@@ -84,9 +84,7 @@ pub trait Family: Sized {
     fn named(table: Self::Table) -> Vec<Self>;
 
     /// Law made ready for use after it was read; `young` is Young's modulus of the sheet where it is known \[MPa\].
-    ///
-    /// # Errors
-    /// When its parameters do not go together; the range of each was checked when it was read.
+    /// Fails when its parameters do not go together; the range of each was checked when it was read.
     fn prepared(self, young: Option<f64>) -> Result<Self, LawError>;
 }
 

@@ -1,7 +1,7 @@
 //! Discretisation error of a number from its values on other levels of refinement.
 
 use super::{Direction, Outcome};
-use crate::results::error_bars::{Contribution, Number};
+use crate::assess::error_bars::{Contribution, Number};
 use crate::units::{ErrorBar, Unit};
 
 /// Factors of safety on an extrapolated error, and on the spread of values that follow no order \[–\].

@@ -24,9 +24,9 @@ pub use direction::Direction;
 use estimate::with_bar;
 pub use numbers::{End, Outcome};
 
+use crate::assess::error_bars::ErrorBars;
 use crate::case::{Case, Solution};
 use crate::results::csv::{number, records};
-use crate::results::error_bars::ErrorBars;
 use crate::solver::Observer;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};

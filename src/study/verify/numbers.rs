@@ -1,12 +1,12 @@
 //! Numbers of a solution that can have an error bar, with the curves and the end of its run.
 
 use super::Direction;
+use crate::assess::error_bars::{Number, Origin};
 use crate::assess::{self, Answer, Finding, after, forming_limit_used, largest_force};
 use crate::case::{Case, Solution};
 use crate::measure::{Shape, changes, thickest};
 use crate::model::{Motion, Role};
 use crate::numerics::interpolated;
-use crate::results::error_bars::{Number, Origin};
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, Digits, Quantity};
 

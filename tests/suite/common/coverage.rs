@@ -1,10 +1,10 @@
 //! Error bars held against a truth that is eight times finer in each direction.
 
 use stampflow::Stage;
+use stampflow::assess::error_bars::{ErrorBars, Number, Origin};
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
-use stampflow::results::error_bars::{ErrorBars, Number, Origin};
 use stampflow::study::verify::{Direction, Outcome, quick, verify};
 
 /// How many times finer the truth is \[–\].

@@ -1,247 +1,7 @@
-//! Summary of a stage: one list of lines, printed as text and written as JSON.
+//! Lines of a summary: load, part, energies, condition, and the numerical solution.
 
-use super::{StageView, stages, tables};
-use crate::assess::{Kind, holder_lift, sentences};
-use crate::case::Solution;
-use crate::case::files::sha256;
-use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
-use crate::model::{Extent, Geometry, Grading, Mode, Model, Role, Theory};
-use crate::plot::stop_text;
-use crate::solver::solution::{StageSolution, StepRecord, StopKind};
-use crate::table::{JOULES, Unit, worded};
-use crate::units::{Amount, Digits, ZERO_CELSIUS, joined, rounded};
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
-use serde_json::{Value as Json, json};
-use std::fmt;
+use super::*;
 
-/// Subject of a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// The case that was solved, and warnings.
-    Case,
-    /// The part, the load that formed it, and the end of the stage.
-    Part,
-    /// The numerical solution.
-    Solution,
-}
-
-#[derive(Clone, Debug)]
-struct Line {
-    group: Group,
-    key: &'static str,
-    /// Indented where the line belongs to the one above; empty in lines for programs only.
-    label: String,
-    value: Value,
-}
-
-#[derive(Clone, Debug)]
-enum Value {
-    Number(Amount),
-    /// Count, flag or text.
-    Plain(Json),
-    /// Rows with labels, and their JSON.
-    Rows(Vec<[String; 2]>, Json),
-}
-
-/// Lines in the order of printing; displays as aligned text, serialises with units in the keys.
-#[derive(Clone, Debug)]
-pub struct Summary(Vec<Line>);
-
-impl Summary {
-    /// Sums up a stage.
-    pub fn of(view: &StageView) -> Self {
-        let (model, run) = (view.model(), view.stage);
-        let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
-        let mut lines = Lines { view, model, run, last, group: Group::Case, lines: Vec::new() };
-        lines.plain("case", "Case", view.name.clone());
-        lines.plain("title", "Title", model.title.clone());
-        lines.plain("section", "Section", section_of(model.extent()));
-        lines.group = Group::Part;
-        lines.load();
-        lines.part();
-        lines.condition();
-        lines.group = Group::Solution;
-        lines.solution();
-        lines.group = Group::Case;
-        for (key, label, entries) in [
-            ("overrides", "Set on the command line", view.case.map_or_else(Vec::new, |case| case.overrides.clone())),
-            ("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption)),
-            ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
-            ("notes", "Declared assumptions", model.notes.clone()),
-        ] {
-            let rows = entries.iter().map(|entry| [String::new(), format!("- {entry}")]).collect();
-            lines.add(key, label, Value::Rows(rows, entries.into()));
-        }
-        Self(lines.lines)
-    }
-
-    /// Label, value and unit of the lines of a group that have one value.
-    pub fn figures(&self, group: Group) -> impl Iterator<Item = [String; 3]> {
-        self.printed().filter(move |line| line.group == group).filter_map(|Line { label, value, .. }| {
-            let (value, unit) = match value {
-                Value::Number(amount) => amount.parts(),
-                value => (value.text()?, ""),
-            };
-            Some([label.clone(), value, unit.to_owned()])
-        })
-    }
-
-    /// Labels and values of all printed lines; the entries of a list stand below each other.
-    pub fn rows(&self) -> impl Iterator<Item = [String; 2]> {
-        self.printed().flat_map(|Line { label, value, .. }| match value {
-            Value::Rows(rows, _) => {
-                let mut rows = rows.clone();
-                rows.iter_mut().take(1).for_each(|[first, _]| first.insert_str(0, label));
-                rows
-            }
-            value => vec![[label.clone(), value.text().unwrap_or_default()]],
-        })
-    }
-
-    fn printed(&self) -> impl Iterator<Item = &Line> {
-        self.0.iter().filter(|line| !line.label.is_empty())
-    }
-
-    /// Text of `summary.json`, with the verdict on the whole case if it was judged.
-    pub(super) fn json(view: &StageView) -> Option<String> {
-        let mut summary = Self::of(view);
-        let verdict = view.verdict.clone().map(Value::Plain);
-        summary.0.extend(verdict.map(|value| Line { group: Group::Case, key: "verdict", label: String::new(), value }));
-        serde_json::to_string_pretty(&summary).ok().map(|text| text + "\n")
-    }
-}
-
-impl Value {
-    /// Value of a line that is no list.
-    fn text(&self) -> Option<String> {
-        match self {
-            Self::Number(amount) => Some(amount.to_string()),
-            Self::Plain(Json::Bool(flag)) => Some(if *flag { "yes" } else { "no" }.to_owned()),
-            Self::Plain(Json::String(text)) => Some(text.clone()),
-            Self::Plain(count) => Some(count.to_string()),
-            Self::Rows(..) => None,
-        }
-    }
-
-    /// `44.1 mm, 48.3 kN: rim meets the die`; the time in place of travel and force where a gas works.
-    fn events(events: &[Event], force: Unit) -> Self {
-        let row = |event: &Event| {
-            let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
-            let at =
-                if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
-            [String::new(), format!("{at}: {}", event.kind.label())]
-        };
-        let entry = |event: &Event| {
-            json!({
-                "key": event.kind.key(),
-                "what": event.kind.label(),
-                Unit::Mm.keyed("travel"): rounded(event.travel),
-                Unit::Second.keyed("time"): rounded(event.time),
-                force.keyed("punch_force"): rounded(event.force),
-            })
-        };
-        Self::Rows(events.iter().map(row).collect(), events.iter().map(entry).collect())
-    }
-
-    /// `Wall to the punch direction  0.3° → 8.2° (+7.9°)`
-    fn changes(changes: &[Change]) -> Self {
-        let row = |change: &Change| {
-            let by = change.change().map_or_else(String::new, |by| format!(" ({})", change.quantity.signed_text(by)));
-            [format!("  {}", change.quantity.label), format!("{change}{by}")]
-        };
-        let entry = |change: &Change| {
-            json!({
-                "key": change.quantity.key,
-                "unit": change.quantity.unit.spelled(),
-                "before": change.before.map(rounded),
-                "after": change.after.map(rounded),
-                "change": change.change().map(rounded),
-            })
-        };
-        let head = [String::new(), "before → after (change)".to_owned()];
-        Self::Rows(std::iter::once(head).chain(changes.iter().map(row)).collect(), changes.iter().map(entry).collect())
-    }
-}
-
-impl Serialize for Summary {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for Line { key, value, .. } in &self.0 {
-            match value {
-                Value::Number(amount) => {
-                    map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?;
-                    if let Some(bar) = amount.bar {
-                        map.serialize_entry(&amount.unit.keyed(&format!("{key}_error_bar")), &rounded(bar))?;
-                    }
-                }
-                Value::Plain(json) | Value::Rows(_, json) => map.serialize_entry(key, json)?,
-            }
-        }
-        map.end()
-    }
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = self.rows().map(|[label, _]| label.chars().count()).max().unwrap_or(0);
-        self.rows().try_for_each(|[label, value]| writeln!(f, "{label:<width$}  {value}"))
-    }
-}
-
-/// Summary of a case: displays as aligned text; serialises as its one stage, or with a list of them.
-#[derive(Clone, Debug)]
-pub struct CaseSummary {
-    case: String,
-    complete: bool,
-    /// Summaries of the stages that were run.
-    pub stages: Vec<Summary>,
-    /// A line for every stage; empty in a case of one stage.
-    pub lines: String,
-}
-
-impl Solution {
-    /// Sums up every stage.
-    pub fn summary(&self) -> CaseSummary {
-        CaseSummary::of(self, &self.views())
-    }
-}
-
-impl CaseSummary {
-    /// Sums up every stage by its view.
-    pub fn of(solution: &Solution, views: &[StageView]) -> Self {
-        let (case, complete) = (solution.case.name.clone(), solution.is_complete());
-        Self { case, complete, stages: views.iter().map(Summary::of).collect(), lines: stages::printed(solution) }
-    }
-}
-
-impl Serialize for CaseSummary {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.stages.as_slice() {
-            [stage] if self.lines.is_empty() => stage.serialize(serializer),
-            stages => json!({"case": self.case, "complete": self.complete, "stages": stages}).serialize(serializer),
-        }
-    }
-}
-
-impl fmt::Display for CaseSummary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let stages: Vec<String> = self.stages.iter().map(Summary::to_string).collect();
-        let lines = if self.lines.is_empty() { String::new() } else { format!("\nStages\n{}\n", self.lines) };
-        write!(f, "{}{lines}", stages.join("\n"))
-    }
-}
-
-/// Geometry, and the extent that forces refer to.
-pub fn section_of(extent: Extent) -> String {
-    let section = match extent.geometry() {
-        Geometry::Axisymmetric => "axisymmetric",
-        Geometry::PlaneStrain => "plane strain",
-    };
-    joined([section.into(), extent.described()], "; ")
-}
-
-/// Lines of a stage as they are collected.
 struct Lines<'a> {
     view: &'a StageView<'a>,
     model: &'a Model,
@@ -250,6 +10,33 @@ struct Lines<'a> {
     last: StepRecord,
     group: Group,
     lines: Vec<Line>,
+}
+
+/// Lines of a stage in the order of printing.
+pub(super) fn lines(view: &StageView) -> Vec<Line> {
+    let (model, run) = (view.model(), view.stage);
+    let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
+    let mut lines = Lines { view, model, run, last, group: Group::Case, lines: Vec::new() };
+    lines.plain("case", "Case", view.name.clone());
+    lines.plain("title", "Title", model.title.clone());
+    lines.plain("section", "Section", section_of(model.extent()));
+    lines.group = Group::Part;
+    lines.load();
+    lines.part();
+    lines.condition();
+    lines.group = Group::Solution;
+    lines.solution();
+    lines.group = Group::Case;
+    for (key, label, entries) in [
+        ("overrides", "Set on the command line", view.case.map_or_else(Vec::new, |case| case.overrides.clone())),
+        ("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption)),
+        ("warnings", "Warnings", sentences(&view.findings, Kind::Warning)),
+        ("notes", "Declared assumptions", model.notes.clone()),
+    ] {
+        let rows = entries.iter().map(|entry| [String::new(), format!("- {entry}")]).collect();
+        lines.add(key, label, Value::Rows(rows, entries.into()));
+    }
+    lines.lines
 }
 
 impl Lines<'_> {
@@ -301,6 +88,14 @@ impl Lines<'_> {
             self.number("held_rate_target", "Strain rate to be held", rate(control.target));
             self.number("held_rate_least", "  least", rate(least));
             self.number("held_rate_largest", "  largest", rate(self.largest(|s| s.held_rate)));
+            let before = std::iter::once(0.0).chain(run.steps.iter().map(|s| s.time));
+            let capped = run.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some());
+            let capped: f64 = capped.map(|(s, before)| s.time - before).sum();
+            self.number(
+                "time_on_cap",
+                "  time on a cap of the pressure",
+                (last.time > 0.0).then(|| Amount::share(capped / last.time)),
+            );
             self.number("time", "Time of the cycle", Amount::time(last.time));
         }
         let touching = Some(last.contact_share).filter(|share| *share > 0.0);
@@ -337,6 +132,7 @@ impl Lines<'_> {
             self.number("forming_margin", "  least margin in major true strain", Amount::ratio(worst.margin()));
             self.number("forming_ratio", "  major strain over the limit there", Amount::share(worst.ratio()));
             self.number("forming_margin_s0", "  at s0, its initial distance", Amount::place(worst.s0));
+            self.plain("forming_margin_path_crooked", "  its path is not straight", worst.is_crooked());
             self.plain("forming_paths_crooked", "  elements whose path is not straight", assessment.crooked());
             self.plain("forming_limit_reached", "  reached", assessment.reached.is_some());
             if let Some(reached) = assessment.reached {
@@ -356,6 +152,11 @@ impl Lines<'_> {
         let Self { model, run, last, .. } = *self;
         let energy = |energy: f64| Amount::force(JOULES * energy, model.extent().energy_unit());
         let work = last.work.without_round_off();
+        if work.external < 0.0 {
+            self.number("work_given_back", "Work given back to the tools", energy(-work.external));
+            self.number("work_out_of_sheet", "  out of the sheet's elasticity", energy(0.0 - work.elastic));
+            self.number("work_out_of_contact", "  out of the contact", energy(0.0 - work.contact));
+        }
         self.number("work_external", "Work of the tools", energy(work.external));
         self.number("work_plastic", "  plastic", energy(work.plastic));
         let elastic = (model.mode != Mode::Flow).then(|| energy(work.elastic));

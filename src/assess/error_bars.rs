@@ -1,11 +1,9 @@
 //! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
-use crate::assess::{self, Answer, Finding, Kind, Light};
+use super::{Answer, Finding, Kind, Light, after};
 use crate::case::Solution;
-use crate::plot::StageView;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use serde_json::json;
 
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
@@ -129,7 +127,7 @@ impl Serialize for Number {
 /// Answer to a solved case with its findings; with error bars if it was verified.
 pub fn answered(solution: &Solution, bars: Option<&ErrorBars>) -> (Answer, Vec<Finding>) {
     let Solution { case, stages, .. } = solution;
-    let findings = assess::after(case, stages);
+    let findings = after(case, stages);
     let Some(bars) = bars else { return (Answer::of(case, stages, &findings), findings) };
     let findings = bars.weigh(findings);
     let mut answer = Answer::of(case, stages, &findings);
@@ -207,6 +205,11 @@ impl ErrorBars {
         }
     }
 
+    /// Every number with its error bar.
+    pub(crate) fn amounts(&self) -> Vec<Amount> {
+        self.numbers.iter().map(|number| number.quantity.amount).collect()
+    }
+
     /// Sentences below the answer's numbers: origin of the bars, numbers without one and why, and all notes.
     pub fn sentences(&self) -> Vec<String> {
         let answer = || self.numbers.iter().filter(|number| number.origin == Origin::Answer);
@@ -225,19 +228,17 @@ impl ErrorBars {
         let without = without.into_iter().map(|(label, why)| format!("{label}: no error bar, {why}"));
         [format!("{}: {what}", self.method())].into_iter().chain(without).chain(self.notes.iter().cloned()).collect()
     }
-
-    /// Gives the views of all stages their error bars.
-    pub(crate) fn draw(&self, views: &mut [StageView]) {
-        let bars: Vec<_> = self.numbers.iter().map(|number| number.quantity.amount).collect();
-        views.iter_mut().for_each(|view| view.bars.clone_from(&bars));
-    }
 }
 
 /// JSON of the bars: method, number of further runs, sentences, and the numbers of the part and the press.
 impl Serialize for ErrorBars {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let numbers: Vec<_> = self.numbers.iter().filter(|number| number.origin != Origin::Verdict).collect();
-        json!({ "method": self.method(), "runs": self.runs, "told": self.sentences(), "numbers": numbers })
-            .serialize(serializer)
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("method", &self.method())?;
+        map.serialize_entry("runs", &self.runs)?;
+        map.serialize_entry("told", &self.sentences())?;
+        map.serialize_entry("numbers", &numbers)?;
+        map.end()
     }
 }
