@@ -154,7 +154,10 @@ fn a_full_disk_leaves_the_earlier_set_and_says_so() {
         let (dir, [args, ..]) = (cases(), verb);
         done(dir.path(), verb, true);
         let before = tree(dir.path());
-        let failed = shell(dir.path(), &format!("trap '' XFSZ; ulimit -f 1; stampflow {}", args.replace('<', "\\<")));
+        let failed = shell(
+            dir.path(),
+            &format!("trap '' XFSZ; ulimit -f 1; stampflow {}", args.replace('<', "\\<").replace('\t', "\\\t")),
+        );
         let message = text(&failed.stderr);
         assert!(matches!(failed.status.code(), Some(1 | 2)), "{args}: {message}");
         assert!(message.contains("cannot write"), "{args}: {message}");
