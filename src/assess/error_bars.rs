@@ -85,13 +85,13 @@ impl Number {
     }
 
     /// Number that has no error bar for a reason.
-    pub(crate) fn without_bar(&self, why: &str) -> Self {
+    pub fn without_bar(&self, why: &str) -> Self {
         let quantity = self.quantity.clone().with_error(ErrorBar::Missing(why.to_owned()));
         Self { quantity, ..self.clone() }
     }
 
     /// Origin, key and unit in files.
-    pub(crate) fn name(&self) -> [&'static str; 3] {
+    pub fn name(&self) -> [&'static str; 3] {
         [["answer", "part", "verdict"][self.origin as usize], self.quantity.key, self.quantity.amount.unit.spelled()]
     }
 
@@ -206,7 +206,7 @@ impl ErrorBars {
     }
 
     /// Every number with its error bar.
-    pub(crate) fn amounts(&self) -> Vec<Amount> {
+    pub fn amounts(&self) -> Vec<Amount> {
         self.numbers.iter().map(|number| number.quantity.amount).collect()
     }
 
