@@ -99,6 +99,8 @@ impl Thinning {
         let zero = Series::silent(vec![(0.0, 0.0), (0.0, 1.0)], Style::solid(BLACK, 3.0));
         Panel::new(axis.clone(), axis, Scale::Bar).with(colors.chain([zero]))
     }
+
+    /// Sentence on the drawn thickness.
     pub fn note(&self) -> String {
         match self.times {
             1.0 => "The sheet is true to thickness.".to_owned(),
