@@ -10,8 +10,6 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
 pub const THIN: f64 = 5.0;
-/// Radius over thickness below which the outer fibre is strained by a fifth \[–\]: a declared rule of thumb.
-pub const SHARP: f64 = 2.0;
 /// Blank over punch that one draw of mild steel reaches \[–\]: a declared rule of thumb, above 4ming's table.
 pub const LIMITING_RATIO: f64 = 2.2;
 /// Draw ratio close to the limit: that of DC04 for a punch of 100 mm (4ming, table of draw ratios).
@@ -47,17 +45,6 @@ pub fn tensile_strength(material: &Material) -> f64 {
 /// oil.
 pub fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
     0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
-}
-
-/// Share of the strength in plane-strain tension that a sheet carries where it is bent to a radius of ρ thicknesses \[–\].
-///
-/// ```text
-/// dσ_r/dr = (σ_θ − σ_r)/r,  σ_θ − σ_r = σ,  σ_r(a + t) = 0     →    N = ∫ σ_θ dr = a σ ln(1 + t/a),   N/(σ t) = ρ ln(1 + 1/ρ)
-/// ```
-///
-/// Derived here for a metal that hardens no more; 0.95 at ten thicknesses, 0.91 at five, 0.81 at two.
-pub fn bent_strength(ratio: f64) -> f64 {
-    ratio * ratio.recip().ln_1p()
 }
 
 /// Number with the rule that picked it; no rule if it was given.

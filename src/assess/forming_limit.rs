@@ -3,14 +3,12 @@
 use super::design::THIN;
 use super::{Finding, Light, Run, tear};
 use crate::case::file::YieldCondition;
-use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
+use crate::forming_limit::{Assessment, Judged, assess};
 use crate::solver::solution::StageSolution;
 use crate::units::{Amount, joined};
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
-/// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
-const BENT: f64 = 0.5;
 
 /// Stage that comes nearest to its forming limit.
 pub(super) struct Nearest<'a> {
@@ -122,21 +120,4 @@ fn missing() -> Finding {
         .light(Light::Grey)
         .limit("a forming limit, not in the case")
         .advice("write [forming_limit] with hill = true (computed from the law), or the measured points of the coil")
-}
-
-pub(super) fn paths(run: &Run) -> Option<Finding> {
-    let assessment = &run.nearest.as_ref()?.assessment;
-    let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
-    let text = match assessment.crooked() {
-        0 => "all straight".into(),
-        n => format!("{n} of {} elements not straight, they use up to {{}} of the limit", assessment.elements.len()),
-    };
-    let [crooked, bent] = [CROOKED, BENT].map(Amount::given_share);
-    Finding::judged("strain_paths", "Strain paths", text)
-        .number(Amount::share(used))
-        .at_most(100.0 * BENT, None)
-        .limit(format!("within {crooked} of a straight line, or below {bent} of the limit"))
-        .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
-        .advice("keep more margin there: look at strain_paths.csv of `run`")
-        .into()
 }

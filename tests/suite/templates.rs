@@ -156,7 +156,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
         assert_eq!(case.model().forming_limit.is_none(), bent, "{name}");
         let findings = assess::after(&case, &passes);
         for finding in findings {
-            if ["wrinkling", "bend_radius"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
+            if ["wrinkling", "solution_quality"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
                 assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.statement());
             }
         }

@@ -58,7 +58,7 @@ fn overrides_have_their_lights_and_failure_modes() {
         (&torn, "stop", Light::Red, tears),
         (&torn, "wrinkling", Light::Green, tears),
         (&strong, "bottom_tearing", Light::Amber, None),
-        (&sharp, "bend_radius", Light::Amber, None),
+        (&sharp, "solution_quality", Light::Green, None),
         (&sharp, "forming_limit", Light::Green, None),
         (&["tools.holder.force=3 kN", "tools.punch.travel=3 mm"], "wrinkling", Light::Amber, None),
         (&["tools.holder.force=1 kN", "tools.punch.travel=3 mm"], "wrinkling", Light::Red, wrinkles),
@@ -77,12 +77,8 @@ fn overrides_have_their_lights_and_failure_modes() {
         (&["friction.source=Woo (1968)"], "friction", Light::Green, None),
         (&["friction.source=Woo (1968)", "tools.die.friction=0.5"], "friction", Light::Amber, Some(FailureMode::Tears)),
         (&["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"], "clearance", Light::Amber, None),
-        (
-            &["tools.punch.flat.nose=1.5 mm", "tools.punch.travel=3 mm"],
-            "bent_strength",
-            Light::Red,
-            Some(FailureMode::Other),
-        ),
+        // Sharp bends and bent strain paths are a question of trust, not of failure.
+        (&["tools.die.shoulder=1.5 mm", "tools.punch.travel=10 mm"], "solution_quality", Light::Amber, None),
     ] {
         let (answer, found) = answered("quickstart", overrides);
         assert_eq!((self::light(&found, key), answer.failures.first().copied()), (light, mode), "{overrides:?} {key}");
@@ -145,30 +141,6 @@ fn later_draws_are_judged_too() {
     // One stroke's energy, not the sum of both.
     let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
     assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
-}
-
-/// Trust: by hand, ρ ln(1 + 1/ρ) of 1.5, 3 and 6 mm on a sheet of 1 mm. Membranes, which do not bend, are judged too.
-#[test]
-fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
-    let short = ["tools.punch.travel=3 mm"];
-    let judged = |sets: &[&str]| findings("quickstart", &[&short, sets].concat());
-    let nose = |mm: f64| format!("tools.punch.flat.nose={mm} mm");
-    for (ratio, expected, color) in
-        [(1.5, 76.624, Light::Red), (3.0, 86.305, Light::Amber), (6.0, 92.490, Light::Green)]
-    {
-        for theory in ["blank.theory=bending", "blank.theory=membrane"] {
-            let found = judged(&[&nose(ratio), theory]);
-            assert!((value(&found, "bent_strength") - expected).abs() < 1e-3, "{found:?}");
-            assert_eq!(light(&found, "bent_strength"), color, "{found:?}");
-        }
-    }
-    let found = judged(&[&nose(6.0), "tools.die.shoulder=1.9 mm"]);
-    let row = found.iter().find(|f| f.key == "bent_strength").expect("a row");
-    assert_eq!(row.light, Light::Red);
-    assert!(row.statement().contains("die's shoulder of 1.9 mm"), "{row:?}");
-    // A coarse mesh does not follow the nose, and its bends alone would be none to speak of.
-    let found = judged(&[&nose(1.9), "blank.elements=12", "blank.grading=uniform"]);
-    assert_eq!(light(&found, "bent_strength"), Light::Red, "{found:?}");
 }
 
 /// The verdict on a shipped case with overrides.
