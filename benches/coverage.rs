@@ -6,6 +6,7 @@
 //! Each direction on its own is refined eight times, and the deviations from the run as it is are summed: to the first
 //! order that is a run that is finer in all directions at once, which would cost five hundred times as much.
 
+#[allow(dead_code, reason = "another bench and tests use the rest")]
 #[path = "../tests/suite/common/coverage.rs"]
 mod coverage;
 #[allow(dead_code, reason = "the campaign prints the process and the description")]
@@ -14,7 +15,6 @@ mod random_die;
 
 use coverage::{Checked, case_of, check};
 use rayon::prelude::*;
-use stampflow::assess::error_bars::ErrorBars;
 use stampflow::study::verify::Direction;
 use std::time::Instant;
 
@@ -30,7 +30,7 @@ fn main() {
         }
     }
     println!("{count} random dies, seed {seed}, {:.0} s\n", start.elapsed().as_secs_f64());
-    println!("{}", markdown(&Tally::of(&checked)));
+    println!("{}", markdown(&tally(&checked)));
 }
 
 /// A number given on the command line.
@@ -63,22 +63,11 @@ fn print_raw(checked: &Checked, seed: u64) {
 }
 
 /// As a table of Markdown.
-fn markdown(tally: &Tally) -> String {
-    let mut text = "| number | dies | inside, `verify` | bar / true error | no bar | inside, quick | bar / true error | no bar |\n\
-                    |---|---:|---:|---:|---:|---:|---:|---:|\n"
-        .to_owned();
-    for (full, quick) in tally.full.iter().zip(&tally.quick) {
-        text += &format!(
-            "| {} | {} | {:.1} % | {:.1} | {} | {:.1} % | {:.1} | {} |\n",
-            full.name,
-            full.ratios.len(),
-            100.0 * share(full),
-            median(full),
-            full.without,
-            100.0 * share(quick),
-            median(quick),
-            quick.without
-        );
+fn markdown(rows: &[Row]) -> String {
+    let mut text = "| number | dies | inside | bar / true error | no bar |\n|---|---:|---:|---:|---:|\n".to_owned();
+    for row in rows {
+        let (dies, inside) = (row.ratios.len(), 100.0 * share(row));
+        text += &format!("| {} | {dies} | {inside:.1} % | {:.1} | {} |\n", row.name, median(row), row.without);
     }
     text
 }
@@ -103,35 +92,25 @@ struct Row {
     ratios: Vec<f64>,
 }
 
-/// Of all numbers, by `verify` and by the quick estimate.
-struct Tally {
-    full: Vec<Row>,
-    quick: Vec<Row>,
-}
-
-impl Tally {
-    fn of(checked: &[Checked]) -> Self {
-        let rows = |of: fn(&Checked) -> &ErrorBars| {
-            let mut rows: Vec<Row> = Vec::new();
-            for (number, truth) in checked.iter().flat_map(|one| one.with_truth(of(one))) {
-                let label = number.quantity.label;
-                let i = rows.iter().position(|row| row.name == label).unwrap_or_else(|| {
-                    rows.push(Row { name: label.to_owned(), ..Row::default() });
-                    rows.len() - 1
-                });
-                let error = (truth - number.quantity.amount.value).abs();
-                match number.half() {
-                    None => rows[i].without += 1,
-                    Some(half) => {
-                        rows[i].inside += usize::from(error <= half);
-                        // What nothing moves has no bar, and needs none.
-                        rows[i].ratios.push(if half == error { 1.0 } else { half / error });
-                    }
-                }
+/// A row for every number.
+fn tally(checked: &[Checked]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for (number, truth) in checked.iter().flat_map(Checked::with_truth) {
+        let label = number.quantity.label;
+        let i = rows.iter().position(|row| row.name == label).unwrap_or_else(|| {
+            rows.push(Row { name: label.to_owned(), ..Row::default() });
+            rows.len() - 1
+        });
+        let error = (truth - number.quantity.amount.value).abs();
+        match number.half() {
+            None => rows[i].without += 1,
+            Some(half) => {
+                rows[i].inside += usize::from(error <= half);
+                // What nothing moves has no bar, and needs none.
+                rows[i].ratios.push(if half == error { 1.0 } else { half / error });
             }
-            rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
-            rows
-        };
-        Self { full: rows(|one| &one.full), quick: rows(|one| &one.quick) }
+        }
     }
+    rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
+    rows
 }

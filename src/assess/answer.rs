@@ -164,7 +164,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
-        end.map(|end| Quantity::new("draw_in", "Draw-in", Amount::place(end.draw_in)).at("of the edge, on each side")),
+        end.map(|end| Quantity::new("draw_in", "Draw-in", Amount::draw_in(end.draw_in)).at("of the edge, on each side")),
         ring(case, stages),
     ];
     all.into_iter().flatten().collect()
@@ -203,7 +203,7 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let (press, reserve) = match case.press.force {
         Some(rating) => {
             let share = Amount::share(pressed.force() / rating);
-            (format!("{share} of the press's {}", amount(rating)), String::new())
+            (format!("{share} of the press's {}", amount(rating).to(Digits::Given(3))), String::new())
         }
         None => (format!("a press of at least {}", pressed.rating()), format!("({RESERVE} times the load)")),
     };
@@ -220,7 +220,7 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         let about = format!("to the die, {}", Amount::thicknesses(gap / model.blank.thickness));
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
-    let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
+    let force = Amount::given_force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
     Some(Quantity::new("holder_force", "Holder", force).at("at its largest"))
 }
 
@@ -248,5 +248,5 @@ fn ring(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let ring = case.springback.ring?;
     let [height, from] = [ring.height, ring.from].map(Amount::size);
     let about = format!("when slit; a ring {height} high, cut {from} over the bottom");
-    Some(Quantity::new("ring_opening", "Ring opening", Amount::place(ring.opening(stages)?)).at(about))
+    Some(Quantity::new("ring_opening", "Ring opening", Amount::opening(ring.opening(stages)?)).at(about))
 }

@@ -60,8 +60,6 @@ pub struct ErrorBars {
     pub notes: Vec<String>,
     /// Number of refined runs.
     pub runs: usize,
-    /// True if they are one coarser run.
-    pub is_quick: bool,
     /// Refinement of a run that came to another end for a reason of the part's: `4 times the elements`.
     pub finer_that_differs: Option<String>,
     /// Reason of the run's end.
@@ -200,7 +198,6 @@ impl ErrorBars {
     pub fn method(&self) -> String {
         match self.runs {
             0 => "no error bars".into(),
-            _ if self.is_quick => "error bars estimated from one coarser run".into(),
             runs => format!("error bars from {runs} finer runs"),
         }
     }

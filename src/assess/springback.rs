@@ -125,13 +125,14 @@ impl Judged<'_> {
         };
         let Some(change) = self.change.change() else { return missed };
         let verb = if change < 0.0 { "closes" } else { "opens" };
-        format!("{missed}, each wall {verb} by {}", quantity.text(share * change.abs()))
+        format!("{missed}, each wall {verb} by {}", quantity.difference_text(share * change.abs()))
     }
 
     /// `0.0° ± 1.0° of the punch's wall`.
     fn limit(&self) -> String {
         let quantity = self.change.quantity;
         let of = if self.of_punch { " of the punch's wall" } else { "" };
-        format!("{} ± {}{of}", quantity.text(self.wanted), quantity.text(self.tolerance))
+        let [wanted, tolerance] = [self.wanted, self.tolerance].map(|given| quantity.difference_text(given));
+        format!("{wanted} ± {tolerance}{of}")
     }
 }

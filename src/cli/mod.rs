@@ -38,7 +38,7 @@ use bug::caught;
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
-use options::{Common, ErrorBars, Json, Overrides, PictureOptions, Threads};
+use options::{Common, Json, Overrides, PictureOptions, Threads};
 use progress::Progress;
 use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn, with, wrapped};
 use serde_json::{Map, Value, json};

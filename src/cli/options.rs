@@ -2,11 +2,8 @@
 
 use super::*;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use stampflow::assess::error_bars;
-use stampflow::case::Solution;
 use stampflow::plot::{Captions, Format, Pictures};
 use stampflow::results::comparison::{Computed, comparisons};
-use stampflow::study::verify::{quick, verify};
 use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
 use std::thread::available_parallelism;
 
@@ -24,12 +21,6 @@ const CAPTIONS: [(&str, Captions); 3] =
     [("none", Captions::None), ("short", Captions::Short), ("full", Captions::Full)];
 
 options! {
-    /// Error bars of a run.
-    ErrorBars {
-        error_bars: bool [long] "Compute error bars from finer runs, as `stampflow verify`",
-        no_error_bars: bool [long, conflicts_with = "error_bars", hide_short_help = true]
-            "Give no error bars: skip the coarser run for their estimate",
-    };
     Json {
         json: bool [long] "Print JSON, errors too; show no progress",
     };
@@ -57,16 +48,6 @@ options! {
             "Text of pictures besides axes and legend: short is the title, full also settings and warnings",
         engineering_strain: bool [long, hide_short_help = true] "Draw the forming limit diagram in engineering strains",
     };
-}
-
-impl ErrorBars {
-    /// Error bars from finer runs with `--error-bars`, else from one coarser run if that is the verb's `default`.
-    pub fn of(&self, solution: &Solution, progress: &Progress, default: bool) -> Option<error_bars::ErrorBars> {
-        if self.error_bars {
-            return Some(verify(solution, &progress.count(format!("{}, finer", solution.case.name))).bars);
-        }
-        (default && !self.no_error_bars).then(|| quick(solution, &Progress::new(true).count(String::new())).bars)
-    }
 }
 
 impl Json {

@@ -5,7 +5,7 @@ use super::*;
 use stampflow::report::Report;
 use stampflow::results::is_report;
 use stampflow::study::compare::SideBySide;
-use stampflow::study::verify::quick;
+use stampflow::study::verify::verify;
 
 options! {
     /// Solve a case and write a report, one HTML page
@@ -15,8 +15,9 @@ options! {
             "The file to write [default: out/<case>/report.html]",
         against: Vec<PathBuf> = "CASE.toml|CURVE.csv" [long]
             "Compare with another case or with measured curves; as often as needed",
+        no_error_bars: bool [long] "Skip the finer runs for error bars",
         force: bool [long] "Replace a file that is no report, too",
-    } variants: Variants, common: Common, bars: ErrorBars;
+    } variants: Variants, common: Common;
 }
 
 pub fn report(args: &Args) -> Result<Code> {
@@ -27,11 +28,11 @@ pub fn report(args: &Args) -> Result<Code> {
     let is_compared = files.len() > 1 || !args.variants.also.is_empty();
     let compared = is_compared.then(|| to_compare(&files, &args.variants, &args.common.overrides.all())).transpose()?;
     let progress = args.common.progress();
-    let solved = Solved::new(progress.watch(&case).solve(case), &args.bars, &progress, true);
+    let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars);
     let Solved { solution, verification, answer, findings } = &solved;
     let versus = compared.map(|(candidates, curves)| {
-        let bars = verification.clone().unwrap_or_else(|| quick(solution, &()).bars);
         let count = progress.count(format!("{}, compared", solution.case.name));
+        let bars = verification.clone().unwrap_or_else(|| verify(solution, &count).bars);
         let (first, threads) = (Some((solution.clone(), bars)), Threads { threads: None }.count());
         SideBySide::solve(&candidates, curves, first, threads, &count)
     });

@@ -18,8 +18,9 @@ options! {
         animate: bool [long] "Also write shapes.gif, the moving section",
         report: bool [long] "Also write report.html",
         verbose: bool [long, short] "Also print mesh, steps, norms and works",
+        error_bars: bool [long] "Compute error bars from finer runs, as `stampflow verify`",
         strict: bool [long] "End with exit code 4 if the verdict is red",
-    } common: Common, bars: ErrorBars, pictures: PictureOptions, threads: Threads;
+    } common: Common, pictures: PictureOptions, threads: Threads;
 }
 
 /// Page that --report writes.
@@ -76,7 +77,7 @@ impl Args {
         let extras = [(self.vtu, Extra::Vtu), (self.animate, Extra::Animation)];
         let extras = extras.into_iter().filter_map(|(is_wanted, extra)| is_wanted.then_some(extra));
         watch.recorder = FrameRecorder::new(extras.collect());
-        let solved = Solved::new(watch.solve(case), &self.bars, progress, self.report);
+        let solved = Solved::new(watch.solve(case), progress, self.error_bars || self.report);
         let Solved { solution, verification, answer, findings } = &solved;
         let verification = verification.as_ref();
         let results = Results::of(solution)?.verified(verification).answered(answer, findings);

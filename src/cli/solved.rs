@@ -1,9 +1,10 @@
 //! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::*;
-use stampflow::assess::error_bars::{self, answered};
+use stampflow::assess::error_bars::{ErrorBars, answered};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Solution;
+use stampflow::study::verify::verify;
 use stampflow::units::joined;
 
 /// Output of one case of several: text or JSON, and errors that are no reason to give less of it.
@@ -35,15 +36,16 @@ pub fn finish(outputs: Vec<Result<Output>>, mut failed: Vec<anyhow::Error>, seve
 /// Solution with its error bars and verdict.
 pub struct Solved {
     pub solution: Solution,
-    pub verification: Option<error_bars::ErrorBars>,
+    pub verification: Option<ErrorBars>,
     pub answer: Answer,
     pub findings: Vec<Finding>,
 }
 
 impl Solved {
-    /// Judges a solution, with error bars if they are wanted, or by `default`.
-    pub fn new(solution: Solution, bars: &ErrorBars, progress: &Progress, default: bool) -> Self {
-        let verification = bars.of(&solution, progress, default);
+    /// Judges a solution, with error bars from finer runs if they are wanted.
+    pub fn new(solution: Solution, progress: &Progress, has_bars: bool) -> Self {
+        let count = || progress.count(format!("{}, finer", solution.case.name));
+        let verification = has_bars.then(|| verify(&solution, &count()).bars);
         let (answer, findings) = answered(&solution, verification.as_ref());
         Self { solution, verification, answer, findings }
     }
@@ -73,7 +75,7 @@ impl Solved {
         let Self { solution, verification, answer, findings } = self;
         let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);
         let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
-        let bars = verification.as_ref().map_or_else(Vec::new, error_bars::ErrorBars::sentences);
+        let bars = verification.as_ref().map_or_else(Vec::new, ErrorBars::sentences);
         let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
         let gap = if warnings.is_empty() { "" } else { "\n" };
         let text = self.sentence("") + list(size_doubts(&solution.case)) + "\n" + judged(findings);

@@ -4,9 +4,10 @@ use super::Shape;
 use crate::units::{Amount, Digits, Unit};
 use std::fmt;
 
-/// Decimals of angles \[°\] and lengths \[mm\]: twice the elements move the angles of a strip, a channel or a hat by 0.04 to
-/// 0.2°, height and edge by 0.1 mm.
-const DECIMALS: usize = 1;
+/// Decimals of a released shape's angles \[°\] and lengths \[mm\], and of differences between two, by the error bars of the
+/// shipped cases: 0.2 to 3° and 0.1 to 1.2 mm.
+const DECIMALS: usize = 0;
+const OF_DIFFERENCES: usize = 1;
 
 /// Something that can be measured on a shape.
 #[derive(Clone, Copy, Debug)]
@@ -55,8 +56,6 @@ impl ShapeMeasure {
     /// Formats a value: `47.5°`, `224 mm`, `straight`.
     pub fn text(&self, value: f64) -> String {
         if self.key != CURL_RADIUS.key {
-            let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
-            let value = if value.abs() < least { 0.0 } else { value };
             return Amount::new(value, self.unit, Digits::Decimals(DECIMALS)).to_string();
         }
         let radius = Amount::new(value.abs(), self.unit, Digits::Decimals(0));
@@ -69,8 +68,12 @@ impl ShapeMeasure {
 
     /// Formats a difference of values: `+7.9°`.
     pub fn signed_text(&self, difference: f64) -> String {
-        let by = self.text(difference);
-        if difference > 0.0 && by != self.text(0.0) { format!("+{by}") } else { by }
+        let by = self.difference_text(difference);
+        if difference > 0.0 && by != self.difference_text(0.0) { format!("+{by}") } else { by }
+    }
+
+    pub(crate) fn difference_text(&self, difference: f64) -> String {
+        Amount::new(difference, self.unit, Digits::Decimals(OF_DIFFERENCES)).to_string()
     }
 }
 

@@ -31,7 +31,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             let text = format!("peak {force} at {travel}");
             panel.annotations.push(Annotation::flag(text, (peak.travel, peak.punch_force)));
             if let Some(rating) = view.case.and_then(|case| case.press.force) {
-                let label = format!("Press rating, {}", Amount::force(rating, unit));
+                let label = format!("Press rating, {}", Amount::given_force(rating, unit));
                 if rating <= NEAR * peak.punch_force {
                     let ends = [steps.first(), steps.last()].into_iter().flatten();
                     panel = panel.with([Series::new(label, ends.map(|step| (step.travel, rating)).collect(), RATING)]);

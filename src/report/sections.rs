@@ -31,7 +31,7 @@ pub(super) fn verdict(report: &Report) -> Section {
     Section::new("Verdict", table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
 }
 
-/// Numbers with error bars; their parts are not known from one coarser run alone.
+/// Numbers with error bars.
 pub(super) fn error_bars(report: &Report) -> Option<Section> {
     let bars = report.bars?;
     let numbers: Vec<&Number> = bars.numbers.iter().filter(|own| own.origin != Origin::Verdict).collect();
@@ -40,12 +40,9 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
         [own.quantity.label.to_owned(), value, unit.to_owned(), own.made_of()]
     };
     let head = ["Quantity", "Value", "Unit", "Made of (observed order)"];
-    let has_parts = numbers.iter().any(|own| own.contributions.len() > 1);
     let content = html! {
         (list(&bars.sentences(), ""))
-        @if has_parts || numbers.iter().any(|own| own.half().is_some()) {
-            (table(&head[..if has_parts { 4 } else { 3 }], numbers.into_iter().map(row)))
-        }
+        @if numbers.iter().any(|own| own.half().is_some()) { (table(&head, numbers.into_iter().map(row))) }
     };
     Some(Section::new("Error bars", content))
 }

@@ -3,7 +3,7 @@
 use super::error::ensure;
 use super::run::Silent;
 use super::variable::split_pair;
-use super::verify::{Outcome, Watch, quick};
+use super::verify::{Outcome, Watch, verify};
 use super::{BaseCase, Cell, ReportTable, StudyError, StudyReport, fail, parallel_map};
 use crate::assess::error_bars::{ErrorBars, Number, Origin, answered};
 use crate::assess::{self, Light};
@@ -89,7 +89,7 @@ pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<(), StudyError
 }
 
 impl SideBySide {
-    /// Solves the cases, but for the first if it is `known`, each with quick error bars.
+    /// Solves the cases, but for the first if it is `known`, each with error bars.
     pub fn solve(
         candidates: &[Candidate],
         curves: Vec<Spec>,
@@ -102,7 +102,7 @@ impl SideBySide {
         let mut solved: Vec<(Solution, ErrorBars)> = known.into_iter().collect();
         let one = |candidate: &Candidate| {
             let solution = BaseCase::solve(candidate.case.clone(), watch)?;
-            let bars = quick(&solution, &Silent(watch)).bars;
+            let bars = verify(&solution, &Silent(watch)).bars;
             Ok((solution, bars))
         };
         let ended = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {

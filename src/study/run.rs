@@ -131,7 +131,7 @@ pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number])
     Evaluated { run, outcome: Some(outcome) }
 }
 
-/// Watch that ends a coarser run with the study and does not count it.
+/// Watch that ends finer runs with the study and does not count them.
 pub(super) struct Silent<'a>(pub &'a dyn Watch);
 
 impl Watch for Silent<'_> {

@@ -7,7 +7,7 @@ use stampflow::assess::error_bars::{ErrorBars, Origin, answered};
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
 use stampflow::study::Watch;
-use stampflow::study::verify::{quick, verify};
+use stampflow::study::verify::verify;
 use std::path::Path;
 
 /// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
@@ -21,7 +21,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     let needed = force(&plain, None).1.value().expect("a force");
     let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
     let near = rated(0.799);
-    let found = quick(&near, &()).bars;
+    let found = verify(&near, &()).bars;
     assert_eq!(force(&near, None).1.light, Light::Green);
     let (answer, row) = force(&near, Some(&found));
     assert_eq!(row.light, Light::Amber, "{row:?}");
@@ -29,7 +29,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     assert!(row.statement().contains('±') && !row.advice.is_empty(), "{row:?}");
     assert!(answer.sentence.to_string().contains("Press force"), "{answer:?}");
     let far = rated(0.7);
-    assert_eq!(force(&far, Some(&quick(&far, &()).bars)).1.light, Light::Green);
+    assert_eq!(force(&far, Some(&verify(&far, &()).bars)).1.light, Light::Green);
 }
 
 /// Trust: the worst place of this cup is another in the coarser run, which uses half as much again of its limit there. A few
@@ -40,7 +40,7 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let text = stampflow::author::templates::find("cup").and_then(|cup| cup.fill(&given)).expect("a cup");
     let solution = stampflow::case::parse(&text, "cup.toml", &[]).expect("valid").solve(&mut ());
     let row = |findings: &[Finding]| findings.iter().find(|row| row.key == "forming_limit").expect("a row").clone();
-    let found = quick(&solution, &()).bars;
+    let found = verify(&solution, &()).bars;
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
     let tears = |answer: &Answer| answer.sentence.split(';').next().map(str::to_owned);
     assert_eq!(tears(&plain.0), tears(&barred));
@@ -60,13 +60,11 @@ impl Watch for Ended {
 #[test]
 fn what_is_interrupted_has_no_bars_and_says_so() {
     let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
-    for found in [quick(&solution, &Ended), verify(&solution, &Ended)].map(|found| found.bars) {
-        assert!(found.numbers.iter().all(|number| number.half().is_none()));
-        let told: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
-        assert_eq!(told, ["no error bars: interrupted by the user"]);
-        let (answer, _) = answered(&solution, Some(&found));
-        assert!(!answer.numbers[0].amount.to_string().contains('±'));
-    }
+    let found = verify(&solution, &Ended).bars;
+    assert!(found.numbers.iter().all(|number| number.half().is_none()));
+    assert_eq!(found.sentences(), ["no error bars: interrupted by the user"]);
+    let (answer, _) = answered(&solution, Some(&found));
+    assert!(!answer.numbers[0].amount.to_string().contains('±'));
 }
 
 fn json(dir: &Path, args: &[&str]) -> Value {
@@ -80,13 +78,13 @@ fn numbers(value: &Value) -> Vec<(String, Option<f64>)> {
     all.map(|n| (n["key"].as_str().expect("a key").to_owned(), n["error_bar"].as_f64())).collect()
 }
 
-/// Quick ones by default, none where they are refused, and with the option those of `verify` to the last digit.
+/// Those of `verify` to the last digit: of a check by default, of a run with its option.
 #[test]
 fn programs_read_the_bars_that_are_asked_for() {
     let dir = folder(CUP);
     let check = json(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
-    assert_eq!(check["verdict"]["error_bars"]["runs"], 1);
-    assert_eq!(check["verdict"]["error_bars"]["method"], "error bars estimated from one coarser run");
+    assert_eq!(check["verdict"]["error_bars"]["runs"], 14);
+    assert_eq!(check["verdict"]["error_bars"]["method"], "error bars from 14 finer runs");
     let told = numbers(&check["verdict"]);
     assert!(told.iter().filter(|(_, bar)| bar.is_some_and(|bar| bar > 0.0)).count() >= 4, "{told:?}");
     let blank = check["verdict"]["numbers"].as_array().expect("numbers").iter().find(|n| n["key"] == "blank");

@@ -136,12 +136,9 @@ impl Solution {
         parts.collect()
     }
 
-    /// Adds error bars, from one coarser run or from finer ones; returns also the exception that cut it short.
-    fn verify(&self, py: Python<'_>, quick: bool, progress: Progress) -> (Self, Option<PyErr>) {
-        let (verified, raised) = interruptible(py, progress, |line| match quick {
-            true => verify::quick(&self.solution, line),
-            false => verify::verify(&self.solution, line),
-        });
+    /// Adds error bars from finer runs; returns also the exception that cut it short.
+    fn verify(&self, py: Python<'_>, progress: Progress) -> (Self, Option<PyErr>) {
+        let (verified, raised) = interruptible(py, progress, |line| verify::verify(&self.solution, line));
         let solution = Arc::clone(&self.solution);
         (Self { solution, bars: Some(verified.bars), verdict: OnceLock::new() }, raised)
     }

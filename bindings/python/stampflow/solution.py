@@ -215,13 +215,12 @@ class Solution:
         """Numbers of the part by names with units: ``numbers["punch_force_N"]``."""
         return {row[0]: Number(*row[1:]) for row in self._native.numbers()}
 
-    def verify(self, *, quick: bool = False, progress: Callable[[float], object] | None = None) -> Solution:
+    def verify(self, *, progress: Callable[[float], object] | None = None) -> Solution:
         """Returns the solution with error bars on numbers, findings and pictures.
 
-        Mesh, steps, points and contact are refined one by one, which takes some twenty times as long as the solution;
-        ``quick`` estimates the bars from one coarser run.
+        Mesh, steps, points and contact are refined one by one, which takes some twenty times as long as the solution.
         """
-        native, raised = self._native.verify(quick, progress)
+        native, raised = self._native.verify(progress)
         finished(self, raised)
         return Solution(native)
 

@@ -83,7 +83,7 @@ def test_pictures_are_the_svg_of_the_program(program: str, solution: sf.Solution
 
 
 def test_error_bars_are_added(solution: sf.Solution) -> None:
-    verified = solution.verify(quick=True)
+    verified = solution.verify()
     bar = verified.numbers["punch_force_N"].error_bar
     assert bar is not None and 0.0 < bar < 5_000.0
     assert solution.numbers["punch_force_N"].error_bar is None

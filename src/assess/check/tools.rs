@@ -77,7 +77,7 @@ fn pace(model: &Model) -> String {
 }
 
 pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
-    let force = |force: f64| Amount::force(force, model.extent().force_unit());
+    let force = |force: f64| Amount::given_force(force, model.extent().force_unit());
     let press = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let ratio = Amount::thicknesses(gap / model.blank.thickness);
@@ -105,7 +105,7 @@ pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
 }
 
 fn of_bead(model: &Model, bead: &Bead) -> Line {
-    let [restraining, closing] = [bead.restraining, bead.closing].map(|force| Amount::force(force, Unit::NPerMm));
+    let [restraining, closing] = [bead.restraining, bead.closing].map(|force| Amount::given_force(force, Unit::NPerMm));
     line("bead", size_of(model, bead.at, Amount::drawn), format!("restraining {restraining}, closing {closing}"))
 }
 
@@ -144,7 +144,7 @@ pub(super) fn stage(n: usize, stage: &Stage) -> Line {
             Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}", Amount::size(by.y)),
             Motion::Path(by) => format!("{name} goes {} and {} aside", Amount::size(by.y), Amount::size(by.x)),
             Motion::Pressed(press) => {
-                let force = Amount::force(press.force.at(model.travel), model.extent().force_unit());
+                let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
                 format!("{name} presses with {force} at the end")
             }
             Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{name} stands"),

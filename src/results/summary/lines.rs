@@ -124,7 +124,7 @@ impl Lines<'_> {
             self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
             self.number("thickest_s0", from, Amount::place(s0));
         }
-        self.number("ring_opening", "Opening of a slit ring", view.ring_opening().map(Amount::place));
+        self.number("ring_opening", "Opening of a slit ring", view.ring_opening().map(Amount::opening));
         if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
             let (worst, least) = (assessment.worst(), Amount::ratio(curve.plane_strain()));
             self.plain("forming_limit", "Forming limit", curve.name);
@@ -144,7 +144,7 @@ impl Lines<'_> {
                 self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
             }
         }
-        self.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
+        self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in));
     }
 
     /// Work, heat, voids, temperatures, ironing, bends, and force and lift of the holder.

@@ -20,17 +20,11 @@ pub enum Direction {
     Slip,
     /// Strain below which the sheet is rigid.
     CutOff,
-    /// All of them at once.
-    Together,
 }
-
-/// Fewest elements and points of a coarser run.
-const LEAST_ELEMENTS: usize = 8;
-const LEAST_POINTS: usize = 3;
 
 /// Name, refinement in words with its factor as `{}`, and formal order of convergence \[–\], by the order of the directions.
 /// Points may or may not meet the reversal of stress, so they have no order.
-const TABLE: [(&str, &str, Option<f64>); 8] = [
+const TABLE: [(&str, &str, Option<f64>); 7] = [
     ("elements", "{} times the elements", Some(2.0)),
     ("points", "{} times the points through the thickness", None),
     ("steps", "steps of 1/{} of the length", Some(1.0)),
@@ -38,7 +32,6 @@ const TABLE: [(&str, &str, Option<f64>); 8] = [
     ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
     ("slip speed", "1/{} of the slip speed", Some(1.0)),
     ("cut-off", "1/{} of the cut-off strain", Some(1.0)),
-    ("all together", "everything {} times as fine", None),
 ];
 
 impl Direction {
@@ -66,11 +59,10 @@ impl Direction {
         TABLE[self as usize].2
     }
 
-    /// Stages refined by a factor, coarser below 1; `None` if there is nothing to refine.
+    /// Stages refined by a factor; `None` if there is nothing to refine.
     pub fn refined(self, stages: &[Stage], times: f64) -> Option<Vec<Stage>> {
         let mut refined = stages.to_vec();
-        let own = Self::ALL.into_iter().filter(|each| self == Self::Together || self == *each);
-        refined.iter_mut().for_each(|stage| own.clone().for_each(|each| each.refine(&mut stage.model, times)));
+        refined.iter_mut().for_each(|stage| self.refine(&mut stage.model, times));
         let changed = refined.iter().zip(stages).any(|(refined, stage)| refined.model != stage.model);
         (changed && refined.iter().all(|stage| stage.model.check().is_ok())).then_some(refined)
     }
@@ -78,15 +70,15 @@ impl Direction {
     fn refine(self, model: &mut Model, times: f64) {
         let Model { blank, settings, .. } = model;
         let contact = !model.tools.is_empty();
-        let scaled = |count: usize, least: usize| ((count as f64 * times).round() as usize).max(least.min(count));
+        let scaled = |count: usize| (count as f64 * times).round() as usize;
         match self {
             Self::Elements => {
                 if blank.grading == Grading::Radii {
                     blank.grading = Grading::Divided { of: blank.elements };
                 }
-                blank.elements = scaled(blank.elements, LEAST_ELEMENTS);
+                blank.elements = scaled(blank.elements);
             }
-            Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers, LEAST_POINTS),
+            Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers),
             Self::Steps => {
                 settings.max_step = (settings.max_step / times).min(1.0);
                 settings.first_step = (settings.first_step / times).min(settings.max_step);

@@ -2,18 +2,11 @@
 
 use super::{Direction, Outcome};
 use crate::assess::error_bars::{Contribution, Number};
-use crate::units::{ErrorBar, Unit};
+use crate::units::ErrorBar;
 
 /// Factors of safety on an extrapolated error, and on the spread of values that follow no order \[–\].
 const EXTRAPOLATED: f64 = 1.25;
 const SPREAD: f64 = 3.0;
-
-/// Error over the difference to the run that is coarser in all directions \[–\], which 19 in 20 numbers of 60 random dies keep.
-const COARSER: f64 = 5.0;
-
-/// Least bars from a coarser run, likewise measured: of the number \[–\], and of one in percent \[%\].
-const LEAST: f64 = 3e-3;
-const LEAST_PERCENT: f64 = 1.5;
 
 /// Least error over the number, in tolerances to which every step was solved \[–\].
 const SOLVED: f64 = 10.0;
@@ -33,7 +26,7 @@ fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let end = |of: fn(f64, f64) -> f64| levels.iter().copied().reduce(of).unwrap_or(0.0);
     let error = match believed {
         Some(p) => EXTRAPOLATED * (levels[0] - levels[1]).abs() / (1.0 - 0.5_f64.powf(p)),
-        None => (end(f64::max) - end(f64::min)) * if direction == Direction::Together { COARSER } else { SPREAD },
+        None => SPREAD * (end(f64::max) - end(f64::min)),
     };
     Contribution { direction: direction.label(), error, order, extrapolated: believed.is_some(), share: 0.0 }
 }
@@ -64,13 +57,7 @@ pub(super) fn with_bar(number: &Number, directions: &[(Direction, Vec<&Outcome>)
         contributions.iter_mut().for_each(|part| part.share = part.error / all);
     }
     contributions.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let is_coarser = directions.iter().any(|(direction, _)| *direction == Direction::Together);
-    let least = match number.quantity.amount.unit {
-        _ if !is_coarser => 0.0,
-        Unit::Percent => LEAST_PERCENT,
-        _ => LEAST * value.abs(),
-    };
-    let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()).max(least) } else { 0.0 };
+    let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()) } else { 0.0 };
     let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
     Number { quantity, contributions, ..number.clone() }
 }
@@ -83,7 +70,7 @@ mod tests {
     /// Trust: f = 7 + c hᵖ with h = 1, 1/2, 1/4 has the error c on its first level; the others by hand.
     #[test]
     fn a_power_law_is_extrapolated_and_anything_else_has_its_spread() {
-        use Direction::{Elements, Points, Steps, Together};
+        use Direction::{Elements, Points, Steps};
         for (direction, p) in [(Steps, 0.6), (Steps, 1.0), (Steps, 1.9), (Elements, 1.1), (Elements, 3.9)] {
             let estimate = estimate(direction, &[1.0_f64, 0.5, 0.25].map(|h| 7.0 - 2.0 * h.powf(p)));
             assert_relative_eq!(estimate.order.expect("one sign"), p, max_relative = 1e-9);
@@ -94,7 +81,7 @@ mod tests {
             (Steps, &[10.0, 9.0, 6.0], 12.0, Some((1.0_f64 / 3.0).log2())),
             (Elements, &[10.0, 9.0, 9.0], 3.0, None),
             (Points, &[10.0, 9.0, 8.5], 4.5, Some(1.0)),
-            (Together, &[5.0, 4.0], 5.0, None),
+            (Points, &[5.0, 4.0], 3.0, None),
         ] {
             let estimate = estimate(direction, levels);
             assert_eq!((estimate.error, estimate.order, estimate.extrapolated), (error, order, false), "{levels:?}");

@@ -31,9 +31,8 @@ use crate::solver::Observer;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Refinement factors of [`verify`], and that of the coarser run of [`quick`] \[–\].
+/// Refinement factors \[–\].
 const LEVELS: [f64; 2] = [2.0, 4.0];
-const COARSER: f64 = 0.5;
 
 /// Name of the file with the numbers of every run.
 pub const FILE: &str = "verification.csv";
@@ -69,19 +68,12 @@ impl Observer for &dyn Watch {
     }
 }
 
-/// Refines a solved case in every direction on its own.
+/// Refines a solved case in every direction on its own, twice and four times.
 pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     let base = Outcome::of(solution, None);
     let all = LEVELS.iter().flat_map(|times| Direction::ALL.map(|direction| (direction, *times)));
     let jobs: Vec<_> = all.filter(|_| !base.end.lost).collect();
     Verification::new(solution, base, &jobs, watch)
-}
-
-/// Estimates the bars from one run that is coarser in every direction; none if the sheet tore.
-pub fn quick(solution: &Solution, watch: &dyn Watch) -> Verification {
-    let base = Outcome::of(solution, None);
-    let jobs: &[_] = if base.end.complete { &[(Direction::Together, COARSER)] } else { &[] };
-    Verification::new(solution, base, jobs, watch)
 }
 
 impl Verification {
@@ -101,7 +93,7 @@ impl Verification {
             refined.clear();
         }
         let mut directions: Vec<(Direction, Vec<&Outcome>)> = Vec::new();
-        for direction in Direction::ALL.into_iter().chain([Direction::Together]) {
+        for direction in Direction::ALL {
             let mut runs = refined.iter().filter(|run| run.direction == Some(direction)).peekable();
             if runs.peek().is_some() {
                 directions.push((direction, runs.filter(|run| run.end.is_like(&base.end)).collect()));
@@ -133,7 +125,6 @@ impl Verification {
             numbers: numbers.collect(),
             notes,
             runs: refined.len(),
-            is_quick: refined.iter().any(|run| run.direction == Some(Direction::Together)),
             finer_that_differs: otherwise().find(|run| run.times > 1.0).map(Outcome::refinement),
             why: base.end.why.clone(),
         };

@@ -5,7 +5,7 @@ use stampflow::assess::error_bars::{ErrorBars, Number, Origin};
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
-use stampflow::study::verify::{Direction, Outcome, quick, verify};
+use stampflow::study::verify::{Direction, Outcome, verify};
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;
@@ -13,8 +13,7 @@ const TRUTH: f64 = 8.0;
 /// A die with its bars and its truth.
 pub struct Checked {
     pub full: ErrorBars,
-    pub quick: ErrorBars,
-    /// The run as it is, and all finer ones and the coarser one.
+    /// The run as it is, and all finer ones.
     pub outcomes: Vec<Outcome>,
     /// What is eight times finer, a run for each direction.
     pub finest: Vec<Outcome>,
@@ -37,9 +36,23 @@ pub fn check(case: Case) -> Checked {
         Some(Outcome::of(&case.solve(&mut ()), Some((*direction, TRUTH))))
     });
     let finest = finest.collect();
-    let (full, quick) = (verify(&solution, &()), quick(&solution, &()));
-    let outcomes = [full.outcomes, quick.outcomes[1..].to_vec()].concat();
-    Checked { full: full.bars, quick: quick.bars, outcomes, finest }
+    let full = verify(&solution, &());
+    Checked { full: full.bars, outcomes: full.outcomes, finest }
+}
+
+/// Bars over the last digit that a run prints of the number, with its label.
+pub fn last_digits(case: Case) -> Vec<(&'static str, String, f64)> {
+    let verified = verify(&case.solve(&mut ()), &());
+    let computed = verified.outcomes[0].numbers.iter().filter(|number| number.origin != Origin::Verdict);
+    let units = computed.filter_map(|number| {
+        let amount = number.quantity.amount;
+        let (text, unit) = amount.parts();
+        let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let last = 0.1_f64.powi(decimals as i32) * amount.value / text.parse::<f64>().ok().filter(|shown| *shown != 0.0)?;
+        let half = verified.bars.number(number.origin, number.quantity.key)?.half().filter(|half| *half > 0.0)?;
+        Some((number.quantity.label, format!("{text} {unit}"), half / last))
+    });
+    units.collect()
 }
 
 impl Checked {
@@ -54,9 +67,9 @@ impl Checked {
         Some(own + deviations.sum::<Option<f64>>()?)
     }
 
-    /// Numbers of a verification that are shown and have a truth, with it.
-    pub fn with_truth<'a>(&'a self, of: &'a ErrorBars) -> impl Iterator<Item = (&'a Number, f64)> {
+    /// Numbers that are shown and have a truth, with it.
+    pub fn with_truth(&self) -> impl Iterator<Item = (&Number, f64)> {
         let shown = |number: &&Number| number.origin != Origin::Verdict || number.quantity.key == "forming_limit";
-        of.numbers.iter().filter(shown).filter_map(|number| Some((number, self.truth(number)?)))
+        self.full.numbers.iter().filter(shown).filter_map(|number| Some((number, self.truth(number)?)))
     }
 }
