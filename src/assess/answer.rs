@@ -164,7 +164,9 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
-        end.map(|end| Quantity::new("draw_in", "Draw-in", Amount::draw_in(end.draw_in)).at("of the edge, on each side")),
+        end.map(|end| {
+            Quantity::new("draw_in", "Draw-in", Amount::draw_in(end.draw_in)).at("of the edge, on each side")
+        }),
         ring(case, stages),
     ];
     all.into_iter().flatten().collect()

@@ -116,7 +116,9 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
     let (of, amount) = match &tool.motion {
         Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
-        Motion::Pressed(press) => ("Holder force", Amount::given_force(press.force.largest(), model.extent().force_unit())),
+        Motion::Pressed(press) => {
+            ("Holder force", Amount::given_force(press.force.largest(), model.extent().force_unit()))
+        }
         Motion::Fixed | Motion::Travel | Motion::Path(_) => return None,
     };
     Some(plain(of, amount, under + moved))

@@ -54,7 +54,8 @@ impl Holder {
         if let Some(pressure) = self.pressure {
             let area = (extent.area(blank.length) - extent.area(profile.least_r().max(shoulder_end(die)))).max(0.0);
             let force = pressure.value() * area;
-            let (total, pressure) = (Amount::given_force(force, extent.force_unit()), Amount::given_stress(pressure.value()));
+            let (total, pressure) =
+                (Amount::given_force(force, extent.force_unit()), Amount::given_stress(pressure.value()));
             let on = format!("{pressure} on {} mm²", Amount::new(area, Unit::None, Digits::Significant(4)));
             source.note(format!("the holder's force is its pressure on the initial area, {on}, {total}"));
             return Ok(Motion::Pressed(Press::constant(force)));
