@@ -160,31 +160,6 @@ fn no_control_character_reaches_the_terminal() {
     }
 }
 
-#[test]
-fn the_help_has_its_verbs_and_fits_a_screen() {
-    let dir = folder(CUP);
-    let help = stampflow(dir.path(), &["--help"]);
-    let commands = text(&help.stdout).split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
-    let is_verb = |line: &&str| line.starts_with("  ") && !line.starts_with("   ");
-    let verbs: Vec<&str> = commands.lines().filter(is_verb).filter_map(|l| l.split_whitespace().next()).collect();
-    let expected = "new import check run report sweep search scatter fit compare verify trace materials";
-    assert!(expected.split(' ').all(|verb| verbs.contains(&verb)) && !verbs.contains(&"schema"), "{verbs:?}");
-    assert!(text(&stampflow(dir.path(), &["run", "--help"]).stdout).lines().count() <= 40);
-    // Accents of their own stand over the letter before them.
-    let width = |line: &str| line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
-    let wide = |printed: &[u8]| text(printed).lines().map(width).max() > Some(80);
-    for verb in expected.split(' ').chain(["schema", "merge", "man", "completions"]) {
-        assert!(
-            !wide(&stampflow(dir.path(), &[verb, "--help-all"]).stdout),
-            "{verb} --help-all is wider than 80 columns"
-        );
-    }
-    for line in ["materials", "new --list", "new cup --help", "check cases/cup.toml", "run cases/cup.toml -q"] {
-        let done = stampflow(dir.path(), &line.split(' ').collect::<Vec<_>>());
-        assert!(!done.stdout.is_empty() && !wide(&done.stdout), "{line}: {}", text(&done.stdout));
-    }
-}
-
 const APART: &str = r#"
 [[stages]]
 name = "apart"
@@ -296,25 +271,4 @@ fn animations_and_states_change_no_table_and_go_with_their_option() {
     check_calls(dir.path(), &[(&run(&["--format", "svg", "--captions", "none", "--width", "85 mm"]), 0, "")]);
     assert!(!out.join("shapes.gif").exists() && !out.join("section.pvd").exists());
     assert_eq!((files(&out, "png").len(), files(&out, "svg").is_empty()), (0, false), "the earlier format goes");
-}
-
-/// Each picture differs from the one before; together they last the four seconds of a run and the pause at its end.
-#[test]
-fn every_stage_has_an_animation_that_moves_evenly() {
-    let dir = folder(&format!("{CUP}{STAGES}"));
-    check_calls(dir.path(), &[(&["run", "cases/cup.toml", "-q", "--animate"], 0, "")]);
-    for stage in ["1-draw", "2-retract"] {
-        let bytes = fs::read(dir.path().join("out/cup").join(stage).join("shapes.gif")).unwrap();
-        let mut decoder = gif::DecodeOptions::new().read_info(&bytes[..]).unwrap();
-        let mut delays = Vec::new();
-        while let Some(frame) = decoder.read_next_frame().unwrap() {
-            assert!(frame.height > 1 && frame.width == 800, "{stage}: picture {} changes nothing", delays.len());
-            delays.push(frame.delay);
-        }
-        let (last, moving) = delays.split_last().unwrap();
-        let length: u16 = moving.iter().sum();
-        let half_hundredths = delays.len() as u16 / 2;
-        assert!((30..=51).contains(&delays.len()) && *last == 150, "{stage}: {} pictures", delays.len());
-        assert!(length.abs_diff(400) <= half_hundredths, "{stage}: {length}");
-    }
 }

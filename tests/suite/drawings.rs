@@ -441,17 +441,6 @@ fn layers_with_numbers_are_stages() {
     assert!((extent(second.tool(Role::Die).unwrap()).0 - 31.5).abs() < 1e-6);
 }
 
-/// Trust: the drawing stands 100 mm beside x = 0, where the option makes a ring of it.
-#[test]
-fn x_zero_is_an_axis_only_where_it_is_given() {
-    let drawing = fs::read_to_string("tests/drawings/faulty/off_the_axis.dxf").unwrap();
-    let ring = read(drawing.as_bytes(), &Options { axis: Some(0.0), ..Options::default() }).unwrap();
-    let pieces = ring.first.tool(Role::Punch).unwrap().profile.pieces();
-    let inner = pieces.iter().flat_map(|piece| [piece.first().x, piece.last().x]).fold(f64::INFINITY, f64::min);
-    assert!((inner - 100.0).abs() < 1e-6, "{inner}");
-    assert!(read(drawing.as_bytes(), &Options::default()).unwrap_err().to_string().contains("--axis \"100 mm\""));
-}
-
 /// Every layer of the trade is its tool without being told.
 #[test]
 fn layers_are_understood_in_three_languages() {

@@ -122,33 +122,3 @@ fn an_interrupted_run_keeps_what_it_has_computed() {
     check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: of_steps(3) + 2 }), 3);
     check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: 1 }), 0);
 }
-
-/// Keeps the last iteration of every step.
-#[derive(Default)]
-struct LastIteration {
-    last: Option<IterationRecord>,
-    steps: usize,
-}
-
-impl Observer for LastIteration {
-    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
-        let record = &iterate.record();
-        self.last = Some(*record);
-    }
-    fn step(&mut self, record: &StepRecord) {
-        let last = self.last.expect("an iteration");
-        assert_eq!((last.step, last.travel), (record.step, record.travel));
-        assert_eq!((last.velocity_norm, last.residual_norm), (record.velocity_norm, record.residual_norm));
-        self.steps += 1;
-    }
-}
-
-/// Trust: the last iteration of a step is the one that was accepted, and looking on changes no bit.
-#[test]
-fn iterations_are_seen_and_change_nothing() {
-    let model = cup();
-    let mut seen = LastIteration::default();
-    let run = solver::run(&model, &mut seen);
-    assert!(seen.steps > 5 && seen.steps == run.steps.len());
-    assert_eq!(run.steps, solver::run(&model, &mut ()).steps);
-}

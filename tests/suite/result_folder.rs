@@ -3,7 +3,7 @@
 use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, stampflow, text};
 use rayon::prelude::*;
 use regex::Regex;
-use stampflow::results::{ResultFolder, can_write, write};
+use stampflow::results::{can_write, write};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -162,49 +162,6 @@ fn a_full_disk_leaves_the_earlier_set_and_says_so() {
         assert!(matches!(failed.status.code(), Some(1 | 2)), "{args}: {message}");
         assert!(message.contains("cannot write"), "{args}: {message}");
         assert!(visible(tree(dir.path())) == before, "{args}: {:?}", tree(dir.path()).keys());
-    }
-}
-
-const WRITER: &str = "STAMPFLOW_TEST_WRITER";
-
-/// Writes set after set until it is killed; a helper of the next test.
-#[test]
-#[ignore = "the process that the next test kills"]
-fn writer() {
-    let dir = PathBuf::from(std::env::var_os(WRITER).expect("the folder"));
-    for set in 0.. {
-        let mut folder = ResultFolder::open(&dir, |_, path| path.extension().is_some_and(|e| e == "csv")).unwrap();
-        for file in 0..6 {
-            folder.write(format!("{set}-{file}.csv"), format!("{set}").repeat(1000).as_bytes()).unwrap();
-        }
-        folder.commit().unwrap();
-    }
-}
-
-/// Trust: the names carry the number of their set, so a mixture shows.
-#[cfg(unix)]
-#[test]
-fn sets_that_replace_each_other_are_whole_after_every_kill() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    let path = dir.path().join("cup");
-    fs::create_dir_all(path.join("mine")).unwrap();
-    fs::write(path.join("mine/notes.txt"), "mine").unwrap();
-    let mut random = fastrand::Rng::with_seed(3);
-    for _ in 0..150 {
-        let mut writer = Command::new(std::env::current_exe().unwrap())
-            .args(["result_folder::writer", "--exact", "--ignored"])
-            .env(WRITER, &path)
-            .stdout(Stdio::null())
-            .spawn()
-            .unwrap();
-        sleep(Duration::from_micros(10_000 + random.u64(0..20_000)));
-        writer.kill().unwrap();
-        writer.wait().unwrap();
-        let mut found = names(&path);
-        found.retain(|name| name != "mine");
-        let sets: Vec<_> = found.iter().filter_map(|name| name.split_once('-')).collect();
-        assert!(sets.is_empty() || sets.len() == 6 && sets.iter().all(|set| set.0 == sets[0].0), "{found:?}");
-        assert_eq!(fs::read_to_string(path.join("mine/notes.txt")).unwrap(), "mine");
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::common::cli::{CUP, folder, stampflow, text};
 use roxmltree::{Document, Node};
-use stampflow::results::vtk::STATES;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fs;
@@ -95,24 +94,4 @@ fn the_section_is_that_of_the_profile_and_keeps_its_volume() {
         let blank = 0.5 * TAU * 55.0 * 55.0;
         assert!((shell / blank - 1.0).abs() < 1e-4, "{shell} of {blank}");
     }
-}
-
-/// Trust: the flat blank is level and at rest; between states lies a twenty-fifth of the travel, give or take a step, which
-/// is a hundredth at most.
-#[test]
-fn states_are_spread_evenly_over_the_travel() {
-    let dir = folder(CUP);
-    stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
-    let out = dir.path().join("out/cup");
-    let sets = collection(&out.join("section.pvd"));
-    let full = *columns(&out.join("load_travel.csv"))["travel_mm"].last().unwrap();
-    assert!(sets.len().abs_diff(STATES + 1) <= 1, "{} states", sets.len());
-    assert!(sets[0].0 == 0.0 && (sets[sets.len() - 1].0 - full).abs() < 1e-8, "{sets:?}");
-    for pair in sets.windows(2) {
-        let share = (pair[1].0 - pair[0].0) / full;
-        assert!(share > 0.0 && share < 1.0 / STATES as f64 + 0.0101, "{share}");
-    }
-    let blank = read(&out.join(&sets[0].1));
-    assert!(blank.points.iter().all(|point| (point[1].abs() - 0.5).abs() < 1e-12));
-    assert!(blank.fields["strain_equivalent [-]"].iter().all(|strain| *strain == 0.0));
 }
