@@ -37,7 +37,7 @@ pub struct Settings {
     #[serde(with = "As::<Positive<Stress>>")]
     #[schemars(extend("default" = "30 GPa"))]
     pub contact_stiffness: f64,
-    /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
+    /// Gap over which contact sets in, over the sheet thickness; 0.001 when not given.
     #[serde(with = "As::<Positive<Number>>")]
     pub contact_smoothing: f64,
     /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed, or over that of one sheet
@@ -81,7 +81,7 @@ impl Default for Settings {
             min_step: 1e-6,
             cutoff_strain: 5e-6,
             contact_stiffness: 3e4,
-            contact_smoothing: 3e-3,
+            contact_smoothing: 1e-3,
             slip_speed: 0.003,
             facets: None,
             round_facets: true,

@@ -78,7 +78,7 @@ fn capstan_with_every_friction_law() {
     told("docs/agreement.md", "| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |", &signed(&of, 2));
 }
 
-/// Trust: two methods for one problem. The penalty's foot, δ = 0.003 t, spreads the pressure at the ends of a bend, which
+/// Trust: two methods for one problem. The penalty's foot, δ = 0.001 t, spreads the pressure at the ends of a bend, which
 /// moves the peak in proportion to δ: by 0.3 to 0.7 % of cups over shoulders of six thicknesses; the augmented Lagrangian
 /// takes that back.
 #[test]
