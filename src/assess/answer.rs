@@ -3,7 +3,7 @@
 use super::finding::labels;
 use super::press::{Load, RESERVE};
 use super::tear::{self, Tear, place, tear};
-use super::{Finding, Light, formed, forming_limit, judgements};
+use super::{Finding, Light, formed, forming_limit, fracture, judgements};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::model::{Geometry, Model, Motion, Role};
@@ -69,6 +69,10 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     let thinning = share("thinning").unwrap_or_default();
     let thins = format!("it thins by {} {at}", Amount::share(thinning));
     match (failures.first(), bottom) {
+        (Some(FailureMode::Tears), _) if is("fracture", Light::Red) => {
+            let breaks = fracture::reached(stages).map(|(_, step)| place(stages, step.damage_s0));
+            joined(["it breaks".into(), breaks.unwrap_or_default()], " ")
+        }
         (Some(FailureMode::Tears), _) if is("bottom_tearing", Light::Red) => {
             "it tears at the bottom: the punch pulls harder than the wall can bear".into()
         }
@@ -141,7 +145,7 @@ impl FailureMode {
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
             "stop" if is_tear => Self::Tears,
-            "thinning" | "localisation" | "forming_limit" | "bottom_tearing" => Self::Tears,
+            "thinning" | "localisation" | "forming_limit" | "fracture" | "bottom_tearing" => Self::Tears,
             "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,

@@ -12,6 +12,7 @@ pub mod error_bars;
 pub mod estimate;
 mod finding;
 mod forming_limit;
+mod fracture;
 mod holder;
 mod material;
 mod press;
@@ -61,6 +62,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tear::thinning,
     tear::localisation,
     forming_limit::margin,
+    fracture::judge,
     tear::bottom,
     draw::redraw,
     draw::wrinkling,

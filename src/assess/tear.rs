@@ -2,7 +2,7 @@
 
 use super::estimate::{draw_ratio, tensile_strength};
 use super::forming_limit::Nearest;
-use super::{Finding, Light, Run, at_event, draw};
+use super::{Finding, Light, Run, at_event, draw, fracture};
 use crate::geometry::Arc;
 use crate::measure::{Band, place_on_part};
 use crate::model::{Edge, Geometry, Role, Tool};
@@ -130,7 +130,8 @@ impl Tear<'_> {
 pub fn tears_at(stage: &StageSolution) -> Option<f64> {
     stage.steps.last()?;
     let tear = tear(std::slice::from_ref(stage)).and_then(|tear| tear.s0);
-    tear.or_else(|| torn(stage).map(|neck| neck.s0))
+    let broken = || fracture::reached(std::slice::from_ref(stage)).map(|(_, step)| step.damage_s0);
+    tear.or_else(broken).or_else(|| torn(stage).map(|neck| neck.s0))
 }
 
 /// Location by its name on the part, as the last stage with a name has it, and on the flat blank.

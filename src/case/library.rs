@@ -249,6 +249,9 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
     own.yield_condition = own.yield_condition.or(sheet.yield_condition);
     own.rate = own.rate.or(sheet.rate);
     own.softening = own.softening.or(sheet.softening);
+    if own.fracture.is_none() {
+        (own.fracture, own.fracture_source) = (sheet.fracture, sheet.fracture_source.clone());
+    }
     if !own_hardening {
         let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
         let law = if let Some(shifting) = elastoplastic.filter(|_| shifts) {

@@ -11,6 +11,8 @@ pub struct Sources {
     pub friction: Option<String>,
     /// Source of the material's numbers.
     pub material: Option<String>,
+    /// Source of the constants of ductile fracture.
+    pub fracture: Option<String>,
     /// Sheets of hardening and r̄, if they are two.
     pub sheets: Option<Sheets>,
     /// Thickness of the sheet that the material's numbers are of.
@@ -83,15 +85,22 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
         }
     };
     forget(&mut file.friction.source, "friction.source", |path| path.split('.').any(|key| key == "friction"));
-    forget(&mut file.material.source, "material.source", |path| path.split('.').next() == Some("material"));
+    forget(&mut file.material.source, "material.source", |path| {
+        path.split('.').next() == Some("material") && !path.starts_with("material.fracture")
+    });
+    forget(&mut file.material.fracture_source, "material.fracture_source", |path| {
+        path.starts_with("material.fracture.")
+    });
 }
 
 pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Result<Sources, CaseError> {
     let (friction, material) = (file.friction.source.clone(), file.material.source.clone());
-    for (given, path) in [(&friction, "friction.source"), (&material, "material.source")] {
+    let fracture = file.material.fracture_source.clone();
+    let of_material = [(&material, "material.source"), (&fracture, "material.fracture_source")];
+    for (given, path) in [(&friction, "friction.source")].into_iter().chain(of_material) {
         let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";
         let says = given.as_ref().is_none_or(|text| !text.trim().is_empty());
         source.require(says, path, "`source` says nothing", help)?;
     }
-    Ok(Sources { friction, material, ..taken })
+    Ok(Sources { friction, material, fracture, ..taken })
 }

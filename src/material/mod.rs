@@ -1,10 +1,11 @@
-//! The sheet's material: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, and the laws
-//! that give the stress at a point.
+//! The sheet's material: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, fracture, and the
+//! laws that give the stress at a point.
 
 pub mod chaboche;
 mod elastic;
 pub mod elastoplastic;
 pub mod flow;
+pub mod fracture;
 pub mod gtn;
 pub mod hardening;
 mod hill48;
@@ -20,6 +21,7 @@ mod yield_criterion;
 
 pub use chaboche::{BackStress, BackStresses};
 pub use elastic::Elastic;
+pub use fracture::Fracture;
 pub use gtn::Gtn;
 pub use hardening::{FlowStress, Hardening};
 pub use hill48::Hill48;
@@ -50,17 +52,20 @@ pub struct Material {
     pub chaboche: BackStresses,
     /// `None` for a metal without voids.
     pub gtn: Option<Gtn>,
+    /// `None` for a metal whose fracture is not judged.
+    pub fracture: Option<Fracture>,
 }
 
 impl Material {
-    /// The flow stress as a formula, the yield condition where it is not Huber-Mises', and the voids where there are any.
+    /// The flow stress as a formula, the yield condition where it is not Huber-Mises', voids and fracture where there are any.
     pub fn describe(&self) -> String {
         let rate = self.rate.map(|rate| format!(" times {rate}"));
         let thermal = self.thermal.map(|thermal| format!(" times {thermal}"));
         let criterion = Some(self.yield_criterion).filter(|criterion| *criterion != YieldCriterion::default());
         let criterion = criterion.map(|criterion| format!("; {criterion}"));
         let gtn = self.gtn.map(|gtn| format!("; {gtn}"));
-        [rate, thermal, criterion, gtn]
+        let fracture = self.fracture.map(|fracture| format!("; fracture at {fracture}"));
+        [rate, thermal, criterion, gtn, fracture]
             .into_iter()
             .flatten()
             .fold(self.hardening.to_string(), |text, more| text + &more)
@@ -77,6 +82,7 @@ impl Material {
             yield_criterion: YieldCriterion::default(),
             chaboche: BackStresses::default(),
             gtn: None,
+            fracture: None,
         }
     }
 

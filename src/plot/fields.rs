@@ -49,6 +49,7 @@ pub mod element {
     pub const BENDING: Element =
         Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
     pub const POROSITY: Element = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
+    pub const DAMAGE: Element = Field::new("damage", "Damage over its critical value", Unit::None, |e| e.damage);
     pub const TEMPERATURE: Element =
         Field::new("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS);
 }

@@ -1,15 +1,15 @@
-//! Thickness, porosity, temperature and strains over the blank at the kept frames, and thickness along the part.
+//! Thickness, porosity, damage, temperature and strains over the blank at the kept frames, and thickness along the part.
 
 use super::chart::{Chart, Panel, Series, Style};
 use super::{StageView, bands};
 use crate::plot::axis::{Axis, capitalised};
 use crate::plot::fields::element::{
-    POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
+    DAMAGE, POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
 };
 use crate::solver::solution::ElementRecord;
 use crate::table::{Field, Unit};
 
-/// Least span of the axis of a thickness over the initial one \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
+/// Least span of the axis of a thickness over the initial one and a damage \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
 const LEAST: f64 = 0.02;
 const LEAST_POROSITY: f64 = 1e-4;
 const LEAST_TEMPERATURE: f64 = 1.0;
@@ -30,6 +30,10 @@ pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
 
 pub(crate) fn porosity(view: &StageView) -> Option<Chart> {
     view.model().material.gtn.and_then(|_| over_blank(view, "porosity", &POROSITY, LEAST_POROSITY))
+}
+
+pub(crate) fn damage(view: &StageView) -> Option<Chart> {
+    view.model().material.fracture.and_then(|_| over_blank(view, "damage of ductile fracture", &DAMAGE, LEAST))
 }
 
 pub(crate) fn temperature(view: &StageView) -> Option<Chart> {

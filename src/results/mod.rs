@@ -39,6 +39,7 @@ pub const OUTPUTS: &[Output] = &[
     picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
     picture("porosity.png", "porosity over the blank, of a sheet with voids", profiles::porosity),
+    picture("damage.png", "damage over the blank, with a criterion of ductile fracture", profiles::damage),
     picture("temperature.png", "temperature over the blank, where it is given", profiles::temperature),
     picture("strains.png", "strains over the blank at the last frame", profiles::strains),
     table("forming_limit.csv", "the forming limit curve, where one is given", |view| {

@@ -14,7 +14,11 @@ use crate::solver::trace::IterationHistory;
 use crate::table::{Column, Field, JOULES, Table, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 
-/// Columns of a step, then those of a sheet with voids and with a temperature.
+const THINNEST_S0: [&str; 2] = [
+    "Initial distance of the thinnest place from the axis",
+    "Initial distance of the thinnest place from the symmetry plane",
+];
+/// Columns of a step, then those of a sheet with voids, with a criterion of fracture and with a temperature.
 const STEP: [Field<StepRecord>; 32] = [
     TRAVEL,
     PUNCH_FORCE,
@@ -22,15 +26,7 @@ const STEP: [Field<StepRecord>; 32] = [
     EDGE_FORCE,
     DRAW_IN,
     THINNEST,
-    Field::worded(
-        "thinnest_s0",
-        [
-            "Initial distance of the thinnest place from the axis",
-            "Initial distance of the thinnest place from the symmetry plane",
-        ],
-        Unit::Mm,
-        |s| s.thinnest_s0,
-    ),
+    Field::worded("thinnest_s0", THINNEST_S0, Unit::Mm, |s| s.thinnest_s0),
     Field::new("work_external", "External work", Unit::Joule, |s| JOULES * s.work.external),
     Field::new("work_plastic", "Plastic work", Unit::Joule, |s| JOULES * s.work.plastic),
     Field::new("work_friction", "Friction work", Unit::Joule, |s| JOULES * s.work.friction),
@@ -57,7 +53,8 @@ const STEP: [Field<StepRecord>; 32] = [
     Field::new("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
     Field::new("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
 ];
-const VOIDS: [Field<StepRecord>; 1] = [Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity)];
+const VOIDS: Field<StepRecord> = Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity);
+const LARGEST_DAMAGE: Field<StepRecord> = Field::new("damage", "Largest damage", Unit::None, |s| s.damage);
 const HEAT: [Field<StepRecord>; 5] = [
     Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
     Field::new("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS),
@@ -99,9 +96,10 @@ const ITERATION: [Field<IterationRecord>; 11] = [
 /// Forces, draw-in, energy and effort: one row per accepted step.
 pub fn load_travel(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
-    let voids = model.material.gtn.iter().flat_map(|_| &VOIDS);
+    let voids = model.material.gtn.map(|_| &VOIDS);
+    let damage = model.material.fracture.map(|_| &LARGEST_DAMAGE);
     let heat = model.heat.iter().flat_map(|_| &HEAT);
-    let fields = STEP.iter().chain(voids).chain(heat);
+    let fields = STEP.iter().chain(voids).chain(damage).chain(heat);
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
     columns.insert(7, edge_diameter(model.geometry, model.blank.length, &stage.steps));
     Table::new(columns)
@@ -120,13 +118,14 @@ pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
     Some(Table::new(CYCLE.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
 }
 
-/// Fields of an element apart from its place; porosity and temperature if the model has them.
+/// Fields of an element apart from its place; porosity, damage and temperature if the model has them.
 pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
     let strains = [THICKNESS, STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS, STRAIN_EQUIVALENT];
     let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, BENDING];
     let porosity = model.material.gtn.map(|_| POROSITY);
+    let damage = model.material.fracture.map(|_| DAMAGE);
     let temperature = model.heat.as_ref().map(|_| TEMPERATURE);
-    strains.into_iter().chain(others).chain(porosity).chain(temperature).collect()
+    strains.into_iter().chain(others).chain(porosity).chain(damage).chain(temperature).collect()
 }
 
 /// Shape, thickness, strains and stresses: one row per frame and element, from the axis outward.

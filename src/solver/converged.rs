@@ -1,6 +1,7 @@
 //! Converged steps and the states after them.
 
 use super::corrector::Outcome;
+use super::damage;
 use super::evaluation::Evaluation;
 use super::step::Step;
 use super::terms::contact;
@@ -55,6 +56,7 @@ impl<'a> Converged<'a> {
                 porosity_rate: point.porosity_rate,
                 strain_rate: iterate.strain().map(|strain| strain / dt),
                 equivalent_rate: update.increment / step.process_time,
+                damage: point.damage,
             }
         });
         let points_of_contact = state.contact_points();
@@ -87,6 +89,7 @@ impl<'a> Converged<'a> {
             temperature: state.temperature.clone(),
             temperature_rates: state.temperature_rates.clone(),
             ironed: state.ironed.clone(),
+            face_damage: state.face_damage.clone(),
             s0: state.s0.clone(),
         };
         mark_steady(step, evaluation, &mut next);
@@ -95,6 +98,9 @@ impl<'a> Converged<'a> {
         }
         if let Some(voids) = &model.material.gtn {
             grow_voids(voids, step, trial, evaluation, &mut next);
+        }
+        if let Some(fracture) = &model.material.fracture {
+            damage::add(fracture, self, &mut next);
         }
         next
     }

@@ -4,6 +4,7 @@ mod augmented_lagrangian;
 mod closing;
 mod converged;
 mod corrector;
+mod damage;
 mod end_search;
 mod energy_balance;
 mod equilibrium;
@@ -152,6 +153,9 @@ fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &S
     ironing::add(converged, &mut next, &mut record);
     if step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&step.context.rule);
+    }
+    if step.model.material.fracture.is_some() {
+        (record.damage, record.damage_s0) = next.largest_damage(&step.context.rule);
     }
     let heat = heat::advance(converged, &plastic, &mut next).unwrap_or_default();
     record.power = work.scaled(1.0 / step.dt).scaled(times);

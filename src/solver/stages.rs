@@ -95,8 +95,9 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.ironed = vec![0.0; state.thickness.len()];
     if begin.anneal {
         for point in state.points.iter_mut() {
-            let MaterialPoint { porosity, porosity_rate, strain_rate, .. } = *point;
-            *point = MaterialPoint { porosity, porosity_rate, strain_rate, ..MaterialPoint::default() };
+            // Annealing closes no void.
+            let MaterialPoint { porosity, porosity_rate, strain_rate, damage, .. } = *point;
+            *point = MaterialPoint { porosity, porosity_rate, strain_rate, damage, ..MaterialPoint::default() };
         }
     }
     let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));
@@ -133,7 +134,7 @@ fn trim(state: &mut State, radius: f64) {
     let State { thickness, volume, dilation, dilation_rate, temperature, .. } = state;
     cut([thickness, volume, dilation, dilation_rate, temperature], elements);
     cut([&mut state.bends, &mut state.steady], elements);
-    cut([&mut state.membrane, &mut state.temperature_rates], elements);
+    cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage], elements);
     state.points.truncate_rows(elements);
     for pairs in [&mut state.pressure, &mut state.shift] {
         pairs.truncate_columns(STATIONS * elements);

@@ -32,6 +32,8 @@ pub struct MaterialPoint {
     pub strain_rate: Triple,
     /// Rate of ε̄ in the last step, in process time \[1/s\].
     pub equivalent_rate: f64,
+    /// Damage D of ductile fracture over its critical value \[–\].
+    pub damage: f64,
 }
 
 /// The sheet and its tools at one instant.
@@ -71,6 +73,8 @@ pub struct State {
     pub steady: Vec<bool>,
     /// Elements by thickness points.
     pub points: Grid<MaterialPoint>,
+    /// Damage, as that of the points, on the faces of each element: the die's and the punch's \[–\].
+    pub face_damage: Vec<[f64; 2]>,
     /// Displacement of each tool (away from the axis, along z) from where it is drawn \[mm\].
     pub tools: Vec<Point>,
     /// Velocity of each tool along z \[mm/s\].
@@ -126,6 +130,7 @@ impl State {
             bends: vec![model.blank.theory == Theory::Bending; elements],
             steady: vec![false; elements],
             points: Grid::new(elements, model.blank.layers, point),
+            face_damage: vec![[0.0; 2]; elements],
             dilation: vec![0.0; elements],
             dilation_rate: vec![0.0; elements],
             temperature: middles.map(temperature).collect(),
@@ -186,6 +191,20 @@ impl State {
             (mean, self.middle(e))
         });
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
+    }
+
+    /// Largest damage through the thickness of element `e` and its ξ \[–\].
+    pub fn damage(&self, e: usize, rule: &[ThicknessPoint]) -> (f64, f64) {
+        let inside = self.points.row(e).iter().zip(rule).map(|(point, at)| (point.damage, at.xi));
+        let [die, punch] = self.face_damage[e];
+        let all = inside.chain([(die, -1.0), (punch, 1.0)]);
+        all.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
+    }
+
+    /// Largest damage of the sheet \[–\], and its initial distance from the axis \[mm\].
+    pub fn largest_damage(&self, rule: &[ThicknessPoint]) -> (f64, f64) {
+        let all = (0..self.thickness.len()).map(|e| (self.damage(e, rule).0, self.middle(e)));
+        all.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
     }
 
     /// Extrapolated temperature of element `e` at `dt` \[s\] from now \[K\].

@@ -65,6 +65,7 @@ mod verify_draw_ratio;
 mod verify_elastoplastic;
 mod verify_fine_mesh;
 mod verify_forming_limit;
+mod verify_fracture;
 mod verify_heat_and_voids;
 mod verify_hosford;
 mod verify_ironing;

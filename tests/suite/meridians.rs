@@ -58,22 +58,7 @@ fn of_points(points: &[(f64, f64)]) -> Frame {
 }
 
 fn element(s0: f64) -> ElementRecord {
-    ElementRecord {
-        s0,
-        r: s0,
-        z: 0.0,
-        thickness: 1.0,
-        strain_meridional: 0.0,
-        strain_hoop: 0.0,
-        strain_thickness: 0.0,
-        strain_equivalent: 0.0,
-        strain_equivalent_max: 0.0,
-        stress_meridional: 0.0,
-        stress_hoop: 0.0,
-        porosity: 0.0,
-        temperature: 293.15,
-        bends: true,
-    }
+    ElementRecord { s0, r: s0, z: 0.0, thickness: 1.0, temperature: 293.15, bends: true, ..ElementRecord::default() }
 }
 
 /// The other way up, as of a sheet that is pressed against the direction of travel.

@@ -2,12 +2,14 @@
 
 use super::values::untagged;
 use super::{CaseError, Deserialize, JsonSchema, Source};
+use crate::material::fracture::FractureTable;
 use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
 use crate::material::rate::RateTable;
 use crate::material::thermal::ThermalTable;
 use crate::material::{
-    self, BackStress, BackStresses, Elastic, Gtn, Hardening, Hill48, RValues, Rate, ThermalLaw, YieldCriterion,
+    self, BackStress, BackStresses, Elastic, Fracture, Gtn, Hardening, Hill48, RValues, Rate, ThermalLaw,
+    YieldCriterion,
 };
 use crate::model::Mode;
 use crate::units::{Amount, Digits, Dimensioned, Fraction, Number, Positive, Stress};
@@ -52,6 +54,10 @@ pub struct Material {
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; default none.
     pub voids: Option<Gtn>,
+    /// Criterion of ductile fracture, summed up at every thickness point; default none, and fracture is not judged.
+    pub fracture: Option<FractureTable>,
+    /// Source of the constants of `fracture`: author and year, or the test; left out if they are assumed.
+    pub fracture_source: Option<String>,
     /// Largest strain of the measurements that a formula of hardening is fitted to; a run that strains the sheet further
     /// reports it. A table ends at its last point.
     pub fitted_up_to: Option<Positive<Number>>,
@@ -162,13 +168,25 @@ impl Material {
             .softening
             .map(|table| only(ThermalLaw::named(table), None, "material.softening", source))
             .transpose()?;
+        let fracture =
+            self.fracture.map(|table| only(Fracture::named(table), None, "material.fracture", source)).transpose()?;
         let mut gtn = self.voids;
         if let Some(gtn) = &mut gtn {
             gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
         }
         let fitted_up_to = self.fitted_up_to.map(Dimensioned::value);
         let chaboche = self.back_stresses(source)?;
-        Ok(material::Material { hardening, fitted_up_to, elastic, rate, thermal, yield_criterion, chaboche, gtn })
+        Ok(material::Material {
+            hardening,
+            fitted_up_to,
+            elastic,
+            rate,
+            thermal,
+            yield_criterion,
+            chaboche,
+            gtn,
+            fracture,
+        })
     }
 
     /// r-values by direction, with a note on the mean that is taken.

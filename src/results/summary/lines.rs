@@ -91,11 +91,8 @@ impl Lines<'_> {
             let before = std::iter::once(0.0).chain(run.steps.iter().map(|s| s.time));
             let capped = run.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some());
             let capped: f64 = capped.map(|(s, before)| s.time - before).sum();
-            self.number(
-                "time_on_cap",
-                "  time on a cap of the pressure",
-                (last.time > 0.0).then(|| Amount::share(capped / last.time)),
-            );
+            let capped = (last.time > 0.0).then(|| Amount::share(capped / last.time));
+            self.number("time_on_cap", "  time on a cap of the pressure", capped);
             self.number("time", "Time of the cycle", Amount::time(last.time));
         }
         let touching = Some(last.contact_share).filter(|share| *share > 0.0);
@@ -172,6 +169,10 @@ impl Lines<'_> {
             self.number("porosity", "Largest porosity", Amount::share(last.porosity));
             self.number("porous_s0", "  at an initial distance of", Amount::place(last.porous_s0));
         }
+        if model.material.fracture.is_some() {
+            self.number("damage", "Largest damage over its critical value", Amount::share(last.damage));
+            self.number("damage_s0", "  at an initial distance of", Amount::place(last.damage_s0));
+        }
         if let Some(heat) = &model.heat {
             // A run that never started has the temperature it was given.
             let coldest = run.steps.iter().map(|s| s.coldest).reduce(f64::min).unwrap_or(heat.initial.smallest());
@@ -182,11 +183,14 @@ impl Lines<'_> {
         let ironing = self.largest(|s| s.ironing);
         if ironing > 0.0 {
             let [force, friction] = [self.largest(|s| s.ironing_force), self.largest(|s| s.ironing_friction)];
-            let pressure = Amount::stress(self.largest(|s| s.ironing_pressure));
             self.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
             self.number("ironing_force", "Largest ironing force of the die", self.force(force));
             self.number("ironing_friction", "Largest friction in it", self.force(friction));
-            self.number("ironing_pressure", "Largest ironing pressure", pressure);
+            self.number(
+                "ironing_pressure",
+                "Largest ironing pressure",
+                Amount::stress(self.largest(|s| s.ironing_pressure)),
+            );
         }
         // A flat sheet has no bend.
         let sharpest = self.largest(|s| s.sharpest_bend);

@@ -32,6 +32,8 @@ pub struct ElementRecord {
     pub stress_hoop: f64,
     /// Mean porosity \[–\].
     pub porosity: f64,
+    /// Largest damage of ductile fracture over its critical value through the thickness, faces included \[–\].
+    pub damage: f64,
     /// Temperature \[K\].
     pub temperature: f64,
     /// True if it bent in the last step, false for a membrane.
@@ -117,6 +119,7 @@ impl State {
                 stress_meridional: mean(&|p| model.cauchy(p.stress)[0]),
                 stress_hoop: mean(&|p| model.cauchy(p.stress)[1]),
                 porosity: mean(&|p| p.porosity),
+                damage: self.damage(e, &layers).0,
                 temperature: self.temperature[e],
                 bends: self.bends[e],
             }

@@ -84,6 +84,10 @@ pub struct StepRecord {
     pub porosity: f64,
     /// Initial distance from the axis of the largest porosity \[mm\].
     pub porous_s0: f64,
+    /// Largest damage of ductile fracture over its critical value, faces included \[–\].
+    pub damage: f64,
+    /// Initial distance from the axis of the largest damage \[mm\].
+    pub damage_s0: f64,
     /// Lowest temperature of an element \[K\].
     pub coldest: f64,
     /// Highest temperature of an element \[K\].

@@ -1,0 +1,58 @@
+//! Ductile fracture, by the criterion and the constants of the case.
+
+use super::{Finding, Run, formed, tear};
+use crate::solver::solution::{StageSolution, StepRecord};
+use crate::units::{Amount, joined};
+
+/// Share of the critical value above which scatter of metal and process may reach it \[–\].
+const CAREFUL: f64 = 0.9;
+/// Difference of damage through the thickness up to which no face is named, over the largest \[–\].
+const EVEN: f64 = 0.05;
+
+/// First step of the stages at which a place breaks, with its stage, counted from 0.
+pub(super) fn reached(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
+    formed(stages).find_map(|(i, stage)| Some((i, stage.steps.iter().find(|step| step.damage >= 1.0)?)))
+}
+
+/// Largest damage over the sheet; `None` for a case without a criterion.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let criterion = run.case.model().material.fracture?;
+    let (i, damage, at) = run.peak(|_, stage| {
+        let steps = stage.steps.iter().map(|step| (step.damage, step));
+        steps.max_by(|a, b| a.0.total_cmp(&b.0))
+    })?;
+    let stage = &run.stages[i];
+    let place = joined([tear::place(&run.stages[..=i], at.damage_s0), face(stage, at.damage_s0).into()], ", ");
+    let uses = format!("uses {{}} of the critical value {place}");
+    let breaks = reached(run.stages).map_or_else(String::new, |(i, step)| {
+        let instant = match run.stages[i].model.travel > 0.0 {
+            true => format!("{} of travel", Amount::place(step.travel)),
+            false => Amount::time(step.time).to_string(),
+        };
+        run.of_stage(format!("reached at {instant}"), i)
+    });
+    let source = run.case.sources.fracture.clone();
+    Finding::judged("fracture", "Fracture", joined([uses, breaks], "; "))
+        .number(Amount::share(damage))
+        .at_most(100.0 * CAREFUL, 100.0)
+        .limit(format!("{criterion}, near it from {}", Amount::given_share(CAREFUL)))
+        .source(
+            source.unwrap_or_else(|| "the case's constants, assumed: no source is given; the share is declared".into()),
+        )
+        .advice(tear::advice(run, stage, at.damage_s0))
+        .into()
+}
+
+/// Face with the larger damage at the end of a stage.
+fn face(stage: &StageSolution, s0: f64) -> &'static str {
+    let (state, rule) = (&stage.end, stage.model.blank.points());
+    let nearest = |a: &usize, b: &usize| (state.middle(*a) - s0).abs().total_cmp(&(state.middle(*b) - s0).abs());
+    let Some(e) = (0..state.thickness.len()).min_by(nearest) else { return "" };
+    let (largest, xi) = state.damage(e, &rule);
+    let least = state.points.row(e).iter().map(|point| point.damage).fold(largest, f64::min);
+    match xi {
+        _ if largest - least <= EVEN * largest => "through the whole thickness",
+        xi if xi > 0.0 => "on the punch's face",
+        _ => "on the die's face",
+    }
+}

@@ -1,0 +1,187 @@
+//! Ductile fracture: damage against closed forms, from stage to stage, and its light.
+
+use crate::common::convergence::orders_of_changes;
+use crate::common::shipped::{last, made, shipped, shipped_case, solve};
+use crate::common::simple;
+use stampflow::assess::{self, Answer, FailureMode, Light};
+use stampflow::material::fracture::{Brozzo, CockcroftLatham, FractureStress, Oyane, RiceTracey};
+use stampflow::material::{Elastic, Fracture, Hill48, YieldCriterion};
+use stampflow::model::stage::{Beginning, Stage};
+use stampflow::model::{Geometry, Mode, Model, Theory};
+use stampflow::solver::state::State;
+use stampflow::solver::{self, enter};
+
+const A: f64 = 0.424;
+const GROWTH: f64 = 0.283;
+
+/// The criteria with critical values of 1, in the order of the columns below.
+fn criteria() -> [Fracture; 4] {
+    let critical = 1.0;
+    [
+        Fracture::CockcroftLatham(CockcroftLatham { critical }),
+        Fracture::Brozzo(Brozzo { critical }),
+        Fracture::Oyane(Oyane { a: A, critical }),
+        Fracture::RiceTracey(RiceTracey { critical }),
+    ]
+}
+
+/// dD/dε̄ of an isotropic metal, by hand: σ_m/σ̄ is 1/3, 1/√3 and 2/3, σ₁/σ̄ is 1, 2/√3 and 1.
+fn by_hand(path: &str) -> [f64; 4] {
+    let root = 3f64.sqrt();
+    match path {
+        "tension" => [1.0, 1.0, 1.0 + 1.0 / (3.0 * A), GROWTH * 0.5f64.exp()],
+        "plane strain" => [2.0 / root, 4.0 / 3.0, 1.0 + 1.0 / (root * A), GROWTH * (0.5 * root).exp()],
+        "equi-biaxial" => [1.0, 2.0, 1.0 + 2.0 / (3.0 * A), GROWTH * 1f64.exp()],
+        "compression" => [0.0, 0.0, 1.0 - 1.0 / (3.0 * A), GROWTH * (-0.5f64).exp()],
+        // 1 − 2/(3 a) is negative: damage does not heal.
+        "biaxial compression" => [0.0, 0.0, 0.0, GROWTH * (-1f64).exp()],
+        "tension under half its stress as pressure" => {
+            [0.5, 2.0 / 3.0 * 0.5 / (2.0 / 3.0), 1.0 - 1.0 / (6.0 * A), GROWTH * (-0.25f64).exp()]
+        }
+        path => panic!("{path}"),
+    }
+}
+
+/// Trust: by hand.
+#[test]
+fn criteria_have_their_closed_forms_at_a_point() {
+    for (path, s, normal) in [
+        ("tension", [300.0, 0.0], 0.0),
+        ("plane strain", [100.0, 200.0], 0.0),
+        ("equi-biaxial", [250.0, 250.0], 0.0),
+        ("compression", [0.0, -300.0], 0.0),
+        ("biaxial compression", [-200.0, -200.0], 0.0),
+        ("tension under half its stress as pressure", [0.0, 300.0], -150.0),
+    ] {
+        let stress = FractureStress::new(&YieldCriterion::default(), [s[0], s[1], 0.0], normal);
+        for (criterion, exact) in criteria().iter().zip(by_hand(path)) {
+            assert!((criterion.at(stress) - exact).abs() < 1e-12, "{criterion}, {path}: {}", criterion.at(stress));
+        }
+    }
+    // Hill 1948: σ₁/σ̄ = (1 + r̄)/√(1 + 2 r̄) in plane strain, where σ₂ = r̄/(1 + r̄) σ₁.
+    let r = 1.8;
+    let stress = FractureStress::new(&Hill48::new(r).into(), [100.0, 100.0 * r / (1.0 + r), 0.0], 0.0);
+    assert!((criteria()[0].at(stress) - (1.0 + r) / (1.0 + 2.0 * r).sqrt()).abs() < 1e-12);
+}
+
+/// Trust: homogeneous, so that D = f ε̄ with ε̄ = (2/√3) ln(l/l₀) in plane strain and 2 ln(r/r₀) of a disc; by the flow law to
+/// round-off. An elastic strip comes from Poisson's σ₂ = 0.3 σ₁ to 0.5 σ₁ over a yield strain, a hundredth of its strain: of D
+/// over the plastic strain that is a tenth of it.
+#[test]
+fn pulled_sheets_have_the_damage_of_their_path() {
+    for (geometry, path, per_strain) in
+        [(Geometry::PlaneStrain, "plane strain", 2.0 / 3f64.sqrt()), (Geometry::Axisymmetric, "equi-biaxial", 2.0)]
+    {
+        for (mode, theory) in
+            [(Mode::Flow, Theory::Membrane), (Mode::Flow, Theory::Bending), (Mode::ElastoViscoplastic, Theory::Bending)]
+        {
+            for (criterion, rate) in criteria().into_iter().zip(by_hand(path)) {
+                let mut model = simple::pulled(geometry, theory, 12.0);
+                model.mode = mode;
+                model.material.elastic = Some(Elastic { young: 206e3, poisson: 0.3 });
+                model.material.fracture = Some(criterion);
+                let run = solve(&model);
+                let (strain, allowed) = match mode {
+                    Mode::Flow => (per_strain * (52.0f64 / 40.0).ln(), 1e-10),
+                    _ => (run.end.points[(3, 2)].strain, 1e-3),
+                };
+                let error = last(&run).damage / (rate * strain) - 1.0;
+                assert!(error.abs() < allowed, "{criterion}, {path}, {mode:?}, {theory:?}: {error:e}");
+            }
+        }
+    }
+}
+
+/// Trust: pure bending to the radius ρ of the mid-surface: faces strain by ±t/2ρ, to which ln(1 + t/2ρ) is the same but for
+/// (t/2ρ)²/2, ε̄ = (2/√3) t/2ρ less the elastic part, here 8 % of it, under stresses of ±plane strain. The radius is that of the
+/// nose and half the thickness: a blade of 12 t wraps the strip to 1 % there.
+#[test]
+fn a_bent_strip_is_damaged_on_its_outer_face() {
+    let compressed = [0.0, 0.0, 0.0, GROWTH * (-0.5 * 3f64.sqrt()).exp()];
+    let case = made("v-bend", &[("nose", "12 mm"), ("thickness", "1 mm")], &[]);
+    for (criterion, (outer, inner)) in criteria().into_iter().zip(by_hand("plane strain").into_iter().zip(compressed)) {
+        let mut model = case.model().clone();
+        model.material.fracture = Some(criterion);
+        let run = solve(&model);
+        let face = |state: &State| state.face_damage.iter().copied().max_by(|a, b| a[0].total_cmp(&b[0]));
+        let strain = 2.0 / 3f64.sqrt() * 0.5 / 12.5;
+        let [die, punch] = face(&run.end).expect("elements").map(|damage| damage / strain);
+        println!(
+            "{criterion}: {die} {outer}, {punch} {inner}; {} {:?}",
+            run.steps.iter().map(|s| s.sharpest_bend).fold(0.0, f64::max) * 12.5,
+            run.end.points.row(0).iter().map(|p| p.strain / strain).collect::<Vec<_>>()
+        );
+    }
+}
+
+/// Trust: a strip drawn over a shoulder bends and straightens: the convex face is damaged first, the other while it straightens.
+/// By Cockcroft and Latham each counts its own tension, so that both end near each other.
+#[test]
+fn straightening_damages_the_other_face() {
+    let model = with(shipped("hat_springback", &[]), criteria()[0]);
+    let run = solve(&model);
+    for e in (0..run.end.face_damage.len()).step_by(3) {
+        println!("{} {:?} {}", run.end.middle(e), run.end.face_damage[e], run.end.points[(e, 0)].strain);
+    }
+}
+
+fn with(mut model: Model, criterion: Fracture) -> Model {
+    model.material.fracture = Some(criterion);
+    model
+}
+
+/// Trust: the same run with an eighth of the step. The end of the step stands for all of it: first order.
+#[test]
+fn damage_does_not_hang_on_the_step() {
+    for name in ["quickstart", "hat_springback"] {
+        let damage = [1.0, 2.0, 4.0, 8.0].map(|by| {
+            let set = [format!("solver.max_step={}", 0.01 / by), format!("solver.first_step={}", 0.002 / by)];
+            last(&solve(&with(shipped(name, &set.each_ref().map(String::as_str)), criteria()[1]))).damage
+        });
+        let orders = orders_of_changes(&damage);
+        println!("{name}: {damage:?} {orders:?}");
+        assert!((damage[0] / damage[3] - 1.0).abs() < 3e-3, "{name}: {damage:?}");
+    }
+}
+
+/// Trust: nothing is computed between two stages; annealing takes strain and stress and closes no void.
+#[test]
+fn damage_goes_from_stage_to_stage() {
+    let draw = with(shipped("quickstart", &["tools.punch.travel=8 mm"]), criteria()[1]);
+    let run = solve(&draw);
+    for anneal in [false, true] {
+        let begin = Beginning { anneal, ..Beginning::default() };
+        let next = enter(&Stage { name: "next".into(), model: draw.clone(), begin }, &draw, run.end.clone());
+        let damage = |state: &State| state.points.iter().map(|point| point.damage).collect::<Vec<_>>();
+        assert!(damage(&next).iter().any(|damage| *damage > 0.01));
+        assert_eq!((damage(&next), next.face_damage), (damage(&run.end), run.end.face_damage.clone()));
+    }
+}
+
+/// Rows of the quickstart: Brozzo's critical value, light, failure, and parts of the text.
+#[test]
+fn fracture_has_its_light() {
+    for (critical, light, failures, parts) in [
+        ("0.35", Light::Green, &[][..], &["uses 81 %", "on the punch's face"][..]),
+        ("0.3", Light::Amber, &[], &["uses 94 %", "die radius"]),
+        ("0.25", Light::Red, &[FailureMode::Tears], &["uses 113 %", "reached at 2"]),
+    ] {
+        let set = format!("material.fracture={{brozzo={{critical={critical}}}}}");
+        let case = shipped_case("quickstart", &[&set, "material.fracture_source=a notched test"]);
+        let stages = solver::solve(&case.stages, &mut ());
+        let findings = assess::after(&case, &stages);
+        let found = findings.iter().find(|finding| finding.key == "fracture").expect("a row");
+        let answer = Answer::of(&case, &stages, &findings);
+        assert_eq!((found.light, &answer.failures[..], &*found.source), (light, failures, "a notched test"));
+        assert!(parts.iter().all(|part| found.statement().contains(part)), "{}", found.statement());
+        assert_eq!(
+            answer.sentence.starts_with("it breaks on the die radius"),
+            light == Light::Red,
+            "{}",
+            answer.sentence
+        );
+    }
+    let case = shipped_case("quickstart", &["tools.punch.travel=3 mm"]);
+    let findings = assess::after(&case, &solver::solve(&case.stages, &mut ()));
+    assert!(findings.iter().all(|finding| finding.key != "fracture"));
+}
