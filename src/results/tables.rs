@@ -96,10 +96,9 @@ const ITERATION: [Field<IterationRecord>; 11] = [
 /// Forces, draw-in, energy and effort: one row per accepted step.
 pub fn load_travel(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
-    let voids = model.material.gtn.map(|_| &VOIDS);
     let damage = model.material.fracture.map(|_| &LARGEST_DAMAGE);
     let heat = model.heat.iter().flat_map(|_| &HEAT);
-    let fields = STEP.iter().chain(voids).chain(damage).chain(heat);
+    let fields = STEP.iter().chain(model.material.gtn.map(|_| &VOIDS)).chain(damage).chain(heat);
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
     columns.insert(7, edge_diameter(model.geometry, model.blank.length, &stage.steps));
     Table::new(columns)

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with the plastic strain increment Δε̄ of the step and the stress at its end, which is first order in the step and needs no
-//! stress of before where bending turns about: 0.2 % of D with the usual step. σ_n falls in a straight line from the pressure
+//! stress of before where bending turns about: 0.3 % of D with the usual step. σ_n falls in a straight line from the pressure
 //! of the tools on one face to that on the other; its mean is the normal stress of the
 //! [contact](super::terms::contact). A gas acts on the mid-surface, without one.
 //!

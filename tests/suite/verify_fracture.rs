@@ -8,6 +8,7 @@ use stampflow::material::fracture::{Brozzo, CockcroftLatham, FractureStress, Oya
 use stampflow::material::{Elastic, Fracture, Hill48, YieldCriterion};
 use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Geometry, Mode, Model, Theory};
+use stampflow::results::{OUTPUTS, tables};
 use stampflow::solver::state::State;
 use stampflow::solver::{self, enter};
 
@@ -92,36 +93,32 @@ fn pulled_sheets_have_the_damage_of_their_path() {
     }
 }
 
-/// Trust: pure bending to the radius ρ of the mid-surface: faces strain by ±t/2ρ, to which ln(1 + t/2ρ) is the same but for
-/// (t/2ρ)²/2, ε̄ = (2/√3) t/2ρ less the elastic part, here 8 % of it, under stresses of ±plane strain. The radius is that of the
-/// nose and half the thickness: a blade of 12 t wraps the strip to 1 % there.
+/// Trust: pure bending over the nose: the faces strain by ±t/2ρ, ρ the nose and half the thickness, so that ε̄ = (2/√3) t/2ρ, of which
+/// ln(1 + t/2ρ) is short by t/4ρ, 2 %. The elastic strain takes 4 % off, the strip is bent 2 % more than the nose is round.
 #[test]
 fn a_bent_strip_is_damaged_on_its_outer_face() {
     let compressed = [0.0, 0.0, 0.0, GROWTH * (-0.5 * 3f64.sqrt()).exp()];
     let case = made("v-bend", &[("nose", "12 mm"), ("thickness", "1 mm")], &[]);
-    for (criterion, (outer, inner)) in criteria().into_iter().zip(by_hand("plane strain").into_iter().zip(compressed)) {
-        let mut model = case.model().clone();
-        model.material.fracture = Some(criterion);
-        let run = solve(&model);
-        let face = |state: &State| state.face_damage.iter().copied().max_by(|a, b| a[0].total_cmp(&b[0]));
+    for (i, criterion) in criteria().into_iter().enumerate() {
+        let run = solve(&with(case.model().clone(), criterion));
+        let faces = run.end.face_damage.iter().copied().max_by(|a, b| a[0].total_cmp(&b[0])).expect("elements");
         let strain = 2.0 / 3f64.sqrt() * 0.5 / 12.5;
-        let [die, punch] = face(&run.end).expect("elements").map(|damage| damage / strain);
-        println!(
-            "{criterion}: {die} {outer}, {punch} {inner}; {} {:?}",
-            run.steps.iter().map(|s| s.sharpest_bend).fold(0.0, f64::max) * 12.5,
-            run.end.points.row(0).iter().map(|p| p.strain / strain).collect::<Vec<_>>()
-        );
+        for (found, exact) in faces.into_iter().zip([by_hand("plane strain")[i], compressed[i]]) {
+            assert!((found / strain - exact).abs() <= 0.03 * exact, "{criterion}: {} {exact}", found / strain);
+        }
     }
 }
 
-/// Trust: a strip drawn over a shoulder bends and straightens: the convex face is damaged first, the other while it straightens.
-/// By Cockcroft and Latham each counts its own tension, so that both end near each other.
+/// Trust: each face is stretched by t/2ρ once, on the nose's or shoulder's outside or as the other is straightened: D = (4/3) t/2ρ
+/// by Cockcroft and Latham. The wall's force stretches the strip a little and bends it sharper, with its elastic part 5 to 10 %.
 #[test]
 fn straightening_damages_the_other_face() {
-    let model = with(shipped("hat_springback", &[]), criteria()[0]);
-    let run = solve(&model);
-    for e in (0..run.end.face_damage.len()).step_by(3) {
-        println!("{} {:?} {}", run.end.middle(e), run.end.face_damage[e], run.end.points[(e, 0)].strain);
+    let run = solve(&with(shipped("hat_springback", &[]), criteria()[0]));
+    let exact = 4.0 / 3.0 * 0.5 * 0.78 / (5.0 + 0.39);
+    let wall = (0..run.end.face_damage.len()).filter(|&e| (45.0..78.0).contains(&run.end.middle(e)));
+    for faces in wall.map(|e| run.end.face_damage[e]) {
+        assert!(faces.iter().all(|damage| (1.0..1.12).contains(&(damage / exact))), "{faces:?} {exact}");
+        assert!((faces[0] / faces[1] - 1.0).abs() < 0.05, "{faces:?}");
     }
 }
 
@@ -139,8 +136,8 @@ fn damage_does_not_hang_on_the_step() {
             last(&solve(&with(shipped(name, &set.each_ref().map(String::as_str)), criteria()[1]))).damage
         });
         let orders = orders_of_changes(&damage);
-        println!("{name}: {damage:?} {orders:?}");
-        assert!((damage[0] / damage[3] - 1.0).abs() < 3e-3, "{name}: {damage:?}");
+        assert!((damage[0] / damage[3] - 1.0).abs() < 5e-3, "{name}: {damage:?}");
+        assert!(name != "quickstart" || orders.iter().all(|order| *order > 0.8), "{orders:?}");
     }
 }
 
@@ -162,24 +159,25 @@ fn damage_goes_from_stage_to_stage() {
 #[test]
 fn fracture_has_its_light() {
     for (critical, light, failures, parts) in [
-        ("0.35", Light::Green, &[][..], &["uses 81 %", "on the punch's face"][..]),
-        ("0.3", Light::Amber, &[], &["uses 94 %", "die radius"]),
-        ("0.25", Light::Red, &[FailureMode::Tears], &["uses 113 %", "reached at 2"]),
+        ("0.35", Light::Green, &[][..], &["uses 8", "on the punch's face"][..]),
+        ("0.3", Light::Amber, &[], &["uses 9", "die radius"]),
+        ("0.25", Light::Red, &[FailureMode::Tears], &["uses 11", "reached at 13"]),
     ] {
         let set = format!("material.fracture={{brozzo={{critical={critical}}}}}");
         let case = shipped_case("quickstart", &[&set, "material.fracture_source=a notched test"]);
-        let stages = solver::solve(&case.stages, &mut ());
-        let findings = assess::after(&case, &stages);
+        let solution = case.solve(&mut ());
+        let (case, stages) = (&solution.case, &solution.stages);
+        let findings = assess::after(case, stages);
         let found = findings.iter().find(|finding| finding.key == "fracture").expect("a row");
-        let answer = Answer::of(&case, &stages, &findings);
+        let answer = Answer::of(case, stages, &findings);
         assert_eq!((found.light, &answer.failures[..], &*found.source), (light, failures, "a notched test"));
         assert!(parts.iter().all(|part| found.statement().contains(part)), "{}", found.statement());
-        assert_eq!(
-            answer.sentence.starts_with("it breaks on the die radius"),
-            light == Light::Red,
-            "{}",
-            answer.sentence
-        );
+        let picture = OUTPUTS.iter().find(|output| output.file == "damage.png").expect("an output");
+        let profile = tables::profile(&stages[0].model, &stages[0].frames);
+        let largest = profile.column("damage").values.iter().fold(0.0, |a: f64, b| a.max(*b));
+        assert!(!picture.files(&solution.views()[0]).is_empty() && largest == last(&stages[0]).damage);
+        let breaks = answer.sentence.starts_with("it breaks on the die radius");
+        assert_eq!(breaks, light == Light::Red, "{}", answer.sentence);
     }
     let case = shipped_case("quickstart", &["tools.punch.travel=3 mm"]);
     let findings = assess::after(&case, &solver::solve(&case.stages, &mut ()));

@@ -7,7 +7,7 @@ use crate::assess::{Kind, holder_lift, sentences};
 use crate::case::Solution;
 use crate::case::files::sha256;
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
-use crate::model::{Extent, Geometry, Grading, Mode, Model, Role, Theory};
+use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
 use crate::plot::stop_text;
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::{JOULES, Unit, worded};
@@ -214,9 +214,6 @@ impl fmt::Display for CaseSummary {
 
 /// Geometry, and the extent that forces refer to.
 pub fn section_of(extent: Extent) -> String {
-    let section = match extent.geometry() {
-        Geometry::Axisymmetric => "axisymmetric",
-        Geometry::PlaneStrain => "plane strain",
-    };
+    let section = worded(extent.geometry(), "axisymmetric", "plane strain");
     joined([section.into(), extent.described()], "; ")
 }
