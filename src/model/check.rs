@@ -4,6 +4,7 @@
 
 use super::{Edge, Friction, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
 use crate::contact::friction::Sliding;
+use crate::material::fracture::FractureStress;
 use crate::model::{Gas, Heat, Mode};
 use crate::numerics::PiecewiseLinear;
 use std::ops::RangeInclusive;
@@ -150,6 +151,10 @@ impl Model {
         for law in &material.chaboche {
             let recovery = ("dynamic_recovery", law.dynamic_recovery, NOT_NEGATIVE);
             numbers("material.chaboche", [("modulus", law.modulus, NOT_NEGATIVE), recovery])?;
+        }
+        let tension = FractureStress { largest: 1.0, mean: 1.0 / 3.0, equivalent: 1.0 };
+        for rate in material.fracture.iter().map(|criterion| criterion.at(tension)) {
+            number("material.fracture", rate, POSITIVE)?;
         }
         if let Some(gtn) = &material.gtn {
             let initial = ("initial", gtn.initial, [0.0, gtn.fracture()]);

@@ -3,9 +3,10 @@
 use stampflow::case;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
 use stampflow::geometry::Point;
+use stampflow::material::fracture::Brozzo;
 use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
-use stampflow::material::{Elastic, Gtn, Hill48, Rate};
+use stampflow::material::{Elastic, Fracture, Gtn, Hill48, Rate};
 use stampflow::model::{
     Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, Motion, Press, Pressure, RateControl, Role, Stage,
     Theory, ToolHeat,
@@ -100,6 +101,7 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("recovery", |m, x| (m.mode, m.material.chaboche[0].dynamic_recovery) = (Mode::ElastoViscoplastic, x)),
     ("rate exponent", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: x, reference: 1.0 }))),
     ("rate reference", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: 0.1, reference: x }))),
+    ("critical damage", |m, x| m.material.fracture = Some(Fracture::Brozzo(Brozzo { critical: x }))),
     ("q1", |m, x| m.material.gtn = Some(Gtn { q1: x, ..Gtn::example() })),
     ("q2", |m, x| m.material.gtn = Some(Gtn { q2: x, ..Gtn::example() })),
     ("q3", |m, x| m.material.gtn = Some(Gtn { q3: x, ..Gtn::example() })),

@@ -170,6 +170,9 @@ impl Material {
             .transpose()?;
         let fracture =
             self.fracture.map(|table| only(Fracture::named(table), None, "material.fracture", source)).transpose()?;
+        let alone = self.fracture_source.is_some() && fracture.is_none();
+        let help = "add a criterion, such as [material.fracture.cockcroft_latham], or drop it";
+        source.require(!alone, "material.fracture_source", "`fracture_source` stands without `fracture`", help)?;
         let mut gtn = self.voids;
         if let Some(gtn) = &mut gtn {
             gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
