@@ -16,6 +16,8 @@ pub const LIMITING_RATIO: f64 = 2.2;
 pub const CAREFUL_RATIO: f64 = 2.0;
 /// First cup over redrawn cup, of DC04 in the second draw (4ming, table of draw ratios).
 pub const REDRAW_RATIO: f64 = 1.3;
+/// Blank over redrawn cup that two draws of DC04 reach: [`CAREFUL_RATIO`] and [`REDRAW_RATIO`].
+pub const TWO_DRAWS: f64 = CAREFUL_RATIO * REDRAW_RATIO;
 /// Largest reduction of a wall's thickness by ironing in one pass \[–\].
 ///
 /// # References

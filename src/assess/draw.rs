@@ -1,6 +1,6 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
-use super::design::{LIMITING_RATIO, REDRAW_RATIO};
+use super::design::{CAREFUL_RATIO, LIMITING_RATIO, REDRAW_RATIO};
 use super::estimate::{self, draw_ratio, held_area, siebel_pressure, tensile_strength};
 use super::holder::if_open;
 use super::tear::NoseEnd;
@@ -33,18 +33,26 @@ pub(super) fn blank_area(model: &Model) -> Option<Finding> {
     Some(warning.light(Light::Amber).source("the sheet keeps its area, its mean thickness hardly changing"))
 }
 
+/// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes.
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let radius = |stage: &StageSolution| Some(extent(stage.model.tool(Role::Punch)?).1);
-    let (i, ratio, ()) = run.peak(|i, stage| {
+    let is_round = |stage: &&StageSolution| stage.model.geometry == Geometry::Axisymmetric;
+    let ratio_of = |i: usize, stage: &StageSolution| {
         let ratio = radius(&run.stages[i.checked_sub(1)?])? / radius(stage)?;
-        (stage.model.geometry == Geometry::Axisymmetric && ratio > 1.0).then_some((ratio, ()))
-    })?;
-    Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage("{} from punch to punch".into(), i))
+        (is_round(&stage) && ratio > 1.0).then_some((ratio, ()))
+    };
+    let (i, ratio, ()) = run.peak(ratio_of)?;
+    let draws = 1 + run.stages.iter().enumerate().filter(|(i, stage)| ratio_of(*i, stage).is_some()).count();
+    let total = run.stages[0].model.blank.length / run.stages.iter().rev().find_map(radius)?;
+    // The template's own radii are rounded.
+    let needed = 1 + ((total / CAREFUL_RATIO - 1e-3).ln() / REDRAW_RATIO.ln()).ceil().max(0.0) as usize;
+    let (text, is_deep) = (format!("{{}} from punch to punch, {total:.2} in all"), needed > draws);
+    let text = if is_deep { format!("{text}, which takes {needed} draws of mild steel, not {draws}") } else { text };
+    Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
         .number(Amount::ratio(ratio))
         .at_most(REDRAW_RATIO, None)
-        // The template's own radii are rounded.
-        .light(if ratio <= REDRAW_RATIO + 1e-3 { Light::Green } else { Light::Amber })
-        .source("4ming, Forming handbook, table of draw ratios: DC04 in a second draw without annealing")
+        .light(if ratio <= REDRAW_RATIO + 1e-3 && !is_deep { Light::Green } else { Light::Amber })
+        .source("4ming, Forming handbook, table of draw ratios: DC04, 2 in the first draw and 1.3 in each later one, not annealed")
         .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it")
         .into()
 }

@@ -96,11 +96,16 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
         found.extend(step.map(|s| Event { kind, travel: s.travel, time: s.time, force: s.punch_force }));
     };
     if stage.model.blank.edge == Edge::Free {
-        let first = steps.first().map_or(0.0, |step| step.die_slope);
-        let steeper = |by: f64| move |step: &&StepRecord| step.die_slope > by && step.die_slope > first + STEEPER;
-        at(EventKind::RimMeetsDie, comes(stage, |step| step.edge_gap[Role::Die as usize]));
-        at(EventKind::RimOnShoulder, steps.iter().find(steeper(STEEPER)));
-        at(EventKind::RimInThroat, steps.iter().find(steeper(UPRIGHT)));
+        let gap = |step: &StepRecord| step.edge_gap[Role::Die as usize];
+        let near = |step: &StepRecord| gap(step) < OFF * stage.model.blank.thickness;
+        // A rim off the die is on neither its shoulder nor in its throat, however steep the nearest place is.
+        let meets = steps.iter().position(near).unwrap_or(steps.len());
+        let first = steps.get(meets).map_or(0.0, |step| step.die_slope);
+        let steeper = |step: &StepRecord, by: f64| step.die_slope > by && step.die_slope > first + STEEPER;
+        let on_shoulder = steps.iter().position(|step| near(step) && steeper(step, STEEPER));
+        at(EventKind::RimMeetsDie, comes(stage, gap));
+        at(EventKind::RimOnShoulder, on_shoulder.map(|k| &steps[k]));
+        at(EventKind::RimInThroat, on_shoulder.and_then(|k| steps[k..].iter().find(|step| steeper(step, UPRIGHT))));
     }
     for role in Role::ALL {
         at(EventKind::BottomMeets(role), comes(stage, |step| step.middle_gap[role as usize]));

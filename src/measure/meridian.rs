@@ -1,25 +1,27 @@
-//! Meridian of a frame: slope, curvature, bends and the straight legs between them.
+//! Meridian of a frame: slope, curvature, bends and the legs between them.
 
 use crate::geometry::{Point, turn};
 use crate::numerics::interpolated;
 use crate::solver::solution::Frame;
-use nalgebra::{Matrix3, Vector3};
 use std::ops::Range;
 
-/// Largest curvature of a leg over that of the bends at its ends \[–\].
+/// Largest curvature of a leg over that of a bend at its end \[–\]; of a curled leg, share of the curvature between its own and
+/// that bend's.
 const FLAT: f64 = 0.25;
+/// Curvature over that of the outer bend up to which a leg may curl with its sense \[–\].
+const CURLED: f64 = 0.5;
 /// Least turn of a bend \[rad\].
 const BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
 /// Least turn of half a bend on the axis or symmetry plane \[rad\].
 const HALF: f64 = 0.25 * BEND;
-/// Factor on the curvature of a bend from one search to the next \[–\].
-const FINER: f64 = 0.8;
 /// Share of a leg left out at both ends \[–\].
-const ENDS: f64 = 0.1;
+pub(super) const ENDS: f64 = 0.1;
 /// Least length of a leg without its ends, over the thickness.
 const LEAST: f64 = 4.0;
+/// Share of the whole height by which the sheet leaves the level of its middle for good \[–\]: an embossed bottom does not.
+const DEPARTED: f64 = 0.25;
 
-/// Mid-surface from the axis outward, mirrored so that its middle lies above its edge.
+/// Mid-surface from the axis outward, mirrored so that its first wall descends.
 pub(super) struct Meridian {
     pub(super) points: Vec<Point>,
     /// −1 if mirrored.
@@ -34,19 +36,30 @@ pub(super) struct Meridian {
     pub(super) thickness: f64,
 }
 
-struct Part {
-    nodes: Range<usize>,
-    /// −1 for a clockwise and 1 for a counter-clockwise bend; 0 straight.
-    sense: i8,
-    /// True for a bend of at least the searched curvature.
-    sharp: bool,
+/// Nodes over which the slope turns one way.
+struct Bend {
+    /// −1 clockwise, 1 counter-clockwise.
+    sense: f64,
+    sharpest: usize,
+    /// Largest curvature in its sense \[1/mm\].
+    curvature: f64,
+}
+
+/// Stretch between two bends, or a bend and the free edge.
+#[derive(Clone)]
+pub(super) struct Stretch {
+    /// Nodes without a tenth of the length at both ends.
+    pub(super) nodes: Range<usize>,
+    /// Lengths from the axis to its ends \[mm\].
+    pub(super) ends: [f64; 2],
+    /// Sense of the bend at its inner end.
+    pub(super) sense: f64,
 }
 
 impl Meridian {
     /// Meridian of a frame; `None` with fewer than three nodes, coincident or infinite nodes, or no thickness.
     pub(super) fn of(frame: &Frame) -> Option<Self> {
-        let (first, last) = (frame.nodes.first()?, frame.nodes.last()?);
-        let up = if first.z < last.z { -1.0 } else { 1.0 };
+        let up = -descends(frame)?;
         let points: Vec<Point> = frame.nodes.iter().map(|n| Point::new(n.r, up * n.z)).collect();
         let steps: Vec<Point> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let is_line = |step: &Point| step.norm() > 0.0 && step.norm().is_finite();
@@ -68,44 +81,73 @@ impl Meridian {
         Some(Self { points, up, along, slope, curvature, thickness })
     }
 
-    /// Searches for a leg at falling curvatures of bends; `wanted` picks one of the legs with the senses of their inner bends: −1
-    /// where the bend made the sheet descend, 1 where it brought it back.
-    pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
-        let sharpest = self.sharpest();
-        let length = self.along[self.along.len() - 1];
-        let levels = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
-        levels.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
-    }
-
-    /// Legs between bends of at least this curvature \[1/mm\], without their ends.
-    fn legs(&self, level: f64) -> Vec<(Range<usize>, i8)> {
-        let parts = self.parts(level);
-        let inside = |i: usize| parts[..i].last();
-        let is_leg = |i: usize| {
-            let sharp_inside = inside(i).is_some_and(|bend| bend.sharp);
-            parts[i].sense == 0 && sharp_inside && parts.get(i + 1).is_none_or(|bend| bend.sharp)
+    /// Bends from the axis outward, of alternating sense: turns of the slope, less than [`BEND`] back not counted.
+    fn bends(&self) -> Vec<Bend> {
+        let slope = |i: usize| if i == 0 { 0.0 } else { self.slope[i - 1] };
+        let (mut bends, mut from, mut extreme, mut sense) = (Vec::new(), 0, 0, 0.0);
+        let bend = |nodes: Range<usize>, sense: f64| {
+            let curvature = |i: &usize| sense * self.curvature[*i];
+            let sharpest = nodes.max_by(|i, j| curvature(i).total_cmp(&curvature(j)))?;
+            Some(Bend { sense, sharpest, curvature: curvature(&sharpest) })
         };
-        let legs = (0..parts.len()).filter(|&i| is_leg(i));
-        legs.filter_map(|i| Some((self.without_ends(&parts[i].nodes)?, inside(i)?.sense))).collect()
-    }
-
-    fn parts(&self, level: f64) -> Vec<Part> {
-        let senses: Vec<i8> =
-            self.curvature.iter().map(|k| if k.abs() < FLAT * level { 0 } else { k.signum() as i8 }).collect();
-        let mut parts: Vec<Part> = Vec::new();
-        let mut from = 0;
-        for stretch in senses.chunk_by(|a, b| a == b) {
-            let nodes = from..from + stretch.len();
-            from = nodes.end;
-            let peak = self.curvature[nodes.clone()].iter().fold(0.0_f64, |most, k| most.max(k.abs()));
-            let least = if nodes.start == 0 { HALF } else { BEND };
-            let sense = if self.turn_of(&nodes).abs() < least { 0 } else { stretch[0] };
-            match parts.last_mut() {
-                Some(before) if before.sense == 0 && sense == 0 => before.nodes.end = nodes.end,
-                _ => parts.push(Part { nodes, sense, sharp: peak >= level }),
+        for i in 1..=self.slope.len() {
+            let onward = slope(i) - slope(extreme);
+            if sense == 0.0 && onward.abs() >= HALF {
+                (extreme, sense) = (i, onward.signum());
+            } else if sense * onward > 0.0 {
+                extreme = i;
+            } else if -sense * onward >= BEND {
+                bends.extend(bend(from..extreme, sense));
+                (from, extreme, sense) = (extreme, i, -sense);
             }
         }
-        parts
+        bends.extend(bend(from..extreme, sense));
+        bends
+    }
+
+    /// Legs from the axis outward. A leg curls with the sense of its outer bend up to [`CURLED`] of that bend's curvature.
+    pub(super) fn legs(&self) -> Vec<Stretch> {
+        let bends = self.bends();
+        let mut legs = Vec::new();
+        for (i, inner) in bends.iter().enumerate() {
+            let outer = bends.get(i + 1);
+            let turned =
+                |node: usize, bend: &Bend, share: f64| bend.sense * self.curvature[node] - share * bend.curvature;
+            let is_leg =
+                |node: &usize| turned(*node, inner, FLAT) < 0.0 && outer.is_none_or(|o| turned(*node, o, CURLED) < 0.0);
+            let nodes: Vec<usize> =
+                (inner.sharpest..=outer.map_or(self.along.len() - 1, |bend| bend.sharpest)).collect();
+            let (mut stretches, mut between): (Vec<(Range<usize>, f64)>, _) = (Vec::new(), inner.sense * BEND);
+            for run in nodes.chunk_by(|i, j| is_leg(i) == is_leg(j)) {
+                let run = run[0]..run[run.len() - 1] + 1;
+                match (is_leg(&run.start), stretches.last_mut()) {
+                    (false, None) => {}
+                    (false, _) => between = self.turn_of(&run),
+                    (true, Some(before)) if between.abs() < BEND => before.0.end = run.end,
+                    (true, _) => stretches.push((run, between.signum())),
+                }
+            }
+            for (nodes, sense) in stretches {
+                let curl = outer.map_or(0.0, |bend| bend.sense * self.mean_curvature(&nodes) / bend.curvature).max(0.0);
+                let flat = FLAT + (1.0 - FLAT) * curl;
+                let end = match outer {
+                    Some(bend) => nodes.clone().rfind(|i| turned(*i, bend, flat) < 0.0).map_or(nodes.start, |i| i + 1),
+                    None => nodes.end,
+                };
+                let start = self.crossing(nodes.start.saturating_sub(1), nodes.start, |i| turned(i, inner, FLAT));
+                let end =
+                    outer.map_or(self.along[end - 1], |bend| self.crossing(end, end - 1, |i| turned(i, bend, flat)));
+                legs.extend(self.leg([start, end], sense));
+            }
+        }
+        legs
+    }
+
+    /// Length from the axis at which a function changes its sign between two nodes, the second with the negative one \[mm\].
+    fn crossing(&self, outside: usize, inside: usize, of: impl Fn(usize) -> f64) -> f64 {
+        let (beyond, below) = (of(outside), of(inside));
+        let share = if beyond > 0.0 && below < 0.0 { below / (below - beyond) } else { 0.0 };
+        self.along[inside] + share * (self.along[outside] - self.along[inside])
     }
 
     /// Turn of the sheet over these nodes \[rad\]; level on the axis.
@@ -114,19 +156,25 @@ impl Meridian {
         self.slope[(nodes.end - 1).min(self.slope.len() - 1)] - before
     }
 
-    fn without_ends(&self, nodes: &Range<usize>) -> Option<Range<usize>> {
-        let (from, to) = (self.along[nodes.start], self.along[nodes.end - 1]);
-        let end = ENDS * (to - from);
-        let start = nodes.start + self.along[nodes.clone()].partition_point(|s| *s < from + end);
-        let stop = nodes.start + self.along[nodes.clone()].partition_point(|s| *s <= to - end);
-        let is_long = stop >= start + 3 && self.along[stop - 1] - self.along[start] >= LEAST * self.thickness;
-        is_long.then_some(start..stop)
+    /// Mean curvature over the middle of a stretch \[1/mm\].
+    fn mean_curvature(&self, nodes: &Range<usize>) -> f64 {
+        let end = nodes.len() / 4;
+        let middle = nodes.start + end..nodes.end - end;
+        self.turn_of(&middle) / (self.along[middle.end.min(self.along.len() - 1)] - self.along[middle.start])
     }
 
-    /// Descent of a stretch over its length \[–\]: 1 upright.
-    pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
-        let chord = self.points[nodes.end - 1] - self.points[nodes.start];
-        -chord.y / chord.norm()
+    fn leg(&self, ends: [f64; 2], sense: f64) -> Option<Stretch> {
+        let [from, to] = [ENDS, 1.0 - ENDS].map(|share| ends[0] + share * (ends[1] - ends[0]));
+        let nodes = self.along.partition_point(|s| *s < from)..self.along.partition_point(|s| *s <= to);
+        let is_long = nodes.len() >= 3 && to - from >= LEAST * self.thickness;
+        is_long.then_some(Stretch { nodes, ends, sense })
+    }
+
+    /// Point at a length from the axis \[mm\].
+    pub(super) fn point_at(&self, along: f64) -> Point {
+        let after = self.along.partition_point(|s| *s < along).clamp(1, self.along.len() - 1);
+        let (from, to) = (self.along[after - 1], self.along[after]);
+        self.points[after - 1] + (along - from) / (to - from) * (self.points[after] - self.points[after - 1])
     }
 
     /// Largest absolute curvature \[1/mm\].
@@ -154,54 +202,10 @@ fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
     along.iter().map(of_node).collect()
 }
 
-/// Least-squares line and circle through a stretch, weighted by length.
-pub(super) struct Fit {
-    /// Middle of the line, and its direction from the first point to the last.
-    pub(super) middle: Point,
-    pub(super) direction: Point,
-    /// Curvature of the fitted circle \[1/mm\], positive to the left of the direction.
-    pub(super) curvature: f64,
-}
-
-impl Fit {
-    /// Fit; `None` with fewer than three points or coincident ones.
-    pub(super) fn through(points: &[Point]) -> Option<Self> {
-        let ([first, .., last], true) = (points, points.len() > 2) else { return None };
-        let weights = weights(points);
-        let total: f64 = weights.iter().sum();
-        let middle = points.iter().zip(&weights).map(|(p, w)| *w * p).sum::<Point>() / total;
-        let moment = |of: fn(Point) -> f64| points.iter().zip(&weights).map(|(p, w)| w * of(p - middle)).sum::<f64>();
-        let difference = moment(|d| d.x * d.x) - moment(|d| d.y * d.y);
-        let angle = 0.5 * (2.0 * moment(|d| d.x * d.y)).atan2(difference);
-        let mut direction = Point::new(angle.cos(), angle.sin());
-        if direction.dot(&(last - first)) < 0.0 {
-            direction = -direction;
-        }
-        let curvature = circle(points, &weights, middle, direction)?;
-        Some(Self { middle, direction, curvature })
-    }
-}
-
-fn weights(points: &[Point]) -> Vec<f64> {
-    let length = |i: usize| if i == 0 || i == points.len() { 0.0 } else { (points[i] - points[i - 1]).norm() };
-    (0..points.len()).map(|i| 0.5 * (length(i) + length(i + 1))).collect()
-}
-
-/// The circle A (u² + v²) + B u + v + D = 0 with the least Σ w (left-hand side)², u along and v across the line, in
-/// units of the stretch: linear in A, B and D, and a line where A = 0. Its curvature is −2A/√(1 + B² − 4AD).
-fn circle(points: &[Point], weights: &[f64], middle: Point, direction: Point) -> Option<f64> {
-    let unit = (points[points.len() - 1] - points[0]).norm();
-    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for (p, w) in points.iter().zip(weights) {
-        let d = (p - middle) / unit;
-        let (u, v) = (direction.dot(&d), direction.perp(&d));
-        let row = Vector3::new(u * u + v * v, u, 1.0);
-        matrix += *w * row * row.transpose();
-        right -= *w * v * row;
-    }
-    let circle = matrix.lu().solve(&right)?;
-    let (a, b, d) = (circle[0], circle[1], circle[2]);
-    let curvature = 2.0 * a / (1.0 + b * b - 4.0 * a * d).sqrt() / unit;
-    // v = −A u² − …: the left side of the direction is v > 0, and a curve that turns left has v'' = −2A > 0.
-    Some(-curvature).filter(|k| k.is_finite())
+/// Sense in which the sheet first leaves the level of its middle: −1 where z falls, outward.
+fn descends(frame: &Frame) -> Option<f64> {
+    let middle = frame.nodes.first()?.z;
+    let (low, high) = frame.nodes.iter().fold((middle, middle), |(low, high), n| (low.min(n.z), high.max(n.z)));
+    let departure = frame.nodes.iter().map(|n| n.z - middle).find(|by| by.abs() > DEPARTED * (high - low));
+    Some(departure.map_or(-1.0, f64::signum))
 }

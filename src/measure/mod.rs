@@ -1,20 +1,24 @@
 //! Measurements on the formed sheet: angles of wall and flange, curl of the wall, height and edge, named places.
 //!
 //! # Legs
-//! A **leg** is a stretch of the meridian between bends, or a bend and the free edge, with at most a quarter of their curvature.
-//! The **wall** is the steepest leg behind a bend that made the sheet descend; the **flange** is the outermost leg, behind a bend
-//! that brought it back. A line and a circle are fitted to a leg without a tenth of its length at both ends.
+//! A **leg** is a stretch of the meridian between bends of ten degrees or more, or a bend and the free edge. It begins and ends
+//! where the curvature falls to a quarter of the bend's; towards an outer bend of its own sense, where a curled leg's curvature
+//! has risen by a quarter of the difference. The **wall** is the steepest leg behind a bend that made the sheet descend; the
+//! **flange** is the outermost leg, behind a bend that brought it back. A tenth of a leg's length at both ends is left out.
 //!
 //! # Angles
 //! ```text
-//!   symmetry plane                     α    wall angle, to the axis: 0 upright, positive opened
-//!   │______  bottom                    θ₁ = 90° + α, between bottom and wall
-//!   │      \                           β    flange angle, to the horizontal: positive where the edge has
-//!   │       \  wall                         turned towards the bottom
-//!   │        \________  flange         θ₂ = 90° + α − β, between wall and flange
-//!   │                                  2α   opening angle, between the two walls of the whole strip
+//!   symmetry plane                     α    wall angle, to the axis: 0 upright, positive opened; of the chord, the straight
+//!   │______  bottom                         line between the wall's ends
+//!   │      \                           θ₁   between bottom plane and wall at the punch radius
+//!   │       \  wall                     θ₂   between wall and flange at the die radius
+//!   │        \________  flange         β    flange angle, of its chord to the horizontal: positive where the edge has
+//!                                           turned towards the bottom
+//!                                      2α   opening angle, between the chords of the two walls of the whole strip
 //! ```
-//! θ₁, θ₂ and the radius ρ of the side-wall curl: Numisheet '93, 2-D draw bending; opening angle: Numisheet 2002, benchmark B.
+//! θ₁, θ₂ and ρ, the radius of the circle through three points of the wall (its ends and its middle), are the measures of
+//! Numisheet '93, 2-D draw bending (Makinouchi, Nakamachi, Oñate, Wagoner, Proc. Numisheet '93, Isehara 1993; the page itself was
+//! not read, and where on the wall its points lie is declared here). Opening angle: Numisheet 2002, benchmark B.
 
 mod bands;
 mod events;
@@ -30,7 +34,7 @@ pub use ring::{CutRing, Ring};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
 use crate::solver::solution::Frame;
-use meridian::{Fit, Meridian};
+use meridian::{ENDS, Meridian, Stretch as Between};
 use std::ops::Range;
 
 /// Largest sag of a straight leg over the thickness \[–\]: on 1 mm the thinnest leaf of a usual feeler gauge.
@@ -38,18 +42,20 @@ const STRAIGHT: f64 = 0.05;
 /// Least curvature of a die radius over that of the sharpest bend \[–\].
 const SHARP: f64 = 0.1;
 
-/// Nearly straight stretch of the sheet.
+/// Stretch of the sheet between bends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leg {
     /// Measured nodes.
     pub nodes: Range<usize>,
-    /// Ends of the fitted line [r, z] \[mm\], the inner one first.
+    /// Ends of the chord [r, z] \[mm\], the inner one first.
     pub line: [[f64; 2]; 2],
-    /// Slope of the line away from the axis, middle above edge \[rad\]: −π/2 for an upright wall.
+    /// Slope of the chord away from the axis, middle above edge \[rad\]: −π/2 for an upright wall.
     pub slope: f64,
-    /// Curvature of the fitted circle \[1/mm\], positive with its centre outside, as curl has it.
+    /// Slopes of the sheet at both ends of the chord, the inner one first \[rad\].
+    pub end_slopes: [f64; 2],
+    /// Curvature of the circle through both ends and the middle \[1/mm\], positive with its centre outside, as curl has it.
     pub curvature: f64,
-    /// Length of the line \[mm\].
+    /// Length of the chord \[mm\].
     pub length: f64,
     /// Mean thickness of the sheet \[mm\].
     pub thickness: f64,
@@ -69,21 +75,28 @@ pub struct Shape {
 }
 
 impl Leg {
-    fn of(meridian: &Meridian, nodes: Range<usize>) -> Option<Self> {
-        let Fit { middle, direction, curvature } = Fit::through(&meridian.points[nodes.clone()])?;
-        let at = |node: usize| middle + direction * direction.dot(&(meridian.points[node] - middle));
-        let ends = [at(nodes.start), at(nodes.end - 1)];
-        Some(Self {
-            line: ends.map(|p| [p.x, meridian.up * p.y]),
-            slope: direction.y.atan2(direction.x),
-            curvature,
-            length: (ends[1] - ends[0]).norm(),
+    fn of(meridian: &Meridian, Between { nodes, ends: [from, to], .. }: Between) -> Self {
+        let at = |share: f64| meridian.point_at(from + share * (to - from));
+        let direction = |from: f64, to: f64| {
+            let by = at(to) - at(from);
+            by.y.atan2(by.x)
+        };
+        let ends = [ENDS, 1.0 - ENDS];
+        let [inner, middle, outer] = [ends[0], 0.5, ends[1]].map(at);
+        let chord = outer - inner;
+        let sides = (middle - inner).norm() * (outer - middle).norm() * chord.norm();
+        Self {
+            line: [inner, outer].map(|p| [p.x, meridian.up * p.y]),
+            slope: direction(ends[0], ends[1]),
+            end_slopes: ends.map(|share| direction(share - 0.5 * ENDS, share + 0.5 * ENDS)),
+            curvature: 2.0 * (middle - inner).perp(&chord) / sides,
+            length: chord.norm(),
             thickness: meridian.thickness,
             nodes,
-        })
+        }
     }
 
-    /// Radius of the fitted circle \[mm\], with the sign of the curvature; infinite for a straight leg.
+    /// Radius of that circle \[mm\], with the sign of the curvature; infinite for a straight leg.
     pub fn radius(&self) -> f64 {
         let sag = 0.125 * self.curvature * self.length * self.length;
         if sag.abs() > STRAIGHT * self.thickness { 1.0 / self.curvature } else { f64::INFINITY }
@@ -94,7 +107,8 @@ impl Shape {
     /// Measures a frame.
     pub fn of(frame: &Frame) -> Self {
         let meridian = Meridian::of(frame);
-        let leg = |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Leg::of(meridian, find(meridian)?));
+        let leg =
+            |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Some(Leg::of(meridian, find(meridian)?)));
         let ends = frame.nodes.first().zip(frame.nodes.last());
         Self {
             wall: leg(wall),
@@ -104,7 +118,7 @@ impl Shape {
         }
     }
 
-    /// Angle between the wall and the direction of the punch \[°\]: 0 upright, positive opened.
+    /// Angle between the wall's chord and the direction of the punch \[°\]: 0 upright, positive opened.
     pub fn wall_angle(&self) -> Option<f64> {
         self.wall.as_ref().map(|wall| 90.0 + wall.slope.to_degrees())
     }
@@ -114,9 +128,9 @@ impl Shape {
         self.wall_angle().map(|angle| 2.0 * angle)
     }
 
-    /// θ₁, between bottom and wall \[°\].
+    /// θ₁, between the bottom plane and the wall at the punch radius \[°\].
     pub fn bottom_to_wall(&self) -> Option<f64> {
-        self.wall_angle().map(|angle| 90.0 + angle)
+        self.wall.as_ref().map(|wall| 180.0 + wall.end_slopes[0].to_degrees())
     }
 
     /// Angle of the flange to the horizontal \[°\]: positive where the edge has turned towards the bottom.
@@ -124,9 +138,10 @@ impl Shape {
         self.flange.as_ref().map(|flange| flange.slope.to_degrees())
     }
 
-    /// θ₂, between wall and flange \[°\].
+    /// θ₂, between wall and flange at the die radius \[°\].
     pub fn wall_to_flange(&self) -> Option<f64> {
-        Some(90.0 + self.wall_angle()? - self.flange_angle()?)
+        let turn = self.flange.as_ref()?.end_slopes[0] - self.wall.as_ref()?.end_slopes[1];
+        Some(180.0 - turn.to_degrees())
     }
 
     /// ρ of the side-wall curl \[mm\]: positive where its centre lies outside, infinite for a straight wall.
@@ -136,16 +151,18 @@ impl Shape {
 }
 
 /// Steepest leg behind a bend that made the sheet descend.
-fn wall(meridian: &Meridian) -> Option<Range<usize>> {
-    meridian.leg(|legs| {
-        let down = legs.iter().filter(|(_, sense)| *sense < 0).map(|(nodes, _)| nodes.clone());
-        down.max_by(|a, b| meridian.descent(a).total_cmp(&meridian.descent(b)))
-    })
+fn wall(meridian: &Meridian) -> Option<Between> {
+    let descent = |leg: &Between| {
+        let [from, to] = leg.ends.map(|end| meridian.point_at(end));
+        (from - to).y / (from - to).norm()
+    };
+    let down = meridian.legs().into_iter().filter(|leg| leg.sense < 0.0);
+    down.max_by(|a, b| descent(a).total_cmp(&descent(b)))
 }
 
 /// Outermost leg, if behind a bend that brought the sheet back.
-fn flange(meridian: &Meridian) -> Option<Range<usize>> {
-    meridian.leg(|legs| legs.last().filter(|(_, sense)| *sense > 0).map(|(nodes, _)| nodes.clone()))
+fn flange(meridian: &Meridian) -> Option<Between> {
+    meridian.legs().pop().filter(|leg| leg.sense > 0.0)
 }
 
 /// Overall height of a part along the punch travel \[mm\]: range of the mid-surface and half the thickness of its middle.

@@ -22,19 +22,19 @@ pub(super) fn folders(list: &str) -> Vec<String> {
     list.lines().skip(1).filter_map(label).collect()
 }
 
-/// Names of all stages, and the solutions of those that were run; none of a case with one stage.
-fn lines(solution: &Solution) -> Vec<(&str, Option<&StageSolution>)> {
-    let names = solution.case.stage_names().enumerate();
-    let lines: Vec<_> = names.map(|(i, name)| (name, solution.stages.get(i))).collect();
+/// Names of all stages, how they ended, and the solutions of those that were run; none of a case with one stage.
+fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
+    let stages = solution.stages.iter().map(Some).chain(std::iter::repeat(None));
+    let lines = solution.case.stage_names().zip(stages).map(|(name, s)| (name, s.map_or("not run", stop_text), s));
+    let lines: Vec<_> = lines.collect();
     if lines.len() > 1 { lines } else { Vec::new() }
 }
 
 fn edge(stage: &StageSolution, last: &StepRecord) -> f64 {
     stage.model.blank.length - last.draw_in
 }
-
-fn stop(stage: Option<&StageSolution>) -> &'static str {
-    stage.map_or("not run", stop_text)
+fn peak(stage: &StageSolution, force: fn(&StepRecord) -> f64) -> f64 {
+    stage.steps.iter().map(force).fold(0.0, f64::max)
 }
 
 /// Makes [`FILE`] of a case with several stages: the state at the end of each, empty for those that were not run.
@@ -44,42 +44,47 @@ pub(super) fn files(results: &Results) -> Files {
         return Vec::new();
     }
     let extent = results.solution.case.model().extent();
-    let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
-        let of = |stage: &StageSolution| Some(value(stage, stage.steps.last()?));
-        lines.iter().map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+    let of_stage = |value: &dyn Fn(&StageSolution) -> Option<f64>| {
+        lines.iter().map(|(.., stage)| stage.and_then(value).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
     };
-    let field = |field: Field<StepRecord>| field.filled(extent, at_end(&|_, step| (field.value)(step)));
+    let at_end = |value: &dyn Fn(&StepRecord) -> f64| of_stage(&|stage| Some(value(stage.steps.last()?)));
+    let edges = of_stage(&|stage| Some(edge(stage, stage.steps.last()?)));
+    let field = |field: Field<StepRecord>| field.filled(extent, at_end(&field.value));
+    let peaks = |force| of_stage(&|stage| Some(peak(stage, force)));
     let table = Table::new(vec![
         Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
-        Column::new("end_time", "Time at the end", Unit::Second, at_end(&|_, step| step.time)),
-        Column::new("travel", "Travel", Unit::Mm, at_end(&|_, step| step.travel)),
+        Column::new("end_time", "Time at the end", Unit::Second, at_end(&|step| step.time)),
+        Column::new("travel", "Travel", Unit::Mm, at_end(&|step| step.travel)),
         field(PUNCH_FORCE),
         field(HOLDER_FORCE),
         field(THINNEST),
-        Column::new("edge_r", "Distance of the edge from the axis", Unit::Mm, at_end(&edge)),
+        Column::new("edge_r", "Distance of the edge from the axis", Unit::Mm, edges),
         field(POLE_HEIGHT),
+        Column::new("punch_force_peak", "Largest punch force", extent.force_unit(), peaks(|step| step.punch_force)),
+        Column::new("holder_force_peak", "Largest holder force", extent.force_unit(), peaks(|step| step.holder_force)),
     ]);
-    let (names, stops) = lines.iter().map(|(name, stage)| ((*name).to_owned(), stop(*stage).to_owned())).unzip();
+    let (names, stops) = lines.iter().map(|(name, stop, _)| (name.to_string(), stop.to_string())).unzip();
     vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
 }
 
 /// One printed line per stage with the main numbers at its end; empty if there is one only.
 pub(super) fn printed(solution: &Solution) -> String {
     let lines = lines(solution);
-    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let width = lines.iter().map(|(name, ..)| name.len()).max().unwrap_or(0);
     let figures = |stage: &StageSolution| {
         let (last, unit) = (stage.steps.last()?, stage.model.extent().force_unit());
         let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
-        let forces = [last.punch_force, last.holder_force].map(|force| Amount::force(force, unit));
-        let places = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
-        let ([travel, edge, middle], [punch, holder], thin) = (places, forces, Amount::thickness(last.thinnest));
+        let forces = [peak(stage, |step| step.punch_force), last.punch_force, peak(stage, |step| step.holder_force)];
+        let [punch, end, holder] = forces.map(|force| Amount::force(force, unit));
+        let [travel, edge, middle] = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
+        let thin = Amount::thickness(last.thinnest);
         Some(format!(
-            ": {time}travel {travel}, punch {punch}, holder {holder}, thinnest {thin}, edge at {edge}, middle at {middle}"
+            ": {time}travel {travel}, punch at most {punch} and {end} at the end, holder at most {holder}, thinnest {thin}, edge at {edge}, middle at {middle}"
         ))
     };
-    let each = lines.into_iter().enumerate().map(|(i, (name, stage))| {
+    let each = lines.into_iter().enumerate().map(|(i, (name, stop, stage))| {
         let reached = if stage.is_some_and(|stage| stage.stop.kind == StopKind::FullTravel) { " reached" } else { "" };
-        format!("{:>2} {name:<width$}  {}{reached}{}", i + 1, stop(stage), stage.and_then(figures).unwrap_or_default())
+        format!("{:>2} {name:<width$}  {stop}{reached}{}", i + 1, stage.and_then(figures).unwrap_or_default())
     });
     each.collect::<Vec<_>>().join("\n")
 }

@@ -63,7 +63,6 @@ const HEAT: [Field<StepRecord>; 5] = [
     Field::new("heat_stored", "Heat stored in the sheet", Unit::Joule, |s| JOULES * s.heat.stored),
 ];
 const TIME: Field<StepRecord> = Field::new("time", "Time", Unit::Second, |s| s.time);
-
 /// Columns of a superplastic forming cycle.
 const CYCLE: [Field<StepRecord>; 7] = [
     TIME,
@@ -78,7 +77,6 @@ const CYCLE: [Field<StepRecord>; 7] = [
         Some(PressureCap::Rise) => 2.0,
     }),
 ];
-
 const ITERATION: [Field<IterationRecord>; 11] = [
     Field::new("step", "Step", Unit::None, |i| i.step as f64),
     Field::new("travel", "Punch travel", Unit::Mm, |i| i.travel),

@@ -18,13 +18,10 @@ use std::fmt::{Display, Write};
 
 /// Cell type in VTK.
 const QUADRILATERAL: u8 = 9;
-
 /// Step between the pictures of an animation that are written.
 const EVERY: usize = 2;
-
 /// States wanted of a run after its start.
 pub const STATES: usize = animation::PICTURES / EVERY;
-
 /// Name of the file that names the others and gives their times.
 pub(super) const COLLECTION: &str = "section.pvd";
 

@@ -3,6 +3,7 @@
 use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::{Case, parse};
+use stampflow::measure::part_height;
 use stampflow::model::{Motion, Role};
 use stampflow::solver::solution::StopKind;
 use stampflow::{Frame, StageSolution, solve};
@@ -161,6 +162,25 @@ fn no_picked_size_is_doubted_by_the_verdict() {
             }
         }
     }
+}
+
+/// Trust: overall height of the solved part; a depth is that of the bottom's inside, half a sheet below the mid-surface's.
+#[test]
+fn a_part_comes_out_as_high_as_it_was_ordered() {
+    for (name, given, wanted) in [
+        ("cup", &[("height", "45 mm"), ("thickness", "0.7 mm")][..], 45.0),
+        ("redraw", &[("height", "80 mm"), ("punch-radius", "40 mm")], 80.0),
+        ("redraw", &[("height", "40 mm"), ("punch-radius", "20 mm"), ("thickness", "0.6 mm")], 40.0),
+        ("hemispherical-cup", &[("height", "25 mm")], 25.5),
+        ("conical-cup", &[("height", "30 mm")], 30.5),
+        ("stretch-dome", &[("height", "12 mm")], 12.5),
+    ] {
+        let stages = solve(&case(name, given).stages, &mut ());
+        let height = stages.last().unwrap().frames.last().and_then(part_height).unwrap();
+        assert!((height - wanted).abs() < f64::max(0.01 * wanted, 0.5), "{name} {given:?}: {height} mm");
+    }
+    let refused = find("redraw").unwrap().fill(&[("height", "100 mm")]).unwrap_err().to_string();
+    assert!(refused.contains("takes three draws"), "{refused}");
 }
 
 /// Trust: the holder's position is an unknown that its force is in balance with; what of the force the sheet does not take

@@ -5,10 +5,11 @@ use super::*;
 use crate::case::parse;
 use crate::measure::part_height;
 use crate::solver;
+use rules::TWO_DRAWS;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Runs that correct the trim; the third is for the flattest cups.
-const RUNS: usize = 3;
+pub(super) const RUNS: usize = 3;
 
 /// Sizes of a cup \[mm\].
 pub(super) struct Cup {
@@ -69,8 +70,11 @@ pub(super) fn cup(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
 fn with_trim(inputs: &Inputs, sheet: &Sheet, trim: Picked) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let cup = Cup::read(inputs, sheet, trim)?;
-    let or = "a smaller --trim; or draw twice: stampflow new redraw";
-    let ratio = draw_ratio(|height| cup.blank_for(height, t), cup.height, cup.radius, or)?;
+    let or = match cup.blank_for(cup.height, t) > TWO_DRAWS * cup.radius {
+        true => "a smaller --trim or a larger --punch-radius",
+        false => "a smaller --trim; or draw twice: stampflow new redraw",
+    };
+    let ratio = draw_ratio(|height| cup.blank_for(height, t), cup.height, cup.radius, 1, or)?;
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, ratio, sheet.r_value()));
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let travel = rules::drawn_travel(cup.height, shoulder.value, t);
@@ -93,7 +97,7 @@ pub(super) fn hemispherical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Ca
         rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
     };
     // The blank and the clearance depend on each other: the ratio is that of a clearance t.
-    let ratio = draw_ratio(|height| blank_for(height, t), height, radius, "a smaller --flange")?;
+    let ratio = draw_ratio(|height| blank_for(height, t), height, radius, 1, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why = "half of D, D² = 4 d h + D_f² − d²: the mid-surface keeps its area (Guldin), flange diameter D_f";
     let blank = Picked::by(blank_for(height, clearance.value), why);
@@ -127,7 +131,7 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
         let side = height / angle.cos();
         rules::blank_of(PI * bottom * bottom + PI * side * (bottom + mouth) + PI * (edge * edge - mouth * mouth))
     };
-    let ratio = draw_ratio(|height| blank_for(height, t), height, mouth, "a smaller --flange")?;
+    let ratio = draw_ratio(|height| blank_for(height, t), height, mouth, 1, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why =
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange keep their area (Guldin)";

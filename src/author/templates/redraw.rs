@@ -1,27 +1,73 @@
 //! A cup drawn twice: a wider one first, then through a smaller die.
 
-use super::cups::{Cup, declared_trim};
+use super::cups::{Cup, RUNS, declared_trim};
 use super::sizes::Draw;
 use super::*;
+use crate::case::parse;
+use crate::measure::part_height;
 use rules::REDRAW_RATIO;
 use std::f64::consts::PI;
 
-/// Share of the wanted height that the second draw forms [–].
-const REDRAWN: f64 = 0.9;
 /// Slope of the second die and the sleeve \[°\], a declared rule of thumb: a flat beside the throat has no room.
 const CONE: f64 = 40.0;
 /// Least width between the cones over the thickness \[–\].
 const LEAST_CLAMPED: f64 = 0.1;
 
+/// Share of the wanted height by which the second punch first moves \[–\].
+const REDRAWN: f64 = 0.9;
+
+/// Sizes whose run reaches the wanted height with its rim on the second die's shoulder: what one run misses, the next has more.
+///
+/// A case that does not run to its end keeps the declared trim.
 pub(super) fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let given = inputs.number("trim");
+    let first = || Second {
+        trim: given.map_or_else(declared_trim, Picked::input),
+        travel: Picked::by(
+            REDRAWN * (inputs.value("height") - sheet.thickness),
+            "nine tenths of the height (declared)",
+        ),
+    };
+    let mut second = first();
+    for _ in 0..RUNS {
+        let (sizes, rim) = with_second(inputs, sheet, &second)?;
+        let Ok(case) = parse(&sizes.fill(find("redraw")?.text), "redraw.toml", &[]) else { break };
+        let run = case.solve(&mut ());
+        let end = run.stages.get(1).filter(|stage| stage.stop.is_complete()).and_then(|stage| stage.frames.last());
+        let Some((height, frame)) = end.and_then(|frame| Some((part_height(frame)?, frame))) else {
+            return Ok(with_second(inputs, sheet, &first())?.0);
+        };
+        let (wanted, edge) = (inputs.value("height"), frame.nodes[frame.nodes.len() - 1].r);
+        let missing = wanted - height;
+        // Wall of the area that is left on the cone beyond the shoulder.
+        let spare = 0.5 * (edge * edge - rim * rim) / CONE.to_radians().cos() / inputs.value("punch-radius");
+        let why = "as runs of this case need";
+        second.travel = Picked::by(1e-3 * (1e3 * (second.travel.value + missing)).round(), why);
+        if given.is_none() {
+            let trim = second.trim.value + (missing - spare) / wanted;
+            second.trim = Picked { value: (1e3 * trim).round() / 1e3, why: why.into() };
+        }
+    }
+    Ok(with_second(inputs, sheet, &second)?.0)
+}
+
+/// Travel of the second punch \[mm\], and the blank's share of height beyond the wanted one \[–\].
+struct Second {
+    trim: Picked,
+    travel: Picked,
+}
+
+/// Sizes, and the radius at which the second die's shoulder begins \[mm\].
+fn with_second(inputs: &Inputs, sheet: &Sheet, second: &Second) -> Result<(Values, f64), CaseError> {
     let t = sheet.thickness;
-    let cup = Cup::read(inputs, sheet, inputs.pick("trim", declared_trim))?;
+    let cup = Cup::read(inputs, sheet, second.trim.clone())?;
     let blank = cup.blank(t);
     let why = format!("{REDRAW_RATIO} times the second punch: what DC04 takes in a second draw (4ming)");
     let first = inputs.pick("first-radius", || Picked::by(REDRAW_RATIO * cup.radius, why));
-    let or = "a smaller --trim; more than two draws are not written here";
-    let ratio = draw_ratio(|height| cup.blank_for(height, t), cup.height, first.value, or)?;
-    let whole_ratio = blank.value / cup.radius;
+    let blank_for = |height| cup.blank_for(height, t);
+    let or = "a larger --punch-radius; three draws are not written here";
+    let whole_ratio = draw_ratio(blank_for, cup.height, cup.radius, 2, or)?;
+    let ratio = draw_ratio(blank_for, cup.height, first.value, 1, "a larger --first-radius")?;
     let [clearance, second_clearance] =
         [ratio, whole_ratio].map(|ratio| inputs.pick("clearance", || rules::drawing_clearance(t, ratio)));
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, whole_ratio, sheet.r_value()));
@@ -51,17 +97,14 @@ pub(super) fn sizes(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     lengths.into_iter().for_each(|(name, length)| sizes.set(name, plain(length), ""));
     sizes.set("diameter", plain(2.0 * cup.radius), "");
     let [radius, nose] = [cup.radius, cup.nose.value].map(Picked::input);
-    // The rim has thickened twice and is shorter than by its area: drawn on, it would leave the die.
-    let why = "nine tenths of the height: the rest stays on the die (declared)";
-    let (travel, second) =
-        (rules::drawn_travel(first_height, ring.shoulder, t), Picked::by(REDRAWN * (cup.height - t), why));
+    let travel = rules::drawn_travel(first_height, ring.shoulder, t);
     sizes.lengths([("radius", &first), ("nose", &cup.nose), ("travel", &travel)]);
-    sizes.lengths([("second_radius", &radius), ("second_nose", &nose), ("move", &second)]);
+    sizes.lengths([("second_radius", &radius), ("second_nose", &nose), ("move", &second.travel)]);
     sizes.set("second_die", ring.die(), &joined(&["throat and shoulder", &plain(ring.throat), &plain(ring.shoulder)]));
     sizes.set("sleeve", ring.sleeve(4.0 * first_height), "");
     let force = newtons(pressure * (PI * (ring.outer.powi(2) - ring.throat.powi(2))));
     sizes.set("second_force", force, "the first holder's pressure on the sleeve's ring (declared)");
-    Ok(sizes)
+    Ok((sizes, ring.cone_start().x))
 }
 
 /// Second die and sleeve, which clamp the sheet between two cones, all \[mm\].

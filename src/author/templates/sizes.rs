@@ -1,6 +1,6 @@
 //! Sizes that several templates derive.
 
-use super::rules::{self, CAREFUL_RATIO, LIMITING_RATIO, Picked};
+use super::rules::{self, CAREFUL_RATIO, LIMITING_RATIO, Picked, REDRAW_RATIO, TWO_DRAWS};
 use super::{Inputs, Sheet};
 use crate::author::writer::{Values, joined, plain};
 use crate::case::CaseError;
@@ -78,21 +78,30 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
-/// Draw ratio of the blank for a part of this height.
-pub(super) fn draw_ratio(blank_for: impl Fn(f64) -> f64, height: f64, punch: f64, or: &str) -> Result<f64, CaseError> {
+/// Draw ratio of the blank for a part of this height, drawn once or twice.
+pub(super) fn draw_ratio(
+    blank_for: impl Fn(f64) -> f64,
+    height: f64,
+    punch: f64,
+    draws: usize,
+    or: &str,
+) -> Result<f64, CaseError> {
+    let limit = if draws == 1 { LIMITING_RATIO } else { TWO_DRAWS };
     let ratio = |height: f64| blank_for(height) / punch;
     let wanted = ratio(height);
     let tenths = (1..=(10.0 * height) as u32).map(|tenths| 0.1 * f64::from(tenths));
-    let most = tenths.take_while(|height| ratio(*height) <= LIMITING_RATIO).last();
+    let most = tenths.take_while(|height| ratio(*height) <= limit).last();
     let help = most.map_or(or.to_owned(), |most| format!("--height of {} or less; or {or}", plain(most)));
     let what = || {
         let [blank, punch] = [blank_for(height), punch].map(plain);
-        format!(
-            "a blank of {blank} radius for a punch of {punch} is a draw ratio of {wanted:.2}, above the limit of one draw, \
-             {LIMITING_RATIO}"
-        )
+        let first = format!("a blank of {blank} radius for a punch of {punch} is a draw ratio of {wanted:.2}");
+        let two = format!("two draws reach {TWO_DRAWS} ({CAREFUL_RATIO} and {REDRAW_RATIO}, DC04, 4ming)");
+        match wanted > TWO_DRAWS {
+            true => format!("{first}, which takes three draws: {two}"),
+            false => format!("{first}, above the limit of one draw, {limit}; {two}"),
+        }
     };
-    ensure(wanted <= LIMITING_RATIO, what, &help).map(|()| wanted)
+    ensure(wanted <= limit, what, &help).map(|()| wanted)
 }
 
 /// Ring force as TOML, rounded up.

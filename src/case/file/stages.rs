@@ -218,6 +218,7 @@ impl StageContext<'_> {
 
     fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<(), CaseError> {
         let ToolKeys { role, is_shaped, .. } = *written;
+        let back = path_of(written).map_or(0.0, |path| -path.y);
         let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
         let (table, why) = (format!("{}.{}", self.path, role.name()), "is for tools of the first stage");
         self.source.refuse(&table, &stray, why, "drop it: in a later stage `move` and `force` drive the tools")?;
@@ -229,6 +230,10 @@ impl StageContext<'_> {
             let (written, standing, blank, source) = (self.tools, &model.tools[..], &model.blank, self.source);
             let profile = ToolContext { written, standing, blank, extent, travel, source }.new_profile(role)?;
             let friction = self.frictions.law(role, self.source)?;
+            let is_new = self.before.tool(role).is_none_or(|tool| tool.profile != profile);
+            let what = format!("the new punch moves away from the sheet by {} mm", rounded(back));
+            let help = "write a positive `move`: the punch pushes the sheet along z; to take a punch away, `remove` it";
+            self.require(role != Role::Punch || !is_new || back <= 0.0, "punch.move", what, help)?;
             model.tools.retain(|tool| tool.role != role);
             model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
             model.tools.sort_by_key(|tool| tool.role as usize);
