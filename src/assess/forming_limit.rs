@@ -3,7 +3,7 @@
 use super::design::THIN;
 use super::{Finding, Light, Run, tear};
 use crate::case::file::YieldCondition;
-use crate::forming_limit::{Assessment, Judged, assess};
+use crate::forming_limit::{Curve, Assessment, Judged, assess};
 use crate::solver::solution::StageSolution;
 use crate::units::{Amount, joined};
 
@@ -12,8 +12,7 @@ pub const CAREFUL: f64 = 0.9;
 
 /// Stage that comes nearest to its forming limit.
 pub(super) struct Nearest<'a> {
-    /// Name of the curve.
-    pub name: &'static str,
+    pub curve: &'a Curve,
     pub index: usize,
     pub stage: &'a StageSolution,
     pub assessment: Assessment,
@@ -24,7 +23,7 @@ impl<'a> Nearest<'a> {
     pub fn of(stages: &'a [StageSolution]) -> Option<Self> {
         let all = stages.iter().enumerate().filter_map(|(index, stage)| {
             let curve = stage.model.forming_limit.as_ref()?;
-            Some(Self { name: curve.name, index, stage, assessment: assess(curve, &stage.paths)? })
+            Some(Self { curve, index, stage, assessment: assess(curve, &stage.paths)? })
         });
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {
@@ -59,9 +58,10 @@ fn judged(text: impl Into<String>) -> Finding {
 }
 
 pub(super) fn margin(run: &Run) -> Option<Finding> {
-    let Some(Nearest { name, stage, assessment, .. }) = &run.nearest else { return Some(missing()) };
+    let Some(Nearest { curve, stage, assessment, .. }) = &run.nearest else { return Some(missing()) };
+    let name = if curve.is_usual { format!("{}, computed, not measured", curve.name) } else { curve.name.to_owned() };
     if let (Some(open), None) = (assessment.open(), assessment.reached) {
-        return Some(unjudged(name, open));
+        return Some(unjudged(&name, open));
     }
     let worst = assessment.worst();
     let (s0, margin) = (Amount::place(worst.s0), Amount::ratio(worst.margin().abs()));
@@ -91,13 +91,16 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     judged
         .light(light)
         .limit(format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL)))
-        .source("the case's curve; the share is a declared rule of thumb")
+        .source(match curve.is_usual {
+            true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
+            false => "the case's curve; the share is a declared rule of thumb",
+        })
         .advice(tear::advice(run, stage, worst.s0))
         .into()
 }
 
 /// Place strained beyond the end of the curve, where nothing is judged.
-fn unjudged(name: &'static str, open: &Judged) -> Finding {
+fn unjudged(name: &str, open: &Judged) -> Finding {
     let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::ratio);
     let s0 = Amount::place(open.s0);
     let text = format!(
@@ -116,8 +119,8 @@ pub(super) fn other_condition() -> String {
 }
 
 fn missing() -> Finding {
-    judged("no forming limit given")
+    judged("no forming limit")
         .light(Light::Grey)
-        .limit("a forming limit, not in the case")
-        .advice("write [forming_limit] with hill = true (computed from the law), or the measured points of the coil")
+        .limit("a forming limit, which this case has not")
+        .advice("write [forming_limit] with the measured points of the coil, or a computed curve such as hill = true")
 }

@@ -20,6 +20,9 @@ const FAR: f64 = 0.5;
 const NEAR_ENOUGH: f64 = 10.0;
 /// r̄ below which Hill's condition of 1948 is softer in biaxial stretching than aluminium \[–\].
 const LEAST_R: f64 = 0.8;
+/// r̄ above which Hill's condition makes walls and domes too strong: limiting draw ratios of 2.5 to 2.7 at r̄ 1.6 to 2, where
+/// Hosford's with exponent 6 has 2.3 to 2.4 \[–\].
+const MOST_R: f64 = 1.3;
 const OWN: &str = "the case's material";
 
 pub(super) fn mixed(case: &Case) -> Option<Finding> {
@@ -67,25 +70,33 @@ pub(super) fn short(model: &Model) -> Option<Finding> {
     Finding::warning("short_table", "Hardening law", text).number(end).at_least(FAR, None).if_beyond()
 }
 
-/// Amber if a low r̄ goes by Hill's condition and the worst place is stretched both ways.
+/// Amber if Hill's condition is too soft for a low r̄ where the worst place is stretched both ways, or too strong for a high one.
 pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
     let (criterion, last) = (run.case.model().material.yield_criterion, run.stages.last()?);
     last.steps.last()?;
     let r = criterion.ratio();
-    let (doubtful, mut text) = match criterion {
-        YieldCriterion::Hill48(_) => (r < LEAST_R && is_biaxial(run, last), "Hill 1948, r̄ = {}".to_owned()),
+    let judged = |text: &str| Finding::judged("yield_condition", "Yield condition", text).number(Amount::number(r));
+    let [least, most] = [LEAST_R, MOST_R].map(Amount::number);
+    let judged = match criterion {
         YieldCriterion::Hosford(hosford) => {
-            (false, format!("Hosford, exponent {}, r̄ = {{}}", Amount::number(hosford.exponent())))
+            judged(&format!("Hosford, exponent {}, r̄ = {{}}", Amount::number(hosford.exponent())))
         }
+        YieldCriterion::Hill48(_) if r < LEAST_R && is_biaxial(run, last) => {
+            judged("Hill 1948, r̄ = {}; too soft where the sheet is worst off, stretched both ways")
+                .at_least(LEAST_R, None)
+                .advice(other_condition())
+        }
+        YieldCriterion::Hill48(_) if r > MOST_R => {
+            judged("Hill 1948, r̄ = {}; too strong in walls and where the sheet is stretched both ways")
+                .at_most(MOST_R, None)
+                .advice(other_condition())
+        }
+        YieldCriterion::Hill48(_) => judged("Hill 1948, r̄ = {}"),
     };
-    if doubtful {
-        text += "; too soft where the sheet is worst off, stretched both ways";
-    }
-    let judged = Finding::judged("yield_condition", "Yield condition", text).number(Amount::number(r));
-    let judged = if doubtful { judged.at_least(LEAST_R, None).advice(other_condition()) } else { judged };
-    let judged = judged.source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb");
-    let least = Amount::number(LEAST_R);
-    Some(judged.limit(format!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways")))
+    let judged = judged.source(
+        "Woodthorpe and Pearce (1970), not read; draw ratios of this program; the numbers are declared rules of thumb",
+    );
+    Some(judged.limit(format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways")))
 }
 
 /// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.

@@ -5,7 +5,7 @@ mod picture;
 mod sizes;
 
 use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
-use super::templates::{Inputs, LAW, swift};
+use super::templates::{Inputs, LAW, mild_steel};
 use super::writer::{Values, comment, drawn_profile, exact, forming_limit};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library};
@@ -58,7 +58,7 @@ impl Import {
         let sections = import::read(bytes, &self.options)?;
         let metal = match self.material.as_deref() {
             Some(name) => library::material(name).map_err(refused)?.material,
-            None => swift(Inputs::of_sheet().values(LAW)).expect("the law is one"),
+            None => mild_steel(),
         };
         let given = [self.thickness, self.blank, self.travel];
         let tools = DrawnTools::new(self.geometry, sections.first.tools.iter().collect(), given);

@@ -1,7 +1,7 @@
 //! Text of a case file: a template with placeholders, filled with values and the reason beside each.
 
 use crate::assess::design::Picked;
-use crate::forming_limit::{Hill, Kind, Sheet};
+use crate::forming_limit::{Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
@@ -93,20 +93,16 @@ pub(super) fn comment(text: &str) -> String {
     lines + "\n"
 }
 
-/// Table of the forming limit: measured points of the library, or Hill's where the law has a load maximum.
+/// Remark on the forming limit: the library's measured points, a computed curve, or none.
 pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bool) -> String {
     let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
-    let (why, table) = if is_measured {
-        let why = "Measured on the library's sheet; replace them by points of your coil.";
-        (why, "[forming_limit]\nmeasured = true")
-    } else if Kind::Hill(Hill { n: None }).curve(&sheet).is_ok() {
-        let why = "Necking computed from the hardening law (Hill, Swift). Replace it by measured points of your coil: \
-                   points = [[-0.2, 0.5], ...] and strain = \"logarithmic\".";
-        (why, "[forming_limit]\nhill = true")
-    } else {
-        ("No [forming_limit]: the hardening law has no load maximum. Give measured points of your coil.", "")
+    let limit = match Kind::usual(&sheet) {
+        _ if is_measured => "measured on the library's sheet".to_owned(),
+        Ok(curve) => format!("{}, computed, not measured", curve.name),
+        Err(error) => format!("none, for {}", error.message),
     };
-    (comment(why) + table).trim().to_owned()
+    let coil = "Points of your coil: [forming_limit] points = [[-0.2, 0.5], ...] and strain = \"logarithmic\".";
+    comment(&format!("Forming limit: {limit}. {coil}")).trim().to_owned()
 }
 
 pub(super) fn drawn_profile(profile: &Profile) -> String {

@@ -193,8 +193,8 @@ pub struct Compare {
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
-pub(super) fn specs(file: &CaseFile, source: &source::Source) -> Result<Vec<Spec>, CaseError> {
-    let limited = file.forming_limit.is_some();
+/// Comparisons of a case; `limited` if it has a forming limit.
+pub(super) fn specs(file: &CaseFile, limited: bool, source: &source::Source) -> Result<Vec<Spec>, CaseError> {
     file.compare.iter().enumerate().map(|(i, compare)| compare.spec(&format!("compare.{i}"), limited, source)).collect()
 }
 

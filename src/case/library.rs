@@ -232,9 +232,13 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
     let Description { material: sheet, thickness, forming_limit, .. } = known.file;
     let origin = sheet.source.clone().unwrap_or_default();
     known.note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
-    let limit = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none());
-    if let Some((limit, measured)) = limit.zip(forming_limit) {
-        (limit.points, limit.strain, limit.measured) = (measured.points, limit.strain.or(measured.strain), None);
+    let is_wanted = match &file.forming_limit {
+        Some(own) => own.measured == Some(true) && own.points.is_none(),
+        None => source.written("material", &["hardening"]).is_empty(),
+    };
+    if let Some(measured) = forming_limit.filter(|_| is_wanted) {
+        let strain = file.forming_limit.take().and_then(|own| own.strain).or(measured.strain);
+        file.forming_limit = Some(file::FormingLimit { strain, ..measured });
         source.note(format!("forming limit: the measured points of {name}"));
     }
     let own = &mut file.material;
@@ -246,7 +250,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
         (own.young, own.poisson) = (sheet.young, sheet.poisson);
     }
     own.anisotropy = own.anisotropy.or(sheet.anisotropy);
-    own.yield_condition = own.yield_condition.or(sheet.yield_condition);
+    // The model of voids is made for Hill's condition.
+    own.yield_condition = own.yield_condition.or(sheet.yield_condition.filter(|_| own.voids.is_none()));
     own.rate = own.rate.or(sheet.rate);
     own.softening = own.softening.or(sheet.softening);
     if own.fracture.is_none() {
@@ -278,7 +283,7 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let material = about.material.model(&source)?;
     let elastoplastic = about.elastoplastic().map(|shifting| shifting.model(&source)).transpose()?;
     let limit = about.forming_limit.as_ref().map(|limit| limit.curve(&material, 1.0, None, &source));
-    let measured_limit = limit.transpose()?;
+    let measured_limit = limit.transpose()?.flatten();
     about.material.r_values(&source);
     about.notes.extend(source.take_notes());
     let text = text.find("[material").map_or("", |at| &text[at..]);

@@ -148,13 +148,13 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let source = Source::parse(&shown, &text, folder)?;
     let mut file = source.read()?;
     sources::forget_replaced(&mut file, overrides);
-    let taken = library::complete(&mut file, &source)?;
     sources::limit_of_another_sheet(&file, overrides).into_iter().for_each(|note| source.note(note));
+    let taken = library::complete(&mut file, &source)?;
     let stages = file.stages(&source)?;
     let r_values = file.material.r_values(&source);
     Ok(Case {
         name: path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned()),
-        compare: comparison::specs(&file, &source)?,
+        compare: comparison::specs(&file, stages[0].model.forming_limit.is_some(), &source)?,
         press: file.press_rating(&source)?,
         springback: file.springback_tolerances(&source)?,
         sources: sources::sources(&file, taken, &source)?,

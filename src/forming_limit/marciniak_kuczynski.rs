@@ -12,7 +12,7 @@
 //! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
 //! not read; the equations are derived beside this).
 
-use super::instability::{Proportional, ratios};
+use super::instability::{Proportional, ratios, uniform_strain};
 use super::{Curve, Sheet};
 use crate::material::law::prelude::*;
 use crate::units::{Amount, Digits};
@@ -63,8 +63,11 @@ impl MarciniakKuczynski {
     pub const CRITICAL: f64 = 10.0;
     /// Largest equivalent strain that is searched \[–\].
     pub const LARGEST: f64 = 4.0;
-    /// Steps of equivalent strain, halved until two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
-    const STEPS: [f64; 5] = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4];
+    /// First step of equivalent strain over the uniform strain \[–\], at most [`Self::STEP`], halved up to so many times until
+    /// two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
+    const SHARE: f64 = 0.02;
+    const STEP: f64 = 4e-3;
+    const HALVINGS: i32 = 7;
     const AGREEMENT: f64 = 2e-3;
     /// Steepest groove that is tried \[rad\], and how many.
     const STEEPEST: f64 = 1.05;
@@ -103,7 +106,7 @@ impl MarciniakKuczynski {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
         let path = Proportional::new(sheet.material.yield_criterion, beta);
         let mut before = f64::NAN;
-        for step in Self::STEPS {
+        for step in (0..=Self::HALVINGS).map(|i| Self::first_step(sheet) * 0.5_f64.powi(i)) {
             let Some(strain) = Groove::new(*self, sheet, beta, angle).neck(step)? else {
                 let most = Self::LARGEST;
                 let what =
@@ -120,9 +123,15 @@ impl MarciniakKuczynski {
         Err(LawError::new(what, "use hill, or an imperfection further from 1"))
     }
 
+    /// A sheet that hardly hardens necks at small strains: its steps go by its uniform strain.
+    fn first_step(sheet: &Sheet) -> f64 {
+        uniform_strain(sheet).map_or(Self::STEP, |strain| Self::STEP.min(Self::SHARE * strain))
+    }
+
     fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LawError> {
+        let step = Self::first_step(sheet);
         let at = |angle: f64| {
-            let strain = Groove::new(*self, sheet, beta, angle).neck(Self::STEPS[0])?;
+            let strain = Groove::new(*self, sheet, beta, angle).neck(step)?;
             Ok::<f64, LawError>(strain.unwrap_or(f64::INFINITY))
         };
         let apart = Self::STEEPEST / Self::ANGLES as f64;

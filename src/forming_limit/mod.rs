@@ -16,6 +16,7 @@ mod keeler_brazier;
 mod marciniak_kuczynski;
 mod paths;
 mod points;
+mod usual;
 
 pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
 pub use instability::{Hill, Swift, uniform_strain};
@@ -96,6 +97,8 @@ pub struct Curve {
     ends: bool,
     /// Minor and major logarithmic strain \[–\], the minor rising.
     points: Vec<[f64; 2]>,
+    /// True if the program chose it, because the case gives none.
+    pub is_usual: bool,
     /// Name.
     pub name: &'static str,
     /// Origin of its numbers and assumptions, in sentences.
@@ -113,7 +116,7 @@ impl Curve {
             let what = format!("the minor strain must rise from point to point, but {after:.4} follows {before:.4}");
             return Err(LawError::new(what, "write the points from left to right"));
         }
-        Ok(Self { ends: false, points, name, notes })
+        Ok(Self { ends: false, points, is_usual: false, name, notes })
     }
 
     /// Curve that follows from the yield condition of a sheet, which may end it in plane strain.

@@ -4,6 +4,7 @@
 //! no red                 no row of the verdict is red            no red or amber
 //! ROW not red            that row is not                         wrinkling not red or amber
 //! no tear                the sheet does not tear
+//! no wrinkles            no row on wrinkles is red
 //! QUANTITY < LIMIT       <, <=, >, >= of a number of the run      draw_in >= 8 mm
 //! ... and ...            all of them
 //! ```
@@ -12,7 +13,7 @@
 
 use super::error::ensure;
 use super::variable::{in_unit, split_pair};
-use super::{Run, RunTable, StudyError};
+use super::{FailureMode, Run, RunTable, StudyError};
 use crate::assess::Light;
 use crate::units::{Unit, did_you_mean, parse};
 
@@ -28,14 +29,14 @@ type Comparison = fn(&f64, &f64) -> bool;
 /// A quantity is resolved to the place of its response, and the limit in its unit.
 #[derive(Clone, Debug)]
 enum Term {
-    NoTear,
+    Without(FailureMode),
     Light { row: Option<String>, worst: Light },
     Quantity { name: String, compare: Comparison, limit: String, resolved: Option<(usize, f64)> },
 }
 
 const COMPARISONS: [(&str, Comparison); 6] =
     [("<=", f64::le), ("≤", f64::le), (">=", f64::ge), ("≥", f64::ge), ("<", f64::lt), (">", f64::gt)];
-const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"ROW not red\" or \"QUANTITY < LIMIT\", \
+const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"no wrinkles\", \"ROW not red\" or \"QUANTITY < LIMIT\", \
                      several joined by `and`, such as \"no red and thinning < 20 %\"";
 
 impl Condition {
@@ -75,7 +76,7 @@ impl Condition {
 impl Term {
     fn holds(&self, run: &Run) -> Option<bool> {
         match self {
-            Self::NoTear => Some(!run.tears()),
+            Self::Without(mode) => Some(!run.failures.contains(mode)),
             Self::Light { row, worst } => {
                 let has = |rows: &[String]| rows.iter().any(|key| row.as_ref().is_none_or(|row| row == key));
                 Some(!(has(&run.red) || *worst == Light::Amber && has(&run.amber)))
@@ -97,7 +98,8 @@ impl Term {
         };
         let words: Vec<&str> = text.split_whitespace().filter(|word| *word != "is").collect();
         match (&words[..], words.iter().position(|word| *word == "not")) {
-            (["no", "tear" | "tears" | "tearing"], _) => return Ok(Self::NoTear),
+            (["no", "tear" | "tears" | "tearing"], _) => return Ok(Self::Without(FailureMode::Tears)),
+            (["no", "wrinkle" | "wrinkles"], _) => return Ok(Self::Without(FailureMode::Wrinkles)),
             (["no", light_words @ ..], _) => return light(None, light_words),
             (_, Some(at)) if at > 0 => return light(Some(words[..at].join("_").to_lowercase()), &words[at + 1..]),
             _ => {}
@@ -138,7 +140,7 @@ impl Term {
                 let help = format!("{}it has {}", did_you_mean(row, keys.iter().copied()), keys.join(", "));
                 ensure(keys.contains(&row.as_str()), format!("the verdict on this case has no row `{row}`"), help)
             }
-            Self::Light { row: None, .. } | Self::NoTear => Ok(()),
+            Self::Light { row: None, .. } | Self::Without(_) => Ok(()),
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
 use super::{Side, StudyError, fail};
-use crate::assess::design::tensile_strength;
+use crate::assess::design::{holder_pressure, tensile_strength};
+use crate::assess::estimate::held_from;
 use crate::case::Case;
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
 use crate::units::significant;
+use std::f64::consts::PI;
 
 #[derive(Default)]
 pub(super) struct Goal {
@@ -16,6 +18,50 @@ pub(super) struct Goal {
     /// Quantity whose value the user gives.
     pub quantity: Option<&'static str>,
     pub side: Option<Side>,
+    pub holder: Option<HolderRule>,
+}
+
+/// Holder force of a blank by the rule of [`holder_pressure`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HolderRule {
+    /// Radius of the punch's mouth, and inner edge of the flat between holder and die \[mm\].
+    punch: f64,
+    end: f64,
+    thickness: f64,
+    /// \[MPa\]
+    strength: f64,
+    /// Whether the case gives the holder a pressure.
+    by_pressure: bool,
+}
+
+impl HolderRule {
+    /// `None` without a pressed holder, and where the command line gives its force.
+    fn new(case: &Case, punch: f64) -> Option<Self> {
+        let model = case.model();
+        let is_given = case.overrides.iter().any(|key| key.starts_with("tools.holder.") && !key.contains("friction"));
+        let holder = model.tool(Role::Holder).filter(|holder| matches!(holder.motion, Motion::Pressed(_)))?;
+        let end = held_from(model)?.max(extent(holder).0);
+        let (thickness, strength) = (model.blank.thickness, tensile_strength(&model.material));
+        let by_pressure = !case.written("tools.holder.pressure").is_empty();
+        (!is_given).then_some(Self { punch, end, thickness, strength, by_pressure })
+    }
+
+    fn pressure(&self, blank: f64) -> f64 {
+        holder_pressure(blank / self.punch, 2.0 * self.punch, [self.end, blank], self.thickness, self.strength).value
+    }
+
+    /// Force on a blank of this radius \[mm\] at its start \[N\].
+    pub fn force(&self, blank: f64) -> f64 {
+        PI * (blank * blank - self.end * self.end) * self.pressure(blank)
+    }
+
+    /// Override of the case for a blank of this radius \[mm\].
+    pub fn setting(&self, blank: f64) -> String {
+        match self.by_pressure {
+            true => format!("tools.holder.pressure={:.5} MPa", self.pressure(blank)),
+            false => format!("tools.holder.force={:.0} N", self.force(blank).ceil()),
+        }
+    }
 }
 
 const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
@@ -53,7 +99,7 @@ impl Goal {
     }
 }
 
-/// A blank gets the travel that draws the largest one through: h = d/4 (β² − 1) keeps its area.
+/// A blank gets the travel that draws the largest one through, h = d/4 (β² − 1) keeps its area, and the holder force of its rule.
 fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let model = one_stage(case)?;
     let (punch, die) = punch_and_die(model)?;
@@ -67,7 +113,9 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let travels = ends.map(|blank| 2.0 * radius * (0.25 * ((blank / radius).powi(2) - 1.0) + BEYOND));
     let (blank, travel) = (range("blank.radius", ends, "mm"), range("tools.punch.travel", travels, "mm"));
     let settings = vec!["stop.drawn_through=true".into(), "output.count=2".into()];
-    Ok(Goal { settings, ..Goal::keep(format!("{blank} & {travel}"), "no tear", Side::Largest) })
+    let holder = HolderRule::new(case, radius);
+    let sound = "no tear and no wrinkles";
+    Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), sound, Side::Largest) })
 }
 
 fn height(case: &Case) -> Result<Goal, StudyError> {

@@ -2,14 +2,14 @@
 
 use super::bracket::{Search, Trial};
 use super::charts::{self, Charts};
-use super::goals::Goal;
+use super::goals::{Goal, HolderRule};
 use super::variable::{SearchRange, in_unit, written};
 use super::{
     BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, fail,
 };
 use crate::assess::estimate;
 use crate::plot::Axis;
-use crate::units::significant;
+use crate::units::{Amount, Unit, significant};
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +37,8 @@ pub struct LimitSearch {
     search: Search,
     /// Condition to keep, or target to reach.
     aim: Condition,
+    /// Force of the holder by the first variable, a blank's radius.
+    holder: Option<HolderRule>,
 }
 
 /// A target that is missed by less is met, over its size \[–\].
@@ -64,7 +66,8 @@ impl LimitSearch {
         let columns = variables.iter().map(|(variable, _)| variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{request:?}"), columns, 0);
         let search = Search { range: variables[0].1, tolerance, is_limit, side };
-        let limit = Self { plan, variables, search, aim };
+        let holder = goal.holder.filter(|_| request.vary.is_none());
+        let limit = Self { plan, variables, search, aim, holder };
         limit.plan.base.check_any([0.5, 0.0, 1.0].map(|share| limit.design(0, limit.search.at(share)).settings))?;
         Ok(limit)
     }
@@ -111,6 +114,7 @@ impl LimitSearch {
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
         let settings = self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value));
+        let settings = settings.chain(self.holder.map(|rule| rule.setting(x)));
         Design { index, settings: settings.collect(), values }
     }
 
@@ -161,6 +165,10 @@ impl LimitSearch {
         if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
         }
+        notes.extend(self.holder.zip(best).map(|(rule, best)| {
+            let force = Amount::force(rule.force(best.value(0)), Unit::N);
+            format!("The holder's force follows Siebel's rule as the blank grows: {force} there.")
+        }));
         let red = best.filter(|run| self.search.is_limit && !run.red.is_empty());
         notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.worst_rows(run))));
         let failed = self.trials(runs).iter().filter(|trial| trial.1.is_none()).count();

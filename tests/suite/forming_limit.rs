@@ -4,7 +4,7 @@ use stampflow::forming_limit::{
 };
 use stampflow::material::hardening::{Hollomon, Swift as SwiftLaw, Voce};
 use stampflow::material::rate::PowerRate;
-use stampflow::material::{Hardening, Hill48, Material, Rate};
+use stampflow::material::{Elastic, Hardening, Hill48, Hosford, Material, Rate, YieldCriterion};
 
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
@@ -85,7 +85,33 @@ fn keeler_brazier_takes_millimetres_and_gives_true_strain() {
     assert_eq!(at(0.3, 1.0).expect("a curve").plane_strain(), curve.plane_strain(), "n counts as 0.21 at most");
     assert_relative_eq!(curve.major_at(-0.1), curve.plane_strain() + 0.1, epsilon = 1e-12);
     assert_relative_eq!(curve.major_at(0.1), curve.plane_strain() + 0.06, epsilon = 1e-12);
+    let rise = 0.1 * 1.2_f64.ln() + 0.5 * 1.4_f64.ln();
+    assert_relative_eq!(curve.major_at(1.4_f64.ln()), curve.plane_strain() + rise, epsilon = 1e-12);
+    assert_eq!(curve.major_at(0.5), curve.major_at(1.5_f64.ln()));
     assert!(at(0.21, 3.2).is_err());
+}
+
+/// Trust: the ranges of Keeler and Brazier: mild ferritic steel of at most 3.1 mm and 590 MPa.
+#[test]
+fn a_sheet_without_a_limit_gets_the_curve_of_its_metal() {
+    let elastic = |young: f64| Some(Elastic { young, poisson: 0.3 });
+    let [ferrite, aluminium] = [6.0, 8.0].map(|a| Hosford::new(1.0, a).into());
+    let hill: YieldCriterion = Hill48::new(1.0).into();
+    for (k, thickness, yield_criterion, elastic, name) in [
+        (500.0, 1.0, ferrite, None, "Keeler-Brazier"),
+        (500.0, 1.0, hill, elastic(206e3), "Keeler-Brazier"),
+        (500.0, 3.2, ferrite, None, "Hill and Swift"),
+        (1200.0, 1.0, ferrite, None, "Hill and Swift"),
+        (500.0, 1.0, aluminium, elastic(193e3), "Hill and Swift"),
+        (500.0, 1.0, hill, elastic(70e3), "Hill and Swift"),
+        (500.0, 1.0, hill, None, "Hill and Swift"),
+    ] {
+        let law = Hollomon::new(k, 0.2, Some(1e-6), None).expect("valid");
+        let material = Material { yield_criterion, elastic, ..Material::plain(Hardening::Hollomon(law)) };
+        let curve = Kind::usual(&Sheet { thickness, ..sheet(&material) }).expect("a curve");
+        assert!(curve.is_usual && curve.name == name, "{k} MPa, {thickness} mm: {}", curve.name);
+        assert!(curve.notes[0].starts_with("declared: "), "{:?}", curve.notes);
+    }
 }
 
 /// Trust: by hand, logarithms of lengths; left of the points at constant thickness strain, right of them level.
@@ -109,7 +135,7 @@ fn points_are_made_logarithmic_and_continued() {
 /// a^n e^(−a) = f₀ b^n e^(−b) and, ten times as fast, n/a − 1 = 10 (n/b − 1). Twice the integration's own tolerance.
 #[test]
 fn the_groove_in_plane_strain_is_the_closed_form() {
-    for (n, f) in [(0.2_f64, 0.99_f64), (0.2, 0.995), (0.35, 0.98)] {
+    for (n, f) in [(0.2_f64, 0.99_f64), (0.2, 0.995), (0.35, 0.98), (0.03, 0.995)] {
         let a_of = |b: f64| n / (1.0 + 10.0 * (n / b - 1.0));
         let missing = |b: f64| {
             let a = a_of(b);

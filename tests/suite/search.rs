@@ -1,6 +1,7 @@
 //! Searches against what is known: limits of a condition, wanted values, named goals, bad requests.
 
 use crate::study::run;
+use stampflow::author::templates::find;
 use stampflow::study::{
     BaseCase, Bracket, Condition, LimitSearch, Run, RunTable, SearchRequest, Side, Study, StudyError,
 };
@@ -92,6 +93,8 @@ fn conditions_judge_lights_tears_and_quantities() {
         ("thinning not red", with(&["wrinkling"], &[], 1.0, false), Some(true)),
         ("thinning is not red or amber", with(&[], &["thinning"], 1.0, false), Some(false)),
         ("no tear", with(&["localisation"], &[], 1.0, true), Some(false)),
+        ("no tear and no wrinkles", with(&["wrinkling"], &[], 1.0, false), Some(true)),
+        ("no wrinkles", with(&["localisation"], &[], 1.0, true), Some(true)),
         ("punch_force < 2 kN", with(&[], &[], 1999.0, false), Some(true)),
         ("punch force >= 2 kN", with(&[], &[], 2000.0, false), Some(true)),
         ("punch_force > 2 kN", with(&[], &[], 2000.0, false), Some(false)),
@@ -101,4 +104,19 @@ fn conditions_judge_lights_tears_and_quantities() {
     ] {
         assert_eq!(holds(text, &run), expected, "{text}");
     }
+}
+
+/// Trust: Siebel's pressure on every blank, so that none is red for wrinkles. 4ming's table has 2.0 for DC04 and a punch of
+/// 100 mm, textbooks 2.0 to 2.2.
+#[test]
+fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
+    let text = find("cup").and_then(|cup| cup.fill(&[("material", "DC04")])).unwrap_or_else(|error| panic!("{error}"));
+    let base = BaseCase::from_text(text, "cup.toml", Vec::new()).unwrap_or_else(|error| panic!("{error}"));
+    let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
+    let (search, table) = search(base, &request).unwrap_or_else(|error| panic!("{error}"));
+    assert!(table.runs.iter().all(|run| !run.red.contains(&"wrinkling".to_owned())));
+    let notes = search.report(&table).notes;
+    assert!(notes.iter().any(|note| note.contains("Siebel's rule")), "{notes:?}");
+    let (Bracket::Between([radius, _]), ..) = search.result(&table) else { panic!("{notes:?}") };
+    assert!((2.0..2.35).contains(&(radius / 30.0)), "{notes:?}");
 }

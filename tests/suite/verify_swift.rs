@@ -112,6 +112,8 @@ impl Sheet {
             format!("material.anisotropy={r}"),
             format!("tools.die.friction={mu}"),
             format!("tools.holder.friction={mu}"),
+            // As in the closed form, the same for every blank.
+            format!("tools.holder.force={FORCE} N"),
         ];
         set.extend(more.iter().map(|set| (*set).to_owned()));
         let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };

@@ -22,7 +22,7 @@ mod strips;
 pub use crate::assess::design as rules;
 pub use inputs::Choice;
 pub(super) use inputs::Inputs;
-pub(super) use sheet::{LAW, Sheet, swift};
+pub(super) use sheet::{LAW, Sheet, mild_steel};
 
 use crate::assess::size;
 use crate::author::writer::{Values, joined, mm, plain, profile_text};

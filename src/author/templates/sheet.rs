@@ -4,9 +4,10 @@ use super::{Inputs, SHEET};
 use crate::assess::design::tensile_strength;
 use crate::author::writer::{Values, forming_limit, mm};
 use crate::case::CaseError;
+use crate::case::file::Crystal;
 use crate::case::library::{self, Entry};
 use crate::material::hardening::Swift;
-use crate::material::{Elastic, Hardening, Material};
+use crate::material::{Elastic, Hardening, Hosford, Material};
 use crate::units::rounded;
 
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
@@ -41,6 +42,7 @@ impl Sheet {
         };
         let metal = match &entry {
             Some((entry, _)) => entry.material.clone(),
+            None if own.is_none() => mild_steel(),
             None => swift(law)
                 .map_err(|error| CaseError::bare(error, "give other values of --k, --n or --offset".into()))?,
         };
@@ -71,6 +73,10 @@ impl Sheet {
             material.swift(self.law.map(rounded));
             values.set("law", format!("\"declared: {}\"", self.origin), "");
         }
+        if self.entry.is_none() && self.origin == TYPICAL {
+            material.set("table", "[material]", "");
+            material.set("yield_condition", "{ hosford = { crystal = \"bcc\" } }", "ferritic steel");
+        }
         if is_elastic {
             material.set("table", "[material]", "");
             material.set("mode", "\"elasto_viscoplastic\"", "");
@@ -89,8 +95,14 @@ impl Sheet {
     }
 }
 
+/// Mild steel of the options' default law, which yields as ferrite.
+pub(in crate::author) fn mild_steel() -> Material {
+    let metal = swift(Inputs::of_sheet().values(LAW)).expect("the law is one");
+    Material { yield_criterion: Hosford::new(1.0, Crystal::Bcc.exponent()).into(), ..metal }
+}
+
 /// Material of Swift's law: k \[MPa\], n and offset strain \[–\].
-pub(in crate::author) fn swift([k, n, offset]: [f64; 3]) -> Result<Material, String> {
+fn swift([k, n, offset]: [f64; 3]) -> Result<Material, String> {
     let law = Swift::new(k, n, offset).map_err(|error| error.to_string())?;
     Ok(Material::plain(Hardening::Swift(law)))
 }

@@ -8,7 +8,11 @@ use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
 use crate::units::{Amount, Dimensioned, Fraction, Number, ZERO_CELSIUS};
 
-/// Forming limit curve, exactly one: `points`, `measured`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`.
+/// Forming limit curve, exactly one: `points`, `measured`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`; or `none`.
+///
+/// Default: the measured points of the library's sheet; else, of a cold sheet without voids, Keeler and Brazier for steel of at
+/// most 3.1 mm and 590 MPa of tensile strength (`crystal = "bcc"`, or without a crystal `young` of steel and n up to 0.3), and
+/// Hill with Swift for other metals. Such a curve is computed, not measured, and the verdict says so.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("dependentRequired" = { "points": ["strain"], "strain": ["points"] }))]
@@ -17,6 +21,8 @@ pub struct FormingLimit {
     ///
     /// Valid for the sheet and the thickness it was measured on, and for straight strain paths. Source: the case's own.
     pub points: Option<Vec<(Number, Number)>>,
+    /// True for no forming limit at all, where the default would make one.
+    pub none: Option<bool>,
     /// Measure of strain of `points`: needed with them.
     pub strain: Option<Strain>,
     /// Measured points of the library's sheet that `[material] name` names, if it has some.
@@ -35,13 +41,36 @@ pub struct FormingLimit {
 }
 
 impl FormingLimit {
+    /// Curve of a case that gives none; a note says why there is none.
+    pub fn usual(material: &Material, thickness: f64, heat: Option<&Heat>, source: &Source) -> Option<Curve> {
+        let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
+        let is_superplastic = material.rate.is_some_and(|rate| rate.is_superplastic());
+        let curve = match (heat, is_superplastic, material.gtn) {
+            (Some(_), ..) => Err("a hot sheet's hangs on its temperature and rate".to_owned()),
+            (_, true, _) => Err("a superplastic sheet thins evenly far beyond any computed one".to_owned()),
+            (.., Some(_)) => Err("the voids say when the sheet fails".to_owned()),
+            _ => Kind::usual(&sheet).map_err(|error| error.message),
+        };
+        match curve {
+            Ok(curve) => {
+                curve.notes.iter().for_each(|note| source.note(note.clone()));
+                Some(curve)
+            }
+            Err(why) => {
+                source.note(format!("no forming limit: {why}"));
+                None
+            }
+        }
+    }
+
+    /// Curve that the case gives; `None` if it wants none.
     pub fn curve(
         &self,
         material: &Material,
         thickness: f64,
         heat: Option<&Heat>,
         source: &Source,
-    ) -> Result<Curve, CaseError> {
+    ) -> Result<Option<Curve>, CaseError> {
         let n = self.n.map(Dimensioned::value);
         if let Some(groove) = &self.marciniak_kuczynski {
             groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
@@ -57,10 +86,11 @@ impl FormingLimit {
             self.swift.filter(|on| *on).map(|_| ("swift", Kind::Swift(Swift { n }))),
             self.marciniak_kuczynski.map(|kind| ("marciniak_kuczynski", Kind::MarciniakKuczynski(kind))),
         ];
-        let names = "points, measured, keeler_brazier, hill, swift, marciniak_kuczynski";
+        let names = "points, measured, keeler_brazier, hill, swift, marciniak_kuczynski, none";
         let mut given = kinds.into_iter().flatten();
         let (name, kind) = match (given.next(), given.next()) {
-            (Some(only), None) => only,
+            (None, None) if self.none == Some(true) => return Ok(None),
+            (Some(only), None) if self.none != Some(true) => only,
             (first, _) => return Err(not_one(first.iter().count(), "forming_limit", names, source)),
         };
         let is_points = matches!(kind, Kind::Points(_));
@@ -78,7 +108,7 @@ impl FormingLimit {
             let celsius = Amount::temperature(temperature - ZERO_CELSIUS);
             source.note(format!("forming limit: computed at {celsius}, the lowest initial temperature"));
         }
-        Ok(curve)
+        Ok(Some(curve))
     }
 
     fn points(&self, source: &Source) -> Result<Option<Points>, CaseError> {

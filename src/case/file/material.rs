@@ -33,10 +33,11 @@ pub struct Material {
     /// sheet; default 1. Or r of three directions, `{ r0 = 0.525, r45 = 0.248, r90 = 0.429 }`, whose mean
     /// r̄ = (r0 + 2 r45 + r90)/4 is used, and from which ears are estimated.
     ///
-    /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ²: too soft in equi-biaxial tension for aluminium with r̄ below 1, for which
-    /// `yield_condition` has another curve. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
+    /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ²: too soft in equi-biaxial tension with r̄ below 1, too strong in biaxial
+    /// tension with r̄ above 1, for which `yield_condition` has another curve. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
     pub anisotropy: Option<Anisotropy>,
-    /// Curve of the stresses at which the sheet yields; default "hill48".
+    /// Curve of the stresses at which the sheet yields; default that of the library's sheet, else "hill48", which is right for
+    /// hexagonal metal such as titanium as far as its r̄ is.
     #[schemars(extend("default" = "hill48"))]
     pub yield_condition: Option<YieldCondition>,
     /// Response to strain; default "flow". The others need `young` and `poisson`.

@@ -19,7 +19,7 @@ mod values;
 
 pub(super) use forming_limit::FormingLimit;
 pub use judged::{Press, Springback, TitleBlock};
-pub use material::YieldCondition;
+pub use material::{Crystal, YieldCondition};
 pub(super) use material::{Anisotropy, Material};
 pub(super) use points::Named;
 
@@ -62,7 +62,7 @@ pub struct CaseFile {
     gas: Option<Gas>,
     /// Temperature of the sheet; 20 °C throughout when not given.
     heat: Option<Heat>,
-    /// Forming limit to check the strains against; default none.
+    /// Forming limit to check the strains against; without it one is computed where that makes sense.
     pub forming_limit: Option<FormingLimit>,
     /// Rating of the press, for the verdict; the run does not depend on it.
     #[serde(default)]
@@ -125,8 +125,10 @@ impl CaseFile {
         if heat.is_none() && (material.thermal.is_some() || material.hardening.temperatures().is_some()) {
             source.note("without [heat] the sheet is at 20 °C throughout");
         }
-        let limit = |limit: &FormingLimit| limit.curve(&material, blank.thickness, heat.as_ref(), source);
-        let forming_limit = self.forming_limit.as_ref().map(limit).transpose()?;
+        let forming_limit = match &self.forming_limit {
+            Some(limit) => limit.curve(&material, blank.thickness, heat.as_ref(), source)?,
+            None => FormingLimit::usual(&material, blank.thickness, heat.as_ref(), source),
+        };
         let by_rate = |tool: &Tool| matches!(tool.friction, Friction::Stribeck(_));
         let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
         let timed =
