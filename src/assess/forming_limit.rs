@@ -3,7 +3,7 @@
 use super::design::THIN;
 use super::{Finding, Light, Run, tear};
 use crate::case::file::YieldCondition;
-use crate::forming_limit::{Curve, Assessment, Judged, assess};
+use crate::forming_limit::{Assessment, Curve, Judged, assess};
 use crate::solver::solution::StageSolution;
 use crate::units::{Amount, joined};
 

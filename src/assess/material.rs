@@ -96,7 +96,9 @@ pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
     let judged = judged.source(
         "Woodthorpe and Pearce (1970), not read; draw ratios of this program; the numbers are declared rules of thumb",
     );
-    Some(judged.limit(format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways")))
+    Some(
+        judged.limit(format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways")),
+    )
 }
 
 /// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.

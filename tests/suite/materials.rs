@@ -78,7 +78,9 @@ fn library_sheets_yield_and_neck_as_their_metal_does() {
     }
     for name in ["superplastic_dome", "warm_cup", "woo_porous"] {
         let case = shipped_case(name, &[]);
-        assert!(case.model().forming_limit.is_none() && case.derived.iter().any(|note| note.contains("no forming limit")));
+        assert!(
+            case.model().forming_limit.is_none() && case.derived.iter().any(|note| note.contains("no forming limit"))
+        );
     }
 }
 

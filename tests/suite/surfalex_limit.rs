@@ -205,7 +205,8 @@ fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
         ("aa6016a-surfalex", "drawing-steel"),
         ("name = \"aa6016a-surfalex\"", "hardening.swift = { k = \"500 MPa\", n = 0.2, offset = 0.01 }"),
     ] {
-        let error = case::parse(&text.replace(from, to), "made.toml", &[]).expect_err("no points");
+        let measured = ["forming_limit.measured=true".to_owned()];
+        let error = case::parse(&text.replace(from, to), "made.toml", &measured).expect_err("no points");
         assert!(error.to_string().contains("names none that has some"), "{error}");
     }
 }

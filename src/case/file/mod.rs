@@ -19,8 +19,8 @@ mod values;
 
 pub(super) use forming_limit::FormingLimit;
 pub use judged::{Press, Springback, TitleBlock};
-pub use material::{Crystal, YieldCondition};
 pub(super) use material::{Anisotropy, Material};
+pub use material::{Crystal, YieldCondition};
 pub(super) use points::Named;
 
 use super::{CaseError, comparison::Compare, source::Source};
