@@ -124,8 +124,12 @@ impl Serialize for Number {
 
 /// Answer to a solved case with its findings; with error bars if it was verified.
 pub fn answered(solution: &Solution, bars: Option<&ErrorBars>) -> (Answer, Vec<Finding>) {
+    weighed(solution, after(&solution.case, &solution.stages), bars)
+}
+
+/// Answer by findings that are known, with error bars if the case was verified.
+pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorBars>) -> (Answer, Vec<Finding>) {
     let Solution { case, stages, .. } = solution;
-    let findings = after(case, stages);
     let Some(bars) = bars else { return (Answer::of(case, stages, &findings), findings) };
     let findings = bars.weigh(findings);
     let mut answer = Answer::of(case, stages, &findings);

@@ -37,7 +37,7 @@ use crate::solver::solution::{StageSolution, StepRecord};
 use forming_limit::Nearest;
 
 /// Findings on a case, in the order of output.
-const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness];
+const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, tools::assumed_friction];
 
 /// Findings on the first stage.
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[

@@ -3,14 +3,12 @@
 use super::design::IRONING_LIMIT;
 use super::tear::NoseEnd;
 use super::{Finding, Light, Run, estimate};
+use crate::case::Case;
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
-use std::ops::RangeInclusive;
 
-/// Coefficients of sheet on tools \[–\]: from the best of lubricants to dry steel on steel.
-const USUAL: RangeInclusive<f64> = 0.01..=0.3;
-/// Change of a coefficient that is advised to be tried \[–\].
-const TRIED: f64 = 0.02;
+/// Coefficient of dry steel on steel \[–\].
+const DRY: f64 = 0.3;
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
 /// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
@@ -19,7 +17,7 @@ const WIDE: f64 = 1.5;
 const IRONED: f64 = 0.01;
 
 pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
-    let (friction, dry) = (tool.friction.largest_coefficient(), *USUAL.end());
+    let (friction, dry) = (tool.friction.largest_coefficient(), DRY);
     if matches!(tool.friction, Friction::Tresca(_)) {
         return None;
     }
@@ -28,25 +26,23 @@ pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
     warning.at_most(dry, None).if_beyond()
 }
 
-/// Amber unless the case names the source of its friction, and the coefficients are those of sheet metal.
+/// Friction, judged once runs with less and more of it are solved.
 pub(super) fn friction(run: &Run) -> Option<Finding> {
-    let coefficients = || run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient());
-    let most = coefficients().reduce(f64::max)?;
-    let (light, text) = match &run.case.sources.friction {
-        _ if !coefficients().all(|mu| USUAL.contains(&mu)) => {
-            (Light::Amber, "{} at most, outside the range of sheet on tools".to_owned())
-        }
-        Some(source) => (Light::Green, format!("{{}} at most: {source}")),
-        None => (Light::Amber, "you assumed {} at most".to_owned()),
-    };
-    let [low, high] = [(most - TRIED).max(0.0), most + TRIED].map(Amount::number);
-    Finding::judged("friction", "Friction", text)
+    let most = run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)?;
+    Finding::judged("friction", "Friction", "{} at most; less and more were not solved")
         .number(Amount::number(most))
-        .at_most(*USUAL.end(), None)
-        .limit(format!("a measured or cited number, {} to {}", USUAL.start(), USUAL.end()))
-        .light(light)
-        .advice(format!("does {low} or {high} change the answer? Then give its `source` in [friction]"))
+        .light(Light::Grey)
+        .limit("± 0.02 changes no line of the verdict")
+        .source("declared: lubrication varies by so much")
+        .advice("`run`, `report` and `check --run` solve it with 0.02 less and more")
         .into()
+}
+
+/// Friction without a source.
+pub(super) fn assumed_friction(case: &Case) -> Option<Finding> {
+    let most = case.model().tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)?;
+    let text = "friction of {} at most is assumed: [friction] names no `source`";
+    case.sources.friction.is_none().then(|| Finding::assumed(text).number(Amount::number(most)))
 }
 
 pub(super) fn narrow(model: &Model) -> Option<Finding> {

@@ -11,6 +11,7 @@ options! {
         run: bool [long] "Also solve it and give a verdict",
         verbose: bool [long, short] "With --run: also explain the case, as without",
         no_error_bars: bool [long] "With --run: skip the finer runs for error bars",
+        no_advice: bool [long] "With --run: try no changes of a red or amber design",
         strict: bool [long] "With --run: end with exit code 4 where the verdict is red",
     } common: Common;
 }
@@ -23,7 +24,7 @@ pub fn check(args: &Args) -> Result<Code> {
         return emit(is_json, value, || wrapped(report.to_string()));
     }
     let progress = args.common.progress();
-    let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars);
+    let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars, !args.no_advice);
     let (verdict, warnings) = (solved.verdict(), sentences(&solved.findings, Kind::Warning));
     let own = json!({ "complete": solved.solution.is_complete(), "verdict": verdict, "run_warnings": warnings });
     emit(is_json, with(value, own), || {

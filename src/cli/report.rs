@@ -16,6 +16,7 @@ options! {
         against: Vec<PathBuf> = "CASE.toml|CURVE.csv" [long]
             "Compare with another case or with measured curves; as often as needed",
         no_error_bars: bool [long] "Skip the finer runs for error bars",
+        no_advice: bool [long] "Give no advice: try no changes of a red or amber design",
         force: bool [long] "Replace a file that is no report, too",
     } variants: Variants, common: Common;
 }
@@ -28,7 +29,7 @@ pub fn report(args: &Args) -> Result<Code> {
     let is_compared = files.len() > 1 || !args.variants.also.is_empty();
     let compared = is_compared.then(|| to_compare(&files, &args.variants, &args.common.overrides.all())).transpose()?;
     let progress = args.common.progress();
-    let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars);
+    let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars, !args.no_advice);
     let Solved { solution, verification, answer, findings } = &solved;
     let versus = compared.map(|(candidates, curves)| {
         let count = progress.count(format!("{}, compared", solution.case.name));

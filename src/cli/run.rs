@@ -19,6 +19,7 @@ options! {
         report: bool [long] "Also write report.html",
         verbose: bool [long, short] "Also print mesh, steps, norms and works",
         error_bars: bool [long] "Compute error bars from finer runs, as `stampflow verify`",
+        no_advice: bool [long] "Give no advice: try no changes of a red or amber design",
         strict: bool [long] "End with exit code 4 if the verdict is red",
     } common: Common, pictures: PictureOptions, threads: Threads;
 }
@@ -77,7 +78,7 @@ impl Args {
         let extras = [(self.vtu, Extra::Vtu), (self.animate, Extra::Animation)];
         let extras = extras.into_iter().filter_map(|(is_wanted, extra)| is_wanted.then_some(extra));
         watch.recorder = FrameRecorder::new(extras.collect());
-        let solved = Solved::new(watch.solve(case), progress, self.error_bars || self.report);
+        let solved = Solved::new(watch.solve(case), progress, self.error_bars || self.report, !self.no_advice);
         let Solved { solution, verification, answer, findings } = &solved;
         let verification = verification.as_ref();
         let results = Results::of(solution)?.verified(verification).answered(answer, findings);

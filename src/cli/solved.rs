@@ -1,9 +1,10 @@
 //! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::*;
-use stampflow::assess::error_bars::{ErrorBars, answered};
+use stampflow::assess::error_bars::ErrorBars;
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Solution;
+use stampflow::study::judge;
 use stampflow::study::verify::verify;
 use stampflow::units::joined;
 
@@ -42,11 +43,11 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Judges a solution, with error bars from finer runs if they are wanted.
-    pub fn new(solution: Solution, progress: &Progress, has_bars: bool) -> Self {
-        let count = || progress.count(format!("{}, finer", solution.case.name));
-        let verification = has_bars.then(|| verify(&solution, &count()).bars);
-        let (answer, findings) = answered(&solution, verification.as_ref());
+    /// Judges a solution, with error bars from finer runs and advice if they are wanted.
+    pub fn new(solution: Solution, progress: &Progress, has_bars: bool, has_advice: bool) -> Self {
+        let count = |what| progress.count(format!("{}, {what}", solution.case.name));
+        let verification = has_bars.then(|| verify(&solution, &count("finer")).bars);
+        let (answer, findings) = judge(&solution, verification.as_ref(), has_advice, &count("advice"));
         Self { solution, verification, answer, findings }
     }
 

@@ -4,6 +4,7 @@
 //! its [`Design`]s into the rows of a [`RunTable`], which a [`TableFile`] keeps on the disk; its report is a [`StudyReport`].
 //! [`verify`] gives error bars from finer runs, [`fit`] laws and keys from measurements, [`compare`] runs side by side.
 
+mod advice;
 mod base_case;
 mod bracket;
 mod charts;
@@ -25,6 +26,7 @@ mod sweep;
 mod table_file;
 mod uncertain_variable;
 mod variable;
+mod verdict;
 pub mod verify;
 
 pub use crate::assess::FailureMode;
@@ -46,4 +48,5 @@ use study_file::StudyFile;
 pub use sweep::{Sensitivity, Sweep};
 pub use table_file::{Shard, TableFile, merge};
 use variable::Variable;
+pub use verdict::judge;
 pub use verify::Watch;

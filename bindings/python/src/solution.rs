@@ -7,12 +7,12 @@ use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::Table;
-use stampflow::assess::error_bars::{ErrorBars, answered};
+use stampflow::assess::error_bars::ErrorBars;
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::report::Report;
 use stampflow::results::{self, CaseSummary, Make, OUTPUTS, Output, Results, tables};
 use stampflow::solver::solution::NodeRecord;
-use stampflow::study::verify;
+use stampflow::study::{judge, verify};
 use stampflow::table::{Column as NamedColumn, Unit};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -151,7 +151,8 @@ impl Solution {
 
     /// Writes the HTML report.
     fn report(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let html = py.detach(|| Report::verified(&self.solution, self.bars.as_ref()).html());
+        let verdict = self.judged(py).clone();
+        let html = py.detach(|| Report::answered(&self.solution, self.bars.as_ref(), verdict).html());
         results::write(&path, html.as_bytes()).map_err(|error| error::output(&error))
     }
 }
@@ -163,7 +164,7 @@ impl Solution {
     }
 
     fn judged(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
-        py.detach(|| self.verdict.get_or_init(|| answered(&self.solution, self.bars.as_ref())))
+        py.detach(|| self.verdict.get_or_init(|| judge(&self.solution, self.bars.as_ref(), true, &())))
     }
 
     fn results(&self, py: Python<'_>) -> PyResult<Results<'_>> {

@@ -88,6 +88,18 @@ impl Friction {
     pub fn largest_coefficient(&self) -> f64 {
         self.law().largest_coefficient()
     }
+
+    /// Law with every coefficient, and the share of the shear yield stress, changed by as much, within 0 to 1 \[–\].
+    pub fn changed(mut self, by: f64) -> Self {
+        let change = |coefficient: &mut f64| *coefficient = (*coefficient + by).clamp(0.0, 1.0);
+        match &mut self {
+            Self::Coulomb(law) => change(&mut law.coefficient),
+            Self::PressureDependent(law) => change(&mut law.coefficient),
+            Self::Stribeck(law) => [&mut law.at_rest, &mut law.sliding].into_iter().for_each(change),
+            Self::Tresca(law) => [&mut law.factor, &mut law.coefficient].into_iter().for_each(change),
+        }
+        self
+    }
 }
 
 #[cfg(test)]
