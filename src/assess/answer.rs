@@ -226,7 +226,8 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         let about = format!("to the die, {}", Amount::thicknesses(gap / model.blank.thickness));
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
-    let force = Amount::given_force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
+    let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
+    let force = force.to(Digits::Significant(3));
     Some(Quantity::new("holder_force", "Holder", force).at("at its largest"))
 }
 

@@ -9,7 +9,7 @@ use crate::material::RValues;
 use crate::model::tool_sizes::extent;
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 use crate::solver::solution::StageSolution;
-use crate::units::{Amount, Unit};
+use crate::units::Amount;
 
 /// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
 /// more; a force that was rounded after the rule may miss it by a percent.
@@ -53,7 +53,6 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
         .at_most(REDRAW_RATIO, None)
         .light(if ratio <= REDRAW_RATIO + 1e-3 && !is_deep { Light::Green } else { Light::Amber })
         .source("4ming, Forming handbook, table of draw ratios: DC04, 2 in the first draw and 1.3 in each later one, not annealed")
-        .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it")
         .into()
 }
 
@@ -74,28 +73,22 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             let area = held_area(model)?;
             let pressure = (press.force.smallest() - beads).max(0.0) / area;
             let advised = siebel_pressure(model, tensile_strength(&model.material))?;
-            let force = Amount::force(advised * area + beads, Unit::N);
             let [wanted, least] = [advised, pressure].map(Amount::stress);
             judged("Wrinkle index", format!("{{}}: {wanted} advised over {least}; {itself}"))
                 .number(Amount::ratio(advised / pressure))
                 .at_most(LIMITS[0], LIMITS[1])
                 .limit(format!("1, red above {}", LIMITS[1]))
                 .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
-                .advice(format!(
-                    "a holder force of {force} or more; if the sheet tears too, a thicker sheet, a smaller blank or one more draw"
-                ))
         }
         Some(Motion::Gap(gap)) => judged("Wrinkle room", format!("holder fixed {{}} from the die; {itself}"))
             .number(Amount::thicknesses(gap / t))
-            .at_most(GAP, None)
-            .advice("a smaller holder gap, or a holder force"),
+            .at_most(GAP, None),
         _ => {
             let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
             let text = format!("nothing holds the flange: blank less punch diameter is {{}}; {itself}");
             judged("Wrinkle index", text)
                 .number(Amount::thicknesses(beyond / t))
                 .at_most(FREE[0], FREE[1])
-                .advice("give tools.holder a force; `check` says what Siebel's rule advises")
         }
     })
 }
@@ -111,12 +104,7 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     Finding::judged("wall_wrinkles", "Wall wrinkles", text)
         .light(Light::Grey)
         .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
-        .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later")
         .into()
-}
-
-pub(super) fn needs_holding(run: &Run) -> bool {
-    wall_wrinkles(run).is_some() || wrinkling(run).is_some_and(|index| index.light > Light::Green)
 }
 
 /// Ears about the computed rim, if r-values by direction are given and the edge is drawn in.

@@ -1,7 +1,7 @@
 //! Distance to the forming limit.
 
 use super::design::THIN;
-use super::{Finding, Light, Run, tear};
+use super::{Finding, Light, Run};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, Curve, Judged, assess};
 use crate::solver::solution::StageSolution;
@@ -95,7 +95,6 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
             false => "the case's curve; the share is a declared rule of thumb",
         })
-        .advice(tear::advice(run, stage, worst.s0))
         .into()
 }
 

@@ -71,12 +71,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     }
     let [lifted, off] = LIFTED.map(|times| Amount::thickness(times * thickness));
     let judged = judged(run.of_stage(text, 0)).number(Amount::thickness(lift)).at_most(lifted.value, off.value);
-    let (light, advice) = match pressure > most {
-        false => (judged.light, "more holder force; a larger die shoulder raises the flange less"),
-        true => (judged.light.max(Light::Amber), "less holder force: the flange is squeezed thinner"),
-    };
+    let light = if pressure > most { judged.light.max(Light::Amber) } else { judged.light };
     let limit = format!("lifted by {lifted}, red above {off}; {}", Amount::stress(most));
-    Some(judged.limit(limit).light(light).advice(advice))
+    Some(judged.limit(limit).light(light))
 }
 
 /// Holder that rests on its distance blocks, where it presses no sheet, for a large part of the travel.

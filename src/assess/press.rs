@@ -82,7 +82,5 @@ fn rated(judged: Finding, load: Amount, rating: Option<f64>) -> Finding {
         let advice = format!("give {depth}[press] force and energy: the ratings on its data sheet");
         return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
     };
-    let judged =
-        judged.at_most(NEAR * rating, rating).limit(format!("{}{depth}", load.with_value(rating).to(Digits::Given(3))));
-    judged.advice("a stronger press; less friction or holder force, a smaller blank, a thinner sheet")
+    judged.at_most(NEAR * rating, rating).limit(format!("{}{depth}", load.with_value(rating).to(Digits::Given(3))))
 }

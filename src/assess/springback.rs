@@ -13,7 +13,6 @@ const NEAR: f64 = 0.8;
 /// A wall that leans by less from the punch's straight wall was drawn against it \[°\]; a strip that is bent in air leans by
 /// tens of degrees.
 const BESIDE: f64 = 8.0;
-const OVER_BEND: &str = "or over-bend: `stampflow search --for over-bend`";
 
 struct Judged<'a> {
     change: &'a Change,
@@ -46,18 +45,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let Some(worst) = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used())) else {
         return unjudged(limits, &changes);
     };
-    let less = match run.case.model().tool(Role::Holder) {
-        Some(_) => {
-            "smaller radii spring back less; more wall tension (holder force, beads) helps as the whole wall nears yield"
-        }
-        None => "a smaller radius springs back less",
-    };
     Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text), "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .limit(joined(judged.iter().map(Judged::limit), "; "))
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(format!("{less}; {OVER_BEND}"))
+        .advice("over-bend: `stampflow search --for over-bend`")
         .into()
 }
 

@@ -1,6 +1,6 @@
 //! End of the run.
 
-use super::{Finding, Light, Run, tear};
+use super::{Finding, Light, Run};
 use crate::model::Role;
 use crate::solver::solution::{StageSolution, StopKind};
 use crate::units::{Amount, joined};
@@ -29,20 +29,17 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         .light(light)
         .limit("reaches its end")
         .source("the solver")
-        .advice(advice(run, last))
+        .advice(advice(last))
         .into()
 }
 
-fn advice(run: &Run, last: &StageSolution) -> String {
+fn advice(last: &StageSolution) -> &'static str {
     match last.stop.kind {
         StopKind::FullTravel if last.model.stop.drawn_through => "more travel",
         StopKind::FullTravel | StopKind::ContactShare | StopKind::HolderClosed | StopKind::LeftDie => "",
         StopKind::Interrupted => "let it run to its end",
         StopKind::Refused => "a value that the solver can take",
-        StopKind::Localised | StopKind::Coalesced | StopKind::LoadMaximum => {
-            return tear::advice(run, last, last.steps.last().map_or(0.0, |step| step.thinnest_s0));
-        }
-        StopKind::PressureMaximum => "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height",
+        StopKind::Localised | StopKind::Coalesced | StopKind::LoadMaximum | StopKind::PressureMaximum => "",
         StopKind::Mechanism => {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }
@@ -58,7 +55,6 @@ fn advice(run: &Run, last: &StageSolution) -> String {
         }
         StopKind::NoEquilibrium => "what the stop names; else a finer mesh at the radii (blank.elements)",
     }
-    .into()
 }
 
 /// Share of the sheet on its tools below the one that was to end the run.

@@ -2,9 +2,9 @@
 
 use super::estimate::{draw_ratio, tensile_strength};
 use super::forming_limit::Nearest;
-use super::{Finding, Light, Run, at_event, draw, fracture};
+use super::{Finding, Light, Run, at_event, fracture};
 use crate::geometry::Arc;
-use crate::measure::{Band, place_on_part};
+use crate::measure::place_on_part;
 use crate::model::{Edge, Geometry, Role, Tool};
 use crate::solver::solution::neck::{Neck, neck};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
@@ -17,27 +17,6 @@ pub(super) const CAREFUL: f64 = 0.20;
 const REFUSED: f64 = 0.30;
 /// Thickness over the initial one below which a sheet that is not superplastic has torn \[–\].
 const TORN: f64 = 0.5;
-
-/// Remedies against thinning at a place, initially `s0` from the axis \[mm\]. Over a round punch friction spares the pole;
-/// at a nose everything that lets the flange come helps, unless the flange may wrinkle.
-pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> String {
-    let model = &stage.model;
-    if model.tool(Role::Punch).is_none() {
-        return "a smaller height, a larger die shoulder or a thicker sheet".into();
-    }
-    if model.blank.edge == Edge::Clamped {
-        return "a shorter travel, larger radii, or an edge that is let in".into();
-    }
-    let on_dome = || place_on_part(stage, s0).is_some_and(|place| matches!(place.band, Band::Dome | Band::Unsupported));
-    let is_round = model.geometry == Geometry::Axisymmetric && (on_dome() || NoseEnd::of(stage).is_none());
-    let holder = model.tool(Role::Holder).is_some() && !draw::needs_holding(run);
-    if is_round {
-        let force = if holder { "less holder force, " } else { "" };
-        return format!("a smaller blank, {force}less friction at die and holder but more at the punch (no oil there)");
-    }
-    let force = if holder { "holder force or " } else { "" };
-    format!("a larger punch nose or die shoulder, a smaller blank, less {force}friction at die and holder")
-}
 
 /// Largest thinning of the last stage. A forming limit that is kept, or a superplastic metal, allows more.
 pub(super) fn thinning(run: &Run) -> Option<Finding> {
@@ -52,14 +31,13 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
         .number(Amount::share(thinning))
         .at_most(100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
         .limit(joined([format!("below {careful}"), refused], ", "))
-        .advice(advice(run, run.stages.last()?, last.thinnest_s0))
         .into()
 }
 
 /// Neck, or a sheet too thin to be whole.
 pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
-    let thinnest = last.steps.last()?.thinnest_s0;
+    last.steps.last()?;
     let judged = |text: String| Finding::judged("localisation", "Neck", text);
     let finding = match (last.stop.kind, torn(last)) {
         (kind @ (StopKind::Localised | StopKind::Coalesced), _) => {
@@ -77,8 +55,7 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
         }
         (_, None) => judged("none".into()),
     };
-    let finding = finding.limit("no place thins alone").source("the solver's watch for necks; declared thresholds");
-    Some(finding.advice(advice(run, last, thinnest)))
+    Some(finding.limit("no place thins alone").source("the solver's watch for necks; declared thresholds"))
 }
 
 /// Thinnest place of a stage that has taken a step, if it is a neck or too thin to be whole.
@@ -183,7 +160,6 @@ pub(super) fn bottom<'a>(run: &Run<'a>) -> Option<Finding> {
         .at_most(100.0 * NEAR_TEARING * FACTORS[0], 100.0 * FACTORS[1])
         .limit(limit)
         .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
-        .advice(advice(run, stage, NoseEnd::of(stage)?.radius))
         .into()
 }
 

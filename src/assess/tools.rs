@@ -67,11 +67,7 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         true => judged.at_most(if upright { WIDE } else { f64::INFINITY }, None),
         false => judged.at_least(1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
     };
-    let judged = judged.limit(format!("one thickness at least{}", if upright { most.as_str() } else { "" }));
-    Some(judged.advice(match gap < LEAST {
-        true => "a larger throat, a smaller punch or a shorter travel",
-        false => "a smaller throat: the wall leans, and puckers",
-    }))
+    Some(judged.limit(format!("one thickness at least{}", if upright { most.as_str() } else { "" })))
 }
 
 pub(super) fn ironing(run: &Run) -> Option<Finding> {
@@ -89,9 +85,6 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
         .number(Amount::share(most.ironing))
         .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
         .source("in one pass; a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
-        .advice(
-            "without ironing: a clearance of t √β, the thickness of the rim (4ming), and a land no longer than needed. \
-             The penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness",
-        )
+        .advice("the penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness")
         .into()
 }

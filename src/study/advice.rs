@@ -18,7 +18,7 @@ const WORK: usize = 60_000_000;
 const MOST: usize = 3;
 
 /// Least gain of a number that is worth a change \[–\]: declared.
-const WORTH: f64 = 0.05;
+const WORTH: f64 = 0.1;
 
 /// Rows that no change of a size moves: input that is missing, and the solution itself.
 const NO_DESIGN: [&str; 4] = ["friction", "hardening_range", "yield_condition", "solution_quality"];

@@ -47,7 +47,6 @@ kinds! {
     share = 100.0, Percent, Significant(2), "Share \\[–\\], displayed in percent";
     given_share = 100.0, Percent, Given(3), "Share that was given \\[–\\], displayed in percent";
     place = 1.0, Mm, Decimals(1), "Place, height or travel \\[mm\\]";
-    draw_in = 1.0, Mm, Significant(2), "Draw-in \\[mm\\]";
     opening = 1.0, Mm, Decimals(0), "Opening of a slit ring \\[mm\\]";
     size = 1.0, Mm, Given(3), "Size that was given \\[mm\\]";
     drawn = 1.0, Mm, Given(2), "Radius, gap or opening of tools \\[mm\\]";
@@ -102,6 +101,11 @@ impl Amount {
     /// Computed thickness \[mm\], to a hundredth; of foils two digits.
     pub const fn thickness(thickness: f64) -> Self {
         Self::new(thickness, Unit::Mm, if thickness < 0.1 { Significant(2) } else { Decimals(2) })
+    }
+
+    /// Computed draw-in \[mm\], from 10 mm on to a millimetre.
+    pub const fn draw_in(draw_in: f64) -> Self {
+        Self::new(draw_in, Unit::Mm, if draw_in < 10.0 { Decimals(1) } else { Decimals(0) })
     }
 
     /// Number and unit apart, for tables.

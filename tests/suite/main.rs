@@ -7,6 +7,7 @@
 
 mod common;
 
+mod advice;
 mod architecture;
 mod attack;
 mod bad_cases;

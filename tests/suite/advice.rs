@@ -1,0 +1,58 @@
+//! Friction that a verdict hangs on, and advice that keeps its word.
+
+use crate::common::shipped::shipped_case;
+use stampflow::assess::{self, Finding, Kind, Light};
+use stampflow::case::{self, Solution};
+use stampflow::study::judge;
+
+fn solved(overrides: &[&str]) -> Solution {
+    shipped_case("quickstart", overrides).solve(&mut ())
+}
+
+fn row(solution: &Solution, has_advice: bool, key: &str) -> Finding {
+    let (_, findings) = judge(solution, None, has_advice, &());
+    findings.into_iter().find(|row| row.key == key).unwrap_or_else(|| panic!("no {key}"))
+}
+
+/// Trust: a press that is used to 80 % between the forces of friction 0.08 and 0.10; with a larger one nothing changes.
+#[test]
+fn friction_is_amber_if_a_line_hangs_on_it() {
+    let [own, more] = ["friction=0.08", "friction=0.1"].map(|friction| {
+        let press = row(&solved(&[friction]), false, "press_force");
+        press.value().expect("a force")
+    });
+    assert!(more > 1.01 * own, "{own} {more}");
+    for (rating, light, text) in [
+        (0.5 * (own + more) / 0.8, Light::Amber, "0.08; at 0.1 Press force is amber"),
+        (2.0 * more, Light::Green, "0.08 ± 0.02 changes no line of the verdict"),
+    ] {
+        let friction = row(&solved(&[&format!("press.force={rating} N")]), false, "friction");
+        assert_eq!((friction.light, friction.statement().as_str()), (light, text));
+    }
+    let case = shipped_case("quickstart", &[]);
+    let notes = assess::sentences(&assess::before(&case), Kind::Assumption);
+    assert!(notes.iter().any(|note| note.contains("names no `source`")), "{notes:?}");
+    assert_eq!(judge(&case.solve(&mut ()), None, true, &()).0.light, Light::Green);
+}
+
+/// Trust: each advice is set in the case by its words, which is solved and judged again.
+#[test]
+fn advice_does_what_it_says() {
+    let overrides = ["tools.holder.force=2 kN", "tools.punch.travel=10 mm"];
+    let solution = solved(&overrides);
+    assert_eq!(row(&solution, false, "wrinkling").advice, "");
+    let advised = row(&solution, true, "wrinkling").advice;
+    let all: Vec<&str> = advised.split("; or ").collect();
+    assert!(!advised.is_empty() && all.len() <= 3, "{advised}");
+    let keys = [("holder force", "tools.holder.force"), ("die radius", "tools.die.shoulder"), ("blank radius", "blank.radius")];
+    for (i, text) in all.into_iter().enumerate() {
+        let (change, gain) = text.split_once(": ").expect("a change and its gain");
+        let (words, key) = keys.iter().find(|(words, _)| change.starts_with(words)).unwrap_or_else(|| panic!("{text}"));
+        let set = format!("{key}={}", change.strip_prefix(words).expect("words").trim());
+        let changed = case::parse(&solution.case.text, "quickstart.toml", &[set]).expect("valid").solve(&mut ());
+        let new = row(&changed, false, "wrinkling");
+        let amount = new.quantity.as_ref().expect("an index").amount;
+        assert!(gain.ends_with(&format!("→ {amount}, {}", new.light.name())), "{text}: {new:?}");
+        assert!(i > 0 || new.light < Light::Red, "the best is first: {advised}");
+    }
+}
