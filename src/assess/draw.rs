@@ -86,9 +86,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
         _ => {
             let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
             let text = format!("nothing holds the flange: blank less punch diameter is {{}}; {itself}");
-            judged("Wrinkle index", text)
-                .number(Amount::thicknesses(beyond / t))
-                .at_most(FREE[0], FREE[1])
+            judged("Wrinkle index", text).number(Amount::thicknesses(beyond / t)).at_most(FREE[0], FREE[1])
         }
     })
 }

@@ -39,7 +39,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         .source(
             source.unwrap_or_else(|| "the case's constants, assumed: no source is given; the share is declared".into()),
         )
-        .advice(tear::advice(run, stage, at.damage_s0))
         .into()
 }
 

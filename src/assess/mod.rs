@@ -3,6 +3,7 @@
 //! A new finding is a file here and a line in one of the lists below. Each rule has one constant with its source; a rule without
 //! a source that could be read is called a declared rule of thumb.
 
+pub mod advice;
 mod answer;
 mod bends;
 pub mod check;
@@ -13,6 +14,7 @@ pub mod estimate;
 mod finding;
 mod forming_limit;
 mod fracture;
+pub mod friction;
 mod holder;
 mod material;
 mod press;
@@ -37,7 +39,7 @@ use crate::solver::solution::{StageSolution, StepRecord};
 use forming_limit::Nearest;
 
 /// Findings on a case, in the order of output.
-const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, tools::assumed_friction];
+const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, friction::assumed];
 
 /// Findings on the first stage.
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
@@ -76,7 +78,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     draw::ears,
     material::yield_condition,
     material::hardening,
-    tools::friction,
+    friction::row,
     solution_quality::judge,
 ];
 

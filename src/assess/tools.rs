@@ -3,7 +3,6 @@
 use super::design::IRONING_LIMIT;
 use super::tear::NoseEnd;
 use super::{Finding, Light, Run, estimate};
-use crate::case::Case;
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
 
@@ -24,25 +23,6 @@ pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
     let text = format!("the {}'s friction of {{}} is above that of dry steel, {dry}", tool.role.name());
     let warning = Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction));
     warning.at_most(dry, None).if_beyond()
-}
-
-/// Friction, judged once runs with less and more of it are solved.
-pub(super) fn friction(run: &Run) -> Option<Finding> {
-    let most = run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)?;
-    Finding::judged("friction", "Friction", "{} at most; less and more were not solved")
-        .number(Amount::number(most))
-        .light(Light::Grey)
-        .limit("± 0.02 changes no line of the verdict")
-        .source("declared: lubrication varies by so much")
-        .advice("`run`, `report` and `check --run` solve it with 0.02 less and more")
-        .into()
-}
-
-/// Friction without a source.
-pub(super) fn assumed_friction(case: &Case) -> Option<Finding> {
-    let most = case.model().tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)?;
-    let text = "friction of {} at most is assumed: [friction] names no `source`";
-    case.sources.friction.is_none().then(|| Finding::assumed(text).number(Amount::number(most)))
 }
 
 pub(super) fn narrow(model: &Model) -> Option<Finding> {

@@ -44,7 +44,11 @@ fn advice_does_what_it_says() {
     let advised = row(&solution, true, "wrinkling").advice;
     let all: Vec<&str> = advised.split("; or ").collect();
     assert!(!advised.is_empty() && all.len() <= 3, "{advised}");
-    let keys = [("holder force", "tools.holder.force"), ("die radius", "tools.die.shoulder"), ("blank radius", "blank.radius")];
+    let keys = [
+        ("holder force", "tools.holder.force"),
+        ("die radius", "tools.die.shoulder"),
+        ("blank radius", "blank.radius"),
+    ];
     for (i, text) in all.into_iter().enumerate() {
         let (change, gain) = text.split_once(": ").expect("a change and its gain");
         let (words, key) = keys.iter().find(|(words, _)| change.starts_with(words)).unwrap_or_else(|| panic!("{text}"));

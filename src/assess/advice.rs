@@ -1,0 +1,85 @@
+//! Advice: of changes that were solved, those that help.
+
+use super::{Finding, Light, judgements};
+use crate::units::Sense;
+use std::cmp::Reverse;
+
+/// Most changes that are given.
+const MOST: usize = 3;
+
+/// Least gain of a number that is worth a change \[–\]: declared.
+const WORTH: f64 = 0.1;
+
+/// Rows that no change of a size moves: input that is missing, and the solution itself.
+pub(super) const NO_DESIGN: [&str; 4] = ["friction", "hardening_range", "yield_condition", "solution_quality"];
+
+/// Change of one size that was solved.
+pub struct Tried {
+    /// Size with its new value: `die radius 8 mm`.
+    pub words: String,
+    /// Size, of which one value is given.
+    pub size: &'static str,
+    /// Verdict with it.
+    pub findings: Vec<Finding>,
+}
+
+/// Whether a row asks for another design.
+pub fn is_open(row: &Finding) -> bool {
+    row.light > Light::Green && !NO_DESIGN.contains(&row.key)
+}
+
+/// Puts the changes that help beside the worst row that each improves, the best first.
+pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
+    let base = score(findings);
+    let mut helpful: Vec<(&Tried, usize, f64)> = Vec::new();
+    for one in tried.iter().filter(|one| score(&one.findings) <= base) {
+        let open = findings.iter().enumerate().filter(|(_, row)| is_open(row));
+        let gains = open.filter_map(|(i, row)| Some((i, gain(row, &one.findings)?)));
+        helpful.extend(gains.min_by_key(|(i, _)| Reverse(findings[*i].light)).map(|(row, gain)| (one, row, gain)));
+    }
+    helpful.sort_by(|a, b| score(&a.0.findings).cmp(&score(&b.0.findings)).then(b.2.total_cmp(&a.2)));
+    let (mut sizes, mut texts): (Vec<&str>, Vec<(usize, String)>) = Default::default();
+    for (one, row, _) in helpful {
+        if sizes.len() < MOST && !sizes.contains(&one.size) {
+            sizes.push(one.size);
+            texts.push((row, one.text(&findings[row])));
+        }
+    }
+    for (i, row) in findings.iter_mut().enumerate() {
+        let own: Vec<&str> = texts.iter().filter(|(of, _)| *of == i).map(|(_, text)| text.as_str()).collect();
+        if !own.is_empty() {
+            row.advice = own.join("; or ");
+        }
+    }
+}
+
+impl Tried {
+    /// `die radius 8 mm: 21 → 14 %, green`.
+    fn text(&self, row: &Finding) -> String {
+        let Self { words, findings, .. } = self;
+        let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return words.clone() };
+        let amount = |row: &Finding| Some(row.quantity.as_ref().filter(|own| own.limits.is_some())?.amount);
+        match amount(row).zip(amount(new)) {
+            Some((from, to)) => format!("{words}: {} → {to}, {}", from.parts().0, new.light.name()),
+            None => format!("{words}: {} → {}", row.light.name(), new.light.name()),
+        }
+    }
+}
+
+/// Worst light of the design, and how many rows are red and amber.
+fn score(findings: &[Finding]) -> (Light, usize, usize) {
+    let lights = || judgements(findings).filter(|row| !NO_DESIGN.contains(&row.key)).map(|row| row.light);
+    let count = |light| lights().filter(|own| *own == light).count();
+    (lights().max().unwrap_or(Light::Grey), count(Light::Red), count(Light::Amber))
+}
+
+/// Gain of a row in another verdict: lights, and less than one for its number alone; `None` if it is not worth a change.
+fn gain(row: &Finding, others: &[Finding]) -> Option<f64> {
+    let new = judgements(others).find(|new| new.key == row.key).filter(|new| new.light > Light::Grey)?;
+    if new.light != row.light {
+        return (new.light < row.light).then(|| (row.light as usize - new.light as usize) as f64);
+    }
+    let (from, to) = (row.value()?, new.value()?);
+    let by = if row.limits()?.sense == Sense::AtMost { from - to } else { to - from } / from.abs();
+    (by >= WORTH).then_some(by.min(0.99))
+}
