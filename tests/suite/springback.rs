@@ -56,9 +56,8 @@ fn hat(elements: usize) -> Solution {
 /// The same, with other values in its case.
 fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
     let text = find("hat-section").unwrap().fill(&[]).unwrap();
-    let elastic =
-        "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n\n[material.hardening";
-    let text = text.replacen("[material.hardening", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
+    let elastic = "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n";
+    let text = text.replacen("[material]\n", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
     let elements = format!("blank.elements={elements}");
     parsed(&text, &[&[elements.as_str()], overrides].concat()).solve(&mut ())
 }
