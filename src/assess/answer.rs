@@ -63,34 +63,31 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     let thinnest = stages.last().and_then(|stage| stage.steps.last());
     let at = thinnest.map_or_else(String::new, |step| place(stages, step.thinnest_s0));
     let [red, amber] = [Light::Red, Light::Amber].map(|light| labels(findings, light).join(", "));
-    let bottom = share("bottom_tearing").filter(|used| *used > 1.0).map(Amount::share);
     let limit_used = share("forming_limit");
     let limit_is_amber = is("forming_limit", Light::Amber);
+    let pulled = share("tearing").filter(|used| is("tearing", Light::Amber) && *used > tear::TEARING[0]);
     let thinning = share("thinning").unwrap_or_default();
     let thins = format!("it thins by {} {at}", Amount::share(thinning));
-    match (failures.first(), bottom) {
-        (Some(FailureMode::Tears), _) if is("fracture", Light::Red) => {
+    match failures.first() {
+        Some(FailureMode::Tears) if is("fracture", Light::Red) => {
             let breaks = fracture::reached(stages).map(|(_, step)| place(stages, step.damage_s0));
             joined(["it breaks".into(), breaks.unwrap_or_default()], " ")
         }
-        (Some(FailureMode::Tears), _) if is("bottom_tearing", Light::Red) => {
-            "it tears at the bottom: the punch pulls harder than the wall can bear".into()
-        }
-        (Some(FailureMode::Tears), _) => joined(["it thins too far".into(), at], " "),
-        (Some(FailureMode::Wrinkles), _) => "it wrinkles: the holder presses too little for this flange".into(),
-        (Some(_), Some(_)) => format!("it may tear at the bottom, and is refused: {red}"),
-        (Some(_), None) => format!("it does not tear, but is refused: {red}"),
-        (None, Some(used)) => {
-            format!("it may tear at the bottom: the punch needs {used} of what the wall surely carries")
-        }
-        (None, None) if limit_is_amber && limit_used.is_none() => {
+        Some(FailureMode::Tears) => joined(["it thins too far".into(), at], " "),
+        Some(FailureMode::Wrinkles) => "it wrinkles: the holder presses too little for this flange".into(),
+        Some(_) => format!("it does not tear, but is refused: {red}"),
+        None if limit_is_amber && limit_used.is_none() => {
             format!("whether it tears is not known: {thins}, and the forming limit ends before")
         }
         // Decided by the number: a row that only its error bar makes amber is one of the others.
-        (None, None) if limit_is_amber && limit_used > Some(forming_limit::CAREFUL) => {
+        None if limit_is_amber && limit_used > Some(forming_limit::CAREFUL) => {
             joined(["it comes near to tearing".into(), at], " ")
         }
-        (None, None) if is("thinning", Light::Amber) && thinning > tear::CAREFUL => {
+        None if pulled.is_some() => {
+            let used = Amount::share(pulled.unwrap_or_default());
+            format!("it comes near to tearing: it is pulled with {used} of what it bears")
+        }
+        None if is("thinning", Light::Amber) && thinning > tear::CAREFUL => {
             let limit = limit_used.map(|used| format!("the forming limit is used to {}", Amount::share(used)));
             let limit = limit.unwrap_or_else(|| "no forming limit is given".into());
             format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(tear::CAREFUL))
@@ -145,7 +142,7 @@ impl FailureMode {
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
             "stop" if is_tear => Self::Tears,
-            "thinning" | "localisation" | "forming_limit" | "fracture" | "bottom_tearing" => Self::Tears,
+            "thinning" | "localisation" | "forming_limit" | "fracture" | "tearing" => Self::Tears,
             "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,

@@ -3,7 +3,7 @@
 use super::design::{CAREFUL_RATIO, LIMITING_RATIO, REDRAW_RATIO};
 use super::estimate::{self, draw_ratio, held_area, siebel_pressure, tensile_strength};
 use super::holder::if_open;
-use super::tear::NoseEnd;
+use super::tear::is_upright;
 use super::{Finding, Light, Run};
 use crate::material::RValues;
 use crate::model::tool_sizes::extent;
@@ -95,7 +95,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     draw_ratio(&first.model)?;
-    if NoseEnd::of(first).is_some_and(NoseEnd::is_upright) {
+    if is_upright(first).unwrap_or(false) {
         return None;
     }
     let text = "part of the wall hangs free between punch and die";

@@ -13,7 +13,6 @@ pub const CAREFUL: f64 = 0.9;
 /// Stage that comes nearest to its forming limit.
 pub(super) struct Nearest<'a> {
     pub curve: &'a Curve,
-    pub index: usize,
     pub stage: &'a StageSolution,
     pub assessment: Assessment,
 }
@@ -21,9 +20,9 @@ pub(super) struct Nearest<'a> {
 impl<'a> Nearest<'a> {
     /// `None` without a forming limit.
     pub fn of(stages: &'a [StageSolution]) -> Option<Self> {
-        let all = stages.iter().enumerate().filter_map(|(index, stage)| {
+        let all = stages.iter().filter_map(|stage| {
             let curve = stage.model.forming_limit.as_ref()?;
-            Some(Self { curve, index, stage, assessment: assess(curve, &stage.paths)? })
+            Some(Self { curve, stage, assessment: assess(curve, &stage.paths)? })
         });
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {

@@ -65,7 +65,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tear::localisation,
     forming_limit::margin,
     fracture::judge,
-    tear::bottom,
+    tear::tearing,
     draw::redraw,
     draw::wrinkling,
     draw::wall_wrinkles,

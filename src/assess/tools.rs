@@ -1,7 +1,7 @@
 //! Friction, clearance between punch and die, and ironing.
 
 use super::design::IRONING_LIMIT;
-use super::tear::NoseEnd;
+use super::tear::is_upright;
 use super::{Finding, Light, Run, estimate};
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
@@ -38,7 +38,7 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
 /// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
-    let upright = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
+    let upright = run.stages.first().and_then(is_upright).unwrap_or(false);
     let most = format!(", {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
     let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))

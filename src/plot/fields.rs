@@ -12,7 +12,13 @@ pub mod step {
     pub const EDGE_FORCE: Step = Field::new("edge_force", "Edge force", Unit::N, |s| s.edge_force);
     pub const DRAW_IN: Step = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);
     pub const THINNEST: Step = Field::new("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest);
+    const THINNEST_PLACE: [&str; 2] = [
+        "Initial distance of the thinnest place from the axis",
+        "Initial distance of the thinnest place from the symmetry plane",
+    ];
+    pub const THINNEST_S0: Step = Field::worded("thinnest_s0", THINNEST_PLACE, Unit::Mm, |s| s.thinnest_s0);
     pub const POLE_HEIGHT: Step = Field::new("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height);
+    pub const TEARING_INDEX: Step = Field::new("tearing_index", "Tearing index", Unit::None, |s| s.tearing_index);
     pub const PRESSURE: Step = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure);
 }
 
@@ -48,6 +54,10 @@ pub mod element {
         Field::new("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max);
     pub const BENDING: Element =
         Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
+    pub const TEARING_INDEX_NOW: Element =
+        Field::new("tearing_index", "Tearing index", Unit::None, |e| e.tearing_index);
+    pub const TEARING_INDEX_MAX: Element =
+        Field::new("tearing_index_max", "Largest tearing index so far", Unit::None, |e| e.tearing_index_max);
     pub const POROSITY: Element = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
     pub const DAMAGE: Element = Field::new("damage", "Damage over its critical value", Unit::None, |e| e.damage);
     pub const TEMPERATURE: Element =

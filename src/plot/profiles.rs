@@ -4,7 +4,7 @@ use super::chart::{Chart, Panel, Series, Style};
 use super::{StageView, bands};
 use crate::plot::axis::{Axis, capitalised};
 use crate::plot::fields::element::{
-    DAMAGE, POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEMPERATURE, THICKNESS,
+    DAMAGE, POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEARING_INDEX_NOW, TEMPERATURE, THICKNESS,
 };
 use crate::solver::solution::ElementRecord;
 use crate::table::{Field, Unit};
@@ -26,6 +26,11 @@ pub(crate) fn thickness(view: &StageView) -> Option<Chart> {
     let mut chart = over_blank(view, "thickness", &THICKNESS, LEAST * initial)?;
     chart.panels.extend(bands::panel(view, LEAST * initial));
     Some(chart)
+}
+
+pub(crate) fn tearing_index(view: &StageView) -> Option<Chart> {
+    let is_judged = view.stage.steps.iter().any(|step| step.tearing_index > 0.0);
+    over_blank(view, "tearing index", &TEARING_INDEX_NOW, LEAST).filter(|_| is_judged)
 }
 
 pub(crate) fn porosity(view: &StageView) -> Option<Chart> {

@@ -38,6 +38,7 @@ pub const OUTPUTS: &[Output] = &[
     table("pressure_cycle.csv", "gas pressure and the strain rate it holds, over time", tables::pressure_cycle),
     picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
+    picture("tearing.png", "tearing index over the blank at every kept frame", profiles::tearing_index),
     picture("porosity.png", "porosity over the blank, of a sheet with voids", profiles::porosity),
     picture("damage.png", "damage over the blank, with a criterion of ductile fracture", profiles::damage),
     picture("temperature.png", "temperature over the blank, where it is given", profiles::temperature),

@@ -14,19 +14,15 @@ use crate::solver::trace::IterationHistory;
 use crate::table::{Column, Field, JOULES, Table, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 
-const THINNEST_S0: [&str; 2] = [
-    "Initial distance of the thinnest place from the axis",
-    "Initial distance of the thinnest place from the symmetry plane",
-];
 /// Columns of a step, then those of a sheet with voids, with a criterion of fracture and with a temperature.
-const STEP: [Field<StepRecord>; 32] = [
+const STEP: [Field<StepRecord>; 33] = [
     TRAVEL,
     PUNCH_FORCE,
     HOLDER_FORCE,
     EDGE_FORCE,
     DRAW_IN,
     THINNEST,
-    Field::worded("thinnest_s0", THINNEST_S0, Unit::Mm, |s| s.thinnest_s0),
+    THINNEST_S0,
     Field::new("work_external", "External work", Unit::Joule, |s| JOULES * s.work.external),
     Field::new("work_plastic", "Plastic work", Unit::Joule, |s| JOULES * s.work.plastic),
     Field::new("work_friction", "Friction work", Unit::Joule, |s| JOULES * s.work.friction),
@@ -34,6 +30,7 @@ const STEP: [Field<StepRecord>; 32] = [
     Field::new("work_cutoff", "Work in cut-off points", Unit::Joule, |s| JOULES * s.work.cutoff),
     POLE_HEIGHT,
     PRESSURE,
+    TEARING_INDEX,
     Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
     Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
     Field::new("ironing", "Reduction by ironing over thickness", Unit::None, |s| s.ironing),
@@ -118,7 +115,7 @@ pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
 /// Fields of an element apart from its place; porosity, damage and temperature if the model has them.
 pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
     let strains = [THICKNESS, STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS, STRAIN_EQUIVALENT];
-    let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, BENDING];
+    let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, TEARING_INDEX_NOW, TEARING_INDEX_MAX, BENDING];
     let porosity = model.material.gtn.map(|_| POROSITY);
     let damage = model.material.fracture.map(|_| DAMAGE);
     let temperature = model.heat.as_ref().map(|_| TEMPERATURE);

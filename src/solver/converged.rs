@@ -90,6 +90,8 @@ impl<'a> Converged<'a> {
             temperature_rates: state.temperature_rates.clone(),
             ironed: state.ironed.clone(),
             face_damage: state.face_damage.clone(),
+            nose_curvature: state.nose_curvature.clone(),
+            tearing_index: state.tearing_index.clone(),
             s0: state.s0.clone(),
         };
         mark_steady(step, evaluation, &mut next);

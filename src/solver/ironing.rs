@@ -38,7 +38,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
 }
 
 /// True if two tools of given position press both faces of an element at one contact point.
-fn is_between_walls(converged: &Converged, e: usize) -> bool {
+pub(super) fn is_between_walls(converged: &Converged, e: usize) -> bool {
     let Converged { step, evaluation, .. } = converged;
     let tools = &step.context.tools;
     let updates = evaluation.updates.row(e);

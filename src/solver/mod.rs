@@ -23,6 +23,7 @@ mod stages;
 pub mod state;
 mod step;
 mod step_record;
+mod tearing_index;
 mod termination;
 mod terms;
 mod time_step;
@@ -109,6 +110,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             continue;
         }
         (termination, rejected) = (seen, 0);
+        run.neck = run.neck.or_else(|| termination.necked(model, &next));
         start.count(&mut run.effort);
         control.accept(&before, &converged, &record);
         if model.forming_limit.is_some() {
@@ -151,6 +153,7 @@ fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &S
     let mut next = converged.advanced();
     let mut record = step_record::record(converged, before, &next, rejected);
     ironing::add(converged, &mut next, &mut record);
+    tearing_index::add(converged, &mut next, &mut record);
     if step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&step.context.rule);
     }

@@ -3,6 +3,7 @@
 use super::closing::block_height;
 use super::restraints::Grip;
 use super::selective_bending::Selection;
+use super::tearing_index::PlaneStrainStrength;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
 use crate::element::Theory;
@@ -58,6 +59,8 @@ pub(super) struct RunContext<'a> {
     /// Nodal forces before the tools were taken away \[N, N mm\]; empty while they act.
     pub unloading: Vec<Vector3<f64>>,
     pub selection: Selection,
+    /// Strength of a sheet that may tear.
+    pub strength: Option<PlaneStrainStrength<'a>>,
 }
 
 impl<'a> RunContext<'a> {
@@ -101,6 +104,7 @@ impl<'a> RunContext<'a> {
             blocks: block_height(model),
             unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
+            strength: PlaneStrainStrength::new(model),
             rule,
         }
     }

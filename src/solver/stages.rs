@@ -93,7 +93,9 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
         trim(&mut state, radius);
     }
     state.ironed = vec![0.0; state.thickness.len()];
+    state.tearing_index = vec![[0.0; 2]; state.thickness.len()];
     if begin.anneal {
+        state.nose_curvature.fill(0.0);
         for point in state.points.iter_mut() {
             // Annealing closes no void.
             let MaterialPoint { porosity, porosity_rate, strain_rate, damage, .. } = *point;
@@ -131,8 +133,8 @@ fn trim(state: &mut State, radius: f64) {
     }
     cut([&mut state.nodes, &mut state.velocity, &mut state.end_velocity], elements + 1);
     cut([&mut state.s0], elements + 1);
-    let State { thickness, volume, dilation, dilation_rate, temperature, .. } = state;
-    cut([thickness, volume, dilation, dilation_rate, temperature], elements);
+    let State { thickness, volume, dilation, dilation_rate, temperature, nose_curvature, .. } = state;
+    cut([thickness, volume, dilation, dilation_rate, temperature, nose_curvature], elements);
     cut([&mut state.bends, &mut state.steady], elements);
     cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage], elements);
     state.points.truncate_rows(elements);

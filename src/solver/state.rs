@@ -65,6 +65,10 @@ pub struct State {
     pub membrane: Vec<[f64; 2]>,
     /// Logarithmic strain by which each element has thinned between two tools in the stage \[–\]: ironing.
     pub ironed: Vec<f64>,
+    /// Largest curvature of each element's mid-surface on the punch so far \[1/mm\].
+    pub nose_curvature: Vec<f64>,
+    /// Tearing index of each element: after the last step, and its largest in the stage \[–\].
+    pub tearing_index: Vec<[f64; 2]>,
     /// Flags of the elements that bent in the last step; the others were membranes.
     pub bends: Vec<bool>,
     /// Duration of the last step \[s\].
@@ -127,6 +131,8 @@ impl State {
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
             ironed: vec![0.0; elements],
+            nose_curvature: vec![0.0; elements],
+            tearing_index: vec![[0.0; 2]; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
             steady: vec![false; elements],
             points: Grid::new(elements, model.blank.layers, point),

@@ -6,13 +6,15 @@ use super::no_equilibrium::reached;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
-use crate::solver::solution::neck::{AWAY, NEAR, Neck, neck};
+use crate::solver::solution::neck::{Neck, Necked, neck};
 use crate::solver::solution::{StepRecord, Stop, StopKind};
 use crate::solver::state::{State, waiting_displacement};
 use crate::units::Amount;
 
 /// Thickness left at which the sheet has failed, whatever its surroundings do \[–\].
 const GONE: f64 = 0.2;
+/// Share of its maximum by which the load has fallen at a neck that goes on past it \[–\]: a declared rule of thumb.
+const FALLEN: f64 = 0.02;
 /// Share of the run for which a neck must last \[–\].
 const LASTING: f64 = 0.01;
 /// Distance of the rim behind the shoulder's end when the cup is through the die, over the initial thickness \[–\].
@@ -37,7 +39,11 @@ struct Throat {
 pub(super) struct Termination {
     /// Time since which a neck has taken over \[s\].
     necking_since: Option<f64>,
+    /// Time since which a place thins faster than at the load maximum, though the load has fallen \[s\].
+    fading_since: Option<f64>,
+    /// Largest punch force \[N, or N/mm\], and the thinning rate of the thinnest place then \[1/s\].
     peak: f64,
+    rate_at_peak: f64,
     throat: Option<Throat>,
     /// Travel at which punch and die close, and their closest place \[mm\].
     closed: Option<(f64, Point)>,
@@ -59,7 +65,9 @@ impl Termination {
             Throat { die, radius, face: lowest(f64::INFINITY), end }
         });
         let throat = throat.filter(drawn_in);
-        Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state), neck: None, excess: -1.0 }
+        let (necking_since, fading_since, neck) = (None, None, None);
+        let (peak, rate_at_peak, closed) = (0.0, 0.0, closed(model, state));
+        Self { necking_since, fading_since, peak, rate_at_peak, throat, closed, neck, excess: -1.0 }
     }
 
     /// Time at which punch and die close \[s\], if ever.
@@ -77,11 +85,31 @@ impl Termination {
         let mut now = Self { peak: self.peak.max(record.punch_force), ..self.clone() };
         if model.release.is_none() {
             let neck = neck(model, state, Some(before));
-            now.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
+            let since = |holds: bool, before: Option<f64>| holds.then(|| before.unwrap_or(state.time));
+            now.necking_since = since(neck.took_over, self.necking_since);
+            if record.punch_force >= now.peak {
+                now.rate_at_peak = neck.rate;
+            }
+            let has_fallen = record.punch_force < (1.0 - FALLEN) * now.peak;
+            let fades = has_fallen && neck.rate > now.rate_at_peak.max(0.0);
+            now.fading_since = since(fades, self.fading_since);
             now.neck = Some(neck);
             now.excess = now.excesses(model, state, record).into_iter().map(|(excess, _)| excess).fold(-1.0, f64::max);
         }
         now
+    }
+
+    /// Excess of the time for which a neck has lasted \[–\].
+    fn lasted(since: Option<f64>, model: &Model, state: &State) -> f64 {
+        let lasted = since.map_or(0.0, |since| model.process_time(since, state.time - since));
+        lasted / (LASTING * model.duration) - 1.0
+    }
+
+    /// Neck that has taken over, or goes on past the load maximum, and has lasted, also where the run goes on.
+    pub fn necked(&self, model: &Model, state: &State) -> Option<Necked> {
+        let lasts = |since| Self::lasted(since, model, state) >= 0.0;
+        let neck = self.neck.filter(|_| lasts(self.necking_since) || lasts(self.fading_since))?;
+        Some(Necked { s0: neck.s0, travel: state.travel })
     }
 
     /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.
@@ -95,10 +123,10 @@ impl Termination {
                 false => within.min(height - throat.face) / model.blank.thickness,
             }
         });
-        let localised = self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
-            let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
-            (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
-        });
+        let localised = self
+            .neck
+            .filter(|_| model.stop.localised)
+            .map_or(f64::NAN, |neck| Self::lasted(self.necking_since, model, state).max(1.0 - neck.share / GONE));
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
             (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
@@ -169,13 +197,11 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     };
     let text = format!(
         "ended at {} of travel by a neck at s0 = {}, where {} of its thickness is left; {place}, one place takes all the \
-         stretching while the sheet {} to {} away has stopped. Less holder force or friction, or a larger radius there, lets \
-         it go deeper",
+         stretching while the sheet beside it has stopped. Less holder force or friction, or a larger radius there, lets it \
+         go deeper",
         Amount::place(state.travel),
         Amount::place(neck.s0),
         Amount::share(neck.share),
-        Amount::given_thicknesses(NEAR),
-        Amount::given_thicknesses(AWAY)
     );
     Stop::at(StopKind::Localised, neck.s0, text)
 }

@@ -56,7 +56,8 @@ fn overrides_have_their_lights_and_failure_modes() {
         (&torn[..], "forming_limit", Light::Red, tears),
         (&torn, "stop", Light::Red, tears),
         (&torn, "wrinkling", Light::Green, tears),
-        (&strong, "bottom_tearing", Light::Amber, None),
+        // A larger blank is pulled harder: over a nose of 6 t it comes near to tearing, over one of 2 t it tears.
+        (&strong, "tearing", Light::Green, None),
         (&sharp, "solution_quality", Light::Green, None),
         (&sharp, "forming_limit", Light::Green, None),
         (&["tools.holder.force=3 kN", "tools.punch.travel=3 mm"], "wrinkling", Light::Amber, None),
@@ -84,43 +85,18 @@ fn overrides_have_their_lights_and_failure_modes() {
     }
 }
 
-/// Trust: by hand.
+/// Trust: by hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
 #[test]
-fn wrinkle_index_and_bottom_tearing_are_those_of_a_hand_calculation() {
+fn wrinkle_index_is_that_of_a_hand_calculation() {
     let found = findings("quickstart", &[]);
-    // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
     let held = std::f64::consts::PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
     // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
     assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
-    let tears = std::f64::consts::PI * 61.0 * strength;
-    // The holder's 10 kN are constant.
-    let share = (value(&found, "press_force") - 10_000.0) / tears;
-    assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
 }
 
-/// Trust: by hand. A nose of 6 mm that ends at 27.338 mm in a wall leaning by 20°; a hemisphere has no bottom to tear off.
-#[test]
-fn a_cone_tears_where_its_nose_ends() {
-    let judged = |template: &str| {
-        let text =
-            stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
-        let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
-        let stages = solve(&case.stages, &mut ());
-        let peak = stages[0].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
-        (judged(&case, &stages), peak)
-    };
-    let (cone, peak) = judged("conical-cup");
-    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
-    let tears = std::f64::consts::PI * (2.0 * 27.338 + 1.0) * strength * 20_f64.to_radians().cos();
-    // The sizes are written to 1e-3 mm.
-    let share = peak / tears;
-    assert!((value(&cone, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4, "{cone:?}");
-    assert!(judged("hemispherical-cup").0.iter().all(|f| f.key != "bottom_tearing"));
-}
-
-/// Trust: by hand, 1.5 of the second punch is beyond 1.3; its wall carries π·61·1·301 N and tears in the second stage.
+/// Trust: by hand, 1.5 of the second punch is beyond 1.3.
 #[test]
 fn later_draws_are_judged_too() {
     let text = stampflow::author::templates::find("redraw")
@@ -131,12 +107,6 @@ fn later_draws_are_judged_too() {
     let found = judged(&case, &passes);
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
     assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
-    let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
-    assert!(of("bottom_tearing").statement().ends_with("stage 2"), "{:?}", of("bottom_tearing"));
-    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
-    let peak = passes[1].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
-    // The strength is right to 1e-6, the radius exact.
-    assert!((value(&found, "bottom_tearing") - 100.0 * peak / (std::f64::consts::PI * 61.0 * strength)).abs() < 1e-2);
     // One stroke's energy, not the sum of both.
     let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
     assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);

@@ -30,6 +30,10 @@ pub struct ElementRecord {
     pub stress_meridional: f64,
     /// Mean Cauchy stress across the section, likewise \[MPa\].
     pub stress_hoop: f64,
+    /// Tearing index: meridional force over the one at which the place tears \[–\]; 0 where it is not judged.
+    pub tearing_index: f64,
+    /// Largest tearing index in the stage so far \[–\].
+    pub tearing_index_max: f64,
     /// Mean porosity \[–\].
     pub porosity: f64,
     /// Largest damage of ductile fracture over its critical value through the thickness, faces included \[–\].
@@ -118,6 +122,8 @@ impl State {
                 strain_equivalent_max: points.iter().map(|p| p.strain).fold(0.0, f64::max),
                 stress_meridional: mean(&|p| model.cauchy(p.stress)[0]),
                 stress_hoop: mean(&|p| model.cauchy(p.stress)[1]),
+                tearing_index: self.tearing_index[e][0],
+                tearing_index_max: self.tearing_index[e][1],
                 porosity: mean(&|p| p.porosity),
                 damage: self.damage(e, &layers).0,
                 temperature: self.temperature[e],

@@ -15,6 +15,7 @@ use crate::forming_limit::Paths;
 use crate::model::{Iteration, Model};
 use crate::solver::Start;
 use crate::solver::state::State;
+use neck::Necked;
 
 /// Closing of the holder on the die over the sheet, before the punch moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +71,8 @@ pub struct StageSolution {
     pub frames: Vec<Frame>,
     /// Strain paths; empty without a forming limit.
     pub paths: Paths,
+    /// First neck that took over and lasted, if any.
+    pub neck: Option<Necked>,
     /// Last state.
     pub end: State,
     /// Reason of the end.
@@ -111,6 +114,7 @@ impl StageSolution {
             steps: Vec::new(),
             frames: Vec::new(),
             paths: Paths::default(),
+            neck: None,
             end: State::default(),
             stop,
             effort: Effort::default(),

@@ -1,6 +1,6 @@
 //! Detection of a neck: one place thins alone.
 
-use crate::model::{Model, Settings};
+use crate::model::{Model, Role, Settings};
 use crate::solver::state::State;
 use crate::solver::state::nonlocal_average::NonlocalAverage;
 
@@ -11,8 +11,9 @@ const STOPPED: f64 = 0.1;
 /// Largest thickness of a neck over the initial one \[–\].
 const THINNED: f64 = 0.8;
 /// Distances of the surroundings from a neck, over the thickness \[–\].
-pub(crate) const NEAR: f64 = 3.0;
-pub(crate) const AWAY: f64 = 8.0;
+const SURROUNDINGS: [f64; 2] = [3.0, 8.0];
+/// Largest distance over the radius of a ball, along which a sound sheet thins unevenly, and the smallest over that \[–\].
+const ON_BALL: [f64; 2] = [0.5, 0.5];
 
 /// Thinnest place of the sheet and the thinning around it.
 #[derive(Clone, Copy, Debug)]
@@ -21,10 +22,31 @@ pub struct Neck {
     pub s0: f64,
     /// Thickness without ironing over the initial one \[–\].
     pub share: f64,
-    /// True if it is a neck.
+    /// Thinning rate over the last step, in process time \[1/s\].
+    pub rate: f64,
+    /// True if it is as much thinner than its surroundings as a neck is: on a ball a sound dome may be so too.
     pub stands_out: bool,
-    /// True if its surroundings have stopped thinning.
+    /// True if it is a neck: besides, its surroundings have stopped thinning.
     pub took_over: bool,
+}
+
+/// Neck that took over and lasted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Necked {
+    /// Initial distance from the axis \[mm\].
+    pub s0: f64,
+    /// Punch travel \[mm\].
+    pub travel: f64,
+}
+
+/// Smallest and largest distance of the surroundings from a neck \[mm\].
+fn surroundings(model: &Model) -> [f64; 2] {
+    let t = model.blank.thickness;
+    let [near, away] = SURROUNDINGS.map(|times| times * t);
+    let corners = model.tool(Role::Punch).into_iter().flat_map(|punch| punch.profile.corners());
+    let balls = corners.filter(|arc| arc.at(0.0).x.min(arc.at(1.0).x) < t).map(|arc| ON_BALL[0] * arc.radius);
+    let away = balls.fold(away, f64::min);
+    [near.min(ON_BALL[1] * away), away]
 }
 
 /// Finds the thinnest place by nonlocal section thickness, apart from ironing; `before` is the state one step ago.
@@ -38,7 +60,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let n = thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: state.middle(e), share: strains[e].exp(), stands_out: false, took_over: false };
+    let mut neck = Neck { s0: state.middle(e), share: strains[e].exp(), rate: 0.0, stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }
@@ -47,16 +69,16 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
         let then = before.zip(former.as_ref());
         then.map_or(0.0, |(before, former)| (former[e] / thickness[e]).ln() - (state.ironed[e] - before.ironed[e]))
     };
+    let step = before.map_or(f64::INFINITY, |before| model.process_time(before.time, state.time - before.time));
+    neck.rate = rate(e) / step;
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
-    let rigid = before.map_or(0.0, |before| {
-        let step = model.process_time(before.time, state.time - before.time);
-        model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
-    });
+    let rigid = model.settings.cutoff_strain / (Settings::CUTOFF_STEP * model.duration);
+    let [least, most] = surroundings(model);
     let (mut sum, mut rates, mut count) = (0.0, 0.0, 0.0);
     for other in 0..n {
         let away = (state.middle(other) - neck.s0).abs();
         // On a coarse mesh the next but one stands for the surroundings.
-        let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
+        let near = (least..most).contains(&away) || (other.abs_diff(e) == 2 && away >= most);
         if near {
             sum += strains[other];
             rates += rate(other).abs();
@@ -64,6 +86,6 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
         }
     }
     neck.stands_out = count > 0.0 && strains[e] < NECK * (sum / count).min(0.0);
-    neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
+    neck.took_over = neck.stands_out && before.is_some() && neck.rate > rigid && rates / count < STOPPED * rate(e);
     neck
 }

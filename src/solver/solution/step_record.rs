@@ -56,6 +56,12 @@ pub struct StepRecord {
     pub ironing_friction: f64,
     /// Largest pressure of a tool on an ironed element \[MPa\].
     pub ironing_pressure: f64,
+    /// Largest tearing index of an element \[–\].
+    pub tearing_index: f64,
+    /// Initial distance of that element from the axis \[mm\].
+    pub tearing_s0: f64,
+    /// Meridional force that it carries, and the one at which it tears \[N/mm\].
+    pub tearing_forces: [f64; 2],
     /// Share of the holder's force on the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
     pub rim_share: f64,
     /// Share of the points in contact that slide slower than the regularisation speed \[–\].
