@@ -80,6 +80,7 @@ mod verify_stages;
 mod verify_steps;
 mod verify_strain_path;
 mod verify_swift;
+mod verify_tearing;
 mod verify_variants;
 mod voids;
 mod vtu;

@@ -75,11 +75,11 @@ export const LESSONS = [
   {
     title: "Draw ratio",
     says: "The wall must pull the whole flange in: the force grows with the blank's diameter over that of the punch, what the wall can bear does not. Their ratio has a limit near 2.",
-    asks: "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.",
+    asks: "Enlarge the blank until the wall comes near the force that it can bear: tearing is no longer green.",
     template: "cup",
     slider: "blank",
-    answer: ({ result }) => finding(result, "bottom_tearing")?.found ?? "",
-    isAnswered: ({ result }) => finding(result, "bottom_tearing")?.light !== "green",
+    answer: ({ result }) => finding(result, "tearing")?.found ?? "",
+    isAnswered: ({ result }) => finding(result, "tearing")?.light !== "green",
   },
   {
     title: "Bending and unbending",

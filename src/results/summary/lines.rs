@@ -121,11 +121,8 @@ impl Lines<'_> {
             self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
             self.number("thickest_s0", from, Amount::place(s0));
         }
-        let pulled = run.steps.iter().max_by(|a, b| a.tearing_index.total_cmp(&b.tearing_index));
-        if let Some(pulled) = pulled.filter(|step| step.tearing_index > 0.0) {
-            self.number("tearing_index", "Tearing index at its largest", Amount::share(pulled.tearing_index));
-            self.number("tearing_s0", from, Amount::place(pulled.tearing_s0));
-        }
+        let pulled = Some(self.largest(|s| s.tearing_index)).filter(|index| *index > 0.0);
+        self.number("tearing_index", "Tearing index at its largest", pulled.map(Amount::share));
         self.number("ring_opening", "Opening of a slit ring", view.ring_opening().map(Amount::opening));
         if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
             let (worst, least) = (assessment.worst(), Amount::ratio(curve.plane_strain()));

@@ -60,7 +60,8 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let n = thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: state.middle(e), share: strains[e].exp(), rate: 0.0, stands_out: false, took_over: false };
+    let mut neck =
+        Neck { s0: state.middle(e), share: strains[e].exp(), rate: 0.0, stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }

@@ -1,0 +1,106 @@
+//! Tearing index: closed form of a pulled strip, and cups that a toolmaker would draw or not.
+
+use crate::common::shipped::shipped_case;
+use crate::common::simple;
+use stampflow::assess::{self, Light};
+use stampflow::author::templates;
+use stampflow::case::{self, Case};
+use stampflow::model::{Geometry, Theory};
+use stampflow::solver::{run, solve};
+use std::fs;
+
+/// Trust: of σ = K (ε₀ + ε̄)^n, ε̄ = c ε and c = 2/√3, the force of a wide strip is (ε₀ + c ε)^n e^(−ε) over its maximum at
+/// ε = n − ε₀/c. Its strains are exact at any step; what is left is the corrector's tolerance.
+#[test]
+fn the_index_of_a_wide_strip_is_one_at_its_load_maximum() {
+    for theory in [Theory::Membrane, Theory::Bending] {
+        let mut model = simple::pulled(Geometry::PlaneStrain, theory, 16.0);
+        model.frames = (1..=40).map(|i| model.duration * f64::from(i) / 40.0).collect();
+        model.stop.localised = false;
+        let (n, offset, c) = (0.22, 1e-3, 2.0 / 3.0_f64.sqrt());
+        let force = |strain: f64| (offset + c * strain).powf(n) * (-strain).exp();
+        let top = n - offset / c;
+        let solved = run(&model, &mut ());
+        for frame in &solved.frames {
+            let element = &frame.elements[3];
+            let strain = element.strain_meridional;
+            // Past the maximum every state is one.
+            let expected = if strain < top { force(strain) / force(top) } else { 1.0 };
+            assert!((element.tearing_index - expected).abs() < 1e-4, "{theory:?} {strain}: {element:?}");
+        }
+        let last = solved.steps.last().expect("steps");
+        assert!(last.tearing_index > 0.9999 && solved.frames[39].elements[3].strain_meridional > top);
+    }
+}
+
+/// Largest tearing index, and its light.
+fn judged(case: &Case) -> (f64, Light) {
+    let stages = solve(&case.stages, &mut ());
+    let findings = assess::after(case, &stages);
+    let row = findings.iter().find(|finding| finding.key == "tearing").expect("a row");
+    (0.01 * row.value().expect("a number"), row.light)
+}
+
+/// A cup of mild steel over a punch of Ø 70 mm with this nose and draw ratio, held by Siebel's pressure.
+fn cup(nose: &str, ratio: f64) -> Case {
+    let given = [("material", "dc04"), ("punch-radius", "35 mm"), ("nose", nose)];
+    let text = templates::find("cup").and_then(|template| template.fill(&given)).expect("a case");
+    let pressure = 0.0025 * ((ratio - 1.0).powi(2) + 0.35) * 300.0;
+    let force = pressure * std::f64::consts::PI * ((35.0 * ratio).powi(2) - 43.5_f64.powi(2));
+    let overrides = [
+        format!("blank.radius={} mm", 35.0 * ratio),
+        format!("tools.holder.force={force} N"),
+        "tools.punch.travel=40 mm".to_owned(),
+    ];
+    case::parse(&text, "made.toml", &overrides).expect("valid")
+}
+
+/// Trust: mild steel is drawn to 1.8 safely, to 2.0 over a generous nose (4ming, table of draw ratios: 2.0), and never to 2.4; a
+/// nose wants 4 to 5 thicknesses (4ming, "Punch radius").
+#[test]
+fn cups_tear_where_a_toolmaker_has_them_tear() {
+    for (nose, ratio, light) in [
+        ("5 mm", 1.8, Light::Green),
+        ("6 mm", 2.0, Light::Green),
+        ("3 mm", 2.0, Light::Amber),
+        ("2 mm", 2.1, Light::Red),
+        ("5 mm", 2.4, Light::Red),
+    ] {
+        let (index, found) = judged(&cup(nose, ratio));
+        assert_eq!(found, light, "nose {nose}, draw ratio {ratio}: {index}");
+    }
+}
+
+/// Trust: the wall carries the force, whatever is embossed in the bottom: 3 mm deep, Ø 30 to 36 mm.
+#[test]
+fn an_embossed_bottom_does_not_tear_a_cup() {
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let given = [("material", "dc04"), ("punch-radius", "35 mm")];
+    let text = templates::find("cup").and_then(|template| template.fill(&given)).expect("a case");
+    let flat = judged(&case::parse(&text, "made.toml", &[]).expect("valid"));
+    let points = "r_mm,z_mm,radius_mm\n0,-3,\n15,-3,4\n18,0,4\n35,0,6\n35,-200,\n";
+    fs::write(folder.child("punch.csv"), points).expect("writable");
+    let plain = text.lines().find(|line| line.starts_with("flat = ")).expect("a flat punch");
+    let file = folder.child("made.toml");
+    fs::write(&file, text.replace(plain, "profile = \"punch.csv\"")).expect("writable");
+    let embossed = judged(&case::load(&file, &[]).expect("valid"));
+    assert_eq!([flat.1, embossed.1], [Light::Green; 2]);
+    assert!((embossed.0 / flat.0 - 1.0).abs() < 0.05, "{flat:?} {embossed:?}");
+}
+
+/// Trust: a sound dome over a ball of ten thicknesses is thinner at its pole by more than 1.6 times its surroundings' strain; at
+/// 7 mm it is whole, as every producer's index of 11 mm and more says. Woo's cup necks beyond its load maximum near 40 mm.
+#[test]
+fn a_dome_necks_when_its_load_falls_and_not_before() {
+    for (name, travel, expected) in [
+        ("erichsen_304l", "7 mm", None),
+        ("woo_hemispherical", "38 mm", None),
+        ("woo_hemispherical", "45 mm", Some(Light::Red)),
+    ] {
+        let case = shipped_case(name, &[&format!("tools.punch.travel={travel}")]);
+        let stages = solve(&case.stages, &mut ());
+        let findings = assess::after(&case, &stages);
+        let row = findings.iter().find(|finding| finding.key == "localisation").expect("a row");
+        assert_eq!(row.light, expected.unwrap_or(Light::Green), "{name} {travel}: {}", row.statement());
+    }
+}
