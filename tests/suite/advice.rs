@@ -2,6 +2,7 @@
 
 use crate::common::shipped::shipped_case;
 use stampflow::assess::{self, Finding, Kind, Light};
+use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, Solution};
 use stampflow::study::judge;
 
@@ -58,5 +59,29 @@ fn advice_does_what_it_says() {
         let amount = new.quantity.as_ref().expect("an index").amount;
         assert!(gain.ends_with(&format!("→ {amount}, {}", new.light.name())), "{text}: {new:?}");
         assert!(i > 0 || new.light < Light::Red, "the best is first: {advised}");
+    }
+}
+
+/// Trust: sizes by handbook rules make a sound part; a dome that thins by a fifth is one to look at. A cupping test goes on
+/// until the sheet tears.
+#[test]
+fn new_cases_are_green_with_their_defaults() {
+    for template in TEMPLATES.iter().filter(|template| template.name != "erichsen") {
+        let text = template.fill(&[]).expect("a case");
+        let solution = case::parse(&text, "new.toml", &[]).expect("valid").solve(&mut ());
+        let (answer, findings) = judge(&solution, None, false, &());
+        let open: Vec<&str> = findings
+            .iter()
+            .filter(|row| row.kind == Kind::Judgement && row.light > Light::Green)
+            .map(|row| row.key)
+            .collect();
+        let is_stretched = ["stretch-dome", "bulge"].contains(&template.name);
+        assert_eq!(
+            open,
+            if is_stretched { vec!["thinning"] } else { vec![] },
+            "{}: {}",
+            template.name,
+            answer.sentence
+        );
     }
 }
