@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 /// Most runs, and the work of all of them \[iterations × elements × points\]: some 5 s of two cores.
 const RUNS: usize = 12;
-const WORK: usize = 60_000_000;
+const WORK: usize = 30_000_000;
 
 /// New value of a size.
 #[derive(Clone, Copy)]
