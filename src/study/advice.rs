@@ -14,46 +14,31 @@ use rayon::prelude::*;
 const RUNS: usize = 12;
 const WORK: usize = 30_000_000;
 
-/// New value of a size.
-#[derive(Clone, Copy)]
-enum Step {
-    /// Times the old one \[–\].
-    Times(f64),
-    /// Larger by so many thicknesses \[–\].
-    Wider(f64),
-    /// A friction that is not above the old one \[–\].
-    Lower(f64),
-    /// A friction that is not below it \[–\].
-    Higher(f64),
-}
-
-use Step::{Higher, Lower, Times, Wider};
-
-/// Words, keys that are set together, new value.
-type Change = (&'static str, &'static [&'static str], Step);
+/// Words, keys that are set together, new value of the old one.
+type Change = (&'static str, &'static [&'static str], fn(f64) -> f64);
 
 /// Changes in the order of trial: steps of a shop's try-out, good lubrication (0.05), a dry punch (0.15); declared.
 const CHANGES: [Change; 20] = [
-    ("die radius", &["tools.die.shoulder"], Times(4.0 / 3.0)),
-    ("punch radius", &["tools.punch.flat.nose"], Times(4.0 / 3.0)),
-    ("holder force", &["tools.holder.force"], Times(0.7)),
-    ("holder force", &["tools.holder.force"], Times(1.5)),
-    ("friction of die and holder", &["tools.die.friction", "tools.holder.friction"], Lower(0.05)),
-    ("friction of all tools", &["friction"], Lower(0.05)),
-    ("friction of the punch", &["tools.punch.friction"], Higher(0.15)),
-    ("blank diameter", &["blank.diameter"], Times(0.97)),
-    ("blank radius", &["blank.radius"], Times(0.97)),
-    ("bead force", &["tools.beads.0.restraining"], Times(0.7)),
-    ("bead force", &["tools.beads.0.restraining"], Times(1.4)),
-    ("holder gap", &["tools.holder.gap"], Times(0.9)),
-    ("die radius", &["tools.die.shoulder"], Times(5.0 / 3.0)),
-    ("punch radius", &["tools.punch.flat.nose"], Times(5.0 / 3.0)),
-    ("holder force", &["tools.holder.force"], Times(2.5)),
-    ("holder force", &["tools.holder.force"], Times(0.5)),
-    ("blank diameter", &["blank.diameter"], Times(0.94)),
-    ("blank radius", &["blank.radius"], Times(0.94)),
-    ("die throat", &["tools.die.throat"], Wider(0.1)),
-    ("travel", &["tools.punch.travel"], Times(0.9)),
+    ("die radius", &["tools.die.shoulder"], |x| x * 4.0 / 3.0),
+    ("punch radius", &["tools.punch.flat.nose"], |x| x * 4.0 / 3.0),
+    ("holder force", &["tools.holder.force"], |x| 0.7 * x),
+    ("holder force", &["tools.holder.force"], |x| 1.5 * x),
+    ("friction of die and holder", &["tools.die.friction", "tools.holder.friction"], |x| x.min(0.05)),
+    ("friction of all tools", &["friction"], |x| x.min(0.05)),
+    ("friction of the punch", &["tools.punch.friction"], |x| x.max(0.15)),
+    ("blank diameter", &["blank.diameter"], |x| 0.97 * x),
+    ("blank radius", &["blank.radius"], |x| 0.97 * x),
+    ("bead force", &["tools.beads.0.restraining"], |x| 0.7 * x),
+    ("bead force", &["tools.beads.0.restraining"], |x| 1.4 * x),
+    ("holder gap", &["tools.holder.gap"], |x| 0.9 * x),
+    ("die radius", &["tools.die.shoulder"], |x| x * 5.0 / 3.0),
+    ("punch radius", &["tools.punch.flat.nose"], |x| x * 5.0 / 3.0),
+    ("holder force", &["tools.holder.force"], |x| 2.5 * x),
+    ("holder force", &["tools.holder.force"], |x| 0.5 * x),
+    ("blank diameter", &["blank.diameter"], |x| 0.94 * x),
+    ("blank radius", &["blank.radius"], |x| 0.94 * x),
+    ("die throat", &["tools.die.throat"], |x| 1.005 * x),
+    ("travel", &["tools.punch.travel"], |x| 0.9 * x),
 ];
 
 /// Replaces the advice on red and amber rows by changes that help.
@@ -76,17 +61,12 @@ pub(super) fn advise(solution: &Solution, findings: &mut [Finding], watch: &dyn 
 }
 
 /// Words with the new value, and the overrides that set it; `None` if the case does not write the size, or has better.
-fn settings(case: &Case, &(words, keys, step): &Change) -> Option<(String, &'static str, Vec<String>)> {
+fn settings(case: &Case, &(words, keys, change): &Change) -> Option<(String, &'static str, Vec<String>)> {
     let (mut shown, mut all) = (None, Vec::new());
     for (path, value) in keys.iter().flat_map(|key| case.written(key)) {
         let (old, unit) = split_number(&value)?;
-        let new = match step {
-            Times(by) => significant(old * by, if (0.8..1.2).contains(&by) { 3 } else { 2 }),
-            Wider(by) if unit == "mm" => significant(old + by * case.model().blank.thickness, 4),
-            Lower(most) if old > most => most,
-            Higher(least) if old < least => least,
-            _ => return None,
-        };
+        let new = significant(change(old), if (0.8..1.2).contains(&(change(old) / old)) { 3 } else { 2 });
+        (new != old).then_some(())?;
         let variable = Variable::new(&path, unit.to_owned());
         all.push(variable.setting(&written(new)));
         shown = Some(variable.display(new));
