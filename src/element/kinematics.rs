@@ -227,6 +227,11 @@ impl Current {
         [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()
     }
 
+    /// Turn of the element by a transverse `distance` of one end \[rad\].
+    pub fn slope_of(&self, distance: f64) -> f64 {
+        distance / self.reference.length
+    }
+
     /// Whether the element bends, or is a membrane.
     pub fn bends(&self) -> bool {
         self.reference.bending

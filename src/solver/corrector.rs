@@ -9,7 +9,7 @@ use super::{Iterate, Observer, Start};
 use crate::model::{Iteration, Mode, Model, Norm};
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
-const LARGEST_MOVE: f64 = 0.5;
+pub(super) const LARGEST_MOVE: f64 = 0.5;
 /// Largest move during a release, over the thickness \[–\].
 const LARGEST_SWING: f64 = 5.0;
 /// Largest turn of a fibre in one iteration \[rad\].
@@ -133,8 +133,8 @@ fn judge(
     evaluation: &mut Evaluation,
     outcome: &mut Outcome,
 ) -> bool {
-    let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
-    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration, velocity_norm }, evaluation);
+    let iteration = outcome.iterations;
+    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration }, evaluation);
     if sound {
         outcome.residual_norm = evaluation.residual_norm;
         outcome.converged = is_converged(step.model, evaluation, outcome);

@@ -75,6 +75,7 @@ mod verify_motion;
 mod verify_necking;
 mod verify_ring;
 mod verify_selective;
+mod verify_solid_hat;
 mod verify_solver;
 mod verify_stages;
 mod verify_steps;

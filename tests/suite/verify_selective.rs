@@ -1,7 +1,7 @@
 //! Verification of selective bending: against bending everywhere, and against membrane theory where nothing bends.
 
 use crate::common::page::{at_most, plain, signed, told};
-use crate::common::shipped::{DRAWN, before_the_neck, last, peak, shipped, solve};
+use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use stampflow::model::mesh;
 use stampflow::model::{Model, Theory};
 use stampflow::solver::solution::StageSolution;
@@ -45,7 +45,7 @@ fn bent(run: &StageSolution) -> f64 {
 fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
     let mut differences = Vec::new();
     for name in ["woo_hemispherical", "chalmers_cup", "quickstart"] {
-        let model = before_the_neck(name, &[]);
+        let model = shipped(name, &[]);
         let (full, run) = (solve(&model), solve(&with(Theory::Selective, &model)));
         let (difference, travel) = largest_difference(&run, &full);
         assert!(difference.abs() < 0.01, "{name}: {difference:e} at {travel} mm");
@@ -70,7 +70,7 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
 #[test]
 fn the_limit_decides_how_much_bends() {
     let cups = ["woo_hemispherical", "chalmers_cup"].map(|name| {
-        let full = before_the_neck(name, &["blank.theory=\"bending\""]);
+        let full = shipped(name, &["blank.theory=\"bending\""]);
         (solve(&full), with(Theory::Selective, &full))
     });
     let mut apart = 0.0;
@@ -105,7 +105,7 @@ fn the_limit_decides_how_much_bends() {
 fn every_shipped_case_runs_with_selective_bending() {
     let (mut peaks, mut balance, mut differences) = (0.0_f64, 0.0_f64, Vec::new());
     for name in DRAWN {
-        let full = with(Theory::Bending, &before_the_neck(name, &["blank.theory=\"bending\""]));
+        let full = with(Theory::Bending, &shipped(name, &["blank.theory=\"bending\""]));
         let (full, run) = (solve(&full), solve(&with(Theory::Selective, &full)));
         let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let (difference, travel) = largest_difference(&run, &full);

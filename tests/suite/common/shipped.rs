@@ -30,13 +30,6 @@ pub fn shipped_case(name: &str, overrides: &[&str]) -> Case {
     case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// A case of `cases/` as far as it draws evenly: Woo's cup necks at its pole beyond 40 mm, and from there on nothing follows
-/// smoothly from the mesh, the step or the material's law.
-pub fn before_the_neck(name: &str, overrides: &[&str]) -> Model {
-    let travel = if name == "woo_hemispherical" { &["tools.punch.travel=38 mm"][..] } else { &[] };
-    shipped(name, &[overrides, travel].concat())
-}
-
 /// Runs a model that has to reach its full travel.
 pub fn solve(model: &Model) -> StageSolution {
     let run = solver::run(model, &mut ());
