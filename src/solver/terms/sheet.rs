@@ -27,7 +27,16 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     };
     if model.mode != Mode::Flow {
         let law = elastoplastic_law(model, at.matrix, dt);
-        return add_elements(step, &law, &step.elastoplastic_points, &mut trial.elastoplastic, &trial.moves, last_move, at, out);
+        return add_elements(
+            step,
+            &law,
+            &step.elastoplastic_points,
+            &mut trial.elastoplastic,
+            &trial.moves,
+            last_move,
+            at,
+            out,
+        );
     }
     let material = &model.material;
     let law = FlowLaw {
@@ -54,12 +63,7 @@ fn add_elements<L: PointLaw>(
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
-    let section = Section {
-        law,
-        rule: &step.context.rule,
-        last_move,
-        forces_alone: at.residual_alone,
-    };
+    let section = Section { law, rule: &step.context.rule, last_move, forces_alone: at.residual_alone };
     for e in 0..step.references.len() {
         let Some(current) = step.references[e].moved(moves[e], moves[e + 1]) else { return false };
         let stretch = [current.strain[EPS_S], current.strain[EPS_T]];
