@@ -3,8 +3,7 @@
 use crate::common::page::{signed, told};
 use stampflow::{case, solver};
 
-/// Trust: solids refined until they change by less than a percent. The moment of the contact pressure is left out, which
-/// costs a hat without friction 2 % of its load and one with friction none.
+/// Trust: solids refined until they change by less than a percent; the moment of the contact pressure is left out.
 #[test]
 fn a_hat_s_load_is_that_of_solids_within_three_percent() {
     for (name, friction, holder, source, limit) in [

@@ -199,10 +199,8 @@ fn doubling_elements_or_halving_steps_changes_little() {
 fn woo_s_neck_hangs_on_the_friction_of_the_punch() {
     let run = |(mu, elements): (&str, usize)| {
         let set = [format!("tools.punch.friction={mu}"), format!("blank.elements={elements}")];
-        let run = solver::run(
-            &shipped::shipped("woo_hemispherical", &["tools.punch.travel=45 mm", &set[0], &set[1]]),
-            &mut (),
-        );
+        let set = ["tools.punch.travel=45 mm", &set[0], &set[1]];
+        let run = solver::run(&shipped::shipped("woo_hemispherical", &set), &mut ());
         [last(&run).thinnest, 100.0 * (1.0 - last(&run).thinnest / 0.889), 1e-3 * peak(&run)]
     };
     let runs = [("0.04", 50), ("0.05", 50), ("0.06", 50), ("0.08", 50), ("0.04", 100), ("0.04", 200)].map(run);
