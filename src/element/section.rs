@@ -14,8 +14,11 @@ pub struct Section<'a, L> {
     pub law: &'a L,
     /// Points of an element that bends; a membrane has one, in the middle.
     pub rule: &'a [ThicknessPoint],
-    /// Largest move of a node in the last iteration \[mm\]: a flat membrane has no transverse stiffness before its first stretch,
-    /// so that its matrix is given at least the tension by which a turn of such a move would stretch it.
+    /// Least tension of a membrane over its yield force \[–\], in the matrix only: a flat membrane has no transverse stiffness
+    /// before its first stretch.
+    pub slack_tension: f64,
+    /// Largest move of a node in the last iteration \[mm\]: that tension is no more than what a turn by it stretches; infinite
+    /// for a rigid-plastic sheet.
     pub last_move: f64,
     /// True if the matrix is left out.
     pub forces_alone: bool,
@@ -26,9 +29,6 @@ type Matrix5 = SMatrix<f64, 5, 5>;
 
 /// Rule of a membrane.
 const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
-
-/// Largest tension that a slack membrane's matrix is given, over its yield force \[–\].
-const SLACK_TENSION: f64 = 0.5;
 
 /// Forces of an element's nodes that balance given stresses of its points \[N, N mm\].
 pub fn forces(
@@ -115,9 +115,9 @@ impl<L: PointLaw> Section<'_, L> {
         }
         c.fill_upper_triangle_with_lower_triangle();
         let mut matrix = current.stiffness(&c) + current.geometric_stiffness(&s);
-        if !current.bends() && self.last_move > 0.0 {
+        if !current.bends() && self.slack_tension > 0.0 {
             let stretched = 0.5 * c[(EPS_S, EPS_S)] * current.slope_of(self.last_move).powi(2);
-            let slack = stretched.min(SLACK_TENSION * volume * yield_stress) - s[EPS_S];
+            let slack = stretched.min(self.slack_tension * volume * yield_stress) - s[EPS_S];
             matrix += current.transverse_stiffness(slack.max(0.0));
         }
         (force, Some(matrix))

@@ -133,8 +133,8 @@ fn judge(
     evaluation: &mut Evaluation,
     outcome: &mut Outcome,
 ) -> bool {
-    let iteration = outcome.iterations;
-    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration }, evaluation);
+    let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
+    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration, velocity_norm }, evaluation);
     if sound {
         outcome.residual_norm = evaluation.residual_norm;
         outcome.converged = is_converged(step.model, evaluation, outcome);

@@ -24,6 +24,8 @@ pub(super) struct Linearisation {
     pub matrix: Iteration,
     pub residual_alone: bool,
     pub iteration: usize,
+    /// Velocity norm of the last iteration \[–\].
+    pub velocity_norm: f64,
 }
 
 /// Position of a contact point \[mm\], and the thickness of the sheet there \[mm\].

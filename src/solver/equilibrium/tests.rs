@@ -51,7 +51,8 @@ pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, ele
     }
 }
 
-pub const NEWTON: Linearisation = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 1 };
+pub const NEWTON: Linearisation =
+    Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
 
 /// Calls `test` with the second step of a run from `state` and a predicted trial.
 pub fn with_step<T>(
