@@ -187,7 +187,7 @@ fn plastic_moment_converges_with_the_layers() {
     let error = |n: usize| {
         let layers = lobatto(n);
         let law = rate_free(&hardening);
-        let section = Section { law: &law, rule: &layers, last_move: 0.0, forces_alone: false };
+        let section = Section { law: &law, rule: &layers, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
         let points = vec![PointState::at(0.0); n];
         let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![StressUpdate::default(); n]);
         let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
@@ -227,7 +227,7 @@ fn tension_that_bends_moves_the_neutral_fibre() {
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
         let points = midpoint(n);
-        let section = Section { law: &point, rule: &points, last_move: 0.0, forces_alone: false };
+        let section = Section { law: &point, rule: &points, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
         let (mut tension, mut moment) = (0.0_f64, 0.0_f64);
         for i in 0..=100 {
             let tau = 0.005 * f64::from(i);

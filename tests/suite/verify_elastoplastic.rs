@@ -61,7 +61,8 @@ impl Strip {
         }
         let mut trials = vec![Trial::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
-        let section = Section { law: &point, rule: &self.layers, last_move: 0.0, forces_alone: false };
+        let section =
+            Section { law: &point, rule: &self.layers, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
         let (force, _) = section.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;

@@ -13,6 +13,11 @@ use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
 
+/// Least tension of a membrane in its matrix, over its yield force \[–\]; of the flow law it fades once the velocity norm is
+/// below [`SLACK_NORM`], of the elastic laws with the square of the last move.
+const SLACK_TENSION: f64 = 0.5;
+const SLACK_NORM: f64 = 0.05;
+
 /// A holder that neither sheet nor block holds, a sheet that tools going back leave free, and an elastic membrane, are kept in
 /// place by this share of a block's stiffness \[–\]: a force of millionths of those that form the sheet; of the membrane, whose
 /// whole span it holds back in each step, 0.3 % of the work at most in `strip_draw`.
@@ -22,6 +27,7 @@ pub const STABILISATION: f64 = 1e-7;
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     let Step { model, dt, .. } = *step;
     let last_move = match at.iteration {
+        _ if model.mode == Mode::Flow => f64::INFINITY,
         0 => LARGEST_MOVE * model.blank.thickness,
         _ => trial.line.length * trial.line.direction.iter().map(|d| d.xy().norm()).fold(0.0, f64::max),
     };
@@ -63,7 +69,14 @@ fn add_elements<L: PointLaw>(
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
-    let section = Section { law, rule: &step.context.rule, last_move, forces_alone: at.residual_alone };
+    let fade = if last_move < f64::INFINITY { 1.0 } else { (at.velocity_norm / SLACK_NORM).min(1.0) };
+    let section = Section {
+        law,
+        rule: &step.context.rule,
+        slack_tension: SLACK_TENSION * fade,
+        last_move,
+        forces_alone: at.residual_alone,
+    };
     for e in 0..step.references.len() {
         let Some(current) = step.references[e].moved(moves[e], moves[e + 1]) else { return false };
         let stretch = [current.strain[EPS_S], current.strain[EPS_T]];
