@@ -38,8 +38,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             &law,
             &step.elastoplastic_points,
             &mut trial.elastoplastic,
-            &trial.moves,
-            last_move,
+            (&trial.moves, last_move),
             at,
             out,
         );
@@ -56,7 +55,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         cutoff: step.cutoff(trial.softening),
         duration: dt,
     };
-    add_elements(step, &law, &step.flow_points, &mut trial.iterates, &trial.moves, last_move, at, out)
+    add_elements(step, &law, &step.flow_points, &mut trial.iterates, (&trial.moves, last_move), at, out)
 }
 
 fn add_elements<L: PointLaw>(
@@ -64,8 +63,7 @@ fn add_elements<L: PointLaw>(
     law: &L,
     points: &Grid<L::PointState>,
     iterates: &mut Grid<L::Iterate>,
-    moves: &[Node],
-    last_move: f64,
+    (moves, last_move): (&[Node], f64),
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
