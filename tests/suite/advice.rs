@@ -74,6 +74,8 @@ fn new_cases_are_green_with_their_defaults() {
         let expected = match template.name {
             "stretch-dome" | "bulge" => &["thinning"][..],
             "hemispherical-cup" => &["tearing"],
+            // At a friction of 0.1 the wall comes near to tearing.
+            "conical-cup" => &["friction"],
             _ => &[],
         };
         assert_eq!(open.collect::<Vec<_>>(), expected, "{}: {}", template.name, answer.sentence);
