@@ -29,6 +29,7 @@ mod forming_limit;
 mod geometry;
 mod golden;
 mod house;
+mod known_outcomes;
 mod limit_conditions;
 mod material_laws;
 mod materials;
