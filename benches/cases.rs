@@ -6,6 +6,7 @@
 
 #[path = "common/fastest.rs"]
 mod fastest;
+#[allow(dead_code, reason = "tests also walk folders")]
 #[path = "../tests/suite/common/files.rs"]
 mod files;
 

@@ -1,9 +1,10 @@
 //! Who may know whom: rooms use only what lies below them, and each outside crate has its room.
 
+use crate::common::files::below;
 use regex::Regex;
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Rooms of `src/` from the top down; a room may use those on its own line (itself) and on lines below.
 const FLOORS: &[&[&str]] = &[
@@ -73,23 +74,14 @@ impl File {
 }
 
 fn sources() -> Vec<File> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let (mut folders, mut files) = (vec![root.clone()], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("readable") {
-            let path = entry.expect("readable").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests.rs") {
-                let inside = path.strip_prefix(&root).expect("below src").to_owned();
-                let parts = inside.with_extension("");
-                let parts = parts.iter().map(|part| part.to_string_lossy().into_owned());
-                let module = parts.filter(|part| !["mod", "lib"].contains(&part.as_str())).collect();
-                files.push(File { path: inside, module, code: code(&fs::read_to_string(&path).expect("readable")) });
-            }
-        }
-    }
-    files
+    let files = below("src", "rs").into_iter().filter(|path| !path.ends_with("tests.rs")).map(|path| {
+        let inside = path.strip_prefix(concat!(env!("CARGO_MANIFEST_DIR"), "/src")).expect("below src").to_owned();
+        let parts = inside.with_extension("");
+        let parts = parts.iter().map(|part| part.to_string_lossy().into_owned());
+        let module = parts.filter(|part| !["mod", "lib"].contains(&part.as_str())).collect();
+        File { path: inside, module, code: code(&fs::read_to_string(&path).expect("readable")) }
+    });
+    files.collect()
 }
 
 fn code(text: &str) -> String {

@@ -1,10 +1,10 @@
 //! The command line as a user meets it: exit codes, files, and what is left behind.
 
-use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, read_json, stampflow, text};
+use crate::common::cli::{COMPARE, CUP, STAGES, folder, read_json, stampflow, text};
 use crate::common::files::files;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::SystemTime;
 
 /// Arguments, the exit code, and what stands on the error stream: nothing at all if empty.
@@ -218,26 +218,6 @@ fn pipes_and_devices_are_refused() {
         }
     }
     assert!(!dir.path().join("none.toml").exists() && !dir.path().join("out").exists());
-}
-
-/// Trust: the run is far longer than the test, so only the signal can have ended it.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_run_writes_what_it_has() {
-    let dir = folder(&endless());
-    let mut run = Command::new(env!("CARGO_BIN_EXE_stampflow"))
-        .args(["run", "cases/cup.toml", "--trace", "trace.csv"])
-        .current_dir(dir.path())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(std::time::Duration::from_secs(4));
-    assert!(run.try_wait().unwrap().is_none(), "still running");
-    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
-    assert_eq!(run.wait_with_output().unwrap().status.code(), Some(130));
-    assert!(fs::read_to_string(dir.path().join("out/cup/load_travel.csv")).unwrap().lines().count() > 1);
-    assert_eq!(read_json(dir.path().join("out/cup/summary.json"))["complete"], false);
 }
 
 /// A report is of the numbers beside it, or gone; what someone else calls report.html stays.

@@ -1,8 +1,9 @@
 //! Budgets of lines: growth of a room is a decision.
 
+use crate::common::files::below;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Lines of the rooms of `src/`; any other may have 300.
 const ROOMS: [(&str, usize); 19] = [
@@ -29,21 +30,8 @@ const ROOMS: [(&str, usize); 19] = [
 
 /// Files below a folder of the project, with their texts.
 fn texts(folder: &str, ending: &str) -> Vec<(PathBuf, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (mut folders, mut found) = (vec![root.join(folder)], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for path in fs::read_dir(folder).expect("readable").map(|entry| entry.expect("readable").path()) {
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == ending) {
-                found.push((
-                    path.strip_prefix(root).expect("inside").to_owned(),
-                    fs::read_to_string(&path).expect("text"),
-                ));
-            }
-        }
-    }
-    found
+    let inside = |path: &PathBuf| path.strip_prefix(env!("CARGO_MANIFEST_DIR")).expect("inside").to_owned();
+    below(folder, ending).iter().map(|path| (inside(path), fs::read_to_string(path).expect("text"))).collect()
 }
 
 #[test]

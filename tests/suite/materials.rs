@@ -30,7 +30,6 @@ fn every_material_loads_runs_and_cites_its_source() {
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
         assert_eq!(named.sources.material.as_deref(), Some(entry.about.source()));
-        assert!(named.derived[0].to_string().contains(entry.about.source()), "{:?}", named.derived);
         let pasted = parsed(entry.text.trim_start_matches("[material]"), "");
         assert_eq!(pasted.unwrap_or_else(|e| panic!("{e}")).model().material, entry.material);
         let limit = parsed(&format!("name = \"{}\"", entry.name), "[forming_limit]\nmarciniak_kuczynski = {}");
@@ -48,8 +47,6 @@ fn every_material_loads_runs_and_cites_its_source() {
                 entry.name
             );
         }
-        let check = stampflow::assess::check::report(&named).to_string();
-        assert!(check.contains(entry.about.source()), "{check}");
     }
 }
 
@@ -106,11 +103,6 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
         assert_eq!(entry.name, name, "{word}");
         let case = parsed(&format!("name = {word:?}"), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(case.model().material, entry.material);
-        assert!(
-            case.derived[0].to_string().contains(word) && case.derived[0].to_string().contains(name),
-            "{:?}",
-            case.derived
-        );
     }
     for (grade, yields, strength, r, n) in [
         ("DC04", 210.0, 270.0..=350.0, 1.6, 0.18),

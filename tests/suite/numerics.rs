@@ -22,6 +22,9 @@ fn values_are_interpolated_and_held() {
     }
     assert_eq!((history.smallest(), history.largest()), (0.0, 20.0));
     assert_eq!(PiecewiseLinear::from(5.0).at(-1.0), 5.0);
+    for falling in [vec![], vec![(1.0, 0.0), (1.0, 2.0)], vec![(1.0, 0.0), (f64::NAN, 2.0)]] {
+        assert_eq!(PiecewiseLinear::new(falling), None);
+    }
 }
 
 #[test]
@@ -34,13 +37,6 @@ fn a_rising_value_is_found_cut_and_drawn_out() {
     assert_eq!(history.up_to(4.0).points(), [(0.0, 0.0), (0.8, 4.0)]);
     assert_eq!(history.up_to(10.0).points(), [(0.0, 0.0), (2.0, 10.0)]);
     assert_eq!(history.up_to(40.0).points(), [(0.0, 0.0), (2.0, 10.0), (3.5, 40.0)]);
-}
-
-#[test]
-fn what_does_not_rise_is_no_history() {
-    assert_eq!(PiecewiseLinear::new(vec![]), None);
-    assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (1.0, 2.0)]), None);
-    assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (f64::NAN, 2.0)]), None);
 }
 
 /// Trust: by construction.

@@ -87,9 +87,9 @@ fn an_iteration_allocates_nothing() {
 }
 
 /// Ends a run after so many steps and iterations.
-struct Stopper {
-    steps: usize,
-    iterations: usize,
+pub struct Stopper {
+    pub steps: usize,
+    pub iterations: usize,
 }
 
 impl Observer for Stopper {

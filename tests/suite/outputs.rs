@@ -85,24 +85,6 @@ fn tables_begin_with_their_columns_and_hold_the_records() {
     }
 }
 
-/// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
-#[test]
-fn a_run_without_a_step_draws_no_empty_axes() {
-    let mut run = shipped::solve(&shipped::shipped("stretch_limit", &[]));
-    run.steps.clear();
-    run.frames.clear();
-    for output in OUTPUTS {
-        let made = output.files(&StageView::alone("cup", &run));
-        let expected = ["summary.json", "load_travel.csv", "profile.csv", "forming_limit.csv", "shapes.png"];
-        assert_eq!(
-            made.first().is_some_and(|(_, bytes)| !bytes.is_empty()),
-            expected.contains(&output.file),
-            "{}",
-            output.file
-        );
-    }
-}
-
 /// Runs that leave something open: a stage that is not run, a first step that is not found, gas on a membrane, a stage in
 /// which nothing moves, steps that the residual alone accepts, a release.
 ///

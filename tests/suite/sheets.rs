@@ -6,60 +6,17 @@ use stampflow::material::hardening::Ludwik;
 use stampflow::material::rate::JohnsonCook;
 use stampflow::material::{Hardening, Rate};
 use stampflow::solve;
-use stampflow::units;
 
 fn entry(name: &str) -> library::Entry {
     library::material(name).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)))
 }
 
-/// Root mean square of law less point of the 304L bar: of the hardening law [MPa], and of the rate law's ratios [–].
-fn bar(hardening: Hardening, rate: Rate) -> [f64; 2] {
-    let text: toml::Table = include_str!("../../src/case/library/aisi304l-bar.toml").parse().expect("TOML");
-    let value = |value: &toml::Value| match value {
-        toml::Value::String(text) => units::parse(text).expect("a quantity").value,
-        number => number.as_float().expect("a number"),
-    };
-    let list = |value: &toml::Value| value.as_array().expect("a list").clone();
-    let factor = |at: f64| rate.at(at).value;
-    let rms = |misses: Vec<f64>| (misses.iter().map(|miss| miss * miss).sum::<f64>() / misses.len() as f64).sqrt();
-    let measured = &text["measured"];
-    let tested = value(&measured["rate"]);
-    let miss = |point: &toml::Value| factor(tested) * hardening.at(value(&point[0])).stress - value(&point[1]);
-    let of_points = rms(list(&measured["points"]).iter().map(miss).collect());
-    let tests = list(&measured["rates"]["tests"]);
-    let (first, others) = tests.split_first().expect("tests");
-    let misses = others.iter().flat_map(|test| {
-        let law = factor(value(&test["rate"])) / factor(value(&first["rate"]));
-        let (stresses, slow) = (list(&test["stress"]), list(&first["stress"]));
-        let ratios: Vec<f64> = stresses.iter().zip(&slow).map(|(fast, slow)| value(fast) / value(slow)).collect();
-        ratios.into_iter().map(move |ratio| law - ratio)
-    });
-    [of_points, rms(misses.collect())]
-}
-
-/// Trust: at a least square any parameter that is moved makes the residual larger; what the library rounds off of a parameter
-/// is far less than the 2 % it is moved by.
+/// Trust: the least squares of its points, Ludwik's of the curve, which `fit` finds again, and Johnson and Cook's of the rates.
 #[test]
 fn the_laws_of_the_stainless_bar_are_least_squares_of_its_points() {
-    let rate = |coefficient: f64, reference: f64| Rate::JohnsonCook(JohnsonCook { coefficient, reference });
-    let law = |initial: f64, k: f64, n: f64| Hardening::Ludwik(Ludwik::new(initial, k, n).expect("in range"));
     let own = entry("aisi304l-bar").material;
-    assert_eq!(own.hardening, law(225.1, 1235.0, 0.7286));
-    assert_eq!(own.rate, Some(rate(0.0214, 0.00315)));
-    let [stress, ratio] = bar(law(225.1, 1235.0, 0.7286), rate(0.0214, 0.00315));
-    // The scatter of eight specimens is 5.6 to 13.9 MPa; tests at one rate differ by 0.06 over the strains.
-    assert!((3.0..5.6).contains(&stress) && (0.015..0.03).contains(&ratio), "{stress} {ratio}");
-    for by in [0.98, 1.02] {
-        for (initial, k, n) in [(by, 1.0, 1.0), (1.0, by, 1.0), (1.0, 1.0, by)] {
-            let moved = bar(law(225.1 * initial, 1235.0 * k, 0.7286 * n), rate(0.0214, 0.00315))[0];
-            assert!(moved > stress, "{initial} {k} {n}: {moved}");
-        }
-        let slower = 1.0 + 10.0 * (by - 1.0);
-        for (coefficient, reference) in [(by, 1.0), (1.0, slower)] {
-            let moved = bar(law(225.1, 1235.0, 0.7286), rate(0.0214 * coefficient, 0.00315 * reference))[1];
-            assert!(moved > ratio, "{coefficient} {reference}: {moved}");
-        }
-    }
+    assert_eq!(own.hardening, Hardening::Ludwik(Ludwik::new(225.1, 1235.0, 0.7286).expect("in range")));
+    assert_eq!(own.rate, Some(Rate::JohnsonCook(JohnsonCook { coefficient: 0.0214, reference: 0.00315 })));
 }
 
 /// Trust: the equations of the source, dX = c dε − κ c |dε| X of the deviator, integrated on their own in tension, where dε is

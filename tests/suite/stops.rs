@@ -1,9 +1,8 @@
 //! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
 
 use crate::common::shipped::{parsed, shipped_case};
-use stampflow::Observer;
 use stampflow::assess::{self, Light};
-use stampflow::solver::solution::{StageSolution, StepRecord, StopKind};
+use stampflow::solver::solution::{StageSolution, StopKind};
 use stampflow::solver::solve;
 
 const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;
@@ -94,36 +93,18 @@ fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
 #[test]
 fn a_run_that_creeps_ends_soon_and_says_where() {
     let case = shipped_case("quickstart", &["solver.max_iterations=2", "solver.min_step=1e-12"]);
-    let mut tried = Tries::default();
-    let stages = solve(&case.stages, &mut tried);
+    let stages = solve(&case.stages, &mut ());
     let (stop, travel) = (&stages[0].stop, stages[0].end.travel);
     assert_eq!(stop.kind, StopKind::Creeping);
     let tries: usize = stop.text.split(' ').nth(1).and_then(|tries| tries.parse().ok()).expect("creeping: n tries");
     let planned = 100;
     assert!(tries > planned && tries < 10 * planned, "{tries}");
-    // Every accepted step is a try, and of the rejected ones there are up to two or three starts in one.
-    let rejected = tried.rejected + stages[0].effort.abandoned;
-    assert!((tried.steps + rejected / 3..=tried.steps + rejected + 1).contains(&tries), "{tries} {tried:?}");
     assert!(travel > 0.0 && travel < 0.01 * case.model().travel, "{travel}");
     assert!(stop.s0.is_some_and(|s0| s0 <= case.model().blank.length) && stop.text.contains("touches"), "{stop}");
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
     assert!(run.statement().contains("creeping") && !run.advice.is_empty(), "{run:?}");
     assert!(!stages[0].stop.is_complete() && !stages[0].stop.is_physical());
-}
-
-/// Counts steps and the tries before them.
-#[derive(Debug, Default)]
-struct Tries {
-    steps: usize,
-    rejected: usize,
-}
-
-impl Observer for Tries {
-    fn step(&mut self, record: &StepRecord) {
-        self.steps += 1;
-        self.rejected += record.rejected;
-    }
 }
 
 /// The quickstart, pushed on through its die, with and without the wish for it.

@@ -3,11 +3,10 @@
 use crate::common::shipped::parsed;
 use crate::common::shipped::{self, solve};
 use crate::common::simple;
-use stampflow::geometry::Profile;
 use stampflow::material::rate::{PowerRate, Rate};
 use stampflow::model::{Geometry, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solver::solution::{StageSolution, StopKind};
+use stampflow::solver::solution::StageSolution;
 
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {
@@ -88,20 +87,4 @@ fn driving_further_or_less_far_keeps_the_history() {
         assert_eq!((model.travel_at(0.5), model.travel_at(duration), model.time_at(travel)), (early, travel, duration));
         assert_eq!(model.speed, travel / duration);
     }
-}
-
-/// The travel at which rigid tools meet is the geometry's, however the punch comes there.
-#[test]
-fn tools_meet_at_the_same_travel_at_any_speed() {
-    let ends = [None, PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 20.0), (42.0, 40.0)])].map(|schedule| {
-        let mut model = shipped::shipped("quickstart", &[]);
-        model.tools[0].profile = Profile::crowned_punch(30.9, 60.0, 25.0, 1.0);
-        model.stop.localised = false;
-        model.schedule = schedule;
-        model.drive_to(40.0);
-        let run = stampflow::solver::run(&model, &mut ());
-        assert_eq!(run.stop.kind, StopKind::ToolsClosed);
-        run.end.travel
-    });
-    assert!((ends[1] - ends[0]).abs() < 1e-9, "{ends:?}");
 }

@@ -5,9 +5,8 @@ use stampflow::assess;
 use stampflow::element::Node;
 use stampflow::geometry::Point;
 use stampflow::model::stage::{Beginning, Stage};
-use stampflow::model::{Model, Motion, Press, Role};
+use stampflow::model::{Model, Motion, Role};
 use stampflow::solver::solution::StageSolution;
-use stampflow::solver::solution::StopKind;
 use stampflow::solver::{enter, solve};
 use std::f64::consts::PI;
 
@@ -224,20 +223,6 @@ fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
     assert_eq!((&state.nodes, &state.membrane, &state.thickness), (&left.nodes, &left.membrane, &left.thickness));
     let (annealed, as_drawn) = (force(&soft), force(&hard));
     assert!(annealed < 0.9 * as_drawn, "{annealed} {as_drawn}");
-}
-
-/// Trust: nothing can be formed after a stage that did not come to its end; what came before is kept.
-#[test]
-fn a_stage_that_stops_early_is_the_last() {
-    let draw = cup(10.0);
-    let mut stops = stage("stops", cup(10.0));
-    stops.model.stop.load_drop = Some(1e-3);
-    stops.model.tools[2].motion = Motion::Pressed(Press::constant(10.0));
-    stops.model.settings.max_iterations = 1;
-    let passes = solve(&[stage("draw", draw), stops, stage("never", cup(1.0))], &mut ());
-    assert_eq!(passes.len(), 2);
-    assert_eq!(passes[0].stop.kind, StopKind::FullTravel);
-    assert_eq!(passes[1].stop.kind, StopKind::NoEquilibrium);
 }
 
 /// Trust: the gap of a tool that has been brought up is looked at node by node.
