@@ -151,7 +151,6 @@ fn tests_in_three_directions_give_r_values_and_stress_ratios() {
     assert!([r0 - 1.5, r45 - 1.2, r90 - 1.8].iter().all(|miss| miss.abs() < 1e-6));
     let ratios: Vec<f64> = fits.directions.iter().map(|direction| direction.ratio).collect();
     assert!(ratios.iter().zip([1.0, 1.03, 0.98]).all(|(found, truth)| (found - truth).abs() < 1e-5), "{ratios:?}");
-    assert!(fits.report().notes.iter().any(|note| note.contains("= 1.425, Δr")), "{:?}", fits.report().notes);
     let case = loaded(&material_text(&fits, fits.best()));
     assert!((case.r_values.expect("r-values").mean() - 1.425).abs() < 1e-3);
 }

@@ -1,10 +1,7 @@
 //! Scatter: the sample, the distributions, probabilities and influences.
 
-use crate::common::cli::{stampflow, text};
 use crate::study::run;
-use serde_json::Value;
 use stampflow::study::{BaseCase, Evaluation, Scatter, Shard, Study, StudyError, begin};
-use std::path::Path;
 
 fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
     let set = vec!["blank.elements=24".into(), "solver.max_step=0.06".into()];
@@ -47,25 +44,4 @@ fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     let tear = &events[0];
     assert_eq!((tear.label.as_str(), tear.hits, tear.probability[1]), ("Tears", 0, 0.0));
     assert!(tear.probability[2] > 0.05 && tear.probability[2] < 0.15, "{:?}", tear.probability);
-    let report = scatter.report(&table);
-    assert!(report.headline.starts_with("No tear in 32 parts"), "{}", report.headline);
-}
-
-/// Trust: the shipped study is read; without distributions nothing scatters.
-#[test]
-fn the_program_reads_its_study() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    let out = dir.path().to_str().expect("a path");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let set = ["--set", "blank.elements=24", "--set", "solver.max_step=0.06", "--runs", "16", "--json", "--out", out];
-    let call = |file: &str, more: &[&str]| stampflow(root, &[&["scatter", file], &set[..], more].concat());
-    let done = call("cases/studies/scatter.toml", &[]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let value: Value = serde_json::from_slice(&done.stdout).expect("JSON");
-    assert_eq!(value["designs"], 16);
-    for file in ["scatter.csv", "scatter_lights.csv", "scatter_numbers.csv", "scatter.png"] {
-        assert!(dir.path().join(file).is_file(), "{file}");
-    }
-    let done = call("cases/quickstart.toml", &[]);
-    assert!(done.status.code() == Some(2) && text(&done.stderr).contains("--vary"), "{}", text(&done.stderr));
 }

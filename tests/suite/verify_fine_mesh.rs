@@ -6,13 +6,9 @@
 //! [`NEIGHBOURHOOD`](stampflow::solver::state::neighbourhood::NEIGHBOURHOOD) elements below a third of the thickness thin in turn, by 5
 //! to 10 % of it, and the run ends at a tear that no sheet has.
 
-use crate::common::simple;
-use stampflow::geometry::Profile;
-use stampflow::material::hardening::Swift;
-use stampflow::material::{Elastic, Hardening, Material};
-use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Theory, ThicknessRule, Tool,
-};
+use crate::common::cup::{LAW, MINIMAL};
+use crate::common::shipped::parsed;
+use stampflow::model::{Mode, Model};
 use stampflow::solver;
 use stampflow::solver::solution::StageSolution;
 
@@ -21,30 +17,31 @@ const T: f64 = 2.0;
 
 /// A deep cup of a steel that hardly hardens, in elements of a share of the thickness.
 fn cup(mode: Mode, per_thickness: f64) -> Model {
-    let tool = |role, profile, friction, motion| Tool { role, profile, friction: Friction::from(friction), motion };
-    let (punch, throat, radius, blank, travel) = (27.5, 30.0, 8.0, 50.0, 25.0);
-    let hardening = Hardening::Swift(Swift::new(500.0, 0.02, 1e-3).expect("valid"));
-    Model {
-        title: "cup".into(),
-        blank: Blank {
-            length: blank,
-            thickness: T,
-            elements: (blank / T * per_thickness) as usize,
-            grading: Grading::Uniform,
-            theory: Theory::Bending,
-            layers: if mode == Mode::Flow { 5 } else { 9 },
-            rule: if mode == Mode::Flow { ThicknessRule::Parts } else { ThicknessRule::Lobatto },
-            edge: Edge::Free,
-        },
-        material: Material { elastic: Some(Elastic { young: 210e3, poisson: 0.3 }), ..Material::plain(hardening) },
-        tools: vec![
-            tool(Role::Punch, Profile::flat_punch(punch, radius, T), 0.08, Motion::Travel),
-            tool(Role::Die, Profile::die(throat, radius, T), 0.05, Motion::Fixed),
-            tool(Role::Holder, Profile::holder(throat + radius, T), 0.05, Motion::Pressed(Press::constant(40e3))),
-        ],
-        mode,
-        ..simple::pulled(Geometry::Axisymmetric, Theory::Bending, travel)
-    }
+    let text = MINIMAL.replace(
+        LAW,
+        "[material]\nyoung = \"210 GPa\"\npoisson = 0.3\n\
+        hardening.swift = { k = \"500 MPa\", n = 0.02, offset = 0.001 }\n",
+    );
+    let elements = format!("blank.elements={}", (50.0 / T * per_thickness) as usize);
+    let layers = if mode == Mode::Flow { "blank.layers=5" } else { "blank.layers=9" };
+    let sizes = [
+        &elements,
+        layers,
+        "blank.grading=uniform",
+        "blank.radius=50 mm",
+        "blank.thickness=2 mm",
+        "tools.punch.flat.radius=27.5 mm",
+        "tools.punch.flat.nose=8 mm",
+        "tools.die.throat=30 mm",
+        "tools.die.shoulder=8 mm",
+        "tools.die.friction=0.05",
+        "tools.holder.inner_radius=38 mm",
+        "tools.holder.force=40 kN",
+        "tools.holder.friction=0.05",
+    ];
+    let mut model = parsed(&text, &sizes).model().clone();
+    (model.mode, model.frames) = (mode, vec![model.travel]);
+    model
 }
 
 /// Thinnest place over the initial thickness \[–\].

@@ -26,12 +26,14 @@
 //! The slab method for ironing, with friction on both faces: W. F. Hosford, R. M. Caddell, Metal Forming, chapter on
 //! cupping, redrawing and ironing; K. Lange, Handbook of Metal Forming (both not read; the balance above is derived here).
 
+use crate::common::cup::{LAW, MINIMAL};
+use crate::common::shipped::parsed;
 use stampflow::assess::Light;
 use stampflow::contact::penalty::Penalty;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::model::{Geometry, Model};
 use stampflow::solver::solution::{ElementRecord, StageSolution, StepRecord};
-use stampflow::{assess, case, solver};
+use stampflow::{assess, solver};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Half width, or radius, of the punch \[mm\].
@@ -80,7 +82,7 @@ friction = {FRICTION}
 "#,
         PUNCH + clearance
     );
-    let mut model = case::parse(&text, "ironing.toml", &[]).unwrap_or_else(|e| panic!("{e}")).model().clone();
+    let mut model = parsed(&text, &[]).model().clone();
     let (throat, end) = (PUNCH + clearance, PUNCH + clearance + SHOULDER);
     let line = |from: [f64; 2], to: [f64; 2]| Piece::Segment(Segment::new(Point::from(from), Point::from(to)));
     model.tools[1].profile = Profile::new(vec![
@@ -267,28 +269,19 @@ fn a_stiffer_penalty_irons_to_the_gap() {
 /// The rim of an aluminium cup comes to a gap of one blank thickness a fifth thicker: it is ironed, and the cup does not tear.
 #[test]
 fn a_thick_aluminium_rim_is_ironed() {
-    let text = r#"
-title = "aluminium cup"
-geometry = "axisymmetric"
-[blank]
-radius = "51.66 mm"
-thickness = "1.2 mm"
-elements = 100
-[material]
-name = "aa6016-t4"
-[tools.punch]
-flat = { radius = "30 mm", nose = "7.2 mm" }
-friction = 0.08
-travel = "31.2 mm"
-[tools.die]
-throat = "31.2 mm"
-shoulder = "7.7 mm"
-friction = 0.08
-[tools.holder]
-inner_radius = "38.93 mm"
-force = "2166 N"
-"#;
-    let case = case::parse(text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{e}"));
+    let case = parsed(
+        &MINIMAL.replace(LAW, "[material]\nname = \"aa6016-t4\"\n"),
+        &[
+            "blank.radius=51.66 mm",
+            "blank.thickness=1.2 mm",
+            "tools.punch.flat.nose=7.2 mm",
+            "tools.punch.travel=31.2 mm",
+            "tools.die.throat=31.2 mm",
+            "tools.die.shoulder=7.7 mm",
+            "tools.holder.inner_radius=38.93 mm",
+            "tools.holder.force=2166 N",
+        ],
+    );
     let run = solved(case.model());
     let rim = run.frames.iter().flat_map(|frame| &frame.elements).map(|e| e.thickness).fold(0.0, f64::max);
     let last = *run.steps.last().expect("steps");

@@ -160,9 +160,9 @@ fn primal_dual_matrix_is_positive_semidefinite_along_any_path() {
     }
 }
 
-/// Rates of f, ε̄ and the meridional strain per hoop or thickness strain, written down from the three-dimensional flow
+/// Rates of f, ε̄ and volume per meridional strain, written down from the three-dimensional flow
 /// rule in principal stresses, with nothing of the code above: ε̇_ij ∝ 3 s_ij + q₁ q₂ f* sinh(…) δ_ij.
-fn rates(voids: &Gtn, f: f64, strain: f64, sigma: [f64; 3]) -> [f64; 3] {
+pub fn rates(voids: &Gtn, f: f64, strain: f64, sigma: [f64; 3]) -> [f64; 3] {
     let star = match voids.coalescence {
         Some(c) if f > c.critical => {
             c.critical + (1.0 / voids.q1 - c.critical) / (c.fracture - c.critical) * (f - c.critical)
@@ -191,7 +191,7 @@ fn rates(voids: &Gtn, f: f64, strain: f64, sigma: [f64; 3]) -> [f64; 3] {
     let nucleating = voids.nucleation.map_or(0.0, |n| {
         n.fraction / (n.deviation * TAU.sqrt()) * (-0.5 * ((strain - n.strain) / n.deviation).powi(2)).exp()
     });
-    [(1.0 - f) * volume + nucleating * metal, metal, e[1] / e[0]]
+    [(1.0 - f) * volume + nucleating * metal, metal, volume]
 }
 
 /// Trust: the ordinary differential equation integrated on its own from the three-dimensional flow rule, in uniaxial and
