@@ -2,7 +2,7 @@
 
 use crate::common::convergence::{orders, orders_of_changes};
 use crate::common::page::{agreement, at_most, percent, plain, signed, told};
-use crate::common::shipped::{before_the_neck, shipped, shipped_case, solve};
+use crate::common::shipped::{shipped, shipped_case, solve};
 use crate::common::simple;
 use stampflow::element::kinematics::Reference;
 use stampflow::element::section::Section;
