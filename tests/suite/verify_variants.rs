@@ -57,7 +57,7 @@ fn wall(case: &Case) -> f64 {
     2e-3 * PI * (149.9 + 0.5 * model.blank.thickness) * model.blank.thickness * strength
 }
 
-/// The index does not know the thickness, rises with friction, and with what the sheet hardens by beyond the tension test.
+/// The index does not know the thickness, hardly knows friction, and rises with what the sheet hardens by beyond the tension test.
 #[test]
 fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let index_of = |solution: &Solution| {
@@ -74,7 +74,7 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let friction = ["0.02", "0.15"].map(|mu| {
         index(&["tools.punch", "tools.die"].map(|tool| format!("{tool}.friction={mu}")).each_ref().map(String::as_str))
     });
-    assert!(rises(&[friction[0], thicknesses[1], friction[1]]), "{friction:?}");
+    assert!(friction.iter().all(|index| (index / thicknesses[1] - 1.0).abs() < 0.1), "{friction:?}");
     told(AGREEMENT, "Friction 0.02 gives {} mm, 0.15 gives {};", &plain(&friction, 1));
 
     let points = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
