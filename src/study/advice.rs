@@ -20,7 +20,7 @@ type Change = (&'static str, &'static [&'static str], fn(f64) -> f64);
 /// Changes in the order of trial: steps of a shop's try-out, good lubrication (0.05), a dry punch (0.15); declared.
 const CHANGES: [Change; 20] = [
     ("die radius", &["tools.die.shoulder"], |x| x * 4.0 / 3.0),
-    ("punch radius", &["tools.punch.flat.nose"], |x| x * 4.0 / 3.0),
+    ("punch nose", &["tools.punch.flat.nose"], |x| x * 4.0 / 3.0),
     ("holder force", &["tools.holder.force"], |x| 0.7 * x),
     ("holder force", &["tools.holder.force"], |x| 1.5 * x),
     ("friction of die and holder", &["tools.die.friction", "tools.holder.friction"], |x| x.min(0.05)),
@@ -32,7 +32,7 @@ const CHANGES: [Change; 20] = [
     ("bead force", &["tools.beads.0.restraining"], |x| 1.4 * x),
     ("holder gap", &["tools.holder.gap"], |x| 0.9 * x),
     ("die radius", &["tools.die.shoulder"], |x| x * 5.0 / 3.0),
-    ("punch radius", &["tools.punch.flat.nose"], |x| x * 5.0 / 3.0),
+    ("punch nose", &["tools.punch.flat.nose"], |x| x * 5.0 / 3.0),
     ("holder force", &["tools.holder.force"], |x| 2.5 * x),
     ("holder force", &["tools.holder.force"], |x| 0.5 * x),
     ("blank diameter", &["blank.diameter"], |x| 0.94 * x),

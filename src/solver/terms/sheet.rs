@@ -67,7 +67,11 @@ fn add_elements<L: PointLaw>(
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
-    let fade = if last_move < f64::INFINITY { 1.0 } else { (at.velocity_norm / SLACK_NORM).min(1.0) };
+    // With elasticity all of it until the sheet is at rest: the last move makes it fade.
+    let fade = match at.velocity_norm / SLACK_NORM {
+        share if last_move < f64::INFINITY => share.ceil().min(1.0),
+        share => share.min(1.0),
+    };
     let section = Section {
         law,
         rule: &step.context.rule,
