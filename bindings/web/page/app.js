@@ -49,14 +49,15 @@ async function solve(coarse) {
   const took = `${format(result.took)} ms`;
   // A newer question is on its way.
   if (mine !== asked) return;
-  status(coarse ? `coarse, ${took}` : `solved, ${took}`, coarse ? "coarse" : "solved");
   if (coarse) {
     resting = setTimeout(() => solve(false), REST);
   } else {
     await steps.show(result);
+    if (mine !== asked) return;
     lessons.show(result);
     remember();
   }
+  status(`${coarse ? "coarse" : "solved"}, ${took}`, coarse ? "coarse" : "solved");
 }
 
 function refuse(error) {
@@ -191,7 +192,8 @@ async function start() {
   byId("template").replaceChildren(new Option("–", ""), ...templates.map(({ name, about }) => Object.assign(new Option(name, name), { title: about })));
   byId("sheet").replaceChildren(new Option("as the case says", ""), ...lists.sheets.map((name) => new Option(name, name)));
   await begin((await unpacked(location.hash.slice(1))) ?? begun());
-  for (let i = 0; i < WARMING; i++) await engine.ask(question(i % 2 === 0));
+  const first = [question(true), question(false)];
+  for (let i = 0; i < WARMING; i++) await engine.ask(first[i % 2]);
   document.documentElement.dataset.warm = "yes";
 }
 
