@@ -6,6 +6,7 @@
 //! quotes were not read. *Amada*: Bending procedures, table "Die V-width selection" (amada.de).
 
 use crate::material::Material;
+use crate::material::flow::ROOM_TEMPERATURE;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
@@ -36,8 +37,7 @@ pub const TRIMMED: &str = "because the rim thickens (declared)";
 
 /// Tensile strength \[MPa\]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
 pub fn tensile_strength(material: &Material) -> f64 {
-    let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
-    strains.map(|strain| material.monotonic(strain, 0.0).stress * (-strain).exp()).fold(0.0, f64::max)
+    material.load_maximum(1.0, ROOM_TEMPERATURE)[1]
 }
 
 /// Holder pressure against wrinkles after Siebel \[MPa\]: p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.

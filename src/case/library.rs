@@ -232,19 +232,20 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
     let Description { material: sheet, thickness, forming_limit, .. } = known.file;
     let origin = sheet.source.clone().unwrap_or_default();
     known.note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
-    let is_wanted = match &file.forming_limit {
-        Some(own) => own.measured == Some(true) && own.points.is_none(),
-        None => source.written("material", &["hardening"]).is_empty(),
-    };
-    if let Some(measured) = forming_limit.filter(|_| is_wanted) {
-        let strain = file.forming_limit.take().and_then(|own| own.strain).or(measured.strain);
-        file.forming_limit = Some(file::FormingLimit { strain, ..measured });
-        source.note(format!("forming limit: the measured points of {name}"));
-    }
-    let own = &mut file.material;
     let keys = ["young", "poisson", "anisotropy", "yield_condition", "rate", "softening", "hardening"];
     let replaced = source.written("material", &keys);
     let own_hardening = replaced.contains(&"hardening");
+    let is_wanted = match &file.forming_limit {
+        Some(own) => own.measured == Some(true) && own.points.is_none(),
+        None => !own_hardening,
+    };
+    if let Some(measured) = forming_limit.filter(|_| is_wanted) {
+        let own = file.forming_limit.take().unwrap_or_else(|| measured.clone());
+        let strain = own.strain.or(measured.strain);
+        file.forming_limit = Some(file::FormingLimit { points: measured.points, strain, measured: None, ..own });
+        source.note(format!("forming limit: the measured points of {name}"));
+    }
+    let own = &mut file.material;
     let sheets = Sheets::new(name, own_hardening, own, &sheet);
     if own.young.is_none() && own.poisson.is_none() {
         (own.young, own.poisson) = (sheet.young, sheet.poisson);

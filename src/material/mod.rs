@@ -33,6 +33,12 @@ pub use surroundings::Surroundings;
 pub use thermal::ThermalLaw;
 pub use yield_criterion::YieldCriterion;
 
+use crate::numerics::bisect;
+
+/// Strains among which the load maximum is searched \[–\], and halvings of the step there.
+const STRAINS: (usize, f64) = (400, 0.01);
+const HALVINGS: usize = 20;
+
 /// The sheet's material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -99,6 +105,20 @@ impl Material {
             .iter()
             .map(|law| law.in_tension(strain))
             .fold(left, |sum, shift| FlowStress { stress: sum.stress + shift.stress, slope: sum.slope + shift.slope })
+    }
+
+    /// Load maximum of a stretch whose equivalent strain is `ratio` times as large (A. Considère, 1885), at a temperature \[K\]: the
+    /// equivalent strain ε̄ of the largest σ exp(−ε̄/ratio) \[–\], and that nominal stress, over `ratio` \[MPa\].
+    pub fn load_maximum(&self, ratio: f64, temperature: f64) -> [f64; 2] {
+        let at = |strain: f64| self.monotonic(strain, temperature);
+        let nominal = |strain: f64| at(strain).stress * (-strain / ratio).exp();
+        let (count, step) = STRAINS;
+        let largest = (0..=count).map(|i| step * i as f64).max_by(|a, b| nominal(*a).total_cmp(&nominal(*b)));
+        let coarse = largest.unwrap_or(0.0);
+        let rises = |strain: f64| ratio * at(strain).slope > at(strain).stress;
+        let [low, high] = bisect((coarse - step).max(0.0), coarse + step, HALVINGS, rises);
+        let strain = 0.5 * (low + high);
+        [strain, nominal(strain)]
     }
 
     /// Yield stress at a strain that came without reversal and a temperature \[K\], without the rate \[MPa\].

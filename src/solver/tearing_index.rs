@@ -31,13 +31,9 @@ use crate::element::surface::STATIONS;
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Edge, Model, Role};
-use crate::numerics::bisect;
 use crate::solver::solution::StepRecord;
 use crate::solver::state::State;
 
-/// Strains among which the load maximum is looked for \[–\].
-const STRAINS: (usize, f64) = (400, 0.01);
-const HALVINGS: usize = 20;
 /// Least radius over the thickness, on a corner without one \[–\].
 const LEAST_RADIUS: f64 = 0.1;
 
@@ -46,15 +42,8 @@ pub(super) struct PlaneStrainStrength<'a> {
     material: &'a Material,
     /// c \[–\].
     factor: f64,
-    /// Load maximum of a sheet whose hardening is the same at every temperature.
-    peak: Option<Peak>,
-}
-
-/// Load maximum in plane strain: its equivalent strain \[–\] and σ_y e^(−ε̄/c) there \[MPa\].
-#[derive(Clone, Copy)]
-struct Peak {
-    strain: f64,
-    nominal: f64,
+    /// Load maximum in plane strain of a sheet whose hardening is the same at every temperature: ε̄ \[–\] and σ_y e^(−ε̄/c) \[MPa\].
+    peak: Option<[f64; 2]>,
 }
 
 impl<'a> PlaneStrainStrength<'a> {
@@ -63,31 +52,19 @@ impl<'a> PlaneStrainStrength<'a> {
         let material = &model.material;
         let is_superplastic = material.rate.is_some_and(|rate| rate.is_superplastic());
         let factor = material.yield_criterion.plane_strain_factor();
-        let strength = Self { material, factor, peak: None };
-        let peak = material.hardening.temperatures().is_none().then(|| strength.peak_at(ROOM_TEMPERATURE));
-        (model.release.is_none() && !is_superplastic).then_some(Self { peak, ..strength })
-    }
-
-    fn peak_at(&self, temperature: f64) -> Peak {
-        let at = |strain: f64| self.material.monotonic(strain, temperature);
-        let nominal = |strain: f64| at(strain).stress * (-strain / self.factor).exp();
-        let (count, step) = STRAINS;
-        let largest = (0..=count).map(|i| step * i as f64).max_by(|a, b| nominal(*a).total_cmp(&nominal(*b)));
-        let coarse = largest.unwrap_or(0.0);
-        let rises = |strain: f64| self.factor * at(strain).slope > at(strain).stress;
-        let [low, high] = bisect((coarse - step).max(0.0), coarse + step, HALVINGS, rises);
-        let strain = 0.5 * (low + high);
-        Peak { strain, nominal: nominal(strain) }
+        let is_uniform = material.hardening.temperatures().is_none();
+        let peak = is_uniform.then(|| material.load_maximum(factor, ROOM_TEMPERATURE));
+        (model.release.is_none() && !is_superplastic).then_some(Self { material, factor, peak })
     }
 
     /// N_c/t \[MPa\] at a strain and a temperature \[K\], without the rate.
     fn at(&self, strain: f64, temperature: f64) -> f64 {
-        let peak = self.peak.unwrap_or_else(|| self.peak_at(temperature));
-        if strain >= peak.strain {
+        let [end, nominal] = self.peak.unwrap_or_else(|| self.material.load_maximum(self.factor, temperature));
+        if strain >= end {
             return self.factor * self.material.yield_stress(strain, temperature);
         }
         let warm = self.material.thermal.map_or(1.0, |thermal| thermal.at(temperature));
-        self.factor * peak.nominal * (strain / self.factor).exp() * warm
+        self.factor * nominal * (strain / self.factor).exp() * warm
     }
 }
 
