@@ -3,7 +3,7 @@
 use super::finding::labels;
 use super::press::{Load, RESERVE};
 use super::tear::{self, Tear, place, tear};
-use super::{Finding, Light, formed, forming_limit, fracture, judgements};
+use super::{Finding, Light, formed, forming_limit, judgements};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::model::{Geometry, Model, Motion, Role};
@@ -69,10 +69,6 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     let thinning = share("thinning").unwrap_or_default();
     let thins = format!("it thins by {} {at}", Amount::share(thinning));
     match failures.first() {
-        Some(FailureMode::Tears) if is("fracture", Light::Red) => {
-            let breaks = fracture::reached(stages).map(|(_, step)| place(stages, step.damage_s0));
-            joined(["it breaks".into(), breaks.unwrap_or_default()], " ")
-        }
         Some(FailureMode::Tears) => joined(["it thins too far".into(), at], " "),
         Some(FailureMode::Wrinkles) => "it wrinkles: the holder presses too little for this flange".into(),
         Some(_) => format!("it does not tear, but is refused: {red}"),
@@ -88,9 +84,8 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             format!("it comes near to tearing: it is pulled with {used} of what it bears")
         }
         None if is("thinning", Light::Amber) && thinning > tear::CAREFUL => {
-            let limit = limit_used.map(|used| format!("the forming limit is used to {}", Amount::share(used)));
-            let limit = limit.unwrap_or_else(|| "no forming limit is given".into());
-            format!("{thins}, more than the {} rule of thumb; {limit}", Amount::given_share(tear::CAREFUL))
+            let rule = Amount::given_share(tear::CAREFUL);
+            format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
         _ => "it does not tear, and nothing speaks against it".into(),

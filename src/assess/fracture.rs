@@ -9,9 +9,9 @@ const CAREFUL: f64 = 0.9;
 /// Difference of damage through the thickness up to which no face is named, over the largest \[–\].
 const EVEN: f64 = 0.05;
 
-/// First step of the stages at which a place breaks, with its stage, counted from 0.
-pub(super) fn reached(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
-    formed(stages).find_map(|(i, stage)| Some((i, stage.steps.iter().find(|step| step.damage >= 1.0)?)))
+/// First step of a stage at which a place breaks.
+pub(super) fn reached(stage: &StageSolution) -> Option<&StepRecord> {
+    stage.steps.iter().find(|step| step.damage >= 1.0)
 }
 
 /// Largest damage over the sheet; `None` for a case without a criterion.
@@ -24,7 +24,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let stage = &run.stages[i];
     let place = joined([tear::place(&run.stages[..=i], at.damage_s0), face(stage, at.damage_s0).into()], ", ");
     let uses = format!("uses {{}} of the critical value {place}");
-    let breaks = reached(run.stages).map_or_else(String::new, |(i, step)| {
+    let first = formed(run.stages).find_map(|(i, stage)| Some((i, reached(stage)?)));
+    let breaks = first.map_or_else(String::new, |(i, step)| {
         let instant = match run.stages[i].model.travel > 0.0 {
             true => format!("{} of travel", Amount::place(step.travel)),
             false => Amount::time(step.time).to_string(),

@@ -1,32 +1,41 @@
 //! Thinning, necks and tears: their light, their place and their instant.
 
-use super::{Finding, Light, Run, fracture};
+use super::{Finding, Light, Run, formed, fracture};
 use crate::forming_limit::assess;
 use crate::geometry::Arc;
 use crate::measure::place_on_part;
 use crate::model::{Edge, Geometry, Role, Tool};
-use crate::solver::solution::{StageSolution, StopKind};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::units::{Amount, Unit, joined};
 
 /// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;
-/// Thinning that is refused unless a forming limit is kept \[–\].
+/// Thinning that is refused without a forming limit \[–\].
 const REFUSED: f64 = 0.30;
 
-/// Largest thinning of the last stage. It is red only where no forming limit judges and the metal is not superplastic.
+/// Largest thinning of the last stage, against the rule of thumb where no forming limit judges and the metal is not superplastic.
 pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?.steps.last()?;
     let model = run.case.model();
     let thinning = 1.0 - last.thinnest / model.blank.thickness;
     let is_judged = run.nearest.as_ref().is_some_and(|nearest| nearest.assessment.open().is_none());
-    let allowed = is_judged || model.material.rate.is_some_and(|rate| rate.is_superplastic());
-    let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
-    let refused = if allowed { String::new() } else { format!("at most {refused} without a forming limit") };
-    Finding::judged("thinning", "Thinning", format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0)))
-        .number(Amount::share(thinning))
-        .at_most(100.0 * CAREFUL, (!allowed).then_some(100.0 * REFUSED))
-        .limit(joined([format!("below {careful}"), refused], ", "))
-        .into()
+    let is_superplastic = model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let judge = match [is_judged, is_superplastic] {
+        [true, _] => "the forming limit judges",
+        [_, true] => "a superplastic metal bears more than any rule of thumb: compare with your drawing",
+        _ => "",
+    };
+    let text = joined([format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0)), judge.into()], "; ");
+    let finding = Finding::judged("thinning", "Thinning", text).number(Amount::share(thinning));
+    let [careful, refused] = [CAREFUL, REFUSED];
+    Some(match judge {
+        "" => finding.at_most(100.0 * careful, 100.0 * refused).limit(format!(
+            "below {}, at most {} without a forming limit",
+            Amount::share(careful),
+            Amount::share(refused)
+        )),
+        _ => finding.limit("none of its own"),
+    })
 }
 
 /// Neck that took over, in any stage.
@@ -80,27 +89,34 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
 pub(super) struct Tear<'a> {
     stage: usize,
     on: &'a StageSolution,
-    /// \[mm\]; `None` in a stage without travel.
-    travel: Option<f64>,
+    /// Time \[s\] and travel \[mm\].
+    instant: [f64; 2],
     /// Initial distance from the axis or symmetry plane \[mm\].
     s0: Option<f64>,
+    verb: &'static str,
 }
 
-/// First tear: where the forming limit or the tearing index is first reached, or where the run ended by one.
+/// First tear: where the forming limit, the tearing index or the critical damage is first reached, or where the run ended by one.
 pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
-    let mut tears = stages.iter().enumerate().filter_map(|(stage, on)| {
+    let mut tears = formed(stages).filter_map(|(stage, on)| {
+        let event = |verb, instant, s0| Tear { stage, on, instant, s0, verb };
+        let at = |verb, step: &StepRecord, s0| event(verb, [step.time, step.travel], Some(s0));
         let curve = on.model.forming_limit.as_ref();
-        let reached = curve.and_then(|curve| assess(curve, &on.paths)?.reached).map(|at| (at.travel, Some(at.s0)));
-        let pulled = on.steps.iter().find(|step| step.tearing_index > TEARING[1]);
-        let necked = on.neck.map(|neck| (neck.travel, Some(neck.s0)));
-        let ended = match on.stop.kind {
-            StopKind::Localised | StopKind::Coalesced | StopKind::PressureMaximum => Some((on.end.travel, on.stop.s0)),
-            StopKind::LoadMaximum => Some((on.end.travel, on.steps.last().map(|step| step.thinnest_s0))),
-            _ => None,
-        };
-        let all = [reached, pulled.map(|step| (step.travel, Some(step.tearing_s0))), necked, ended];
-        let (travel, s0) = all.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(Tear { stage, on, travel: (on.model.travel > 0.0).then_some(travel), s0 })
+        let reached = curve.and_then(|curve| assess(curve, &on.paths)?.reached);
+        let end = [on.end.time, on.end.travel];
+        let all = [
+            fracture::reached(on).map(|step| at("breaks", step, step.damage_s0)),
+            reached.map(|limit| event("tears", [limit.time, limit.travel], Some(limit.s0))),
+            on.steps.iter().find(|step| step.tearing_index > TEARING[1]).map(|step| at("tears", step, step.tearing_s0)),
+            on.neck.map(|neck| event("tears", [neck.time, neck.travel], Some(neck.s0))),
+            match on.stop.kind {
+                StopKind::Localised | StopKind::Coalesced | StopKind::PressureMaximum => Some(on.stop.s0),
+                StopKind::LoadMaximum => Some(on.steps.last().map(|step| step.thinnest_s0)),
+                _ => None,
+            }
+            .map(|s0| event("tears", end, s0)),
+        ];
+        all.into_iter().flatten().min_by(|a, b| a.instant[0].total_cmp(&b.instant[0]))
     });
     tears.next()
 }
@@ -110,17 +126,16 @@ impl Tear<'_> {
     pub fn sentence(&self, stages: usize) -> String {
         let place = self.s0.map_or_else(String::new, |s0| on_part(self.on, s0));
         let stage = if stages > 1 { format!("in stage {}", self.stage + 1) } else { String::new() };
-        let [travel, whole] = [self.travel.unwrap_or(0.0), self.on.model.travel].map(Amount::place);
-        let instant = self.travel.map_or_else(String::new, |_| format!("after {travel} of {whole} of travel"));
-        joined([joined(["it tears".into(), place], " "), stage, instant], ", ")
+        let [travel, whole] = [self.instant[1], self.on.model.travel].map(Amount::place);
+        let instant =
+            if self.on.model.travel > 0.0 { format!("after {travel} of {whole} of travel") } else { String::new() };
+        joined([joined([format!("it {}", self.verb), place], " "), stage, instant], ", ")
     }
 }
 
 /// Initial distance of a stage's tear from the axis \[mm\].
 pub fn tears_at(stage: &StageSolution) -> Option<f64> {
-    stage.steps.last()?;
-    let broken = || fracture::reached(std::slice::from_ref(stage)).map(|(_, step)| step.damage_s0);
-    tear(std::slice::from_ref(stage)).and_then(|tear| tear.s0).or_else(broken)
+    tear(std::slice::from_ref(stage))?.s0
 }
 
 /// Location by its name on the part, as the last stage with a name has it, and on the flat blank.

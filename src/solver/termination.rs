@@ -109,7 +109,7 @@ impl Termination {
     pub fn necked(&self, model: &Model, state: &State) -> Option<Necked> {
         let lasts = |since| Self::lasted(since, model, state) >= 0.0;
         let neck = self.neck.filter(|_| lasts(self.necking_since) || lasts(self.fading_since))?;
-        Some(Necked { s0: neck.s0, travel: state.travel })
+        Some(Necked { s0: neck.s0, time: state.time, travel: state.travel })
     }
 
     /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.

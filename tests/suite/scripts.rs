@@ -35,9 +35,9 @@ fn a_run_prints_its_summary_as_json_an_array_for_several() {
         assert!(verdict["light"].is_string() && verdict["sentence"].is_string(), "{verdict}");
         let (thinnest, force) = (by_key(&verdict["numbers"], "thinnest"), by_key(&verdict["numbers"], "punch_force"));
         assert!(thinnest["value"].as_f64() < Some(1.0) && thinnest["unit"] == "mm" && force["unit"] == "N");
-        let thinning = by_key(&verdict["findings"], "thinning");
-        assert_eq!((&thinning["unit"], &thinning["limits"]["sense"]), (&"percent".into(), &"at_most".into()));
-        assert_eq!(thinning["limits"]["amber"].as_f64(), Some(20.0));
+        let tearing = by_key(&verdict["findings"], "tearing");
+        assert_eq!((&tearing["unit"], &tearing["limits"]["sense"]), (&"percent".into(), &"at_most".into()));
+        assert_eq!(tearing["limits"]["amber"].as_f64(), Some(90.0));
     }
 
     fs::write(dir.path().join("cases/bowl.toml"), format!("{CUP}{STAGES}")).unwrap();

@@ -50,8 +50,8 @@ fn v_bend(seed: u64) -> (Model, f64) {
 }
 
 /// Trust: a strip over a V can always be bent on, be it over the edge where the nose ends. With the sides of the line drawn
-/// on, a third of such strips ends where a leg passes the end. Steps are rejected where a node passes the sharp end: a quarter
-/// at most.
+/// on, a third of such strips ends where a leg passes the end. Of seed 14 28 steps of 113 are rejected, while a node passes the
+/// sharp end: none with contact over 0.003 thicknesses.
 #[test]
 fn a_strip_is_bent_over_a_nose_without_a_wall_to_the_full_travel() {
     for seed in 0..20 {
@@ -62,7 +62,8 @@ fn a_strip_is_bent_over_a_nose_without_a_wall_to_the_full_travel() {
         // Trust: as in the campaign of random dies, a wrong force somewhere would miss more.
         assert!(last.work.imbalance().abs() < 0.05, "seed {seed}: {}", last.work.imbalance());
         let rejected: usize = run.steps.iter().map(|step| step.rejected).sum();
-        assert!(rejected < run.steps.len() / 3, "seed {seed}: {rejected} of {} steps rejected", run.steps.len());
+        let most = if seed == 14 { 0.3 } else { 0.1 } * run.steps.len() as f64;
+        assert!((rejected as f64) < most, "seed {seed}: {rejected} of {} steps rejected", run.steps.len());
     }
 }
 

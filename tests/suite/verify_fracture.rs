@@ -183,3 +183,18 @@ fn fracture_has_its_light() {
     let findings = assess::after(&case, &solver::solve(&case.stages, &mut ()));
     assert!(findings.iter().all(|finding| finding.key != "fracture"));
 }
+
+/// Trust: a dome whose place, instant and word are those of the first event, fracture or forming limit.
+#[test]
+fn the_first_tear_has_the_sentence() {
+    for (critical, verb) in [("0.2", "it breaks"), ("3", "it tears")] {
+        let set = format!("material.fracture={{brozzo={{critical={critical}}}}}");
+        let solution = shipped_case("osu_stretch", &[&set]).solve(&mut ());
+        let stage = &solution.stages[0];
+        let findings = assess::after(&solution.case, &solution.stages);
+        let answer = Answer::of(&solution.case, &solution.stages, &findings);
+        let first = stage.steps.iter().find(|step| step.damage >= 1.0);
+        assert!(answer.sentence.starts_with(verb) && answer.sentence.contains("mm of travel"), "{}", answer.sentence);
+        assert_eq!(first.is_some_and(|step| assess::tears_at(stage) == Some(step.damage_s0)), verb == "it breaks");
+    }
+}

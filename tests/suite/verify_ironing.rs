@@ -206,13 +206,14 @@ fn compare(model: &Model, run: &StageSolution, clearance: f64) -> [[f64; 2]; 2] 
 /// Thickness and force of a channel's wall, ironed by 7 %, 17 % and 27 %.
 #[test]
 fn a_channel_is_ironed_as_the_slab_method_says() {
-    for clearance in [0.7, 0.8, 0.9] {
+    for (clearance, off) in [(0.7, 0.06), (0.8, 0.08), (0.9, 0.11)] {
         let model = drawn(Geometry::PlaneStrain, clearance, 240);
         let run = solved(&model);
         let [force, thickness] = compare(&model, &run, clearance);
         // Trust: the sheet is unbent while it is pressed, which the slab method takes one after the other: the punch presses it
-        // harder where it comes in, the die less, −5 %, −7 % and −10.4 %; unbending is the larger part where little is ironed.
-        assert!((force[0] / force[1] - 1.0).abs() < 0.11, "{clearance}: {force:?} N/mm");
+        // harder where it comes in, the die less, −5.9 %, −7.5 % and −10.4 %; unbending is the larger part where little is ironed.
+        // The sharper contact sets in, the more it irons: −9.6 % with contact over 0.003 thicknesses.
+        assert!((force[0] / force[1] - 1.0).abs() < off, "{clearance}: {force:?} N/mm");
         // Trust: the pressure that d goes with varies by a third over the land, a third of the 15 µm of p/k on either face.
         assert!((thickness[0] - thickness[1]).abs() < 0.005, "{clearance}: {thickness:?} mm");
         // Both faces are pressed in by no more than is told.

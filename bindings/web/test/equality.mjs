@@ -11,9 +11,7 @@ const SAME = 6e-9;
  * Stages that come to the same end in another number of steps, because the last digits of exp and ln, which are the system's
  * there and those of Rust's own library here, decide whether a step is halved: they are compared by their end.
  */
-const OTHER_STEPS = ["brite_four_steps withdraw", "strip_draw forming"];
-/** Allowed differences at that end, of a membrane that a rejected step moves [–]. */
-const ALLOWED = { "strip_draw.toml": 0.02 };
+const OTHER_STEPS = ["brite_four_steps withdraw"];
 
 const TABLES = { "load_travel.csv": "steps", "profile.csv": "end" };
 
@@ -69,7 +67,7 @@ try {
     }
     const answer = ask({ do: "solve", text: readFileSync(join(ROOT, path), "utf8"), name: path, files: beside });
     const [off, where] = answer.error ? [Infinity, answer.error.what] : compared(basename(name, ".toml"), answer, folder);
-    const isSame = off <= (ALLOWED[name] ?? SAME);
+    const isSame = off <= SAME;
     failed += !isSame;
     console.log(`${isSame ? "same  " : "DIFFERS"} ${name}: ${off.toExponential(1)} ${where}`);
   }

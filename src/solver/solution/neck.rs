@@ -35,6 +35,8 @@ pub struct Neck {
 pub struct Necked {
     /// Initial distance from the axis \[mm\].
     pub s0: f64,
+    /// Time \[s\].
+    pub time: f64,
     /// Punch travel \[mm\].
     pub travel: f64,
 }
