@@ -26,7 +26,7 @@ macro_rules! texts {
 }
 texts! {
     "aa5754-o" "aa6016-t4" "aa6016a-surfalex" "aa6022-t4" "aisi304l-bar" "ap04xr" "chalmers-steel" "draw-die-steel"
-    "drawing-steel" "if-steel" "osu-steel" "radioss-steel" "trip690" "woo-1968"
+    "drawing-steel" "if-steel" "osu-steel" "radioss-steel" "stainless-304" "stainless-430" "trip690" "woo-1968"
 }
 
 /// Description of a sheet, its source and its numbers: a file of the library.

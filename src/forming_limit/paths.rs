@@ -7,7 +7,7 @@ pub struct Instant {
     pub time: f64,
     /// Punch travel \[mm\].
     pub travel: f64,
-    /// Logarithmic membrane strains of every element, from the axis outward: meridional, hoop \[–\].
+    /// Logarithmic membrane strains of every element, from the axis outward: meridional without ironing, hoop \[–\].
     pub strains: Vec<[f64; 2]>,
 }
 

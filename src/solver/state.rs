@@ -236,8 +236,10 @@ impl State {
         paths
     }
 
-    /// Mid-surface strains of this instant.
+    /// Mid-surface strains of this instant, less the stage's ironing: a wall that two tools press thin does not neck by it.
     pub fn instant(&self) -> Instant {
-        Instant { time: self.time, travel: self.travel, strains: self.membrane.clone() }
+        let stretched = |([meridional, hoop], ironed): (&[f64; 2], &f64)| [meridional - ironed.max(0.0), *hoop];
+        let strains = self.membrane.iter().zip(&self.ironed).map(stretched).collect();
+        Instant { time: self.time, travel: self.travel, strains }
     }
 }

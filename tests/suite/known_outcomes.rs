@@ -48,9 +48,9 @@ fn outcome_by_the_lights(part: &Part) -> &'static str {
     }
 }
 
-/// Trust: the sources that the table names; each case was fixed by its source before it was first run.
+/// Trust: the sources that the table names; the page tells which inputs were set right after a first run.
 #[test]
-fn three_of_four_known_outcomes_are_those_of_the_lights() {
+fn nine_of_ten_known_outcomes_are_those_of_the_lights() {
     let parts = parts();
     let found: Vec<&str> = std::thread::scope(|scope| {
         let runs: Vec<_> = parts.iter().map(|part| scope.spawn(|| outcome_by_the_lights(part))).collect();
@@ -90,7 +90,7 @@ fn three_of_four_known_outcomes_are_those_of_the_lights() {
         assert_eq!(page, anew, "UPDATE=1 where that is meant");
     }
     assert!(
-        share >= 75.0 && unexplained.is_empty(),
+        share >= 90.0 && unexplained.is_empty(),
         "{share:.0} % right; without a reason:\n{}",
         unexplained.join("\n")
     );

@@ -59,6 +59,8 @@ fn library_sheets_yield_and_neck_as_their_metal_does() {
         ("radioss-steel", Some(6.0), "Keeler-Brazier"),
         ("trip690", Some(6.0), "Hill and Swift"),
         ("aisi304l-bar", Some(8.0), "Hill and Swift"),
+        ("stainless-304", Some(8.0), "Hill and Swift"),
+        ("stainless-430", Some(6.0), "Keeler-Brazier"),
         ("aa6016-t4", Some(8.0), "Hill and Swift"),
         ("aa6016a-surfalex", Some(8.0), "Points"),
         ("woo-1968", None, "Hill and Swift"),
@@ -96,6 +98,8 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
         ("woo", "woo-1968"),
         ("DC06", "if-steel"),
         ("1.4307", "aisi304l-bar"),
+        ("1.4301", "stainless-304"),
+        ("AISI 430", "stainless-430"),
         ("AA5754", "aa5754-o"),
         ("HCT690T", "trip690"),
     ] {
