@@ -88,9 +88,9 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
             (&with(&["check", "cases/cup.toml", "--run"]), 3, ""),
             (&with(&["verify", "cases/cup.toml", "--out", "bars"]), 3, ""),
             (&torn.split(' ').collect::<Vec<_>>(), 0, ""),
-            (&["run", "torn.toml", "-q", "--set", before], 0, ""),
-            (&["run", "torn.toml", "-q", "--set", before, "--strict", "--out", "strict"], 4, ""),
-            (&["check", "torn.toml", "--run", "-q", "--set", before, "--strict"], 4, ""),
+            (&["run", "torn.toml", "-q", "--no-advice", "--set", before], 0, ""),
+            (&["run", "torn.toml", "-q", "--no-advice", "--set", before, "--strict", "--out", "strict"], 4, ""),
+            (&["check", "torn.toml", "--run", "-q", "--no-advice", "--set", before, "--strict"], 4, ""),
         ],
     );
     assert_eq!(read_json(dir.path().join("out/cup/summary.json"))["complete"], false);

@@ -233,7 +233,7 @@ fn an_imported_case_can_be_checked_and_run() {
         assert!(fs::metadata(dir.path().join("cases/die.png")).unwrap().len() > 10_000);
         let checked = stampflow(dir.path(), &["check", "cases/die.toml"]);
         assert_eq!(checked.status.code(), Some(0), "{drawing}: {}", text(&checked.stderr));
-        let done = stampflow(dir.path(), &["run", "cases/die.toml", "--quiet"]);
+        let done = stampflow(dir.path(), &["run", "cases/die.toml", "--quiet", "--no-advice"]);
         assert_eq!(done.status.code(), Some(0), "{drawing}: {}{}", text(&done.stderr), text(&done.stdout));
     }
 }

@@ -1,7 +1,7 @@
 //! Error bars beside whatever is told of a run: numbers, lights, JSON, reports and pictures.
 
 use crate::common::cli::{CUP, folder, stampflow, text};
-use crate::common::shipped::shipped_case;
+use crate::common::shipped::{shipped_case, solved};
 use serde_json::Value;
 use stampflow::assess::error_bars::{ErrorBars, Origin, answered};
 use stampflow::assess::{Answer, Finding, Light};
@@ -13,12 +13,12 @@ use std::path::Path;
 /// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
 #[test]
 fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
-    let plain = shipped_case("quickstart", &[]).solve(&mut ());
+    let plain = solved("quickstart");
     let force = |solution: &Solution, found: Option<&ErrorBars>| {
         let (answer, findings) = answered(solution, found);
         (answer, findings.into_iter().find(|finding| finding.key == "press_force").expect("a row"))
     };
-    let needed = force(&plain, None).1.value().expect("a force");
+    let needed = force(plain, None).1.value().expect("a force");
     let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
     let near = rated(0.799);
     let found = verify(&near, &()).bars;

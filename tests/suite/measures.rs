@@ -72,7 +72,7 @@ fn names(bands: &[Stretch]) -> Vec<Band> {
 /// and contact ends a node early or late: within two elements of 0.7 mm.
 #[test]
 fn the_bands_of_a_cup_are_where_its_tools_are() {
-    let stage = shipped::solve(&shipped::shipped("quickstart", &[]));
+    let stage = &shipped::solved("quickstart").stages[0];
     let cup = bands(&stage);
     assert_eq!(names(&cup), [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange]);
     let wall = Shape::of(stage.frames.last().expect("a frame")).wall_angle().expect("a wall");
@@ -99,7 +99,7 @@ fn bands_are_named_by_the_tools_that_made_them() {
         ("superplastic_box", &[Band::Bottom, Band::DieCorner, Band::Wall, Band::DieRadius, Band::Flange]),
         ("strip_draw", &[Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange]),
     ] {
-        assert_eq!(names(&bands(&shipped::solve(&shipped::shipped(case, &[])))), expected, "{case}");
+        assert_eq!(names(&bands(&shipped::solved(case).stages[0])), expected, "{case}");
     }
 }
 
@@ -107,7 +107,7 @@ fn bands_are_named_by_the_tools_that_made_them() {
 #[test]
 fn a_part_keeps_its_bands_when_its_tools_are_gone() {
     for case in ["hat_springback", "stages_cup"] {
-        let solution = shipped::shipped_case(case, &[]).solve(&mut ());
+        let solution = shipped::solved(case);
         let [formed, freed] = [0, 1].map(|stage| bands(&solution.stages[stage]));
         assert_eq!(names(&formed), names(&freed), "{case}");
         assert!(formed.iter().zip(&freed).all(|(a, b)| a.elements == b.elements), "{case}");

@@ -1,6 +1,6 @@
 //! What is made from a run: tables, files and pictures, over the whole list of outputs.
 
-use crate::common::shipped::{self, shipped_case};
+use crate::common::shipped::{self, solved};
 use stampflow::assess;
 use stampflow::author::templates::find;
 use stampflow::case::files::sha256;
@@ -29,8 +29,8 @@ const SPECIAL: [(&str, usize, &str); 7] = [
     ("stretch_limit", 0, "forming_limit.csv strain_paths.csv forming_limit.png"),
 ];
 
-fn solutions() -> impl Iterator<Item = (Solution, usize, &'static str)> {
-    SPECIAL.iter().map(|&(name, stage, special)| (shipped_case(name, &[]).solve(&mut ()), stage, special))
+fn solutions() -> impl Iterator<Item = (&'static Solution, usize, &'static str)> {
+    SPECIAL.iter().map(|&(name, stage, special)| (solved(name), stage, special))
 }
 
 fn headers(table: &Table) -> String {
@@ -55,7 +55,7 @@ fn every_case_has_its_outputs_and_no_others() {
         }
     }
     let dir = temp_dir::TempDir::new().unwrap();
-    let mut written = shipped_case("quickstart", &[]).solve(&mut ()).write(dir.path().join("cup")).unwrap();
+    let mut written = solved("quickstart").write(dir.path().join("cup")).unwrap();
     written.sort();
     assert_eq!(crate::common::files::files(dir.path().join("cup"), ""), written);
 }
@@ -67,8 +67,8 @@ fn tables_begin_with_their_columns_and_hold_the_records() {
         ("quickstart", "travel_mm,punch_force_N,holder_force_N,edge_force_N,draw_in_mm,thinnest_mm"),
         ("strip_draw", "travel_mm,punch_force_N_per_mm,holder_force_N_per_mm,edge_force_N_per_mm"),
     ] {
-        let run = shipped::solve(&shipped::shipped(case, &[]));
-        let table = tables::load_travel(&run);
+        let run = &solved(case).stages[0];
+        let table = tables::load_travel(run);
         assert!(headers(&table).starts_with(begins), "{}", headers(&table));
         assert_eq!(table.rows(), run.steps.len());
         assert_eq!(table.column("punch_force").values[41], run.steps[41].punch_force);

@@ -71,7 +71,7 @@ fn a_strip_of_membranes_that_nothing_holds_is_a_mechanism() {
 fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
     let punch = r#"punch = { flat = { half_width = "15 mm", nose = "3 mm" }, travel = "20 mm", friction = 0 }"#;
     let mut arches = 0;
-    for elements in [60, 80, 120] {
+    for elements in [60, 80] {
         for shoulder in [2, 4, 6] {
             let blank = format!("half_length = \"50 mm\"\nthickness = \"1 mm\"\nelements = {elements}");
             let die = format!(r#"die = {{ throat = "16.2 mm", shoulder = "{shoulder} mm", friction = 0 }}"#);

@@ -1,5 +1,6 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
+use crate::common::shipped::solved_once;
 use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, rules};
 use stampflow::case::{Case, parse};
@@ -29,8 +30,8 @@ fn case(template: &str, given: &[(&str, &str)]) -> Case {
     parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{template} {given:?}: {}", e.render(false)))
 }
 
-fn solved(case: &Case) -> Vec<StageSolution> {
-    solve(&case.stages, &mut ())
+fn solved(case: &Case) -> &'static [StageSolution] {
+    &solved_once(case).stages
 }
 
 #[test]
@@ -152,9 +153,9 @@ fn no_picked_size_is_doubted_by_the_verdict() {
         ("cup", &[("height", "50 mm")]),
     ]) {
         let case = case(name, given);
-        let passes = solve(&case.stages, &mut ());
+        let passes = solved(&case);
         assert!(case.model().forming_limit.as_ref().is_some_and(|curve| curve.is_usual), "{name}");
-        let findings = assess::after(&case, &passes);
+        let findings = assess::after(&case, passes);
         for finding in findings {
             if ["wrinkling", "solution_quality", "forming_limit", "yield_condition"].contains(&finding.key) {
                 assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.statement());
@@ -174,7 +175,7 @@ fn a_part_comes_out_as_high_as_it_was_ordered() {
         ("conical-cup", &[("height", "30 mm")], 30.5),
         ("stretch-dome", &[("height", "12 mm")], 12.5),
     ] {
-        let stages = solve(&case(name, given).stages, &mut ());
+        let stages = solved(&case(name, given));
         let height = stages.last().unwrap().frames.last().and_then(part_height).unwrap();
         assert!((height - wanted).abs() < f64::max(0.01 * wanted, 0.5), "{name} {given:?}: {height} mm");
     }
@@ -198,7 +199,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 Motion::Pressed(press) => press.force.largest(),
                 other => panic!("{other:?}"),
             });
-            let run = solved(&case).pop().unwrap();
+            let run = solve(&case.stages, &mut ()).pop().unwrap();
             assert_eq!(run.stop.kind, StopKind::FullTravel);
             for record in &run.steps {
                 let apart = (record.holder_force / wanted - 1.0).abs();

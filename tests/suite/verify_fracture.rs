@@ -130,13 +130,14 @@ fn with(mut model: Model, criterion: Fracture) -> Model {
 /// Trust: the same run with an eighth of the step. The end of the step stands for all of it: first order.
 #[test]
 fn damage_does_not_hang_on_the_step() {
-    for name in ["quickstart", "hat_springback"] {
-        let damage = [1.0, 2.0, 4.0, 8.0].map(|by| {
+    for (name, divisors) in [("quickstart", &[1.0, 2.0, 4.0, 8.0][..]), ("hat_springback", &[1.0, 8.0])] {
+        let damage = divisors.iter().map(|by| {
             let set = [format!("solver.max_step={}", 0.01 / by), format!("solver.first_step={}", 0.002 / by)];
             last(&solve(&with(shipped(name, &set.each_ref().map(String::as_str)), criteria()[1]))).damage
         });
+        let damage: Vec<f64> = damage.collect();
         let orders = orders_of_changes(&damage);
-        assert!((damage[0] / damage[3] - 1.0).abs() < 5e-3, "{name}: {damage:?}");
+        assert!((damage[0] / damage[divisors.len() - 1] - 1.0).abs() < 5e-3, "{name}: {damage:?}");
         assert!(name != "quickstart" || orders.iter().all(|order| *order > 0.8), "{orders:?}");
     }
 }

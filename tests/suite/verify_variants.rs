@@ -3,7 +3,7 @@
 //! Trust: no reference, but what a page says is what comes out; each test has a tendency that is known besides.
 
 use crate::common::page::{plain, told};
-use crate::common::shipped::{last, shipped_case};
+use crate::common::shipped::{self, last, shipped_case};
 use stampflow::case::{self, Case, Solution};
 use stampflow::material::Hardening;
 use stampflow::measure::{Ring, Shape};
@@ -123,7 +123,7 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
         let shape = Shape::of(stage.frames.last().expect("the end"));
         [shape.wall_angle(), shape.flange_angle(), shape.curl_radius()].map(|value| value.expect("a hat"))
     };
-    let throughout = let_go(&solved("hat_springback", &[]));
+    let throughout = let_go(shipped::solved("hat_springback"));
     let flow = let_go(&solved("hat_springback", &["material.mode=flow"]));
     let constant = let_go(&solved("hat_springback", &["material.mode=flow", "stages.0.release=constant"]));
     assert!((0..2).all(|i| (flow[i] - constant[i]).abs() < 0.05), "{flow:?} {constant:?}");

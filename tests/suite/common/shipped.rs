@@ -1,9 +1,11 @@
 //! The shipped cases as models, and whole runs of them.
 
-use stampflow::case::Case;
+use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
 use stampflow::solver::solution::{StageSolution, StepRecord};
 use stampflow::{case, solver};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock};
 
 /// Every shipped case that a punch drives.
 pub const DRAWN: [&str; 9] = [
@@ -28,6 +30,18 @@ pub fn shipped_case(name: &str, overrides: &[&str]) -> Case {
     let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// A case of `cases/` as it is, solved once for all tests.
+pub fn solved(name: &str) -> &'static Solution {
+    solved_once(&shipped_case(name, &[]))
+}
+
+/// A case without overrides, solved once for all tests that have its text.
+pub fn solved_once(case: &Case) -> &'static Solution {
+    static SOLVED: Mutex<BTreeMap<String, &OnceLock<Solution>>> = Mutex::new(BTreeMap::new());
+    let one = *SOLVED.lock().unwrap().entry(case.text.clone()).or_insert_with(|| Box::leak(Box::default()));
+    one.get_or_init(|| case.clone().solve(&mut ()))
 }
 
 /// Runs a model that has to reach its full travel.
