@@ -18,7 +18,8 @@ if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
 mkdir -p "${1:-out/release}"
 out=$(cd "${1:-out/release}" && pwd)
 
-cargo build --locked --profile "$profile" --quiet
+# Selected together, the program and the wheel share their dependencies.
+cargo build --locked --profile "$profile" --quiet --bin stampflow -p stampflow -p stampflow-python
 program=${CARGO_TARGET_DIR:-target}/$profile/stampflow
 version=$("$program" --version | cut -d' ' -f2)
 platform=$(rustc -vV | sed -n 's/^host: //p')
