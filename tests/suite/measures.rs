@@ -73,7 +73,7 @@ fn names(bands: &[Stretch]) -> Vec<Band> {
 #[test]
 fn the_bands_of_a_cup_are_where_its_tools_are() {
     let stage = &shipped::solved("quickstart").stages[0];
-    let cup = bands(&stage);
+    let cup = bands(stage);
     assert_eq!(names(&cup), [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange]);
     let wall = Shape::of(stage.frames.last().expect("a frame")).wall_angle().expect("a wall");
     let wrapped = 6.5 * (90.0 - wall).to_radians();
