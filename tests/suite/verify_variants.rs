@@ -155,7 +155,7 @@ fn the_warm_cup_tears_when_it_is_cold() {
     let solution = solved("warm_cup", &cold.each_ref().map(String::as_str));
     assert_eq!(solution.stages[0].stop.kind, StopKind::Localised);
     let travel = solution.stages[0].end.travel;
-    told("cases/warm_cup.toml", "At 25 °C throughout the same cup tears at {} mm.", &plain(&[travel], 0));
+    told("cases/warm_cup.toml", "A run that goes on there ends by a neck at {} mm.", &plain(&[travel], 0));
 }
 
 /// Voids that join end a run that Woo's cup without them goes on from.
