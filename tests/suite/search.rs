@@ -1,5 +1,6 @@
 //! Searches against what is known: limits of a condition, wanted values, named goals, bad requests.
 
+use crate::common::page::agreement;
 use crate::study::run;
 use stampflow::author::templates::find;
 use stampflow::study::{
@@ -110,14 +111,29 @@ fn conditions_judge_lights_tears_and_quantities() {
 /// 100 mm, textbooks 2.0 to 2.2.
 #[test]
 fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
-    let sizes = [("material", "DC04"), ("punch-diameter", "100 mm")];
-    let text = find("cup").and_then(|cup| cup.fill(&sizes)).unwrap_or_else(|error| panic!("{error}"));
-    let base = BaseCase::from_text(text, "cup.toml", Vec::new()).unwrap_or_else(|error| panic!("{error}"));
-    let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
-    let (search, table) = search(base, &request).unwrap_or_else(|error| panic!("{error}"));
-    assert!(table.runs.iter().all(|run| !run.red.contains(&"wrinkling".to_owned())));
-    let notes = search.report(&table).notes;
-    assert!(notes.iter().any(|note| note.contains("Siebel's rule")), "{notes:?}");
-    let (Bracket::Between([radius, _]), ..) = search.result(&table) else { panic!("{notes:?}") };
-    assert!((2.0..2.3).contains(&(radius / 50.0)), "{notes:?}");
+    for (row, diameter, set) in [
+        ("cup of DC04, Ø 60 mm, as `new` has it", 60.0, &[][..]),
+        ("friction of 0.12", 60.0, &["friction=0.12"]),
+        (
+            "friction of 0.12 under the holder and on the die",
+            60.0,
+            &["tools.holder.friction=0.12", "tools.die.friction=0.12"],
+        ),
+        ("nose of 3 thicknesses", 60.0, &["tools.punch.flat.nose=3 mm"]),
+        ("Ø 100 mm", 100.0, &[]),
+    ] {
+        let sizes = [("material", "DC04"), ("punch-diameter", &format!("{diameter} mm"))];
+        let text = find("cup").and_then(|cup| cup.fill(&sizes)).unwrap_or_else(|error| panic!("{error}"));
+        let set = set.iter().map(|key| (*key).to_owned()).collect();
+        let base = BaseCase::from_text(text, "cup.toml", set).unwrap_or_else(|error| panic!("{error}"));
+        let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
+        let (search, table) = search(base, &request).unwrap_or_else(|error| panic!("{error}"));
+        assert!(table.runs.iter().all(|run| !run.red.contains(&"wrinkling".to_owned())), "{row}");
+        let notes = search.report(&table).notes;
+        assert!(notes.iter().any(|note| note.contains("Siebel's rule")), "{row}: {notes:?}");
+        let (Bracket::Between([radius, _]), ..) = search.result(&table) else { panic!("{row}: {notes:?}") };
+        let ratio = radius / (0.5 * diameter);
+        assert!((2.0..2.3).contains(&ratio), "{row}: {ratio}");
+        agreement(row, &[format!("{ratio:.2}")]);
+    }
 }
