@@ -7,7 +7,7 @@ use stampflow::case::comparison::{KINDS, Spec};
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::measured_curve;
+use stampflow::study::{measured_curve, study_folder};
 use stampflow::units::rounded;
 
 options! {
@@ -31,6 +31,7 @@ pub fn compare(args: &Args) -> Result<Code> {
     let first = args.files.iter().find(|file| !is_curve(file)).unwrap_or(first);
     let dir = args.options.folder(first, "compare");
     place::file(&dir.join("differences.csv"), &args.files, "--out")?;
+    let folder = study_folder("compare", &dir).map_err(error::unusable("--out"))?;
     let count = args.options.count(first, "compared");
     let all = SideBySide::solve(&candidates, curves, None, args.options.threads.count(), &count)?;
     if all.members.len() < candidates.len() {
@@ -39,7 +40,7 @@ pub fn compare(args: &Args) -> Result<Code> {
     if all.members.is_empty() && is_interrupted() {
         return Ok(Code::Done);
     }
-    args.options.present(&all.report(), &dir, Vec::new(), Value::Null)
+    args.options.present(&all.report(), (&dir, folder), Vec::new(), &[], Value::Null)
 }
 
 /// Cases with variants of the first, and measured curves.
@@ -74,16 +75,19 @@ fn references(args: &Args, path: &Path) -> Result<Code> {
     ensure!(!cases.is_empty() || !failed.is_empty(), bad_request(what));
     let (dir, progress) = (args.options.folder(path, "compare"), args.options.common.progress());
     args.options.threads.apply()?;
-    let one = |case: &Case| -> Result<Vec<(String, Comparison)>> {
+    let one = |case: &Case| {
         let folder = place::results(case, &place::folder(&dir, case)?, comparison_folder)?;
         let solution = progress.watch(case).solve(case.clone());
         let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures());
-        results.write_comparisons(folder)?;
-        Ok(results.comparisons.into_iter().map(|comparison| (case.name.clone(), comparison)).collect())
+        let unwritten = results.write_comparisons(folder).err().map(anyhow::Error::from);
+        let compared = results.comparisons.into_iter().map(|comparison| (case.name.clone(), comparison));
+        Ok((compared.collect::<Vec<_>>(), unwritten))
     };
     let runs = cases.par_iter().filter(|_| !is_interrupted());
     let runs: Vec<_> = runs.map(|case| caught(&format!("case {}", case.name), || one(case))).collect();
-    let compared = sound(runs, &mut failed).concat();
+    let (compared, unwritten): (Vec<_>, Vec<_>) = sound(runs, &mut failed).into_iter().unzip();
+    let compared = compared.concat();
+    failed.extend(unwritten.into_iter().flatten());
     if args.options.common.json() {
         print_json(&as_json(compared.iter().map(|(case, comparison)| (case, comparison))))?;
     } else {

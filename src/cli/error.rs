@@ -109,6 +109,9 @@ pub fn listen() -> std::io::Result<()> {
         flag::register_conditional_shutdown(signal, Code::Interrupted as i32, Arc::clone(&INTERRUPTED))?;
         flag::register(signal, Arc::clone(&INTERRUPTED))?;
     }
+    // A file that grows beyond the limit of the process is an error like a full disk.
+    #[cfg(unix)]
+    flag::register(signal_hook::consts::SIGXFSZ, Arc::default())?;
     Ok(())
 }
 

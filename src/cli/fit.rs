@@ -3,7 +3,9 @@
 use super::compare::is_curve;
 use super::study::StudyOptions;
 use super::*;
+use stampflow::results::ResultFolder;
 use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, fit_laws, flow_curves, material_text};
+use stampflow::study::study_folder;
 use stampflow::units::parse;
 
 const STRAIN: &str = "a plain number";
@@ -37,14 +39,15 @@ options! {
 pub fn fit(args: &Args) -> Result<Code> {
     let dir = args.options.folder(&args.files[0], "fit");
     place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
+    let folder = || study_folder("fit", &dir).map_err(error::unusable("--out"));
     match args.files.as_slice() {
-        tests if tests.iter().all(|path| is_curve(path)) => laws(args, &dir),
-        [file] => keys(args, file, &dir),
+        tests if tests.iter().all(|path| is_curve(path)) => laws(args, (&dir, folder()?)),
+        [file] => keys(args, file, (&dir, folder()?)),
         _ => Err(bad_request("give tension tests, or one case or study file")),
     }
 }
 
-fn laws(args: &Args, dir: &Path) -> Result<Code> {
+fn laws(args: &Args, place: (&Path, ResultFolder)) -> Result<Code> {
     let what = "--vary and --to are of a case: name its file in place of a test";
     ensure!(args.vary.is_empty() && args.to.is_empty(), bad_request(what));
     let &Args { young, offset, from, until: to, section, gauge, .. } = args;
@@ -53,17 +56,17 @@ fn laws(args: &Args, dir: &Path) -> Result<Code> {
     let best = fits.best();
     let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
     let extra = json!({ "law": best.kind.name(), "parameters": best.estimates });
-    args.options.present(&fits.report(), dir, files, extra)
+    args.options.present(&fits.report(), place, files, &[], extra)
 }
 
-fn keys(args: &Args, file: &Path, dir: &Path) -> Result<Code> {
+fn keys(args: &Args, file: &Path, place: (&Path, ResultFolder)) -> Result<Code> {
     let fit = CaseFitRequest::load(file, args.options.common.overrides.all(), &args.vary, &args.to)?;
     let fit = match fit_case(&fit, args.options.threads.count(), &args.options.count(file, "fit")) {
         Err(_) if is_interrupted() => return Ok(Code::Interrupted),
         fit => fit?,
     };
     let files = vec![("fitted.toml".to_owned(), fit.text.clone().into_bytes())];
-    args.options.present(&fit.report, dir, files, json!({ "law": null, "parameters": fit.estimates }))
+    args.options.present(&fit.report, place, files, &[], json!({ "law": null, "parameters": fit.estimates }))
 }
 
 /// A quantity above 0 of a dimension; a plain number may be 0.

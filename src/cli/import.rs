@@ -70,7 +70,8 @@ pub fn import(args: Args) -> Result<Code> {
     let value = json!({
         "case": out, "picture": picture, "tools": first_tools, "later": stages, "size": size, "notes": notes
     });
-    emit(json, value, || {
+    let has_punch = first.tool(Role::Punch).is_some();
+    let printed = emit(json, value, || {
         let tools = first.tools.iter().chain(later.iter().flat_map(|later| &later.tools)).map(|tool| {
             let pieces = tool.profile.pieces().len();
             let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
@@ -79,10 +80,11 @@ pub fn import(args: Args) -> Result<Code> {
         let notes = notes.iter().map(|note| format!("  - {note}\n"));
         let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
         let (out, picture) = (out.display(), picture.display());
-        let next = match first.tool(Role::Punch) {
-            Some(_) => format!("change the placeholders in the case, then: stampflow check {out}"),
-            None => "no punch is drawn: add one to the case before you run it".to_owned(),
-        };
-        format!("{text}\n{out} and {picture} are written\n{next}").into()
-    })
+        let next = format!("\nchange the placeholders in the case, then: stampflow check {out}");
+        let next = if has_punch { next.as_str() } else { "" };
+        format!("{text}\n{out} and {picture} are written{next}").into()
+    });
+    let what = "no punch is drawn, and the case cannot be run: add one to it, or import with --layer NAME=punch";
+    ensure!(has_punch, "{what}");
+    printed
 }

@@ -3,10 +3,11 @@
 use super::progress::Count;
 use super::*;
 use anyhow::Context;
+use error::unusable;
 use stampflow::results::ResultFolder;
 use stampflow::study::{
-    self, BaseCase, Evaluated, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep,
-    TableFile, Watch, begin, evaluate,
+    self, BaseCase, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep, TableFile,
+    Watch, begin, evaluate, study_folder,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -20,8 +21,8 @@ options! {
     } common: Common, threads: Threads, pictures: PictureOptions;
     TableOptions {
         file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file; for sweep and scatter also a study file",
-        resume: bool [long] "Keep the rows that an earlier run has left, and run what is missing",
-        restart: bool [long, conflicts_with = "resume"] "Remove the rows that an earlier run has left",
+        resume: bool [long] "Keep the rows of the study that is there, and run what is missing",
+        restart: bool [long, conflicts_with = "resume"] "Replace the study that is there, complete or not",
     } study: StudyOptions;
     ShardOptions {
         shard: Option<Shard> = "K/N" [long] "Run one share of so many, such as 7/64, into a table of its own",
@@ -87,18 +88,6 @@ pub fn merge(MergeArgs { shards, out }: &MergeArgs) -> Result<Code> {
     print(wrapped(format!("{designs} designs of {} shards in {}", shards.len(), out.display())))
 }
 
-/// Writes load and thickness of a design.
-fn curves(dir: &Path, Evaluated { run, outcome }: &Evaluated) -> Result<()> {
-    let curves = outcome.iter().flat_map(|outcome| {
-        [("load", "travel_mm,punch_force_N", &outcome.load), ("thickness", "s0_mm,thickness_mm", &outcome.thickness)]
-    });
-    for (name, header, points) in curves {
-        let lines: String = points.iter().map(|(x, y)| format!("{x},{y}\n")).collect();
-        write(&dir.join(format!("{name}-{}.csv", run.index)), format!("{header}\n{lines}").as_bytes())?;
-    }
-    Ok(())
-}
-
 impl ShardOptions {
     fn run(&self, study: &mut dyn Study, names: [&str; 2], curves: bool) -> Result<Code> {
         let shard = self.shard.unwrap_or(Shard::WHOLE);
@@ -123,39 +112,39 @@ impl TableOptions {
         let start = Instant::now();
         let watch = self.study.count(file, "runs");
         let settings = Evaluation { threads: self.study.threads.count(), shard, watch: &watch };
+        let mut table = TableFile::open(&path, self.resume, self.restart, &watch)?;
+        let folder =
+            (shard == Shard::WHOLE).then(|| study_folder(verb, &dir)).transpose().map_err(unusable("--out"))?;
         let runs = begin(study, &settings)?;
         if watch.wants_to_stop() {
-            // A case that was cut has other numbers, which the table must not begin with.
-            warn("ended before the first run; nothing is written".to_owned());
-            return Ok(Code::Done);
+            warn("ended before the first run: the same command begins again".to_owned());
+            return Ok(Code::Interrupted);
         }
-        let mut table = TableFile::open(&path, &runs, self.resume, self.restart)?;
-        let earlier = std::mem::take(&mut table.earlier);
-        let unwritten = || format!("cannot write {}", path.display());
-        let mut failed = Ok(());
+        let earlier = table.begin(&runs)?;
+        let mut failed = None;
         let runs = evaluate(study, &settings, runs, &earlier, &mut |runs, evaluated| {
-            let added = table.add(runs, &evaluated.run).with_context(unwritten);
-            failed = added.and_then(|()| if with_curves { curves(&dir.join("curves"), evaluated) } else { Ok(()) });
-            if failed.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            if failed.is_none() {
+                failed = table.add(runs, evaluated, with_curves).err();
+                failed.iter().for_each(|error| warn(format!("{error}: {}; the runs go on", error.source)));
+            }
+            ControlFlow::Continue(())
         });
-        failed?;
         let (all, designs) = (study.plan().designs, runs.runs.len());
         if watch.wants_to_stop() && (all == 0 || (designs as u64) < shard.len(all)) {
             warn(format!("{designs} runs are in {}; --resume goes on with the others", table.part.display()));
-            return Ok(Code::Done);
+            return failed.map_or(Ok(Code::Interrupted), |error| Err(error.into()));
         }
-        if shard != Shard::WHOLE {
-            table.finish().with_context(unwritten)?;
+        let Some(folder) = folder else {
             let text = format!("{designs} runs in {}; `stampflow merge` joins the shards", path.display());
-            return print(wrapped(text));
-        }
-        let rows = std::fs::read(&table.part).with_context(|| format!("cannot read {}", table.part.display()))?;
-        let files = vec![(shard.file(name), rows)];
+            let printed = print(wrapped(text));
+            return table.finish(&runs).map_err(Into::into).and(printed);
+        };
+        let files = vec![(shard.file(name), runs.csv())];
         let wall_s = start.elapsed().as_secs_f64();
         let extra = json!({ "designs": designs, "lights": runs.lights(), "file": path, "wall_s": wall_s });
-        let code = self.study.present(&study.report(&runs), &dir, files, extra)?;
-        table.discard();
-        Ok(code)
+        let code = self.study.present(&study.report(&runs), (&dir, folder), files, &table.curve_files(), extra)?;
+        // Rows are written from memory, curves are not.
+        failed.filter(|_| with_curves).map_or(Ok(code), |error| Err(error.into()))
     }
 }
 
@@ -170,28 +159,33 @@ impl StudyOptions {
         self.common.progress().count(format!("{}, {what}", stem(file)))
     }
 
-    /// Writes charts, tables and other files as one set; prints the report.
+    /// Prints the report, whatever becomes of the files; then writes charts, tables, curves and other files as one set.
     pub fn present(
         &self,
         report: &StudyReport,
-        dir: &Path,
+        (dir, mut folder): (&Path, ResultFolder),
         mut files: Vec<(String, Vec<u8>)>,
+        curves: &[PathBuf],
         extra: Value,
     ) -> Result<Code> {
         let pictures = self.pictures.pictures();
         let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());
         files.extend(tables().map(|table| (format!("{}.csv", table.name), table.csv())));
-        let mut folder = ResultFolder::open(dir, |_, _| false)?;
         files.extend(report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart)));
-        files.iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
-        let files = folder.commit()?;
-        let value = with(with(serde_json::to_value(report)?, extra), json!({ "files": files }));
-        emit(self.common.json(), value, || {
+        let paths = files.iter().map(|(name, _)| dir.join(name)).collect::<Vec<_>>();
+        let value = with(with(serde_json::to_value(report)?, extra), json!({ "files": paths }));
+        let printed = emit(self.common.json(), value, || {
             let text = wrapped(&report.headline) + list(&report.notes);
             let text = tables().fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));
             text + wrapped(format!("\n{}", dir.display()))
-        })?;
-        Ok(if report.found { Code::Done } else { Code::Failed })
+        });
+        files.iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
+        for path in curves {
+            let name = Path::new("curves").join(path.file_name().unwrap_or_default());
+            folder.write(name, &std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?)?;
+        }
+        folder.commit()?;
+        printed.map(|_| if report.found { Code::Done } else { Code::Failed })
     }
 }
 

@@ -38,27 +38,27 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let solution = progress.watch(&case).solve(case);
     let verification = verify::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
-    if let Some(path) = &path {
-        write(path, &verification.csv())?;
-    }
+    let written = path.iter().map(|path| write(path, &verification.csv()).map_err(Into::into));
+    let failed: Vec<anyhow::Error> = written.filter_map(Result::err).collect();
     let moved = verification.bars.moved(&assess::after(&solution.case, &solution.stages));
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.common.json() {
         let own = json!({ "case": solution.case.name, "seconds": seconds, "lights": moved, "file": path });
-        return Ok(Output { code, json: Some(with(as_json(&verification), own)), ..Output::default() });
+        return Ok(Output { code, json: Some(with(as_json(&verification), own)), failed, ..Output::default() });
     }
     // Of the verdict's numbers only the forming limit's is in no other list.
     let is_printed = |own: &&Number| own.origin != Origin::Verdict || own.quantity.key == "forming_limit";
     let row = |own: &Number| [own.quantity.label.to_owned(), own.quantity.amount.to_string(), own.made_of()];
     let rows = verification.bars.numbers.iter().filter(is_printed).map(row);
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
+    let path = path.filter(|_| failed.is_empty());
     let written = path.map_or(String::new(), |path| format!("{} is written\n", path.display()));
     let screen = wrapped(format!("{title}{}\n\n", Amount::time(seconds)))
         + table(&["Quantity", "Value", "Made of (observed order)"], rows)
         + "\n"
         + list(verification.bars.notes.iter().chain(&moved))
         + written;
-    Ok(Output { code, screen, ..Output::default() })
+    Ok(Output { code, screen, failed, ..Output::default() })
 }
 
 /// Every number with its error bar and what that is made of, notes, and every run.

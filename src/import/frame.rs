@@ -12,6 +12,9 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
     hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey yards, US \
     survey miles";
 
+/// Largest size of tools whose header names another unit than mm \[mm\]; declared: most headers that are wrong say inch.
+const LARGEST: f64 = 500.0;
+
 /// Unit and axis, which turn a drawing's coordinates into a section's, and notes of how the drawing is understood.
 #[derive(Clone)]
 pub(super) struct Frame {
@@ -34,6 +37,16 @@ impl Frame {
             frame.note(format!("the axis is at x = {} mm of the drawing", rounded(frame.axis)));
         }
         Ok(frame)
+    }
+
+    /// Asks for the unit if that of the header makes the tools this wide \[mm\].
+    pub fn check_unit(&self, options: &Options, widest: f64) -> Result<(), ImportError> {
+        if options.unit.is_some() || self.unit == DrawingUnit::MM || widest <= LARGEST {
+            return Ok(());
+        }
+        let what = format!("the tools reach {widest:.0} mm from the axis if 1 drawing unit is 1 {}", self.unit.0);
+        let help = format!("say what it is drawn in: --unit mm, or --unit {} if the header is right", self.unit.0);
+        Err(ImportError::new(what, help))
     }
 
     pub fn note(&self, note: String) {

@@ -137,5 +137,7 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
         let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
         return Err(ImportError::new(what, help));
     }
+    let ends = later.iter().flat_map(|operation| &operation.tools).flat_map(|tool| &tool.ends);
+    frame.check_unit(options, ends.map(|end| end.x).fold(0.0, f64::max))?;
     Ok(Sections { first: later.remove(0), later, notes: frame.notes.into_inner() })
 }

@@ -7,6 +7,7 @@ mod heat;
 mod loads;
 pub mod mesh;
 mod mode;
+pub mod refinement;
 mod role_names;
 mod settings;
 pub mod stage;

@@ -6,6 +6,8 @@ pub mod least_squares;
 mod piecewise_linear;
 mod power;
 pub mod quadrature;
+#[cfg(feature = "app")]
+pub mod statistics;
 
 pub use grid::Grid;
 pub use piecewise_linear::{PiecewiseLinear, interpolated};

@@ -54,18 +54,18 @@ pub(super) fn fill(mut file: &File, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// `out/.cup.part` of `out/cup`.
-pub(super) fn hidden(path: &Path, ending: &str) -> io::Result<PathBuf> {
+pub(crate) fn hidden(path: &Path, ending: &str) -> io::Result<PathBuf> {
     let name = path.file_name().ok_or_else(|| io::Error::new(ErrorKind::InvalidInput, "not a file name"))?;
     Ok(folder_of(path).join(format!(".{}.{ending}", name.to_str().ok_or(ErrorKind::InvalidFilename)?)))
 }
 
-pub(super) fn folder_of(path: &Path) -> &Path {
+pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// File that one process holds at a time; removed when dropped, freed by the system when the process is killed.
 #[derive(Debug)]
-pub(super) struct Lock {
+pub(crate) struct Lock {
     path: PathBuf,
     pub(super) file: File,
 }
@@ -127,7 +127,7 @@ fn is_at(_: &File, path: &Path) -> bool {
 
 /// Folders made for a path; those still empty are removed when this is dropped.
 #[derive(Debug)]
-pub(super) struct NewFolders(Vec<PathBuf>);
+pub(crate) struct NewFolders(Vec<PathBuf>);
 
 impl NewFolders {
     pub fn make(folder: &Path) -> io::Result<Self> {

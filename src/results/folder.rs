@@ -126,8 +126,8 @@ impl ResultFolder {
 
     /// Links files of other origin that the target has not; false if they are too many.
     fn carry(&self, from: &Path, to: &Path) -> io::Result<bool> {
-        let names = entries(from)?;
-        for name in names.iter().filter(|name| !(self.is_ours)(from, name)).take(MOST_CARRIED) {
+        let names: Vec<_> = entries(from)?.into_iter().filter(|name| !(self.is_ours)(from, name)).collect();
+        for name in names.iter().take(MOST_CARRIED) {
             let (source, target) = (from.join(name), to.join(name));
             if source.is_dir() && !source.is_symlink() {
                 fs::create_dir_all(target)?;

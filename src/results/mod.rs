@@ -2,7 +2,7 @@
 
 pub mod comparison;
 pub(crate) mod csv;
-mod file;
+pub(crate) mod file;
 mod folder;
 mod stages;
 pub mod summary;

@@ -1,7 +1,7 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
-use super::StudyError;
-use super::Watch;
+use super::error::ensure;
+use super::{StudyError, Watch};
 use crate::case::files::{self, CSV, Disk, Files, sha256};
 use crate::case::{self, Case, CaseError, Solution};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -50,6 +50,22 @@ impl BaseCase {
             [Err(error), Err(_), Err(_)] => Err(error.into()),
             _ => Ok(()),
         }
+    }
+
+    /// Refuses overrides that settings of all designs replace: an override changes the case, but not with them.
+    pub(super) fn check_effective(&self, settings: &[String]) -> Result<(), StudyError> {
+        for i in 0..self.overrides.len() {
+            let mut others = self.clone();
+            let override_ = others.overrides.remove(i);
+            let changes = |settings: &[String]| match (self.case(settings), others.case(settings)) {
+                (Ok(with), Ok(without)) => with.text != without.text,
+                _ => true,
+            };
+            let what = format!("`{override_}` has no effect: the study gives all its runs other values of this key");
+            let help = "leave it out, or do not vary the key";
+            ensure(!changes(&[]) || changes(settings), what, help)?;
+        }
+        Ok(())
     }
 
     /// Value of a key as the case writes it; `None` if it has none, or several tools have different ones.

@@ -100,12 +100,12 @@ impl SideBySide {
         check(candidates, &curves)?;
         let jobs = &candidates[usize::from(known.is_some())..];
         let mut solved: Vec<(Solution, ErrorBars)> = known.into_iter().collect();
-        let one = |candidate: &Candidate| {
-            let solution = BaseCase::solve(candidate.case.clone(), watch)?;
+        let one = |i: usize| {
+            let solution = BaseCase::solve(jobs[i].case.clone(), watch)?;
             let bars = verify(&solution, &Silent(watch)).bars;
             Ok((solution, bars))
         };
-        let ended = parallel_map(jobs, threads, watch, one, |result: Result<_, String>| {
+        let ended = parallel_map(jobs.len(), threads, watch, one, |result: Result<_, String>| {
             solved.push(result?);
             watch.ran(solved.len(), candidates.len());
             Ok(())

@@ -58,6 +58,14 @@ impl RunTable {
         joined(keys.iter().map(label), ", ")
     }
 
+    /// Sentence with the first reason if no run came to a result.
+    pub(super) fn no_result(&self) -> Option<String> {
+        let reasons = self.runs.iter().map(|run| if run.reason.is_empty() { &run.end } else { &run.reason });
+        let reason = reasons.map(|reason| reason.trim_end_matches('.')).next().unwrap_or("nothing was run");
+        let is_lost = !self.runs.iter().any(Run::is_known);
+        is_lost.then(|| format!("None of {} runs came to a result: {reason}.", self.runs.len()))
+    }
+
     /// Number of runs with each light, and of those that were not run.
     pub fn lights(&self) -> BTreeMap<&'static str, usize> {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();

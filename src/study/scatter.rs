@@ -4,12 +4,12 @@
 
 use super::charts;
 use super::error::ensure;
-use super::statistics::{quantile, rank_correlation, wilson};
 use super::uncertain_variable::UncertainVariable;
 use super::{
     BaseCase, Cell, Design, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport, fail,
 };
 use crate::assess::Light;
+use crate::numerics::statistics::{quantile, rank_correlation, wilson};
 use crate::units::{Amount, joined};
 use sobol_burley::sample;
 use std::path::Path;
@@ -93,19 +93,13 @@ impl Scatter {
         for variable in &variables {
             base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
+        let absolute = variables.iter().filter(|variable| variable.is_absolute);
+        base.check_effective(
+            &absolute.flat_map(|variable| variable.settings(&variable.value(0.5))).collect::<Vec<_>>(),
+        )?;
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
         Ok(Self { plan, variables, seed })
-    }
-
-    fn design(&self, index: u64) -> Design {
-        let seed = self.seed.wrapping_add((index / LONGEST) as u32);
-        let point = (index % LONGEST) as u32;
-        let coordinate = |i: usize| f64::from(sample(point, i as u32, seed)) + HALF;
-        let values: Vec<String> =
-            (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
-        let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
-        Design { index, settings: settings.collect(), values }
     }
 
     /// Lights by their rows, the most important first, and the spread of every response.
@@ -172,8 +166,14 @@ impl Study for Scatter {
         &self.plan
     }
 
-    fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..self.plan.designs).map(|index| self.design(index)).collect()
+    fn design(&self, index: u64) -> Design {
+        let seed = self.seed.wrapping_add((index / LONGEST) as u32);
+        let point = (index % LONGEST) as u32;
+        let coordinate = |i: usize| f64::from(sample(point, i as u32, seed)) + HALF;
+        let values: Vec<String> =
+            (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
+        let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
+        Design { index, settings: settings.collect(), values }
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
@@ -181,7 +181,7 @@ impl Study for Scatter {
         let n = runs.runs.len();
         let [tears, red, amber] = [0, 1, 2].map(|i| events.get(i).map(|event| event.probability.map(Amount::share)));
         let headline = match tears {
-            None => format!("None of {n} runs came to a result."),
+            None => runs.no_result().unwrap_or_default(),
             Some([_, _, high]) if events[0].hits == 0 => {
                 format!("No tear in {n} parts: fewer than {high} scrap, 95 % sure.")
             }
@@ -190,12 +190,13 @@ impl Study for Scatter {
             }
         };
         let [red, amber] = [red, amber].map(|shares| shares.map_or(Amount::share(0.0), |[share, ..]| share));
-        let mut notes = vec![format!("{red} of the parts are red, {amber} amber, if the distributions are as given.")];
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
-        if failed > 0 {
+        let known = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
+        let mut notes: Vec<String> = (failed < n).then_some(known).into_iter().collect();
+        if (1..n).contains(&failed) {
             notes.push(format!("{failed} runs came to no result and are left out."));
         }
         let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
-        StudyReport { headline, notes, tables, found: true, charts }
+        StudyReport { headline, notes, tables, found: failed < n, charts }
     }
 }

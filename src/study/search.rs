@@ -3,12 +3,13 @@
 use super::bracket::{Search, Trial};
 use super::charts::{self, Charts};
 use super::goals::{Goal, HolderRule};
-use super::variable::{SearchRange, in_unit, written};
+use super::variable::{SearchRange, check_distinct, in_unit, written};
 use super::{
     BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, fail,
 };
 use crate::assess::estimate;
 use crate::plot::Axis;
+use crate::plot::chart::bounds;
 use crate::units::{Amount, Unit, significant};
 
 /// Request of a search, as on the command line.
@@ -35,6 +36,8 @@ pub struct LimitSearch {
     /// The first is searched; each goes from its first end to its last.
     variables: Vec<(Variable, SearchRange)>,
     search: Search,
+    /// Values of all trials.
+    values: Vec<f64>,
     /// Condition to keep, or target to reach.
     aim: Condition,
     /// Force of the holder by the first variable, a blank's radius.
@@ -57,6 +60,7 @@ impl LimitSearch {
         if variables[0].1.ends[0] > variables[0].1.ends[1] {
             variables.iter_mut().for_each(|(_, range)| range.ends.reverse());
         }
+        check_distinct(variables.iter().map(|(variable, _)| variable), "is varied twice", "give each key once")?;
         let aim = aim(request, &goal)?;
         let is_limit = request.target.is_none();
         let side = request.side.or(goal.side).or((!is_limit).then_some(Side::Smallest));
@@ -67,8 +71,11 @@ impl LimitSearch {
         let plan = Plan::new(base, &format!("{variables:?}{request:?}"), columns, 0);
         let search = Search { range: variables[0].1, tolerance, is_limit, side };
         let holder = goal.holder.filter(|_| request.vary.is_none());
-        let limit = Self { plan, variables, search, aim, holder };
-        limit.plan.base.check_any([0.5, 0.0, 1.0].map(|share| limit.design(0, limit.search.at(share)).settings))?;
+        let limit = Self { plan, variables, search, values: Vec::new(), aim, holder };
+        if request.vary.is_some() {
+            limit.plan.base.check_effective(&limit.trial(0, limit.search.at(0.5)).settings)?;
+        }
+        limit.plan.base.check_any([0.5, 0.0, 1.0].map(|share| limit.trial(0, limit.search.at(share)).settings))?;
         Ok(limit)
     }
 
@@ -109,7 +116,7 @@ impl LimitSearch {
     }
 
     /// The first variable has this value, the others move along.
-    fn design(&self, index: u64, x: f64) -> Design {
+    fn trial(&self, index: u64, x: f64) -> Design {
         let share = self.search.share(x);
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
@@ -124,7 +131,7 @@ impl LimitSearch {
         let (found, best, _) = self.result(runs);
         let target = self.target().map(|(place, wanted)| (place, runs.display(place, wanted)));
         let holds = match (found, target, best) {
-            (Bracket::Failed, ..) => return format!("{key}: no run came to a result from {low} to {high}."),
+            (Bracket::Failed, ..) => return format!("{key}: every run from {low} to {high} tears or has no result."),
             (_, Some((place, wanted)), Some(best)) => {
                 let (x, value) = (at(runs.runs[best].value(0)), runs.runs[best].numbers[place]);
                 return format!("{key} = {x}: {name} is {}, wanted {wanted}.", runs.display(place, value));
@@ -157,8 +164,13 @@ impl LimitSearch {
                 notes.push(format!("It jumps from {from} to {to} there."));
             }
         }
+        if let (Some((place, _)), Bracket::Nowhere) = (self.target(), found) {
+            let (low, high) = bounds(runs.runs.iter().filter(|run| !run.tears()).filter_map(|run| run.response(place)));
+            let [low, high] = [low, high].map(|value| runs.display(place, value));
+            notes.push(format!("It goes from {low} to {high} there."));
+        }
         let draw_ratio = |run: &Run| {
-            let case = self.plan.base.case(&self.design(0, run.value(0)).settings).ok()?;
+            let case = self.plan.base.case(&self.trial(0, run.value(0)).settings).ok()?;
             estimate::draw_ratio(case.model())
         };
         let ratios = best.zip(other).and_then(|(best, other)| draw_ratio(best).zip(draw_ratio(other)));
@@ -171,10 +183,9 @@ impl LimitSearch {
         }));
         let red = best.filter(|run| self.search.is_limit && !run.red.is_empty());
         notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.worst_rows(run))));
-        let failed = self.trials(runs).iter().filter(|trial| trial.1.is_none()).count();
-        if failed > 0 {
-            notes.push(format!("{failed} of {} runs came to no result.", runs.runs.len()));
-        }
+        let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
+        let some = format!("{failed} of {} runs came to no result.", runs.runs.len());
+        notes.extend(runs.no_result().or((failed > 0).then_some(some)));
         notes
     }
 
@@ -200,9 +211,14 @@ impl Study for LimitSearch {
         self.aim.resolve(runs)
     }
 
-    fn next(&mut self, runs: &RunTable) -> Vec<Design> {
-        let values = self.search.next(&self.trials(runs));
-        (runs.runs.len() as u64..).zip(values).map(|(index, x)| self.design(index, x)).collect()
+    fn known(&mut self, runs: &RunTable) -> u64 {
+        self.values.truncate(runs.runs.len());
+        self.values.extend(self.search.next(&self.trials(runs)));
+        self.values.len() as u64
+    }
+
+    fn design(&self, index: u64) -> Design {
+        self.trial(index, self.values[index as usize])
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {

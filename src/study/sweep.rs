@@ -85,6 +85,10 @@ impl Sweep {
             let last = axis.count() - 1;
             base.check_any([0, last / 2, last].map(|i| vec![axis.variable.setting(&axis.values[i])]))?;
         }
+        if !one_at_a_time {
+            let setting = |axis: &Axis| axis.variable.setting(&axis.values[0]);
+            base.check_effective(&axes.iter().map(setting).collect::<Vec<_>>())?;
+        }
         let columns = variables().map(Variable::header).collect();
         let plan = Plan::new(base, &format!("{vary:?}{one_at_a_time}"), columns, designs);
         Ok(Self { plan, axes, one_at_a_time })
@@ -105,15 +109,6 @@ impl Sweep {
             }
         }
         places
-    }
-
-    fn design(&self, index: u64) -> Design {
-        let (mut values, mut settings) = (Vec::new(), Vec::new());
-        for (axis, place) in self.axes.iter().zip(self.positions(index)) {
-            settings.extend(place.map(|i| axis.variable.setting(&axis.values[i])));
-            values.push(place.map_or_else(String::new, |i| axis.values[i].clone()));
-        }
-        Design { index, values, settings }
     }
 
     fn notes(&self, runs: &RunTable) -> Vec<String> {
@@ -204,8 +199,13 @@ impl Study for Sweep {
         &self.plan
     }
 
-    fn next(&mut self, _: &RunTable) -> Vec<Design> {
-        (0..self.plan.designs).map(|index| self.design(index)).collect()
+    fn design(&self, index: u64) -> Design {
+        let (mut values, mut settings) = (Vec::new(), Vec::new());
+        for (axis, place) in self.axes.iter().zip(self.positions(index)) {
+            settings.extend(place.map(|i| axis.variable.setting(&axis.values[i])));
+            values.push(place.map_or_else(String::new, |i| axis.values[i].clone()));
+        }
+        Design { index, values, settings }
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {
@@ -222,9 +222,9 @@ impl Study for Sweep {
         };
         StudyReport {
             headline: format!("{} designs: {sound} sound{doubt}{}.", designs.len(), failed.collect::<String>()),
-            notes: self.notes(runs),
+            notes: self.notes(runs).into_iter().chain(runs.no_result()).collect(),
             tables,
-            found: true,
+            found: runs.no_result().is_none(),
             charts: if runs.runs.len() <= DRAWN { charts } else { Vec::new() },
         }
     }

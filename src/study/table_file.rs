@@ -1,100 +1,154 @@
-//! Tables of studies on the disk, whole or as shards. While one is written: `.study.csv.rows`, renamed to `study.csv` when the
-//! last row is there.
+//! Tables of studies on the disk, whole or as shards. While one is made, `.study.csv.rows` has its rows and `.study.csv.curves`
+//! their curves; `.study.csv.lock` is held by the process that writes them.
 //!
 //! A killed run may leave one incomplete last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n,
 //! k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
 
 use super::error::ensure;
 use super::run_table::{BEGINNING, record};
-use super::{EarlierRuns, Run, RunTable, StudyError, fail};
+use super::{EarlierRuns, Evaluated, RunTable, StudyError, Watch, fail};
+use crate::case::files::{Disk, Files};
+use crate::results::file::{Lock, NewFolders, WriteError, folder_of, hidden, write};
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::thread;
+use std::time::Duration;
 
-/// A table on the disk.
+/// Largest table \[bytes\]: a million rows of 2 kB.
+const LARGEST: usize = 2_000_000_000;
+/// Time between two tries of a lock.
+const AGAIN: Duration = Duration::from_millis(100);
+const ELSEWHERE: &str = "choose another place with --out";
+
+/// A table on the disk, locked by this process.
 #[derive(Debug)]
 pub struct TableFile {
     path: PathBuf,
     /// Path of the rows while some are missing.
     pub part: PathBuf,
-    file: File,
-    /// Rows that an earlier run has left.
-    pub earlier: EarlierRuns,
+    /// Folder of the curves while some are missing.
+    curves: PathBuf,
+    /// Whether its rows are those of a complete table.
+    is_complete: bool,
+    is_resumed: bool,
+    rows: Option<File>,
+    _lock: Lock,
+    _folders: NewFolders,
 }
 
 impl TableFile {
-    /// Opens the table file of a study; rows of an earlier run are refused unless they are to `resume` or to `restart`.
-    pub fn open(path: &Path, runs: &RunTable, resume: bool, restart: bool) -> Result<Self, StudyError> {
-        let (shown, elsewhere) = (path.display(), "choose another place with --out");
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let part = path.with_file_name(format!(".{name}.rows"));
-        let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), elsewhere);
-        fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).map_err(unwritable)?;
-        let is_free = !path.exists() || is_table(path);
-        ensure(is_free, format!("{shown} is there and is no table of a study"), elsewhere)?;
-        let mut file = loop {
-            let file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
-            match file.try_lock() {
-                // A shard that begins again waits for the end of the process that it takes over from.
-                Err(TryLockError::WouldBlock) if resume => file.lock().map_err(unwritable)?,
-                Err(TryLockError::WouldBlock) => {
-                    return fail(format!("another run writes {shown}"), format!("wait for it, or {elsewhere}"));
+    /// Locks the table of a study; an earlier one is refused unless it is to `resume` or to `restart`. A study that is
+    /// resumed waits for the end of the process that it takes over from.
+    pub fn open(path: &Path, resume: bool, restart: bool, watch: &dyn Watch) -> Result<Self, StudyError> {
+        let shown = path.display();
+        let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), ELSEWHERE);
+        let hidden = |ending: &str| hidden(path, ending).map_err(unwritable);
+        let [part, curves, lock] = [hidden("rows")?, hidden("curves")?, hidden("lock")?];
+        let folders = NewFolders::make(folder_of(path)).map_err(unwritable)?;
+        let lock = loop {
+            match Lock::take(&lock) {
+                Err(error) if resume && error.kind() == ErrorKind::ResourceBusy && !watch.wants_to_stop() => {
+                    thread::sleep(AGAIN);
                 }
-                // File systems without locks are accepted.
-                Ok(()) | Err(TryLockError::Error(_)) => {}
-            }
-            // The run that was waited for may have renamed its table.
-            if part.exists() {
-                break file;
+                lock => break lock.map_err(unwritable)?,
             }
         };
-        let mut bytes = Vec::new();
-        if !restart {
-            file.read_to_end(&mut bytes).map_err(unwritable)?;
-        }
+        let is_complete = path.exists();
+        ensure(!is_complete || is_table(path), format!("{shown} is there and is no table of a study"), ELSEWHERE)?;
+        let is_free = |is_there: bool| resume || restart || !is_there;
         let what = format!("an earlier run has left rows of {shown} and did not end");
         let help = "go on with them by --resume, or begin anew with --restart";
-        ensure(bytes.is_empty() || resume, what, help)?;
+        ensure(is_free(part.metadata().is_ok_and(|part| part.len() > 0)), what, help)?;
+        let help = format!("replace it with --restart, or {ELSEWHERE}");
+        ensure(is_free(is_complete), format!("{shown} is there, of a complete study"), help)?;
+        let path = path.to_owned();
+        Ok(Self { path, part, curves, is_complete, is_resumed: resume, rows: None, _lock: lock, _folders: folders })
+    }
+
+    /// Begins the rows of a study, or goes on with those of an earlier run, which are returned.
+    pub fn begin(&mut self, runs: &RunTable) -> Result<EarlierRuns, StudyError> {
+        let Self { path, part, curves, is_complete, .. } = self;
+        let shown = path.display();
+        let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), ELSEWHERE);
+        let read = |path: &Path| if path.exists() { Disk.read(path, LARGEST) } else { Ok(Vec::new()) };
+        let mut bytes = if self.is_resumed { read(part).map_err(unwritable)? } else { Vec::new() };
         // Bytes behind the last whole line are a row that was cut.
         bytes.truncate(bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1));
         let kept = bytes.len() as u64;
-        if kept == 0 {
-            bytes = if resume && path.exists() { fs::read(path).map_err(unwritable)? } else { record(&runs.header()) };
+        *is_complete &= self.is_resumed && kept == 0;
+        if *is_complete {
+            bytes = read(path).map_err(unwritable)?;
+        } else if kept == 0 {
+            bytes = record(&runs.header());
         }
         let what = format!("{shown} has rows of another study, or of another version");
-        let foreign = || StudyError::new(what, format!("begin anew with --restart, or {elsewhere}"));
+        let foreign = || StudyError::new(what, format!("begin anew with --restart, or {ELSEWHERE}"));
         let earlier = rows(&bytes, runs).ok_or_else(foreign)?;
-        file.set_len(kept).and_then(|()| file.seek(SeekFrom::End(0))).map_err(unwritable)?;
-        if kept == 0 {
-            file.write_all(&bytes).map_err(unwritable)?;
+        if kept == 0 && curves.exists() {
+            fs::remove_dir_all(curves).map_err(unwritable)?;
         }
-        Ok(Self { path: path.to_owned(), part, file, earlier })
+        let begin = || {
+            let mut file = File::options().write(true).create(true).truncate(false).open(part)?;
+            file.set_len(kept)?;
+            file.seek(SeekFrom::End(0))?;
+            file.write_all(&bytes[kept as usize..]).map(|()| file)
+        };
+        self.rows = Some(begin().map_err(unwritable)?);
+        Ok(earlier)
     }
 
-    /// Appends a row.
-    pub fn add(&mut self, runs: &RunTable, run: &Run) -> io::Result<()> {
-        self.file.write_all(&record(&runs.line(run)))
+    /// Appends a row, with load and thickness of the design if they are to be kept.
+    pub fn add(&mut self, runs: &RunTable, evaluated: &Evaluated, with_curves: bool) -> Result<(), WriteError> {
+        let Evaluated { run, outcome } = evaluated;
+        let curves = outcome.iter().filter(|_| with_curves).flat_map(|outcome| {
+            let load = ("load", "travel_mm,punch_force_N", &outcome.load);
+            [load, ("thickness", "s0_mm,thickness_mm", &outcome.thickness)]
+        });
+        for (name, header, points) in curves {
+            let lines: String = points.iter().map(|(x, y)| format!("{x},{y}\n")).collect();
+            let path = self.curves.join(format!("{name}-{}.csv", run.index));
+            write(&path, format!("{header}\n{lines}").as_bytes())?;
+        }
+        let line = record(&runs.line(run));
+        let written = self.rows.as_ref().map_or(Ok(()), |mut rows| rows.write_all(&line));
+        written.map_err(|source| WriteError { path: self.part.clone(), source })
     }
 
-    /// Gives the whole table its name.
-    pub fn finish(self) -> io::Result<()> {
-        self.file.sync_all()?;
-        fs::rename(&self.part, &self.path)
+    /// Files of all curves that were kept.
+    pub fn curve_files(&self) -> Vec<PathBuf> {
+        let earlier = self.is_complete.then(|| self.path.with_file_name("curves"));
+        let folders = earlier.as_ref().into_iter().chain([&self.curves]);
+        folders
+            .flat_map(|folder| fs::read_dir(folder).into_iter().flatten().flatten())
+            .map(|file| file.path())
+            .collect()
     }
 
-    /// Removes the rows once they are in the folder of the results.
-    pub fn discard(self) {
+    /// Writes the table of a shard, and its curves beside it; removes the rows.
+    pub fn finish(self, runs: &RunTable) -> Result<(), WriteError> {
+        let curves = self.path.with_file_name("curves");
+        let keep = || {
+            for path in self.curve_files() {
+                fs::create_dir_all(&curves)?;
+                fs::rename(&path, curves.join(path.file_name().unwrap_or_default()))?;
+            }
+            Ok(())
+        };
+        keep().map_err(|source| WriteError { path: curves.clone(), source })?;
+        write(&self.path, &runs.csv())?;
+        let _ = fs::remove_dir(&self.curves);
         let _ = fs::remove_file(&self.part);
+        Ok(())
     }
 }
 
 fn rows(text: &[u8], runs: &RunTable) -> Option<EarlierRuns> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text);
     let mut records = reader.records();
-    let Some(header) = records.next() else { return Some(EarlierRuns::new()) };
-    let is_own = header.ok()?.iter().eq(runs.header().iter().map(String::as_str));
+    let is_own = records.next()?.ok()?.iter().eq(runs.header().iter().map(String::as_str));
     let rows = records.map(|record| runs.read(&record.ok()?).map(|run| (run.index, run)));
     rows.collect::<Option<_>>().filter(|_| is_own)
 }
@@ -102,7 +156,7 @@ fn rows(text: &[u8], runs: &RunTable) -> Option<EarlierRuns> {
 fn is_table(path: &Path) -> bool {
     let mut beginning = Vec::new();
     let read = File::open(path).and_then(|file| file.take(BEGINNING.len() as u64).read_to_end(&mut beginning));
-    read.is_ok() && beginning == BEGINNING.as_bytes()
+    path.is_file() && read.is_ok() && beginning == BEGINNING.as_bytes()
 }
 
 /// A share of a study, `7/64`.
@@ -122,9 +176,9 @@ impl Shard {
         (designs + self.count - self.number) / self.count
     }
 
-    /// Whether a design is its own.
-    pub fn holds(self, index: u64) -> bool {
-        index % self.count == self.number - 1
+    /// Position of one of its designs in the study.
+    pub fn index(self, own: usize) -> u64 {
+        self.number - 1 + own as u64 * self.count
     }
 
     /// File of its table: `study-07-of-64.csv`, `study.csv` for the whole.
@@ -151,10 +205,10 @@ impl FromStr for Shard {
 pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
     let help = "give every shard of one study once";
     let unreadable = |path: &Path, error| StudyError::new(format!("cannot read {}: {error}", path.display()), help);
-    let read = |path: &PathBuf| fs::read_to_string(path).map_err(|error| unreadable(path, error));
+    let read = |path: &PathBuf| Disk.text(path, LARGEST).map_err(|error| unreadable(path, error));
     let texts = shards.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let (mut header, mut study) = (None, None);
-    let mut rows: BTreeMap<u64, (&str, &Path)> = BTreeMap::new();
+    let mut all: BTreeMap<u64, (&str, &Path)> = BTreeMap::new();
     for (path, text) in shards.iter().zip(&texts) {
         let (shown, before) = (path.display(), shards[0].display());
         let mut lines = text.split_inclusive('\n');
@@ -162,27 +216,35 @@ pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
         ensure(first.starts_with(BEGINNING), format!("{shown} is no table of a study"), help)?;
         let is_alike = *header.get_or_insert(first) == first;
         ensure(is_alike, format!("{shown} has other columns than {before}"), help)?;
-        for line in lines {
+        let columns = fields(first).map_or(0, |fields| fields.len());
+        for (i, line) in lines.enumerate() {
+            let shown = format!("{shown}, line {}", i + 2);
             let row = || {
-                let mut fields = line.strip_suffix('\n')?.split(',');
-                Some(((fields.next()?, fields.next()?.parse().ok()?), fields.next()?.parse().ok()?))
+                let fields = fields(line).filter(|fields| fields.len() == columns && line.ends_with('\n'))?;
+                let [key, designs, index, .., version] = &fields[..] else { return None };
+                Some(((key.clone(), designs.parse().ok()?, version.clone()), index.parse().ok()?))
             };
-            let what = format!("{shown} has a line that is no row of a study");
-            let cut = || StudyError::new(what, "run that shard again with --resume");
-            let (own, index): ((&str, u64), u64) = row().ok_or_else(cut)?;
-            let is_own = *study.get_or_insert(own) == own;
-            ensure(is_own, format!("{shown} is of another study than {before}"), help)?;
-            if let Some((_, other)) = rows.insert(index, (line, path)) {
+            let cut =
+                || StudyError::new(format!("{shown}, is no row of a study"), "run that shard again with --resume");
+            let (own, index): ((String, u64, String), u64) = row().ok_or_else(cut)?;
+            let is_own = *study.get_or_insert_with(|| own.clone()) == own;
+            ensure(is_own, format!("{shown}, is of another study than {before}, or of another version"), help)?;
+            if let Some((_, other)) = all.insert(index, (line, path)) {
                 return fail(format!("design {index} is both in {} and in {shown}", other.display()), help);
             }
         }
     }
-    let (header, (_, designs)) = header.zip(study).ok_or_else(|| StudyError::new("no shard has a row", help))?;
-    if let Some(missing) = (0..designs).find(|index| !rows.contains_key(index)) {
+    let (header, (_, designs, _)) = header.zip(study).ok_or_else(|| StudyError::new("no shard has a row", help))?;
+    if let Some(missing) = (0..designs).find(|index| !all.contains_key(index)) {
         return fail(format!("design {missing} of {designs} is in no shard"), help);
     }
-    if let Some((index, (_, path))) = rows.range(designs..).next() {
+    if let Some((index, (_, path))) = all.range(designs..).next() {
         return fail(format!("{} has design {index} of {designs}", path.display()), help);
     }
-    Ok(([header].into_iter().chain(rows.into_values().map(|(line, _)| line)).collect(), designs))
+    Ok(([header].into_iter().chain(all.into_values().map(|(line, _)| line)).collect(), designs))
+}
+
+fn fields(line: &str) -> Option<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(line.as_bytes());
+    Some(reader.records().next()?.ok()?.iter().map(str::to_owned).collect())
 }

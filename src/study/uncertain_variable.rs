@@ -26,6 +26,8 @@ pub(super) struct UncertainVariable {
     distribution: Distribution,
     /// The law that the strength scales, or that must be written into the case before one of its numbers can be changed.
     hardening: Option<Value>,
+    /// Whether it takes nothing from the case.
+    pub is_absolute: bool,
 }
 
 impl UncertainVariable {
@@ -35,10 +37,15 @@ impl UncertainVariable {
         let wrong = || StudyError::new(format!("`{text}` gives no key a distribution"), help);
         let (key, distribution) = split_pair(text).ok_or_else(wrong)?;
         let is_strength = key == STRENGTH;
-        let own = || if is_strength { Some("1".to_owned()) } else { base.value(key) };
+        let mut is_absolute = true;
+        let own = || {
+            is_absolute = false;
+            if is_strength { Some("1".to_owned()) } else { base.value(key) }
+        };
         let (distribution, unit) = Distribution::read(key, distribution, own)?;
         let hardening = if is_strength { Some(scalable_law(case)?) } else { library_law(case, key) };
-        Ok(Self { variable: Variable::new(key, unit), distribution, hardening })
+        is_absolute &= hardening.is_none();
+        Ok(Self { variable: Variable::new(key, unit), distribution, hardening, is_absolute })
     }
 
     /// Its value at a coordinate between 0 and 1.

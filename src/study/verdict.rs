@@ -1,7 +1,7 @@
 //! Verdict for the user of one case: findings, what hangs on friction, and advice that was tried.
 
-use super::Watch;
 use super::advice::advise;
+use super::{BaseCase, Watch};
 use crate::assess::error_bars::{ErrorBars, weighed};
 use crate::assess::{Answer, FailureMode, Finding, after, friction};
 use crate::case::Solution;
@@ -16,9 +16,9 @@ pub fn judge(
 ) -> (Answer, Vec<Finding>) {
     let mut findings = after(&solution.case, &solution.stages);
     if is_known(solution) {
-        let others = friction::neighbours(&solution.case).into_par_iter().map(|case| case.solve(&mut &*watch));
-        let others: Vec<Solution> = others.collect();
-        if others.iter().all(is_known) {
+        let others = friction::neighbours(&solution.case).into_par_iter();
+        let others = others.map(|case| BaseCase::solve(case, watch).ok().filter(is_known));
+        if let Some(others) = others.collect::<Option<Vec<Solution>>>() {
             friction::judge(solution, &others, &mut findings);
         }
     }

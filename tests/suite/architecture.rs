@@ -46,7 +46,8 @@ const CRATES: &[(&str, &str)] = &[
     ("report", "maud"),
     ("results", "rustix"),
     ("results study table", "csv"),
-    ("study", "contour sobol_burley statrs"),
+    ("study", "contour sobol_burley"),
+    ("numerics study", "statrs"),
 ];
 
 /// A file of `src/`: its path, its modules, and its text without tests, comments and strings.

@@ -2,6 +2,7 @@
 
 use crate::common::cli::{stampflow, text};
 use crate::common::files::files;
+use regex::Regex;
 use stampflow::case::{self, Case};
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::import::{DrawingUnit, Options, Sections, read};
@@ -293,6 +294,27 @@ fn a_wrong_unit_is_doubted() {
     for (unit, is_doubted) in [("mm", true), ("m", true), ("in", false)] {
         let (_, printed) = imported(dir.path(), "ezdxf_inches.dxf", &["--unit", unit]);
         assert_eq!(printed.contains("check --unit"), is_doubted, "{unit}: {printed}");
+    }
+}
+
+/// Trust: the drawing is in mm, 180 mm wide; as inches of a wrong header it would be 4.6 m. Without its punch it makes no run.
+#[test]
+fn a_doubtful_drawing_is_asked_about() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
+    let path = dir.path().join("ezdxf_lines_and_arcs.dxf");
+    let drawing = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    let inches = Regex::new("(INSUNITS\n *70\n *)4\n").unwrap().replace(&drawing, "${1}1\n").into_owned();
+    assert!(inches != drawing);
+    fs::write(dir.path().join("inches.dxf"), inches).unwrap();
+    for (args, code, says) in [
+        (&["inches.dxf"][..], 2, "--unit mm"),
+        (&["inches.dxf", "--unit", "mm"], 0, ""),
+        (&["inches.dxf", "--unit", "in", "--force"], 0, ""),
+        (&["ezdxf_lines_and_arcs.dxf", "--layer", "PUNCH=none"], 1, "no punch is drawn"),
+    ] {
+        let done = stampflow(dir.path(), &[&["import"], args].concat());
+        let errors = text(&done.stderr);
+        assert!(done.status.code() == Some(code) && errors.contains(says), "{args:?}: {errors}{}", text(&done.stdout));
     }
 }
 

@@ -4,7 +4,11 @@ use crate::study::run;
 use stampflow::study::{BaseCase, Evaluation, Scatter, Shard, Study, StudyError, begin};
 
 fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
-    let set = vec!["blank.elements=24".into(), "solver.max_step=0.06".into()];
+    scatter_of(&[], vary, runs, seed)
+}
+
+fn scatter_of(set: &[&str], vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
+    let set = [&["blank.elements=24", "solver.max_step=0.06"], set].concat().into_iter().map(str::to_owned).collect();
     let base = BaseCase::load("cases/quickstart.toml", set).expect("a case");
     Scatter::new(base, &vary.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>(), runs, seed)
 }
@@ -12,7 +16,7 @@ fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
 fn values(scatter: &mut Scatter) -> Vec<Vec<f64>> {
     let settings = Evaluation { threads: 2, shard: Shard::WHOLE, watch: &() };
     let table = begin(scatter, &settings).expect("a run");
-    let designs = scatter.next(&table).into_iter();
+    let designs = (0..scatter.known(&table)).map(|index| scatter.design(index));
     designs.map(|design| design.values.iter().map(|text| text.parse().expect("a number")).collect()).collect()
 }
 
@@ -44,4 +48,29 @@ fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
     let tear = &events[0];
     assert_eq!((tear.label.as_str(), tear.hits, tear.probability[1]), ("Tears", 0, 0.0));
     assert!(tear.probability[2] > 0.05 && tear.probability[2] < 0.15, "{:?}", tear.probability);
+}
+
+/// Trust: one iteration finds no equilibrium, so that no run counts.
+#[test]
+fn a_scatter_without_a_result_says_why() {
+    let mut scatter =
+        scatter_of(&["solver.max_iterations=1"], &["friction=uniform 0.05..0.11"], 8, 1).expect("a scatter");
+    let table = run(&mut scatter, 2, &());
+    let report = scatter.report(&table);
+    assert!(report.headline.starts_with("None of 8 runs came to a result: no equilibrium"), "{}", report.headline);
+    assert!(!report.found && report.notes.is_empty(), "{:?}", report.notes);
+}
+
+/// Trust: a middle that the case has is its own; a distribution without one replaces what is set.
+#[test]
+fn what_is_set_and_replaced_is_refused() {
+    for (set, vary, is_refused) in [
+        ("friction=0.12", "friction=uniform 0.05..0.11", true),
+        ("tools.die.friction=0.12", "friction=uniform 0.05..0.11", true),
+        ("friction=0.12", "friction=uniform ± 0.01", false),
+        ("tools.die.shoulder=7 mm", "friction=uniform 0.05..0.11", false),
+    ] {
+        let refused = scatter_of(&[set], &[vary], 8, 1).err().map(|error| error.to_string());
+        assert_eq!(refused.is_some_and(|error| error.contains("has no effect")), is_refused, "{set}, {vary}");
+    }
 }

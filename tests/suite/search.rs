@@ -56,6 +56,27 @@ fn a_target_gives_back_the_value_that_makes_it() {
     let found = table.runs[best.expect("a run")].value(0);
     assert!((found - 0.1).abs() < 1e-3, "{found}");
     assert!(table.runs.len() < 20, "{}", table.runs.len());
+    let again = |threads| run(&mut LimitSearch::new(base(&[]), &asked).expect("a search"), threads, &()).csv();
+    assert!(again(1) == table.csv() && again(8) == table.csv(), "it depends on the number of threads");
+    let asked = request("friction=0.05..0.1/3", None, Some("punch_force=1 MN"), None);
+    let mut beyond = LimitSearch::new(base(&[]), &asked).expect("a search");
+    let table = run(&mut beyond, 2, &());
+    let report = beyond.report(&table);
+    assert!(!report.found && report.notes[0].starts_with("It goes from 4"), "{:?}", report.notes);
+}
+
+/// Trust: by hand.
+#[test]
+fn a_key_is_given_once() {
+    for (set, vary, says) in [
+        ("blank.elements=32", "friction=0.05..0.1 & friction=0.1..0.2", "friction is varied twice"),
+        ("friction=0.3", "friction=0.05..0.1", "`friction=0.3` has no effect"),
+        ("tools.punch.friction=0.3", "friction=0.05..0.1", "`tools.punch.friction=0.3` has no effect"),
+    ] {
+        let asked = request(vary, Some("no red"), None, Some(Side::Largest));
+        let refused = LimitSearch::new(base(&[set]), &asked).expect_err(vary).to_string();
+        assert!(refused.contains(says), "{refused}");
+    }
 }
 
 /// Trust: no blank of a cup with a soft condition fails, none of a hard one holds.

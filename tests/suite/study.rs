@@ -7,11 +7,14 @@ use stampflow::study::{
     BaseCase, EarlierRuns, Evaluated, Evaluation, FailureMode, RunTable, Shard, Study, StudyError, Sweep, begin,
     evaluate,
 };
+use std::collections::BTreeMap;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::process::Output;
+use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::sleep;
+use std::time::Duration;
 
 fn base() -> BaseCase {
     let set = vec!["blank.elements=30".into(), "solver.max_step=0.05".into()];
@@ -34,7 +37,7 @@ pub fn run(study: &mut dyn Study, threads: usize, watch: &dyn Watch) -> RunTable
 fn designs_are_counted_with_the_last_key_fastest() {
     let mut sweep = sweep(&["friction=0.05,0.1", "tools.die.shoulder=5,6 mm"], false).expect("a sweep");
     let runs = begin(&mut sweep, &Evaluation { threads: 1, shard: Shard::WHOLE, watch: &() }).expect("a run");
-    let values: Vec<Vec<String>> = sweep.next(&runs).into_iter().map(|design| design.values).collect();
+    let values: Vec<Vec<String>> = (0..sweep.known(&runs)).map(|index| sweep.design(index).values).collect();
     assert_eq!(values, [["0.05", "5"], ["0.05", "6"], ["0.1", "5"], ["0.1", "6"]]);
 }
 
@@ -119,6 +122,10 @@ fn a_killed_study_is_resumed_to_the_same_bytes() {
     ok(&done);
     let whole = fs::read(dir.path().join("a/study.csv")).unwrap();
     assert!(dir.path().join("a/sweep.png").is_file());
+    let again = swept(dir.path(), &["--out", "a"]);
+    assert!(again.status.code() == Some(2) && text(&again.stderr).contains("--restart"), "{}", text(&again.stderr));
+    ok(&swept(dir.path(), &["--out", "a", "--resume", "--format", "svg"]));
+    assert!(!dir.path().join("a/sweep.png").exists() && dir.path().join("a/sweep.svg").is_file());
     fs::create_dir(dir.path().join("b")).unwrap();
     let rows: Vec<usize> = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(i, _)| i + 1).collect();
     for end in [rows[2] + 30, rows[0], 20] {
@@ -143,6 +150,49 @@ fn a_killed_study_is_resumed_to_the_same_bytes() {
     assert!(foreign.status.code() == Some(2) && text(&foreign.stderr).contains("no table of a study"));
 }
 
+/// Trust: a signal while the base case is solved, which takes longer than to send it; the table of a study that nobody ended.
+#[cfg(unix)]
+#[test]
+fn a_study_that_is_ended_before_its_first_run_is_resumed() {
+    let dir = folder(&CUP.replace("elements = 30", "elements = 150"));
+    for shard in ["1/1", "2/2"] {
+        let line =
+            |out| format!("sweep cases/cup.toml -q --vary friction=0.05,0.1 --shard {shard} --resume --out {out}");
+        let swept = |out| stampflow(dir.path(), &line(out).split(' ').collect::<Vec<_>>());
+        ok(&swept("whole"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stampflow"));
+        let run = command.args(line("cut").split(' ')).current_dir(dir.path()).stderr(Stdio::null()).spawn();
+        let is_lock = |name: &std::ffi::OsStr| name.to_string_lossy().ends_with(".lock");
+        let files = |out: &str| fs::read_dir(dir.path().join(out)).into_iter().flatten().map(|entry| entry.unwrap());
+        let mut run = run.unwrap();
+        while !files("cut").any(|file| is_lock(&file.file_name())) {
+            sleep(Duration::from_millis(2));
+        }
+        assert!(Command::new("kill").args(["-TERM", &run.id().to_string()]).status().unwrap().success());
+        assert_eq!(run.wait().unwrap().code(), Some(130));
+        ok(&swept("cut"));
+        let [cut, whole] = ["cut", "whole"].map(|out| {
+            files(out).map(|file| (file.file_name(), fs::read(file.path()).unwrap())).collect::<BTreeMap<_, _>>()
+        });
+        assert!(cut == whole, "{shard}");
+    }
+}
+
+/// Trust: by hand, 999 999 999 = 1000³ − 1 has the last value of every key; 1 000 000 rows of a kilobyte are a gigabyte.
+#[test]
+fn designs_beyond_memory_are_refused_and_their_shards_begin() {
+    let vary = ["friction=0.05..0.1/1000", "tools.holder.force=5..9 kN/1000", "tools.die.shoulder=5..6 mm/1000"];
+    let mut sweep = sweep(&vary, false).expect("a sweep");
+    assert_eq!(sweep.design(999_999_999).values, ["0.1", "9", "6"]);
+    let begun = |sweep: &mut Sweep, shard: &str| {
+        let settings = Evaluation { threads: 1, shard: shard.parse().expect("a shard"), watch: &() };
+        begin(sweep, &settings).map(|_| ()).map_err(|error| error.to_string())
+    };
+    let refused = begun(&mut sweep, "3/999").expect_err("too many");
+    assert!(refused.contains("1001001 runs") && refused.contains("1000 shards"), "{refused}");
+    assert_eq!(begun(&mut sweep, "7/1000"), Ok(()));
+}
+
 /// Trust: the table of all shards is that of the whole study, byte for byte; what is missing, twice, cut or foreign is refused.
 #[test]
 fn shards_are_merged_to_the_table_of_the_whole_study() {
@@ -160,6 +210,9 @@ fn shards_are_merged_to_the_table_of_the_whole_study() {
     assert_eq!(read("m/study.csv"), read("whole/study.csv"));
     let second = String::from_utf8(read(shards[1])).unwrap();
     fs::write(dir.path().join("cut.csv"), &second[..second.len() - 20]).unwrap();
+    for (name, end) in [("field.csv", second.rfind(',').unwrap()), ("version.csv", second.len() - 2)] {
+        fs::write(dir.path().join(name), second[..end].to_owned() + "\n").unwrap();
+    }
     fs::write(dir.path().join("short.csv"), second.lines().take(2).map(|line| format!("{line}\n")).collect::<String>())
         .unwrap();
     let key = second.lines().nth(1).unwrap().split(',').next().unwrap();
@@ -169,7 +222,10 @@ fn shards_are_merged_to_the_table_of_the_whole_study() {
     for (others, says) in [
         (vec![shards[0], shards[2]], "is in no shard"),
         (vec![shards[0], shards[1], shards[2], shards[1]], "is both in"),
-        (vec![shards[0], "cut.csv", shards[2]], "no row of a study"),
+        (vec![shards[0], "cut.csv", shards[2]], "cut.csv, line 3, is no row of a study"),
+        (vec![shards[0], "field.csv", shards[2]], "field.csv, line 3, is no row of a study"),
+        (vec![shards[0], "version.csv", shards[2]], "version.csv, line 3, is of another study"),
+        (vec!["/dev/zero"], "not a file"),
         (vec![shards[0], "short.csv", shards[2]], "is in no shard"),
         (vec![shards[0], "foreign.csv", shards[2]], "another study"),
         (vec![shards[0], "columns.csv", shards[2]], "other columns"),

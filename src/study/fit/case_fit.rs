@@ -74,6 +74,7 @@ impl CaseFitRequest {
         let what = "there is no curve to fit to, and the case has no [[compare]] with one";
         ensure(!curves.is_empty(), what, "give --to curve.csv")?;
         let request = Self { base, variables, parameters, curves };
+        request.base.check_effective(&request.settings(&request.starts()))?;
         request.base.case(&request.settings(&request.starts()))?;
         Ok(request)
     }
@@ -133,11 +134,11 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let (mut done, mut failed, mut reason) = (1, 0, None);
     let expected = 1 + 7 * (2 * request.variables.len() + 2);
     let mut run_all = |points: &[Vec<f64>]| {
-        let one = |values: &Vec<f64>| {
-            residuals(&request.run(values, watch)?).ok_or_else(|| "a run ended before the curve does".to_owned())
+        let one = |i: usize| {
+            residuals(&request.run(&points[i], watch)?).ok_or_else(|| "a run ended before the curve does".to_owned())
         };
         let mut all = Vec::new();
-        let Ok(()) = parallel_map(points, threads, watch, one, |result: Result<Vec<f64>, String>| {
+        let Ok(()) = parallel_map(points.len(), threads, watch, one, |result: Result<Vec<f64>, String>| {
             done += 1;
             watch.ran(done, expected.max(done + 1));
             failed += usize::from(result.is_err());

@@ -16,11 +16,10 @@
 //! P. J. Roache, J. Fluids Eng. 116 (1994) 405–413 (not read: the factor 1.25); ASME V&V 20 (2009) (not read); L. Eça,
 //! M. Hoekstra, J. Comput. Phys. 262 (2014) 104–130 (not read: the factor 3 on data that do not follow a power).
 
-mod direction;
 mod estimate;
 mod numbers;
 
-pub use direction::Direction;
+pub use crate::model::refinement::Direction;
 use estimate::with_bar;
 pub use numbers::{End, Outcome};
 
@@ -68,69 +67,64 @@ impl Observer for &dyn Watch {
     }
 }
 
-/// Refines a solved case in every direction on its own, twice and four times.
+/// Refines a solved case in every direction on its own, twice and four times; no bars if the watch wants to stop.
 pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     let base = Outcome::of(solution, None);
     let all = LEVELS.iter().flat_map(|times| Direction::ALL.map(|direction| (direction, *times)));
     let jobs: Vec<_> = all.filter(|_| !base.end.lost).collect();
-    Verification::new(solution, base, &jobs, watch)
+    let (case, done) = (&solution.case, AtomicUsize::new(0));
+    let one = |&(direction, times): &(Direction, f64)| {
+        let outcome = direction.refined(&case.stages, times).map(|stages| {
+            let case = Case { stages, ..case.clone() };
+            Outcome::of(&case.solve(&mut &*watch), Some((direction, times)))
+        });
+        watch.ran(1 + done.fetch_add(1, Ordering::Relaxed), jobs.len());
+        outcome
+    };
+    let mut refined: Vec<Outcome> = jobs.par_iter().with_max_len(1).filter_map(one).collect();
+    if watch.wants_to_stop() {
+        refined.clear();
+    }
+    let mut directions: Vec<(Direction, Vec<&Outcome>)> = Vec::new();
+    for direction in Direction::ALL {
+        let mut runs = refined.iter().filter(|run| run.direction == Some(direction)).peekable();
+        if runs.peek().is_some() {
+            directions.push((direction, runs.filter(|run| run.end.is_like(&base.end)).collect()));
+        }
+    }
+    let otherwise = || refined.iter().filter(|run| !run.end.lost && !run.end.is_like(&base.end));
+    let reason = if watch.wants_to_stop() {
+        Some("interrupted by the user".to_owned())
+    } else if base.end.lost || directions.is_empty() {
+        Some(base.end.why.clone())
+    } else if otherwise().next().is_some() {
+        Some("other runs end otherwise".to_owned())
+    } else {
+        let missing = directions.iter().find(|(_, runs)| runs.is_empty());
+        missing.map(|(direction, _)| format!("no run with finer {} came to its end", direction.label()))
+    };
+    let tolerance = case.stages.iter().map(|s| s.model.settings.tolerance).fold(0.0, f64::max);
+    let numbers = base.numbers.iter().map(|number| match &reason {
+        Some(reason) => number.without_bar(reason),
+        None => with_bar(number, &directions, tolerance),
+    });
+    let mut notes: Vec<String> = base.end.lost.then(|| base.end.why.clone()).into_iter().collect();
+    let lost = refined.iter().filter(|run| run.end.lost);
+    notes.extend(lost.map(|run| format!("with {} the run does not count: {}", run.refinement(), run.end.why)));
+    notes.extend(otherwise().map(|run| {
+        format!("with {} the run ends otherwise: {}; as it is: {}", run.refinement(), run.end.why, base.end.why)
+    }));
+    let bars = ErrorBars {
+        numbers: numbers.collect(),
+        notes,
+        runs: refined.len(),
+        finer_that_differs: otherwise().next().map(Outcome::refinement),
+        why: base.end.why.clone(),
+    };
+    Verification { bars, outcomes: [vec![base], refined].concat() }
 }
 
 impl Verification {
-    /// Solves the refined runs, those with something to refine; no bars if the watch wants to stop.
-    fn new(solution: &Solution, base: Outcome, jobs: &[(Direction, f64)], watch: &dyn Watch) -> Self {
-        let (case, done) = (&solution.case, AtomicUsize::new(0));
-        let one = |&(direction, times): &(Direction, f64)| {
-            let outcome = direction.refined(&case.stages, times).map(|stages| {
-                let case = Case { stages, ..case.clone() };
-                Outcome::of(&case.solve(&mut &*watch), Some((direction, times)))
-            });
-            watch.ran(1 + done.fetch_add(1, Ordering::Relaxed), jobs.len());
-            outcome
-        };
-        let mut refined: Vec<Outcome> = jobs.par_iter().with_max_len(1).filter_map(one).collect();
-        if watch.wants_to_stop() {
-            refined.clear();
-        }
-        let mut directions: Vec<(Direction, Vec<&Outcome>)> = Vec::new();
-        for direction in Direction::ALL {
-            let mut runs = refined.iter().filter(|run| run.direction == Some(direction)).peekable();
-            if runs.peek().is_some() {
-                directions.push((direction, runs.filter(|run| run.end.is_like(&base.end)).collect()));
-            }
-        }
-        let otherwise = || refined.iter().filter(|run| !run.end.lost && !run.end.is_like(&base.end));
-        let reason = if watch.wants_to_stop() {
-            Some("interrupted by the user".to_owned())
-        } else if base.end.lost || directions.is_empty() {
-            Some(base.end.why.clone())
-        } else if otherwise().next().is_some() {
-            Some("other runs end otherwise".to_owned())
-        } else {
-            let missing = directions.iter().find(|(_, runs)| runs.is_empty());
-            missing.map(|(direction, _)| format!("no run with finer {} came to its end", direction.label()))
-        };
-        let tolerance = case.stages.iter().map(|s| s.model.settings.tolerance).fold(0.0, f64::max);
-        let numbers = base.numbers.iter().map(|number| match &reason {
-            Some(reason) => number.without_bar(reason),
-            None => with_bar(number, &directions, tolerance),
-        });
-        let mut notes: Vec<String> = base.end.lost.then(|| base.end.why.clone()).into_iter().collect();
-        let lost = refined.iter().filter(|run| run.end.lost);
-        notes.extend(lost.map(|run| format!("with {} the run does not count: {}", run.refinement(), run.end.why)));
-        notes.extend(otherwise().map(|run| {
-            format!("with {} the run ends otherwise: {}; as it is: {}", run.refinement(), run.end.why, base.end.why)
-        }));
-        let bars = ErrorBars {
-            numbers: numbers.collect(),
-            notes,
-            runs: refined.len(),
-            finer_that_differs: otherwise().find(|run| run.times > 1.0).map(Outcome::refinement),
-            why: base.end.why.clone(),
-        };
-        Self { bars, outcomes: [vec![base], refined].concat() }
-    }
-
     /// Content of [`FILE`]: a row per number with its error bar, and a column for every finer run.
     pub fn csv(&self) -> Vec<u8> {
         let runs = &self.outcomes[1..];

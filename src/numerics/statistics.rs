@@ -10,7 +10,7 @@ const CONFIDENCE: f64 = 0.95;
 /// # References
 /// E. B. Wilson, Probable inference, the law of succession, and statistical inference, J. Am. Stat. Assoc. 22 (1927) 209–212
 /// (not read; the formula is in common use).
-pub(super) fn wilson(hits: usize, tries: usize) -> Option<[f64; 3]> {
+pub fn wilson(hits: usize, tries: usize) -> Option<[f64; 3]> {
     let n = Some(tries as f64).filter(|n| *n > 0.0)?;
     let value = hits as f64 / n;
     let square = Normal::standard().inverse_cdf(0.5 * (1.0 + CONFIDENCE)).powi(2) / n;
@@ -29,7 +29,7 @@ pub fn quantile(sorted: &[f64], share: f64) -> f64 {
 }
 
 /// Spearman's rank correlation of pairs that are both finite; `None` if one does not vary.
-pub(super) fn rank_correlation(x: &[f64], y: &[f64]) -> Option<f64> {
+pub fn rank_correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     let pairs = x.iter().copied().zip(y.iter().copied()).filter(|(x, y)| x.is_finite() && y.is_finite());
     let (x, y): (Vec<f64>, Vec<f64>) = pairs.unzip();
     let [x, y] = [x, y].map(|values| Data::new(values).ranks(RankTieBreaker::Average));

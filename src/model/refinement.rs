@@ -1,6 +1,6 @@
-//! Directions of refinement.
+//! Directions in which the discretisation of a model is refined.
 
-use crate::model::{Grading, Model, Stage};
+use super::{Grading, Model, Stage};
 use crate::units::Amount;
 
 /// A direction in which a solution is refined.
@@ -55,7 +55,7 @@ impl Direction {
     }
 
     /// Formal order of convergence \[–\].
-    pub(super) fn order(self) -> Option<f64> {
+    pub fn order(self) -> Option<f64> {
         TABLE[self as usize].2
     }
 
