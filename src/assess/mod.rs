@@ -87,6 +87,7 @@ const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
     draw::trim,
     material::temperature,
     stop::contact_share,
+    stop::remedied,
     holder::stays_open,
     holder::rests,
     holder::lost,

@@ -10,8 +10,9 @@ use crate::units::Amount;
 struct Check {
     text: &'static str,
     advice: &'static str,
-    /// Largest share allowed \[–\].
+    /// Largest share allowed, and the one that is red, if any \[–\].
     limit: f64,
+    red: Option<f64>,
     /// Share of a stage \[–\].
     of: fn(&StageSolution) -> Option<f64>,
 }
@@ -20,6 +21,7 @@ const WORK: Check = Check {
     text: "{} of the tools' work is missing in the balance",
     advice: "take smaller steps (solver.max_step)",
     limit: 0.01,
+    red: None,
     of: |stage| stage.steps.last().map(|step| step.work.missing().abs()),
 };
 
@@ -28,18 +30,21 @@ const CHECKS: [Check; 5] = [
         text: "{} of the plastic work is done in nearly rigid zones, where stresses are not the true ones",
         advice: "take a smaller solver.cutoff_strain",
         limit: 0.05,
+        red: None,
         of: |stage| formed(stage).filter(|end| end.work.plastic > 0.0).map(|end| end.work.cutoff / end.work.plastic),
     },
     Check {
         text: "tools sink into the sheet by {} of its thickness",
         advice: "take a larger solver.contact_stiffness, or contact by the augmented Lagrangian",
         limit: 0.05,
+        red: Some(0.1),
         of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.penetration)),
     },
     Check {
         text: "{} of the largest bending moment is missed",
         advice: "take more layers (blank.layers)",
         limit: 0.05,
+        red: None,
         of: |stage| {
             let bends = stage.model.mode != Mode::Flow && stage.model.release.is_none();
             moment_error(stage.frames.last().filter(|_| bends)?)
@@ -50,6 +55,7 @@ const CHECKS: [Check; 5] = [
         text: "the thickness is {} of the radius of the sharpest bend, more than thin-shell theory follows closely",
         advice: "take strains and spring-back there as rough, or take a larger radius",
         limit: 0.4,
+        red: None,
         of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.sharpest_bend)),
     },
     // Limit curves are measured on straight paths; one that the program chose is a guess anyway.
@@ -57,6 +63,7 @@ const CHECKS: [Check; 5] = [
         text: "strain paths that are not straight use {} of the forming limit, which holds for straight ones",
         advice: "keep more margin there (strain_paths.csv of `run`)",
         limit: 0.5,
+        red: None,
         of: |stage| {
             let curve = stage.model.forming_limit.as_ref().filter(|curve| !curve.is_usual)?;
             let assessment = assess(curve, &stage.paths)?;
@@ -82,11 +89,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let missing = if largest > 0.0 { worst(&WORK).unwrap_or(0.0) / largest } else { 0.0 };
     let shares = CHECKS.iter().filter_map(|check| Some((check, worst(check)?)));
     let all = [(&WORK, missing)].into_iter().chain(shares);
-    let (check, share) = all.max_by(|(a, x), (b, y)| (x / a.limit).total_cmp(&(y / b.limit)))?;
+    let is_red = |check: &Check, share: f64| check.red.is_some_and(|red| share > red);
+    let (check, share) =
+        all.max_by(|&(a, x), &(b, y)| is_red(a, x).cmp(&is_red(b, y)).then((x / a.limit).total_cmp(&(y / b.limit))))?;
     let judged = Finding::judged("solution_quality", "Solution quality", check.text).number(Amount::share(share));
     Some(
         judged
-            .at_most(100.0 * check.limit, None)
+            .at_most(100.0 * check.limit, check.red.map(|red| 100.0 * red))
             .source("declared accuracy of the solver; bends: continuum solids; strain paths: declared")
             .advice(check.advice),
     )

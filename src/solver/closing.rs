@@ -105,7 +105,8 @@ fn closing_model(model: &Model, way: f64) -> Model {
     model
 }
 
-struct Unseen<'a>(&'a mut dyn Observer);
+/// Observer that sees nothing of a run, and may end it.
+pub(super) struct Unseen<'a>(pub &'a mut dyn Observer);
 
 impl Observer for Unseen<'_> {
     fn wants_to_stop(&mut self) -> bool {

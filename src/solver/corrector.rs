@@ -18,6 +18,8 @@ const LARGEST_TURN: f64 = 0.3;
 const LOOSE_RESIDUAL: f64 = 0.01;
 /// Residual below which the remaining velocity error is extrapolated \[–\]: forces then agree within 1e-6.
 const SETTLED_RESIDUAL: f64 = 1e-3;
+/// Residual of round-off in sums of forces, thousands of which cancel \[–\]: the work of its increments has no sign to search by.
+const ROUND_OFF: f64 = 1e-11;
 /// Least reference move of a node in the velocity norm, over the thickness \[–\].
 const STILL: f64 = 1e-6;
 /// Accepted relative distance of a pressure from its cap \[–\].
@@ -100,7 +102,7 @@ pub(super) fn correct(
             return outcome;
         }
         observer.iteration(&Iterate { step, pass, trial, evaluation, outcome: &outcome });
-        let looks_back = searches && (1..most).contains(&outcome.iterations);
+        let looks_back = searches && (1..most).contains(&outcome.iterations) && outcome.residual_norm > ROUND_OFF;
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.context, -back);
             outcome.iterations += 1;

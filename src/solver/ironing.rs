@@ -1,6 +1,8 @@
 //! Ironing of a wall between two tools.
 
 use super::converged::Converged;
+use super::evaluation::Evaluation;
+use super::step::Step;
 use crate::element::surface::STATIONS;
 use crate::geometry::turned;
 use crate::model::Role;
@@ -18,7 +20,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
     let Converged { step, evaluation, .. } = converged;
     let (mut most, times) = (0, step.model.extent().times());
     for e in 0..next.ironed.len() {
-        if is_between_walls(converged, e) {
+        if is_between_walls(step, evaluation, e) {
             next.ironed[e] += (step.state.thickness[e] / next.thickness[e]).ln();
             for (j, tool) in step.context.tools.iter().enumerate() {
                 for contact in &evaluation.contacts.row(j)[STATIONS * e..STATIONS * (e + 1)] {
@@ -38,8 +40,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
 }
 
 /// True if two tools of given position press both faces of an element at one contact point.
-pub(super) fn is_between_walls(converged: &Converged, e: usize) -> bool {
-    let Converged { step, evaluation, .. } = converged;
+pub(super) fn is_between_walls(step: &Step, evaluation: &Evaluation, e: usize) -> bool {
     let tools = &step.context.tools;
     let updates = evaluation.updates.row(e);
     let least = PRESSED * updates.iter().map(|update| update.yield_stress).sum::<f64>() / updates.len() as f64;

@@ -2,9 +2,11 @@
 
 use super::corrector::Outcome;
 use super::evaluation::Evaluation;
+use super::ironing::is_between_walls;
+use super::run_context::RunContext;
 use super::step::Step;
 use crate::element::surface::STATIONS;
-use crate::model::{Edge, Geometry, Motion, Role};
+use crate::model::{Edge, Geometry, Mode, Motion, Role, Theory, Tool};
 use crate::solver::solution::neck::neck;
 use crate::solver::solution::{StepRecord, Stop, StopKind};
 use crate::solver::state::State;
@@ -14,7 +16,8 @@ use crate::units::{Amount, joined};
 const RUNAWAY: f64 = 5.0;
 /// Distance of the sheet's middle ahead of a pushing punch, over the thickness, from which the sheet is an arch \[–\].
 const AHEAD: f64 = 1.0;
-const ADVICE: &str = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
+/// Least share of the punch's travel that closes the gap in front of its face \[–\]: 6° of lean, declared.
+const CLOSING: f64 = 0.1;
 
 /// Reason why no equilibrium was found for `step`, by the outcome of its last try.
 pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
@@ -23,14 +26,14 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
         let norm = |norm: f64| if norm.is_finite() { Amount::norm(norm).to_string() } else { "not known".into() };
         let s0 = step.state.s0[worst];
         let text = format!(
-            "no equilibrium found at {} with steps down to {} (velocity norm {}, residual norm {}, worst at s0 = {}); {}",
+            "no equilibrium found at {} with steps down to {} (velocity norm {}, residual norm {}, worst at s0 = {})",
             reached(step.state),
             Amount::time(step.dt),
             norm(outcome.increment),
             norm(outcome.residual_norm),
             Amount::place(s0),
-            joined([symptoms(step, evaluation, worst, steps), ADVICE.into()], "; ")
         );
+        let text = joined([text, symptoms(step, evaluation, worst, steps)], "; ");
         Stop::at(StopKind::NoEquilibrium, s0, text)
     })
 }
@@ -76,20 +79,56 @@ fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRe
 
 /// A strip of membranes bears load by tension alone: without restraint no shape of it is in equilibrium.
 fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
-    let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
-    let tools = || step.context.acting_tools();
-    let rubs = tools().any(|(_, tool)| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
-    let held = model.blank.edge != Edge::Free
-        || !(model.beads.is_empty() && model.gas.is_empty())
-        || (rubs && tools().any(|(_, tool)| tool.role == Role::Holder));
     let (travel, s0) = (Amount::place(step.state.travel), step.state.s0[i]);
-    (model.geometry == Geometry::PlaneStrain && !bends && !held).then(|| {
+    (!bends && is_loose(step.context)).then(|| {
         let at = Amount::place(s0);
         let text =
             format!("mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {at}");
         Stop::at(StopKind::Mechanism, s0, text)
     })
+}
+
+/// True for a strip that nothing pulls tight.
+fn is_loose(context: &RunContext) -> bool {
+    let model = context.model;
+    let tools = || context.acting_tools();
+    let rubs = tools().any(|(_, tool)| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
+    let held = model.blank.edge != Edge::Free
+        || !(model.beads.is_empty() && model.gas.is_empty())
+        || (rubs && tools().any(|(_, tool)| tool.role == Role::Holder));
+    model.geometry == Geometry::PlaneStrain && !held
+}
+
+/// Mechanism that only the stabilisation of elastic membranes would hold: a loose strip in front of a punch.
+pub(super) fn unheld(context: &RunContext) -> Option<Stop> {
+    let model = context.model;
+    let slack = model.mode != Mode::Flow && model.blank.theory == Theory::Membrane && model.release.is_none();
+    let text = "mechanism: nothing holds the strip of membranes, which gives way to the punch without a force";
+    (slack && is_loose(context) && model.tool(Role::Punch).is_some_and(pushes))
+        .then(|| Stop::new(StopKind::Mechanism, text))
+}
+
+fn pushes(punch: &Tool) -> bool {
+    punch.motion == Motion::Travel || matches!(punch.motion, Motion::Path(way) if way.y > 0.0)
+}
+
+/// Punch and die that squeeze the sheet between them come to a gap that it does not fill without bound on their pressure.
+pub(super) fn squeezed(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
+    let punch = evaluation.contacts.row(step.model.tool_index(Role::Punch)?);
+    let pressure = |e: usize| {
+        let closing = punch[STATIONS * e..STATIONS * (e + 1)].iter().filter(|contact| contact.facing.y > CLOSING);
+        closing.map(|contact| contact.pressure.value).fold(0.0, f64::max)
+    };
+    let pressed = (0..step.bends.len()).filter(|&e| is_between_walls(step, evaluation, e) && pressure(e) > 0.0);
+    let e = pressed.max_by(|&a, &b| pressure(a).total_cmp(&pressure(b)))?;
+    let [travel, s0] = [step.state.travel, step.state.middle(e)].map(Amount::place);
+    let text = format!(
+        "tools closed: at {travel} of travel punch and die squeeze the sheet between them, with {} at s0 = {s0}; no \
+         equilibrium was found beyond",
+        Amount::stress(pressure(e))
+    );
+    Some(Stop::at(StopKind::ToolsClosed, step.state.middle(e), text))
 }
 
 /// A place, or the whole sheet, that runs away under gas has come to the largest pressure that it can bear.
@@ -129,11 +168,6 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let (model, state) = (step.model, step.state);
     let j = model.tool_index(Role::Punch)?;
     let punch = &model.tools[j];
-    let pushes = match punch.motion {
-        Motion::Travel => true,
-        Motion::Path(way) => way.y > 0.0,
-        _ => false,
-    };
     let top = punch.profile.extreme(true, model.blank.length)?.y + state.tools[j].y;
     let ahead = state.nodes[0][1] - 0.5 * state.thickness_at(0) - top;
     let presses = model.gas.is_empty() && steps.last().is_some_and(|last| last.punch_force > 0.0);
@@ -141,7 +175,7 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let text = format!(
         "arched: at {travel} of travel the sheet's middle is {way} ahead of the punch, an arch that snaps through"
     );
-    (pushes && presses && ahead > AHEAD * model.blank.thickness).then(|| Stop::new(StopKind::Arched, text))
+    (pushes(punch) && presses && ahead > AHEAD * model.blank.thickness).then(|| Stop::new(StopKind::Arched, text))
 }
 
 fn symptoms(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> String {

@@ -37,6 +37,8 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
             }
         });
     }
+    let work = solutions.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
+    solutions.iter_mut().for_each(|solution| solution.process_work = work);
     solutions
 }
 

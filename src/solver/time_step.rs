@@ -41,7 +41,7 @@ pub(super) struct StepControl<'a> {
 }
 
 impl<'a> StepControl<'a> {
-    pub fn new(model: &'a Model, end: Option<f64>) -> Self {
+    pub fn new(model: &'a Model, state: &State, end: Option<f64>) -> Self {
         let settings = &model.settings;
         Self {
             model,
@@ -49,7 +49,7 @@ impl<'a> StepControl<'a> {
             given: 0.0,
             largest: settings.max_step * model.duration,
             smallest: settings.min_step * model.duration,
-            next_frame: 0,
+            next_frame: model.frames.partition_point(|frame| state.time > 0.0 && state.time >= frame * (1.0 - 1e-12)),
             end: end.unwrap_or(f64::INFINITY),
             search: EndSearch::new(settings.min_step * model.duration),
         }

@@ -134,6 +134,7 @@ struct Replay<'a> {
 
 impl Observer for Replay<'_> {
     fn step(&mut self, record: &StepRecord) {
+        self.states = record.step;
         self.observer.step(record);
     }
 

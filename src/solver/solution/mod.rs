@@ -12,7 +12,7 @@ pub use step_record::StepRecord;
 pub use stop::{Stop, StopKind};
 
 use crate::forming_limit::Paths;
-use crate::model::{Iteration, Model};
+use crate::model::{Iteration, Model, Remedy};
 use crate::solver::Start;
 use crate::solver::state::State;
 use neck::Necked;
@@ -79,6 +79,10 @@ pub struct StageSolution {
     pub stop: Stop,
     /// Counts of starts and repeated steps.
     pub effort: Effort,
+    /// Largest absolute external work at any step of the other stages \[mJ, or per mm of depth\].
+    pub process_work: f64,
+    /// Stretches that other settings than the model's have solved, and the travels at their begin and end \[mm\].
+    pub remedied: Vec<(Remedy, [f64; 2])>,
     /// Closing of the holder; `None` where it lay on the flat sheet.
     pub closing: Option<Closing>,
     /// Rim cut off before the stage; `None` without trimming.
@@ -102,9 +106,9 @@ impl StageSolution {
         Some([self.start.as_ref()?, self.frames.last()?])
     }
 
-    /// Largest absolute external work at any step \[mJ, or per mm of depth\].
+    /// Largest absolute external work at any step of any stage of the process \[mJ, or per mm of depth\].
     pub fn largest_work(&self) -> f64 {
-        self.steps.iter().map(|step| step.work.external.abs()).fold(0.0, f64::max)
+        self.steps.iter().map(|step| step.work.external.abs()).fold(self.process_work, f64::max)
     }
 
     /// Empty results of a stage that has not begun, without a state.
@@ -118,6 +122,8 @@ impl StageSolution {
             end: State::default(),
             stop,
             effort: Effort::default(),
+            process_work: 0.0,
+            remedied: Vec::new(),
             closing: None,
             trimmed: None,
             left_at: vec![None; model.tools.len()],

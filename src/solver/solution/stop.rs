@@ -29,7 +29,7 @@ pub enum StopKind {
     LeftDie,
     /// The holder has closed with its force.
     HolderClosed,
-    /// Punch and die are too close for the sheet.
+    /// Punch and die are too close for the sheet, or squeeze it beyond any equilibrium.
     ToolsClosed,
     /// The observer ended the run.
     Interrupted,

@@ -1,0 +1,71 @@
+//! Remedies of a run without equilibrium: other settings from a course behind the place, until the run is past it.
+
+use super::closing::Unseen;
+use super::course::Course;
+use super::no_equilibrium::reached;
+use super::observer::Observer;
+use crate::model::{Model, Remedy};
+use crate::solver::solution::{StageSolution, StopKind};
+use crate::solver::state::State;
+use crate::units::joined;
+
+/// Progress beyond the place without equilibrium at which the model's own settings come back \[–\]: the usual largest step; twice
+/// as far with every further stretch.
+const BEYOND: f64 = 0.01;
+/// Tries that the remedies of one stage may take before the last of them is begun.
+const MOST_TRIES: usize = 1000;
+
+/// Solves a model from a given state; the first of [`Remedy::ALL`] that can takes it past a place without equilibrium.
+pub fn run_from(model: &Model, state: State, observer: &mut dyn Observer) -> StageSolution {
+    let mut course = Course::new(model, state);
+    observer.state(model, &course.state);
+    let (mut behind, mut tries) = ([course.clone(), course.clone()], 0);
+    course.go_on(model, f64::INFINITY, &mut behind, observer);
+    while course.is_lost && tries < MOST_TRIES {
+        match mended(model, &course, &behind[0], &mut tries, observer) {
+            Some(mended) => course = mended,
+            None if course.solution.stop.kind == StopKind::ToolsClosed => break,
+            None => {
+                let tried = Remedy::ALL.iter().filter_map(|remedy| remedy.setting(&model.settings));
+                let text =
+                    format!("tried from {} on without success: {}", reached(&behind[0].state), joined(tried, ", "));
+                course.solution.stop.text = joined([course.solution.stop.text, text], "; ");
+                break;
+            }
+        }
+        if !course.has_ended {
+            behind = [course.clone(), course.clone()];
+            course.go_on(model, f64::INFINITY, &mut behind, observer);
+        }
+    }
+    course.finished()
+}
+
+/// Course of the first remedy, that of the last stretch before all, that takes a lost one past its end; adds up its tries.
+fn mended(
+    model: &Model,
+    lost: &Course,
+    behind: &Course,
+    tries: &mut usize,
+    observer: &mut dyn Observer,
+) -> Option<Course> {
+    let before = &lost.solution.remedied;
+    let past = model.progress(lost.state.time) + BEYOND * (1 << before.len()) as f64;
+    let last = before.last().map(|(by, _)| *by);
+    for by in last.into_iter().chain(Remedy::ALL.into_iter().filter(|remedy| Some(*remedy) != last)) {
+        let Some(settings) = by.applied(&model.settings) else { continue };
+        let (mut course, mut unseen) = (behind.clone(), [behind.clone(), behind.clone()]);
+        course.go_on(&Model { settings, ..model.clone() }, past, &mut unseen, &mut Unseen(observer));
+        *tries += course.tries - behind.tries;
+        if course.solution.stop.kind == StopKind::Interrupted {
+            let mut lost = lost.clone();
+            lost.ends(course.solution.stop);
+            return Some(lost);
+        }
+        if !course.is_lost {
+            course.solution.remedied.push((by, [behind.state.travel, course.state.travel]));
+            return Some(course);
+        }
+    }
+    None
+}
