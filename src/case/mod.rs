@@ -142,6 +142,11 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &too_large(files::CASE)));
     }
+    if !source::is_case_like(text) {
+        let what = format!("{name} is no case file: no line of it gives a key or a table of one");
+        let help = "give the path of a case file; begin with a copy of cases/quickstart.toml";
+        return Err(CaseError::bare(what, help.to_owned()));
+    }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };

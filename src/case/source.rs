@@ -1,7 +1,7 @@
 //! Text of a case with the place of every key: reads it, words its errors, collects notes.
 
 use super::files::Folder;
-use super::schema::example;
+use super::schema::{example, is_case_key};
 use super::{CaseError, error, file::CaseFile};
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
@@ -189,6 +189,18 @@ impl<'t> Source<'t> {
     pub fn path_at(&self, span: &Range<usize>) -> Option<String> {
         path_at(&self.root, span)
     }
+}
+
+/// Whether a line of a text gives a key of a case or of a study, or nothing is written: messages quote no other file.
+pub(super) fn is_case_like(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).peekable();
+    let is_known = |line: &str| {
+        let line = line.trim_start_matches(['[', ' ', '"']);
+        let (key, rest) = line.split_at(line.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(line.len()));
+        let is_key = rest.trim_start_matches(['"', ' ']).starts_with(['=', ']', '.']);
+        is_key && (is_case_key(key) || ["case", "vary"].contains(&key))
+    };
+    lines.peek().is_none() || lines.any(is_known)
 }
 
 /// Name, span of the key and value of each entry of a table or array; an array's keys are its values.

@@ -152,6 +152,15 @@ impl Series {
     }
 }
 
+/// Most markers of a series.
+const MARKERS: usize = 400;
+
+/// Points that are drawn as markers, evenly picked of many.
+pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let every = points.len().div_ceil(MARKERS).max(1);
+    points.into_iter().step_by(every).collect()
+}
+
 impl Annotation {
     /// Text above all curves with a line to its point.
     pub fn flag(text: impl Into<String>, at: (f64, f64)) -> Self {
@@ -260,4 +269,13 @@ fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let is_point = high - low <= 1e-9 * high.abs().max(low.abs());
     let pad = if is_point { 0.5 * high.abs().max(1e-6) } else { margin * (high - low) };
     (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })
+}
+
+#[cfg(test)]
+#[test]
+fn a_measured_curve_is_drawn_with_few_markers_and_its_first_point() {
+    for (rows, markers) in [(0, 0), (400, 400), (401, 201), (99_000, 400)] {
+        let drawn = thinned((0..rows).map(|i| (f64::from(i), 0.0)).collect());
+        assert!(drawn.len() == markers && drawn.first().is_none_or(|point| point.0 == 0.0), "{rows}: {}", drawn.len());
+    }
 }

@@ -63,8 +63,12 @@ impl StudyFile {
     }
 
     fn read(text: &str, path: &Path) -> Result<Self, StudyError> {
-        let wrong =
-            |error: toml::de::Error| StudyError::new(error.to_string().trim_end(), "see `stampflow sweep --help`");
+        // Messages quote lines of studies only.
+        let is_study = toml::from_str::<Table>(text).is_ok_and(|table| table.contains_key("case"));
+        let wrong = |error: toml::de::Error| {
+            let what = if is_study { error.to_string() } else { error.message().to_owned() };
+            StudyError::new(what.trim_end(), "see `stampflow sweep --help`")
+        };
         let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
         file.case = beside(&file.case);

@@ -3,14 +3,12 @@
 use super::law::{LawFit, LawFits};
 use super::{Estimate, table};
 use crate::plot::Axis;
-use crate::plot::chart::{Annotation, Chart, Panel, Series, Style};
+use crate::plot::chart::{Annotation, Chart, Panel, Series, Style, thinned};
 use crate::plot::palette::{BLACK, color};
 use crate::study::{Cell, ReportTable, StudyReport};
 use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 
 const POINTS: usize = 160;
-/// Most points of a test that are drawn.
-const DRAWN: usize = 120;
 /// Strain that is drawn, over the end of the points \[–\].
 const BEYOND: f64 = 2.0;
 /// Difference of Akaike's criterion from which the best law is clearly better.
@@ -65,9 +63,8 @@ impl LawFits {
         });
         let tests = self.tests.iter().enumerate().map(|(i, test)| {
             let style = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
-            let every = test.points.len().div_ceil(DRAWN).max(1);
-            let points = test.points.iter().step_by(every).map(|p| (p.strain, p.stress));
-            Series::new(test.name.as_str(), points.collect(), style)
+            let points = test.points.iter().map(|p| (p.strain, p.stress)).collect();
+            Series::new(test.name.as_str(), thinned(points), style)
         });
         let flag = Annotation::flag("end of the points", (end, best.stress(end, None)));
         let strain = Axis::named("True plastic strain", Unit::None);
