@@ -26,22 +26,16 @@ pub const STABILISATION: f64 = 1e-7;
 /// Internal forces p and their matrix, strains and thickness; `false` when an element has collapsed.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     let Step { model, dt, .. } = *step;
-    let last_move = match at.iteration {
-        _ if model.mode == Mode::Flow => f64::INFINITY,
-        0 => LARGEST_MOVE * model.blank.thickness,
-        _ => trial.line.length * trial.line.direction.iter().map(|d| d.xy().norm()).fold(0.0, f64::max),
-    };
     if model.mode != Mode::Flow {
+        let last_move = match at.iteration {
+            0 => LARGEST_MOVE * model.blank.thickness,
+            _ => trial.line.length * trial.line.direction.iter().map(|d| d.xy().norm()).fold(0.0, f64::max),
+        };
+        // All of it until the sheet is at rest: the last move makes it fade.
+        let slack = (if at.velocity_norm == 0.0 { 0.0 } else { SLACK_TENSION }, last_move);
         let law = elastoplastic_law(model, at.matrix, dt);
-        return add_elements(
-            step,
-            &law,
-            &step.elastoplastic_points,
-            &mut trial.elastoplastic,
-            (&trial.moves, last_move),
-            at,
-            out,
-        );
+        let (points, iterates) = (&step.elastoplastic_points, &mut trial.elastoplastic);
+        return add_elements(step, &law, points, iterates, (&trial.moves, slack), at, out);
     }
     let material = &model.material;
     let law = FlowLaw {
@@ -55,7 +49,8 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         cutoff: step.cutoff(trial.softening),
         duration: dt,
     };
-    add_elements(step, &law, &step.flow_points, &mut trial.iterates, (&trial.moves, last_move), at, out)
+    let slack = (SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0), f64::INFINITY);
+    add_elements(step, &law, &step.flow_points, &mut trial.iterates, (&trial.moves, slack), at, out)
 }
 
 fn add_elements<L: PointLaw>(
@@ -63,22 +58,11 @@ fn add_elements<L: PointLaw>(
     law: &L,
     points: &Grid<L::PointState>,
     iterates: &mut Grid<L::Iterate>,
-    (moves, last_move): (&[Node], f64),
+    (moves, (slack_tension, last_move)): (&[Node], (f64, f64)),
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
-    // With elasticity all of it until the sheet is at rest: the last move makes it fade.
-    let fade = match at.velocity_norm / SLACK_NORM {
-        share if last_move < f64::INFINITY => share.ceil().min(1.0),
-        share => share.min(1.0),
-    };
-    let section = Section {
-        law,
-        rule: &step.context.rule,
-        slack_tension: SLACK_TENSION * fade,
-        last_move,
-        forces_alone: at.residual_alone,
-    };
+    let section = Section { law, rule: &step.context.rule, slack_tension, last_move, forces_alone: at.residual_alone };
     for e in 0..step.references.len() {
         let Some(current) = step.references[e].moved(moves[e], moves[e + 1]) else { return false };
         let stretch = [current.strain[EPS_S], current.strain[EPS_T]];
