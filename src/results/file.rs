@@ -25,7 +25,6 @@ impl WriteError {
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let replace = || {
         let part = hidden(path, "part")?;
-        fs::create_dir_all(folder_of(path))?;
         let lock = Lock::wait(&part)?;
         fill(&lock.file, bytes)?;
         lock.file.sync_all()?;
@@ -78,14 +77,16 @@ impl Lock {
         Ok(lock)
     }
 
-    /// Takes the lock as soon as it is free.
+    /// Takes the lock as soon as it is free; makes missing folders.
     pub fn wait(path: &Path) -> io::Result<Self> {
         Self::with(path, |file| file.lock().map_err(TryLockError::Error))
     }
 
     fn with(path: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> io::Result<Self> {
+        let open = || File::options().read(true).write(true).create(true).truncate(false).open(path);
         loop {
-            let file = File::options().read(true).write(true).create(true).truncate(false).open(path)?;
+            // Another process may have removed the empty folder that it made.
+            let file = open().or_else(|_| fs::create_dir_all(folder_of(path)).and_then(|()| open()))?;
             match lock(&file) {
                 Err(TryLockError::WouldBlock) => {
                     let process = fs::read_to_string(path).ok().filter(|process| !process.is_empty());

@@ -55,8 +55,7 @@ impl ResultFolder {
             if part.exists() {
                 fs::remove_dir_all(&part)?;
             }
-            let (named, written) = (named.to_owned(), Vec::new());
-            Ok(Self { named, path, part, is_ours, written, _lock: lock, _parents: parents })
+            Ok(Self { named: named.to_owned(), path, part, is_ours, written: vec![], _lock: lock, _parents: parents })
         };
         open().map_err(|source| WriteError::new(named, source))
     }
