@@ -20,10 +20,11 @@ pub struct Count(ProgressBar);
 
 /// Observer of one run: shows its progress, keeps frames, and iterations if there is a list of them.
 pub struct Watch {
-    pub trace: Option<Vec<IterationRecord>>,
+    /// Iterations of each stage.
+    pub trace: Option<Vec<Vec<IterationRecord>>>,
     pub recorder: FrameRecorder,
-    /// Names of the stages to come, the next one last.
-    to_come: Vec<String>,
+    /// Names of the stages to come.
+    to_come: std::vec::IntoIter<String>,
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
@@ -39,12 +40,11 @@ impl Progress {
     /// An observer of the run of a case.
     pub fn watch(&self, case: &Case) -> Watch {
         let (name, Model { duration, blank, .. }) = (&case.name, case.model());
-        let mut to_come: Vec<String> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
-        to_come.reverse();
+        let to_come: Vec<_> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
         Watch {
             trace: None,
             recorder: FrameRecorder::default(),
-            to_come,
+            to_come: to_come.into_iter(),
             duration: *duration,
             thickness: blank.thickness,
             force_unit: case.model().extent().force_unit().symbol(),
@@ -104,14 +104,21 @@ impl Observer for Watch {
         self.bar.set_position((record.time / self.duration * FULL).round() as u64);
     }
 
+    fn restart(&mut self, model: &Model, state: &State, step: usize) {
+        let rows = self.trace.iter_mut().flat_map(|trace| trace.last_mut());
+        rows.for_each(|rows| rows.truncate(rows.partition_point(|row| row.step <= step)));
+        self.recorder.restart(model, state, step);
+    }
+
     fn stage(&mut self, stage: &Stage) {
-        let Some(name) = self.to_come.pop() else { return };
+        self.trace.iter_mut().for_each(|trace| trace.push(Vec::new()));
+        let Some(name) = self.to_come.next() else { return };
         self.duration = stage.model.duration;
         self.bar.set_prefix(visible(&name).into_owned());
     }
 
     fn iteration(&mut self, iterate: &Iterate) {
-        self.trace.iter_mut().for_each(|trace| trace.push(iterate.record()));
+        self.trace.iter_mut().flat_map(|trace| trace.last_mut()).for_each(|rows| rows.push(iterate.record()));
     }
 
     fn wants_to_stop(&mut self) -> bool {

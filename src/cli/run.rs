@@ -87,7 +87,7 @@ impl Args {
         // Each is tried whatever became of the other.
         let written = results.write(&watch.recorder, self.report.then(|| (PAGE, page())), folder);
         let traced = self.trace.iter().zip(&watch.trace);
-        let traced = traced.map(|(path, iterations)| write(path, &tables::iterations(iterations)));
+        let traced = traced.map(|(path, iterations)| write(path, &tables::iterations(&iterations.concat())));
         let mut output = Output { code: solved.code(self.strict), ..Output::default() };
         if self.common.json() {
             let comparisons = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));

@@ -48,6 +48,15 @@ impl Paths {
         self.given += 1;
     }
 
+    /// Drops all but the first `count` instants that were recorded, of which `last` is the end.
+    pub fn truncate(&mut self, count: usize, last: Instant) {
+        if !self.s0.is_empty() && count < self.given {
+            self.instants.truncate((count - 1).div_ceil(self.stride()));
+            self.instants.push(last);
+            self.given = count;
+        }
+    }
+
     /// Every how many steps an instant is kept; the last one always is.
     pub fn stride(&self) -> usize {
         1 << self.halvings

@@ -9,44 +9,58 @@ use super::time_step::{Budget, StepControl};
 use super::trial::Trial;
 use super::{Observer, advance, retry};
 use crate::model::Model;
-use crate::solver::solution::{StageSolution, StepRecord, Stop, StopKind};
+use crate::solver::solution::{Effort, Frame, StageSolution, StepRecord, Stop, StopKind, ThroughThickness};
 use crate::solver::state::State;
 use std::mem::swap;
 
-/// Progress of a run between two courses that are kept to go back to \[–\]: twice the usual largest step.
-const KEPT_EVERY: f64 = 0.02;
+/// Least progress of a run between two checkpoints \[–\]: twice the usual largest step.
+const CHECKPOINT_EVERY: f64 = 0.02;
 
-/// State that a run has come to, its rules of termination, and its results so far.
+/// State that a run can go back to, with its last record and its rules of termination.
+#[derive(Clone)]
+pub(super) struct Checkpoint {
+    pub state: State,
+    pub last: StepRecord,
+    termination: Termination,
+    effort: Effort,
+}
+
+/// State that a run has come to, and its results so far.
 #[derive(Clone)]
 pub(super) struct Course {
-    pub state: State,
-    last: StepRecord,
-    termination: Termination,
-    /// Results so far; the end and the last frame are still missing.
+    pub now: Checkpoint,
+    /// The last two checkpoints: other settings are tried from the first.
+    pub behind: [Checkpoint; 2],
+    /// Results so far; the end and its frame are still missing.
     pub solution: StageSolution,
     /// True once there is nothing left to solve, and if that is for want of equilibrium.
     pub has_ended: bool,
     pub is_lost: bool,
-    /// Tries so far.
-    pub tries: usize,
 }
 
 impl Course {
     pub fn new(model: &Model, state: State) -> Self {
-        let full = Stop::new(StopKind::FullTravel, "full travel reached");
-        Self {
-            last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
-            termination: Termination::new(model, &state),
-            solution: StageSolution {
-                start: Some(state.frame(model)),
-                paths: state.paths(model),
-                ..StageSolution::unsolved(model.clone(), full)
-            },
-            has_ended: false,
-            is_lost: false,
-            tries: 0,
-            state,
-        }
+        let solution = StageSolution {
+            start: Some(state.frame(model)),
+            paths: state.paths(model),
+            ..StageSolution::unsolved(model.clone(), Stop::full_travel())
+        };
+        let last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
+        let now = Checkpoint { last, termination: Termination::new(model, &state), effort: Effort::default(), state };
+        Self { behind: [now.clone(), now.clone()], now, solution, has_ended: false, is_lost: false }
+    }
+
+    /// Course back at its older checkpoint, without the results that lie beyond.
+    pub fn back(&self) -> Self {
+        let (mut run, now) = (self.solution.clone(), self.behind[0].clone());
+        let (time, travel, steps) = (now.state.time, now.state.travel, now.last.step);
+        run.stop = Stop::full_travel();
+        run.steps.truncate(steps);
+        run.frames.retain(|frame| frame.time <= time);
+        run.paths.truncate(steps + 1, now.state.instant());
+        run.neck = run.neck.filter(|neck| neck.time <= time);
+        run.left_at.iter_mut().for_each(|left| *left = left.filter(|left| *left <= travel));
+        Self { now, behind: self.behind.clone(), solution: run, has_ended: false, is_lost: false }
     }
 
     pub fn ends(&mut self, stop: Stop) {
@@ -62,49 +76,50 @@ impl Course {
 
     /// Results with the last state and its frame.
     pub fn finished(self) -> StageSolution {
-        let Self { state, last, solution: mut run, .. } = self;
-        if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
-            run.keep(state.frame(&run.model));
+        let Self { now: Checkpoint { state, last, effort, .. }, solution: mut run, .. } = self;
+        if last.step > 0 {
+            run.frames.pop_if(|frame| frame.time >= state.time);
+            run.frames.push(state.frame(&run.model));
         }
-        run.end = state;
-        run
+        StageSolution { effort, end: state, ..run }
     }
 
-    /// Goes on with the settings of `model` up to a `progress` \[–\], or its end; keeps in `behind` the last two courses that lie
-    /// [`KEPT_EVERY`] apart.
-    pub fn go_on(&mut self, model: &Model, progress: f64, behind: &mut [Self; 2], observer: &mut dyn Observer) {
-        let mut context = RunContext::new(model, &self.state);
+    /// Goes on with the settings of `model` up to a `progress` \[–\], or its end; returns the number of tries.
+    pub fn go_on(&mut self, model: &Model, progress: f64, observer: &mut dyn Observer) -> usize {
+        self.behind = [self.now.clone(), self.now.clone()];
+        let mut context = RunContext::new(model, &self.now.state);
         let left = context.tools.iter_mut().zip(&self.solution.left_at);
         left.for_each(|(tool, left)| tool.released = tool.released.or(*left));
-        let mut trial = Trial::new(&context, &self.state);
-        let [mut evaluation, mut before] = [(); 2].map(|()| Evaluation::new(&context, &self.state));
-        let mut control = StepControl::new(model, &self.state, self.termination.closes_at(model));
+        let mut trial = Trial::new(&context, &self.now.state);
+        let [mut evaluation, mut before] = [(); 2].map(|()| Evaluation::new(&context, &self.now.state));
+        let mut control = StepControl::new(model, &self.now.state, self.now.termination.closes_at(model));
         let mut budget = Budget::new(model);
         let mut rejected = 0;
         // Node with the largest residual of the last failed try.
         let mut worst = None;
-        if let Some(stop) = unheld(&context).filter(|_| self.last.step == 0) {
+        if let Some(stop) = unheld(&context).filter(|_| self.now.last.step == 0) {
             self.ends(stop);
-            return;
+            return 0;
         }
 
         loop {
-            let done = model.progress(self.state.time);
-            if done >= model.progress(behind[1].state.time) + KEPT_EVERY {
-                behind.swap(0, 1);
-                behind[1].clone_from(self);
+            let done = model.progress(self.now.state.time);
+            if done >= model.progress(self.behind[1].state.time) + CHECKPOINT_EVERY {
+                self.behind.swap(0, 1);
+                self.behind[1].clone_from(&self.now);
+                observer.settled(&self.behind[0].state);
             }
-            let dt = control.next(&self.state);
+            let dt = control.next(&self.now.state);
             self.has_ended = dt.is_none();
             let Some(dt) = dt.filter(|_| done < progress) else { break };
             if observer.wants_to_stop() {
-                self.ends(interrupted(&self.state));
+                self.ends(interrupted(&self.now.state));
                 break;
             }
             let run = &mut self.solution;
-            let step = Step::new(&context, &self.state, dt, self.last.step + 1);
+            let step = Step::new(&context, &self.now.state, dt, self.now.last.step + 1);
             if !budget.spend(done) {
-                let necking = self.termination.necking(model, &self.state);
+                let necking = self.now.termination.necking(model, &self.now.state);
                 let stop = necking.unwrap_or_else(|| creeping(&step, &before, worst, &run.steps, budget.tries));
                 self.loses(stop, squeezed(&step, &before));
                 break;
@@ -112,16 +127,16 @@ impl Course {
             let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
                 Ok(solved) => solved,
                 Err(outcome) if outcome.interrupted => {
-                    self.ends(interrupted(&self.state));
+                    self.ends(interrupted(&self.now.state));
                     break;
                 }
                 Err(outcome) => {
-                    run.effort.halved += 1;
+                    self.now.effort.halved += 1;
                     worst = Some(evaluation.worst_node);
-                    let necking = self.termination.necking(model, &self.state);
+                    let necking = self.now.termination.necking(model, &self.now.state);
                     if necking.is_none() && control.reject() {
                         // No extrapolation of velocities that change abruptly.
-                        self.state.end_velocity.clone_from(&self.state.velocity);
+                        self.now.state.end_velocity.clone_from(&self.now.state.velocity);
                         continue;
                     }
                     let stop = necking.unwrap_or_else(|| no_equilibrium(&step, &evaluation, &outcome, &run.steps));
@@ -130,20 +145,20 @@ impl Course {
                 }
             };
             if control.is_overstrained(converged.strain_increment()) && control.reject() {
-                run.effort.overstrained += 1;
+                self.now.effort.overstrained += 1;
                 rejected += 1;
                 continue;
             }
-            let (mut next, record) = advance(&before, &converged, rejected, &self.last);
-            let seen = self.termination.after(model, &self.state, &next, &record);
+            let (mut next, record) = advance(&before, &converged, rejected, &self.now.last);
+            let seen = self.now.termination.after(model, &self.now.state, &next, &record);
             if control.oversteps(&step, seen.excess) {
-                run.effort.overstepped += 1;
+                self.now.effort.overstepped += 1;
                 rejected += 1;
                 continue;
             }
-            (self.termination, rejected) = (seen, 0);
-            run.neck = run.neck.or_else(|| self.termination.necked(model, &next));
-            start.count(&mut run.effort);
+            (self.now.termination, rejected) = (seen, 0);
+            run.neck = run.neck.or_else(|| self.now.termination.necked(model, &next));
+            start.count(&mut self.now.effort);
             control.accept(&before, &converged, &record);
             if model.forming_limit.is_some() {
                 run.paths.record(next.instant());
@@ -151,25 +166,25 @@ impl Course {
             observer.step(&record);
             observer.state(model, &next);
             run.steps.push(record);
-            self.last = record;
+            self.now.last = record;
             swap(&mut before, &mut evaluation);
             if let Some(tool) = context.release(&next) {
                 next.release(tool);
                 before.release(tool);
             }
             if control.at_frame(&next) {
-                run.keep(next.frame(model));
+                run.frames.push(Frame { through: ThroughThickness::default(), ..next.frame(model) });
             }
-            self.state = next;
-            if let Some(stop) = self.termination.stop(model, &self.state, &record) {
+            self.now.state = next;
+            if let Some(stop) = self.now.termination.stop(model, &self.now.state, &record) {
                 self.ends(stop);
                 break;
             }
         }
-        self.tries += budget.tries;
-        self.solution.effort.abandoned = rejected;
+        self.now.effort.abandoned = rejected;
         if model.release.is_none() {
             self.solution.left_at = context.tools.iter().map(|tool| tool.released).collect();
         }
+        budget.tries
     }
 }

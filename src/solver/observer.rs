@@ -18,6 +18,10 @@ pub trait Observer {
     fn state(&mut self, _model: &Model, _state: &State) {}
     /// Called after every evaluation of the corrector.
     fn iteration(&mut self, _iterate: &Iterate<'_>) {}
+    /// Called when the run goes back to an earlier state to take other settings: all after its `step` steps is void.
+    fn restart(&mut self, _model: &Model, _state: &State, _step: usize) {}
+    /// Called from time to time with the latest state before which the run can no longer go back.
+    fn settled(&mut self, _state: &State) {}
     /// Called before each stage of a sequence.
     fn stage(&mut self, _stage: &Stage) {}
     /// Returns `true` to end the run with [`StopKind::Interrupted`](crate::solver::solution::StopKind::Interrupted) and all results so far; asked before

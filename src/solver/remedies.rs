@@ -17,53 +17,49 @@ const MOST_TRIES: usize = 1000;
 
 /// Solves a model from a given state; the first of [`Remedy::ALL`] that can takes it past a place without equilibrium.
 pub fn run_from(model: &Model, state: State, observer: &mut dyn Observer) -> StageSolution {
-    let mut course = Course::new(model, state);
-    observer.state(model, &course.state);
-    let (mut behind, mut tries) = ([course.clone(), course.clone()], 0);
-    course.go_on(model, f64::INFINITY, &mut behind, observer);
+    let (mut course, mut tries) = (Course::new(model, state), 0);
+    observer.state(model, &course.now.state);
+    course.go_on(model, f64::INFINITY, observer);
     while course.is_lost && tries < MOST_TRIES {
-        match mended(model, &course, &behind[0], &mut tries, observer) {
+        match mended(model, &course, &mut tries, observer) {
             Some(mended) => course = mended,
             None if course.solution.stop.kind == StopKind::ToolsClosed => break,
             None => {
                 let tried = Remedy::ALL.iter().filter_map(|remedy| remedy.setting(&model.settings));
-                let text =
-                    format!("tried from {} on without success: {}", reached(&behind[0].state), joined(tried, ", "));
+                let from = reached(&course.behind[0].state);
+                let text = format!("tried from {from} on without success: {}", joined(tried, ", "));
                 course.solution.stop.text = joined([course.solution.stop.text, text], "; ");
                 break;
             }
         }
         if !course.has_ended {
-            behind = [course.clone(), course.clone()];
-            course.go_on(model, f64::INFINITY, &mut behind, observer);
+            course.go_on(model, f64::INFINITY, observer);
         }
     }
     course.finished()
 }
 
 /// Course of the first remedy, that of the last stretch before all, that takes a lost one past its end; adds up its tries.
-fn mended(
-    model: &Model,
-    lost: &Course,
-    behind: &Course,
-    tries: &mut usize,
-    observer: &mut dyn Observer,
-) -> Option<Course> {
+/// The observer sees the stretch once it is known to come through: it is solved again.
+fn mended(model: &Model, lost: &Course, tries: &mut usize, observer: &mut dyn Observer) -> Option<Course> {
     let before = &lost.solution.remedied;
-    let past = model.progress(lost.state.time) + BEYOND * (1 << before.len()) as f64;
+    let past = model.progress(lost.now.state.time) + BEYOND * (1 << before.len()) as f64;
     let last = before.last().map(|(by, _)| *by);
     for by in last.into_iter().chain(Remedy::ALL.into_iter().filter(|remedy| Some(*remedy) != last)) {
         let Some(settings) = by.applied(&model.settings) else { continue };
-        let (mut course, mut unseen) = (behind.clone(), [behind.clone(), behind.clone()]);
-        course.go_on(&Model { settings, ..model.clone() }, past, &mut unseen, &mut Unseen(observer));
-        *tries += course.tries - behind.tries;
+        let (mut course, other) = (lost.back(), Model { settings, ..model.clone() });
+        *tries += course.go_on(&other, past, &mut Unseen(observer));
         if course.solution.stop.kind == StopKind::Interrupted {
             let mut lost = lost.clone();
             lost.ends(course.solution.stop);
             return Some(lost);
         }
         if !course.is_lost {
-            course.solution.remedied.push((by, [behind.state.travel, course.state.travel]));
+            let behind = &lost.behind[0];
+            observer.restart(model, &behind.state, behind.last.step);
+            course = lost.back();
+            course.go_on(&other, past, observer);
+            course.solution.remedied.push((by, [behind.state.travel, course.now.state.travel]));
             return Some(course);
         }
     }

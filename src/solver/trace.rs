@@ -91,9 +91,9 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     if stage == 0 || stage > stages.len() {
         return missing(format!("there is no stage {stage}: the case has {}, counted from 1", stages.len()));
     }
-    let mut replay = Replay { request, stage: 0, states: 0, begin: None, observer };
+    let mut replay = Replay { request, stage: 0, steps: 0, begin: None, dt: 0.0, is_settled: false, observer };
     let solutions = solve(stages, &mut replay);
-    let Replay { begin, .. } = replay;
+    let Replay { begin, dt, .. } = replay;
     let Some(run) = solutions.get(stage - 1) else {
         return match solutions.last() {
             Some(last) if last.stop.kind == StopKind::Interrupted => Err(NoSuchStep::Interrupted),
@@ -107,7 +107,6 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
             _ => missing(format!("there is no step {step}: the run has {}, counted from 1", run.steps.len())),
         };
     };
-    let dt = run.end.last_step;
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
     let own = [model.settings.iteration];
     let matrices = if request.matrices.is_empty() { &own[..] } else { &request.matrices };
@@ -122,32 +121,54 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     Ok(Trace { stage, tolerance, before, record: *record, dt, histories })
 }
 
-/// Keeps the state before the requested step and ends the run after it.
+/// Keeps the state before the requested step and ends the run once it cannot go back before it.
 struct Replay<'a> {
     request: &'a TraceRequest,
     stage: usize,
-    /// States seen in the stage: one more than its steps.
-    states: usize,
+    /// Steps of the stage so far.
+    steps: usize,
     begin: Option<(Model, State)>,
+    /// Duration of the requested step \[s\].
+    dt: f64,
+    is_settled: bool,
     observer: &'a mut dyn Observer,
+}
+
+impl Replay<'_> {
+    fn take(&mut self, model: &Model, state: &State) {
+        if self.stage == self.request.stage && self.steps + 1 == self.request.step {
+            (self.begin, self.dt) = (Some((model.clone(), state.clone())), 0.0);
+        } else if self.stage == self.request.stage && self.steps == self.request.step {
+            self.dt = state.last_step;
+        }
+    }
 }
 
 impl Observer for Replay<'_> {
     fn step(&mut self, record: &StepRecord) {
-        self.states = record.step;
+        self.steps = record.step;
         self.observer.step(record);
     }
 
     fn state(&mut self, model: &Model, state: &State) {
-        self.states += 1;
-        if self.stage == self.request.stage && self.states == self.request.step {
-            self.begin = Some((model.clone(), state.clone()));
-        }
+        self.take(model, state);
         self.observer.state(model, state);
     }
 
+    fn restart(&mut self, model: &Model, state: &State, step: usize) {
+        self.steps = step;
+        self.take(model, state);
+        self.observer.restart(model, state, step);
+    }
+
+    fn settled(&mut self, state: &State) {
+        let is_behind = |(_, begin): &(Model, State)| self.dt > 0.0 && begin.time < state.time;
+        self.is_settled |= self.stage == self.request.stage && self.begin.as_ref().is_some_and(is_behind);
+        self.observer.settled(state);
+    }
+
     fn stage(&mut self, stage: &Stage) {
-        (self.stage, self.states) = (self.stage + 1, 0);
+        (self.stage, self.steps) = (self.stage + 1, 0);
         self.observer.stage(stage);
     }
 
@@ -156,8 +177,7 @@ impl Observer for Replay<'_> {
     }
 
     fn wants_to_stop(&mut self) -> bool {
-        let wanted = (self.request.stage, self.request.step);
-        (self.begin.is_some() && self.states > wanted.1) || self.stage > wanted.0 || self.observer.wants_to_stop()
+        self.is_settled || self.stage > self.request.stage || self.observer.wants_to_stop()
     }
 }
 

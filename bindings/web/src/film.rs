@@ -1,22 +1,39 @@
 //! Pictures of the sheet and its tools as they move.
 
 use serde::Serialize;
-use stampflow::model::Stage;
-use stampflow::{Model, Observer, State};
+use stampflow::solver::solution::Frame;
+use stampflow::{Model, Observer, Stage, State};
 
 /// Pictures of a stage, evenly over its travel.
 const PICTURES: f64 = 40.0;
 
-/// Observer that keeps pictures.
+/// Observer that keeps frames of every stage.
 #[derive(Default)]
-pub struct Film(pub Vec<Strip>);
+pub struct Recorder(pub Vec<Vec<Frame>>);
+
+impl Observer for Recorder {
+    fn stage(&mut self, _: &Stage) {
+        self.0.push(Vec::new());
+    }
+
+    fn restart(&mut self, _: &Model, state: &State, _: usize) {
+        self.0.last_mut().into_iter().for_each(|frames| frames.retain(|frame| frame.time <= state.time));
+    }
+
+    fn state(&mut self, model: &Model, state: &State) {
+        let Some(frames) = self.0.last_mut() else { return };
+        let due = frames.last().map_or(0.0, |last| model.progress(last.time) + 1.0 / PICTURES);
+        let progress = model.progress(state.time);
+        // The end is added once the stage has come there.
+        if progress >= due && progress < 1.0 {
+            frames.push(state.frame(model));
+        }
+    }
+}
 
 /// Pictures of a stage, one after the other.
 #[derive(Default, Serialize)]
-pub struct Strip {
-    /// Progress of the run at which the next picture is due \[–\].
-    #[serde(skip)]
-    next: f64,
+pub struct Film {
     elements: usize,
     /// Punch travel \[mm\].
     travel: Vec<f64>,
@@ -34,38 +51,25 @@ pub struct Strip {
     tools: Vec<f64>,
 }
 
-impl Strip {
-    /// Adds a picture.
-    pub fn take(&mut self, model: &Model, state: &State) {
-        self.elements = state.thickness.len();
-        self.travel.push(state.travel);
-        for (i, [r, z, theta]) in state.nodes.iter().enumerate() {
-            self.nodes.extend([*r, *z, *theta, state.thickness_at(i)]);
-        }
-        self.thickness.extend(&state.thickness);
+impl Film {
+    /// Film of the frames of a stage.
+    pub fn new(model: &Model, frames: &[Frame]) -> Self {
+        let mut film = Self { elements: model.blank.elements, ..Self::default() };
         let curve = model.forming_limit.as_ref();
-        for [meridional, hoop] in &state.membrane {
-            let minor = meridional.min(*hoop);
-            self.minor.push(minor);
-            self.major.push(meridional.max(*hoop));
-            self.limit.push(curve.filter(|curve| curve.knows(minor)).map_or(f64::NAN, |curve| curve.major_at(minor)));
+        for frame in frames {
+            film.travel.push(frame.travel);
+            film.nodes.extend(frame.nodes.iter().flat_map(|node| [node.r, node.z, node.theta, node.thickness]));
+            for element in &frame.elements {
+                let (along, hoop) = (element.strain_meridional, element.strain_hoop);
+                let minor = along.min(hoop);
+                film.thickness.push(element.thickness);
+                film.minor.push(minor);
+                film.major.push(along.max(hoop));
+                let limit = curve.filter(|curve| curve.knows(minor));
+                film.limit.push(limit.map_or(f64::NAN, |curve| curve.major_at(minor)));
+            }
+            film.tools.extend(frame.tool_displacement.iter().flat_map(|tool| [tool.x, tool.y]));
         }
-        self.tools.extend(state.tools.iter().flat_map(|tool| [tool.x, tool.y]));
-    }
-}
-
-impl Observer for Film {
-    fn stage(&mut self, _: &Stage) {
-        self.0.push(Strip::default());
-    }
-
-    fn state(&mut self, model: &Model, state: &State) {
-        let Some(strip) = self.0.last_mut() else { return };
-        let progress = model.progress(state.time);
-        // The end is added once the stage has come there.
-        if progress >= strip.next && progress < 1.0 {
-            strip.take(model, state);
-            strip.next = progress + 1.0 / PICTURES;
-        }
+        film
     }
 }

@@ -1,6 +1,6 @@
 //! A solved case, coarser while a slider moves.
 
-use crate::film::Film;
+use crate::film::Recorder;
 use crate::stage;
 use serde_json::{Value, json};
 use stampflow::assess::{self, Answer, Kind, judgements, sentences};
@@ -27,13 +27,13 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
     if is_coarse {
         case.stages.iter_mut().for_each(|stage| coarsen(&mut stage.model));
     }
-    let mut film = Film::default();
-    let solution = case.solve(&mut film);
+    let mut recorder = Recorder::default();
+    let solution = case.solve(&mut recorder);
     let (case, solved) = (&solution.case, &solution.stages);
     let before = assess::before(case);
     let findings = assess::after(case, solved);
-    let stages = case.stages.iter().zip(solved).zip(film.0);
-    let stages: Vec<Value> = stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip)).collect();
+    let stages = case.stages.iter().zip(solved).zip(recorder.0);
+    let stages: Vec<Value> = stages.map(|((stage, solved), frames)| stage::json(&stage.name, solved, frames)).collect();
     let notes = |kind| -> Vec<String> {
         let all = sentences(&before, kind).into_iter().chain(sentences(&findings, kind));
         all.map(|sentence| sentence.to_string()).collect()

@@ -1,10 +1,10 @@
 //! A solved stage as the page draws it.
 
-use crate::film::Strip;
+use crate::film::Film;
 use serde_json::{Map, Value, json};
 use stampflow::forming_limit::Curve;
 use stampflow::measure::events;
-use stampflow::solver::solution::ElementRecord;
+use stampflow::solver::solution::{ElementRecord, Frame};
 use stampflow::{StageSolution, StepRecord};
 
 /// How finely arcs of tools are drawn \[rad\].
@@ -42,9 +42,9 @@ const ELEMENT: [Column<ElementRecord>; 9] = [
 ];
 
 /// Curves, the section as it moves, events, and why the stage ended.
-pub fn json(name: &str, stage: &StageSolution, mut strip: Strip) -> Value {
+pub fn json(name: &str, stage: &StageSolution, mut frames: Vec<Frame>) -> Value {
     let model = &stage.model;
-    strip.take(model, &stage.end);
+    frames.push(stage.end.frame(model));
     let elements = stage.frames.last().map_or(&[][..], |frame| &frame.elements);
     let tools = model.tools.iter().map(|tool| {
         let outline: Vec<f64> = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]).collect();
@@ -62,7 +62,7 @@ pub fn json(name: &str, stage: &StageSolution, mut strip: Strip) -> Value {
         "isRelease": model.release.is_some(),
         "steps": columns(&STEP, &stage.steps),
         "end": columns(&ELEMENT, elements),
-        "film": strip,
+        "film": Film::new(model, &frames),
         "tools": tools.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "limit": model.forming_limit.as_ref().map(limit),

@@ -92,14 +92,6 @@ pub struct StageSolution {
 }
 
 impl StageSolution {
-    /// Keeps a frame; only the last one keeps its thickness points.
-    pub fn keep(&mut self, frame: Frame) {
-        if let Some(before) = self.frames.last_mut() {
-            before.through = ThroughThickness::default();
-        }
-        self.frames.push(frame);
-    }
-
     /// Frames before and after a release; `None` of other stages.
     pub fn released(&self) -> Option<[&Frame; 2]> {
         self.model.release?;

@@ -74,6 +74,10 @@ pub struct Stop {
 }
 
 impl Stop {
+    pub(crate) fn full_travel() -> Self {
+        Self::new(StopKind::FullTravel, "full travel reached")
+    }
+
     /// End of a kind, by the whole sheet or tools.
     pub(in crate::solver) fn new(kind: StopKind, text: impl ToString) -> Self {
         Self { kind, s0: None, text: text.to_string() }
