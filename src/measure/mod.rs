@@ -33,7 +33,7 @@ pub use moment::moment_error;
 pub use ring::{CutRing, Ring};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
-use crate::solver::solution::Frame;
+use crate::solver::solution::{Frame, NodeRecord};
 use meridian::{ENDS, Meridian, Stretch as Between};
 use std::ops::Range;
 
@@ -165,11 +165,19 @@ fn flange(meridian: &Meridian) -> Option<Between> {
     meridian.legs().pop().filter(|leg| leg.sense > 0.0)
 }
 
-/// Overall height of a part along the punch travel \[mm\]: range of the mid-surface and half the thickness of its middle.
+/// Outside height of a part along the punch travel \[mm\]: from the bottom's outer face to the flange's, or to the rim's edge.
 pub fn part_height(frame: &Frame) -> Option<f64> {
-    let z = || frame.nodes.iter().map(|node| node.z);
-    let (low, high) = (z().reduce(f64::min)?, z().reduce(f64::max)?);
-    Some(high - low + 0.5 * frame.nodes.first()?.thickness)
+    let nodes = &frame.nodes;
+    let faces = nodes.iter().enumerate().map(|(i, node)| {
+        let after = nodes[(i + 1).min(nodes.len() - 1)];
+        // The middle lies level.
+        let before = if i == 0 { NodeRecord { r: -after.r, ..after } } else { nodes[i - 1] };
+        let (along, rise) = (after.r - before.r, after.z - before.z);
+        let half = 0.5 * node.thickness * along.abs() / along.hypot(rise);
+        [node.z - half, node.z + half]
+    });
+    let [low, high] = faces.reduce(|[low, high], [below, above]| [low.min(below), high.max(above)])?;
+    Some(high - low)
 }
 
 /// Thickness and initial distance from the axis of the thickest element \[mm\].

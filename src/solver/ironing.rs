@@ -21,7 +21,8 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
     let (mut most, times) = (0, step.model.extent().times());
     for e in 0..next.ironed.len() {
         if is_between_walls(step, evaluation, e) {
-            next.ironed[e] += (step.state.thickness[e] / next.thickness[e]).ln();
+            let thinned = (step.state.thickness[e] / next.thickness[e]).ln();
+            next.ironed[e] = next.ironed[e].map(|ironed| ironed + thinned);
             for (j, tool) in step.context.tools.iter().enumerate() {
                 for contact in &evaluation.contacts.row(j)[STATIONS * e..STATIONS * (e + 1)] {
                     record.ironing_pressure = record.ironing_pressure.max(contact.pressure.value);
@@ -33,9 +34,9 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
                 }
             }
         }
-        most = if next.ironed[e] > next.ironed[most] { e } else { most };
+        most = if next.ironed[e][0] > next.ironed[most][0] { e } else { most };
     }
-    record.ironing = (-(-next.ironed[most]).exp_m1()).max(0.0);
+    record.ironing = (-(-next.ironed[most][0]).exp_m1()).max(0.0);
     record.ironing_s0 = next.middle(most);
 }
 

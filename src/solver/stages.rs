@@ -94,7 +94,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     if let Some(radius) = begin.trim {
         trim(&mut state, radius);
     }
-    state.ironed = vec![0.0; state.thickness.len()];
+    state.ironed.iter_mut().for_each(|[stage, _]| *stage = 0.0);
     state.tearing_index = vec![[0.0; 2]; state.thickness.len()];
     if begin.anneal {
         state.nose_curvature.fill(0.0);
@@ -138,7 +138,7 @@ fn trim(state: &mut State, radius: f64) {
     let State { thickness, volume, dilation, dilation_rate, temperature, nose_curvature, .. } = state;
     cut([thickness, volume, dilation, dilation_rate, temperature, nose_curvature], elements);
     cut([&mut state.bends, &mut state.steady], elements);
-    cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage], elements);
+    cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage, &mut state.ironed], elements);
     state.points.truncate_rows(elements);
     for pairs in [&mut state.pressure, &mut state.shift] {
         pairs.truncate_columns(STATIONS * elements);

@@ -63,8 +63,8 @@ pub struct State {
     pub temperature_rates: Vec<[f64; 2]>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
-    /// Logarithmic strain by which each element has thinned between two tools in the stage \[–\]: ironing.
-    pub ironed: Vec<f64>,
+    /// Logarithmic strain by which each element has thinned between two tools, in the stage and in all \[–\]: ironing.
+    pub ironed: Vec<[f64; 2]>,
     /// Largest curvature of each element's mid-surface on the punch so far \[1/mm\].
     pub nose_curvature: Vec<f64>,
     /// Tearing index of each element: after the last step, and its largest in the stage \[–\].
@@ -130,7 +130,7 @@ impl State {
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
-            ironed: vec![0.0; elements],
+            ironed: vec![[0.0; 2]; elements],
             nose_curvature: vec![0.0; elements],
             tearing_index: vec![[0.0; 2]; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
@@ -236,9 +236,10 @@ impl State {
         paths
     }
 
-    /// Mid-surface strains of this instant, less the stage's ironing: a wall that two tools press thin does not neck by it.
+    /// Mid-surface strains of this instant, less ironing: a wall that two tools press thin does not neck by it.
     pub fn instant(&self) -> Instant {
-        let stretched = |([meridional, hoop], ironed): (&[f64; 2], &f64)| [meridional - ironed.max(0.0), *hoop];
+        let stretched =
+            |([meridional, hoop], [_, ironed]): (&[f64; 2], &[f64; 2])| [meridional - ironed.max(0.0), *hoop];
         let strains = self.membrane.iter().zip(&self.ironed).map(stretched).collect();
         Instant { time: self.time, travel: self.travel, strains }
     }

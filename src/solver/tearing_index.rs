@@ -89,7 +89,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
             stress += at.weight * model.cauchy(point.stress)[0];
             strain += at.weight * point.strain;
         }
-        let (t, is_ironed) = (next.thickness[e], next.ironed[e] != 0.0 && is_between_walls(step, evaluation, e));
+        let (t, is_ironed) = (next.thickness[e], next.ironed[e][0] != 0.0 && is_between_walls(step, evaluation, e));
         let bears = strength.at(strain, next.temperature[e]) * rate_factor * bent_strength(next.nose_curvature[e], t);
         let index = if is_ironed { 0.0 } else { (stress / bears).max(0.0) };
         next.tearing_index[e] = [index, index.max(next.tearing_index[e][1])];

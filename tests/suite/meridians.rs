@@ -81,13 +81,16 @@ fn hat(wall: f64, flange: f64, growth: f64) -> Frame {
     sheet(40.0, &pieces)
 }
 
-/// Trust: radii and lengths add up; where the flange is turned back its bend is the far end, not its edge.
+/// Trust: radii, lengths and faces add up; where the flange is turned back its bend is the far end, not its edge.
 #[test]
 fn a_parts_height_is_that_over_all() {
-    let cup = [line(30.0), arc(5.0, -90.0), line(20.0)];
-    let turned_back = [cup[0], cup[1], cup[2], arc(5.0, 120.0), line(10.0)];
-    for (pieces, height) in [(&cup[..], 5.0 + 20.0 + 0.5), (&turned_back[..], 5.0 + 20.0 + 5.0 + 0.5)] {
-        let frame = sheet(40.0, pieces);
+    let turned_back = [line(30.0), arc(5.0, -90.0), line(20.0), arc(5.0, 120.0), line(10.0)];
+    for (frame, height) in [
+        (sheet(40.0, &turned_back[..3]), 5.0 + 20.0 + 0.5),
+        (sheet(40.0, &turned_back), 0.5 + 5.0 + 20.0 + 5.0 + 0.5),
+        (hat(0.0, 0.0, 1.0), 0.5 + 5.5 + 40.0 + 5.5 + 0.5),
+        (sheet(0.0, &[line(30.0)]), 1.0),
+    ] {
         for frame in [turned(&frame), frame] {
             close(part_height(&frame), height, 1e-9);
         }

@@ -97,8 +97,7 @@ impl Observer for Stopper {
         self.steps -= 1;
     }
     fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
-        let record = &iterate.record();
-        self.iterations -= usize::from(record.iteration > 0);
+        self.iterations -= usize::from(iterate.record().iteration > 0);
     }
     fn wants_to_stop(&mut self) -> bool {
         self.steps == 0 || self.iterations == 0

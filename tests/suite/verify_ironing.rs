@@ -295,10 +295,12 @@ fn a_thick_aluminium_rim_is_ironed() {
     // By the volume: at least what the thickest element in the gap had to lose, at most what the whole rim did.
     assert!((0.08..1.0 - 1.2 / rim).contains(&last.ironing), "{}", last.ironing);
     assert!(last.ironing_friction < last.ironing_force && last.ironing_force < last.punch_force, "{last:?}");
-    // The limit of stretching knows no strain that two tools pressed into the wall.
+    // The limit of stretching knows no strain that two tools pressed into the wall, nor does that of a next stage.
     let stretched = &run.paths.instants.last().expect("the end").strains;
     let pressed = end.elements.iter().zip(stretched).map(|(e, [meridional, _])| e.strain_meridional - meridional);
     assert!((1.0 - (-pressed.fold(0.0, f64::max)).exp() - last.ironing).abs() < 1e-9, "{}", last.ironing);
+    let next = stampflow::solver::enter(&case.stages[0], case.model(), run.end.clone());
+    assert_eq!(next.instant().strains, *stretched);
     let findings = assess::after(&case, &[run]);
     let ironing = findings.iter().find(|finding| finding.key == "ironing").expect("a judgement");
     assert!(ironing.light == Light::Amber && ironing.statement().contains("wall ironed by"), "{ironing:?}");

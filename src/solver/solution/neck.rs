@@ -57,7 +57,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let section = |state: &State| NonlocalAverage::new(model, state).section_thickness(&state.thickness);
     let thickness = section(state);
     // What two tools take off a wall is no neck.
-    let strains = thickness.iter().zip(&state.ironed).map(|(thickness, ironed)| (thickness / t0).ln() + ironed);
+    let strains = thickness.iter().zip(&state.ironed).map(|(thickness, [_, ironed])| (thickness / t0).ln() + ironed);
     let strains: Vec<f64> = strains.collect();
     let n = thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
@@ -70,7 +70,9 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let former = before.map(section);
     let rate = |e: usize| {
         let then = before.zip(former.as_ref());
-        then.map_or(0.0, |(before, former)| (former[e] / thickness[e]).ln() - (state.ironed[e] - before.ironed[e]))
+        then.map_or(0.0, |(before, former)| {
+            (former[e] / thickness[e]).ln() - (state.ironed[e][1] - before.ironed[e][1])
+        })
     };
     let step = before.map_or(f64::INFINITY, |before| model.process_time(before.time, state.time - before.time));
     neck.rate = rate(e) / step;
