@@ -54,17 +54,17 @@ pub struct Film {
 impl Film {
     /// Film of the frames of a stage.
     pub fn new(model: &Model, frames: &[Frame]) -> Self {
-        let mut film = Self { elements: model.blank.elements, ..Self::default() };
+        let mut film = Self::default();
         let curve = model.forming_limit.as_ref();
         for frame in frames {
+            film.elements = frame.elements.len();
             film.travel.push(frame.travel);
             film.nodes.extend(frame.nodes.iter().flat_map(|node| [node.r, node.z, node.theta, node.thickness]));
             for element in &frame.elements {
-                let (along, hoop) = (element.strain_meridional, element.strain_hoop);
-                let minor = along.min(hoop);
+                let minor = element.strain_meridional.min(element.strain_hoop);
                 film.thickness.push(element.thickness);
                 film.minor.push(minor);
-                film.major.push(along.max(hoop));
+                film.major.push(element.strain_meridional.max(element.strain_hoop));
                 let limit = curve.filter(|curve| curve.knows(minor));
                 film.limit.push(limit.map_or(f64::NAN, |curve| curve.major_at(minor)));
             }
