@@ -142,8 +142,9 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &too_large(files::CASE)));
     }
-    if !source::is_case_like(text) {
-        let what = format!("{name} is no case file: no line of it gives a key or a table of one");
+    if !source::is_own(text) {
+        let what =
+            format!("{name} is no case file: it has fewer than two of title, geometry, blank, material and tools");
         let help = "give the path of a case file; begin with a copy of cases/quickstart.toml";
         return Err(CaseError::bare(what, help.to_owned()));
     }

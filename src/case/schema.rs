@@ -34,10 +34,6 @@ pub(super) fn example(path: &str) -> Option<String> {
     Some(format!("{} = {}", path.rsplit('.').next()?, property.get("examples")?.get(0)?))
 }
 
-pub(super) fn is_case_key(name: &str) -> bool {
-    property(&SCHEMA, name).is_some()
-}
-
 pub(super) fn is_index(name: &str) -> bool {
     name.parse::<usize>().is_ok()
 }

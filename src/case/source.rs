@@ -1,7 +1,7 @@
 //! Text of a case with the place of every key: reads it, words its errors, collects notes.
 
 use super::files::Folder;
-use super::schema::{example, is_case_key};
+use super::schema::example;
 use super::{CaseError, error, file::CaseFile};
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
@@ -191,16 +191,14 @@ impl<'t> Source<'t> {
     }
 }
 
-/// Whether a line of a text gives a key of a case or of a study, or nothing is written: messages quote no other file.
-pub(super) fn is_case_like(text: &str) -> bool {
-    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).peekable();
-    let is_known = |line: &str| {
-        let line = line.trim_start_matches(['[', ' ', '"']);
-        let (key, rest) = line.split_at(line.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(line.len()));
-        let is_key = rest.trim_start_matches(['"', ' ']).starts_with(['=', ']', '.']);
-        is_key && (is_case_key(key) || ["case", "vary"].contains(&key))
-    };
-    lines.peek().is_none() || lines.any(is_known)
+/// Top keys of most cases and studies; other TOML files share one of them at most.
+const OWN_KEYS: [&str; 9] = ["title", "geometry", "blank", "material", "tools", "case", "vary", "set", "to"];
+
+/// Whether a text has two of the own keys, wherever else its syntax is wrong, or holds nothing: messages quote no other file.
+pub(super) fn is_own(text: &str) -> bool {
+    let (tree, errors) = DeTable::parse_recoverable(text);
+    let count = OWN_KEYS.iter().filter(|key| tree.get_ref().contains_key(**key)).count();
+    count > 1 || tree.get_ref().is_empty() && errors.is_empty()
 }
 
 /// Name, span of the key and value of each entry of a table or array; an array's keys are its values.

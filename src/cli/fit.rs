@@ -5,7 +5,7 @@ use super::study::StudyOptions;
 use super::*;
 use stampflow::results::ResultFolder;
 use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, fit_laws, flow_curves, material_text};
-use stampflow::study::study_folder;
+use stampflow::study::{StudyError, study_folder};
 use stampflow::units::parse;
 
 const STRAIN: &str = "a plain number";
@@ -40,10 +40,14 @@ pub fn fit(args: &Args) -> Result<Code> {
     let dir = args.options.folder(&args.files[0], "fit");
     place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
     let folder = || study_folder("fit", &dir).map_err(error::unusable("--out"));
-    match args.files.as_slice() {
+    let fitted = match args.files.as_slice() {
         tests if tests.iter().all(|path| is_curve(path)) => laws(args, (&dir, folder()?)),
         [file] => keys(args, file, (&dir, folder()?)),
         _ => Err(bad_request("give tension tests, or one case or study file")),
+    };
+    match fitted {
+        Err(error) if is_interrupted() && error.is::<StudyError>() => Ok(Code::Interrupted),
+        fitted => fitted,
     }
 }
 
@@ -52,7 +56,9 @@ fn laws(args: &Args, place: (&Path, ResultFolder)) -> Result<Code> {
     ensure!(args.vary.is_empty() && args.to.is_empty(), bad_request(what));
     let &Args { young, offset, from, until: to, section, gauge, .. } = args;
     let reduction = Reduction { young, offset, from, to, section, gauge };
-    let fits = fit_laws(flow_curves(&args.files, &reduction, &args.rate, &args.direction)?, args.law)?;
+    let count = args.options.count(&args.files[0], "laws");
+    let curves = flow_curves(&args.files, &reduction, &args.rate, &args.direction, &count);
+    let fits = curves.and_then(|curves| fit_laws(curves, args.law, &count))?;
     let best = fits.best();
     let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
     let extra = json!({ "law": best.kind.name(), "parameters": best.estimates });
@@ -61,10 +67,7 @@ fn laws(args: &Args, place: (&Path, ResultFolder)) -> Result<Code> {
 
 fn keys(args: &Args, file: &Path, place: (&Path, ResultFolder)) -> Result<Code> {
     let fit = CaseFitRequest::load(file, args.options.common.overrides.all(), &args.vary, &args.to)?;
-    let fit = match fit_case(&fit, args.options.threads.count(), &args.options.count(file, "fit")) {
-        Err(_) if is_interrupted() => return Ok(Code::Interrupted),
-        fit => fit?,
-    };
+    let fit = fit_case(&fit, args.options.threads.count(), &args.options.count(file, "fit"))?;
     let files = vec![("fitted.toml".to_owned(), fit.text.clone().into_bytes())];
     args.options.present(&fit.report, place, files, &[], json!({ "law": null, "parameters": fit.estimates }))
 }

@@ -72,7 +72,7 @@ impl stampflow::study::Watch for Count {
     fn ran(&self, done: usize, all: usize) {
         self.0.set_length(all as u64);
         self.0.set_position(done as u64);
-        self.0.set_message(format!("{done} of {all} runs, {} s left", self.0.eta().as_secs()));
+        self.0.set_message(format!("{done} of {all}, {} s left", self.0.eta().as_secs()));
         if done == all {
             self.0.finish();
         }

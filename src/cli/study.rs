@@ -59,6 +59,7 @@ options! {
     MergeArgs {
         shards: Vec<PathBuf> = "SHARD.csv" [required = true] "Tables of all shards of one study",
         out: PathBuf = "FILE.csv" [long, alias = "output"] "The table to write",
+        restart: bool [long] "Replace the table that is there",
     };
 }
 
@@ -81,8 +82,9 @@ pub fn search(args: SearchArgs) -> Result<Code> {
     options.run(&mut search, ["search"; 2], Shard::WHOLE, false)
 }
 
-pub fn merge(MergeArgs { shards, out }: &MergeArgs) -> Result<Code> {
+pub fn merge(MergeArgs { shards, out, restart }: &MergeArgs) -> Result<Code> {
     place::replaced(out, b"study,designs,index,", shards, "--out")?;
+    ensure!(*restart || !out.exists(), bad_path(out, "is there, of a complete study", "replace it with --restart"));
     let (text, designs) = study::merge(shards)?;
     write(out, text.as_bytes())?;
     print(wrapped(format!("{designs} designs of {} shards in {}", shards.len(), out.display())))

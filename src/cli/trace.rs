@@ -36,18 +36,14 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 pub fn trace(Args { case, step, stage, methods, tolerance, out, overrides }: Args) -> Result<Code> {
     let case = overrides.load(&case)?;
-    if let Some(path) = &out {
-        place::replaced(path, &step_iterations(&[]), &case.inputs, "--out")?;
-    }
+    out.iter().try_for_each(|path| place::replaced(path, &step_iterations(&[]), &case.inputs, "--out"))?;
     let request = TraceRequest { stage, step, matrices: methods.concat(), tolerance };
     let trace = match trace_step(&case.stages, &request, &mut Progress::new(true).watch(&case)) {
         Ok(trace) => trace,
         Err(NoSuchStep::Interrupted) => return Ok(Code::Interrupted),
         Err(error) => return Err(bad_request(error.to_string())),
     };
-    if let Some(path) = &out {
-        write(path, &step_iterations(&trace.histories))?;
-    }
+    out.iter().try_for_each(|path| write(path, &step_iterations(&trace.histories)))?;
     let Trace { before, record, dt, .. } = &trace;
     let stage = case.stage_label(trace.stage - 1).map_or(String::new(), |stage| format!(" {stage}"));
     let head = format!(

@@ -30,9 +30,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
         Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(FILE)),
         dir => dir.as_ref().map(|dir| dir.join(FILE)),
     };
-    if let Some(path) = &path {
-        place::replaced(path, BEGINNING.as_bytes(), &case.inputs, "--out")?;
-    }
+    path.iter().try_for_each(|path| place::replaced(path, BEGINNING.as_bytes(), &case.inputs, "--out"))?;
     let start = Instant::now();
     let count = progress.count(format!("{}, finer", case.name));
     let solution = progress.watch(&case).solve(case);

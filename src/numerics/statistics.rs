@@ -21,6 +21,12 @@ pub fn wilson(hits: usize, tries: usize) -> Option<[f64; 3]> {
     Some([value, low, high])
 }
 
+/// Means of at most `most` blocks of successive rows, as many rows in each but the first.
+pub fn block_means<const N: usize>(rows: &[[f64; N]], most: usize) -> Vec<[f64; N]> {
+    let blocks = rows.rchunks(rows.len().div_ceil(most).max(1)).rev();
+    blocks.map(|block| std::array::from_fn(|i| block.iter().map(|row| row[i]).mean())).collect()
+}
+
 /// Quantile of sorted values, interpolated by Hazen's rule.
 pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = (share * sorted.len() as f64 - 0.5).clamp(0.0, sorted.len() as f64 - 1.0);

@@ -130,9 +130,8 @@ impl Search {
     fn untried(&self, trials: &[Trial], shares: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::new();
         for x in shares.iter().map(|share| self.at(*share)) {
-            if !values.contains(&x) && !trials.iter().any(|(tried, _)| *tried == x) {
-                values.push(x);
-            }
+            let is_new = !values.contains(&x) && !trials.iter().any(|(tried, _)| *tried == x);
+            values.extend(is_new.then_some(x));
         }
         values
     }

@@ -155,12 +155,11 @@ impl SideBySide {
                 if let Some((first, own)) = first.filter(|_| i > 0).zip(own) {
                     let base = first.quantity.amount;
                     let difference = own.quantity.amount.value - base.value;
-                    let is_more = |size: f64| difference.abs() > size;
+                    let least = SAME * base.value.abs();
                     change = Amount::new(difference, base.unit, base.digits).into();
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                    let is_beyond =
-                        |(a, b)| if is_more(SAME * base.value.abs()) && is_more(a + b) { "yes" } else { "no" };
-                    beyond = first.half().zip(own.half()).map_or("", is_beyond);
+                    let bars = first.half().zip(own.half()).map(|(a, b)| least.max(a + b));
+                    beyond = bars.map_or("", |bars| if difference.abs() > bars { "yes" } else { "no" });
                 }
                 let value = own.map_or_else(|| "–".into(), |own| own.quantity.amount.into());
                 add(number.quantity.label, member, value, change, beyond);

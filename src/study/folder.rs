@@ -8,26 +8,23 @@ use std::path::Path;
 pub fn study_folder(verb: &str, dir: &Path) -> Result<ResultFolder, WriteError> {
     let is_ours: IsOurs = match verb {
         "sweep" => |_, path| {
-            let curves = "curves/load-0.csv curves/thickness-0.csv .study.csv.curves/load-0.csv .study.csv.curves/thickness-0.csv";
+            let curves = "curves/load-#.csv curves/thickness-#.csv .study.csv.curves/load-#.csv .study.csv.curves/thickness-#.csv";
             is_one(path, "study.csv .study.csv.rows sensitivities.csv sweep.png") || is_one(path, curves)
         },
         "search" => |_, path| is_one(path, "search.csv .search.csv.rows search.png"),
         "scatter" => {
             |_, path| is_one(path, "scatter.csv .scatter.csv.rows scatter_lights.csv scatter_numbers.csv scatter.png")
         }
-        "fit" => |_, path| is_one(path, "fit.csv laws.csv directions.csv fit.png fit_0.png fitted.toml material.toml"),
+        "fit" => |_, path| is_one(path, "fit.csv laws.csv directions.csv fit.png fit_#.png fitted.toml material.toml"),
         _ => |_, path| is_one(path, "differences.csv compare_load.png compare_thickness.png compare_sections.png"),
     };
     ResultFolder::open(dir, is_ours)
 }
 
-/// Whether a path is one of some files: `.png` stands for any picture, 0 for any number.
+/// Whether a path is one of some files: `.png` stands for any picture, # for a number.
 fn is_one(path: &Path, files: &str) -> bool {
-    let plain = |name: &str| {
-        let digit = |c: char| if c.is_ascii_digit() { '0' } else { c };
-        let mut plain: Vec<char> = Format::stem(name).unwrap_or(name).chars().map(digit).collect();
-        plain.dedup_by(|a, b| a == b && *a == '0');
-        (plain, Format::stem(name).is_some())
-    };
-    path.to_str().is_some_and(|name| files.split(' ').any(|file| plain(file) == plain(name)))
+    let name = path.to_string_lossy();
+    let name = Format::stem(&name).map_or_else(|| name.to_string(), |stem| format!("{stem}.png"));
+    let number = |(before, after): (&str, &str)| name.strip_prefix(before)?.strip_suffix(after)?.parse::<u64>().ok();
+    files.split(' ').any(|file| file == name || file.split_once('#').and_then(number).is_some())
 }

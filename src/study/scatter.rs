@@ -170,8 +170,7 @@ impl Study for Scatter {
         let seed = self.seed.wrapping_add((index / LONGEST) as u32);
         let point = (index % LONGEST) as u32;
         let coordinate = |i: usize| f64::from(sample(point, i as u32, seed)) + HALF;
-        let values: Vec<String> =
-            (0..).zip(&self.variables).map(|(i, variable)| variable.value(coordinate(i))).collect();
+        let values: Vec<String> = (0..).zip(&self.variables).map(|(i, one)| one.value(coordinate(i))).collect();
         let settings = self.variables.iter().zip(&values).flat_map(|(variable, value)| variable.settings(value));
         Design { index, settings: settings.collect(), values }
     }
@@ -185,9 +184,7 @@ impl Study for Scatter {
             Some([_, _, high]) if events[0].hits == 0 => {
                 format!("No tear in {n} parts: fewer than {high} scrap, 95 % sure.")
             }
-            Some([_, low, high]) => {
-                format!("{} of {n} parts tear: {low} to {high}, 95 % sure.", events[0].hits)
-            }
+            Some([_, low, high]) => format!("{} of {n} parts tear: {low} to {high}, 95 % sure.", events[0].hits),
         };
         let [red, amber] = [red, amber].map(|shares| shares.map_or(Amount::share(0.0), |[share, ..]| share));
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();

@@ -136,9 +136,7 @@ impl LimitSearch {
                 let (x, value) = (at(runs.runs[best].value(0)), runs.runs[best].numbers[place]);
                 return format!("{key} = {x}: {name} is {}, wanted {wanted}.", runs.display(place, value));
             }
-            (_, Some((_, wanted)), None) => {
-                return format!("{key}: {name} is {wanted} nowhere from {low} to {high}.");
-            }
+            (_, Some((_, wanted)), None) => return format!("{key}: {name} is {wanted} nowhere from {low} to {high}."),
             (Bracket::Between([inner, outer]), ..) => {
                 let side = if self.search.side == Side::Largest { "up to" } else { "from" };
                 format!("{side} {}, not at {}", at(inner), at(outer))
@@ -237,9 +235,7 @@ impl Study for LimitSearch {
 fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition, StudyError> {
     match (&request.condition, &request.target, goal.quantity) {
         (Some(_), Some(_), _) => fail("both a condition and a target are given", "give --while or --target"),
-        (None, Some(value), Some(quantity)) if !value.contains('=') => {
-            Condition::target(&format!("{quantity}={value}"))
-        }
+        (None, Some(value), Some(key)) if !value.contains('=') => Condition::target(&format!("{key}={value}")),
         (None, Some(target), _) => Condition::target(target),
         (condition, None, quantity) => {
             let missing = |quantity| format!("the wanted value of {quantity} is missing");

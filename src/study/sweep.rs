@@ -75,11 +75,10 @@ impl Sweep {
         let variables = || axes.iter().map(|axis| &axis.variable);
         check_distinct(variables(), "is varied twice", "give all its values at once")?;
         let mut counts = axes.iter().map(|axis| axis.count() as u64);
-        let countless =
-            || StudyError::new("more designs than can be counted", "fewer values, or `scatter` for a sample");
+        let (what, help) = ("more designs than can be counted", "fewer values, or `scatter` for a sample");
         let designs = match one_at_a_time {
             true => 1 + counts.sum::<u64>(),
-            false => counts.try_fold(1, u64::checked_mul).ok_or_else(countless)?,
+            false => counts.try_fold(1, u64::checked_mul).ok_or_else(|| StudyError::new(what, help))?,
         };
         for axis in &axes {
             let last = axis.count() - 1;
@@ -127,9 +126,8 @@ impl Sweep {
             let sound = || runs.runs.iter().filter(|run| run.is_sound() && run.numbers[place].is_finite());
             let by = |a: &&Run, b: &&Run| a.numbers[place].total_cmp(&b.numbers[place]);
             let (least, most) = sound().min_by(by).zip(sound().max_by(by)).filter(|(a, b)| a.index != b.index)?;
-            let (label, least, most) =
-                (runs.responses[place].quantity.label, describe(place, least), describe(place, most));
-            Some(format!("{label} of sound designs: {least} to {most}."))
+            let [least, most] = [least, most].map(|run| describe(place, run));
+            Some(format!("{} of sound designs: {least} to {most}.", runs.responses[place].quantity.label))
         });
         span.into_iter().chain([base]).collect()
     }

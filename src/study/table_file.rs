@@ -224,9 +224,8 @@ pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
                 let [key, designs, index, .., version] = &fields[..] else { return None };
                 Some(((key.clone(), designs.parse().ok()?, version.clone()), index.parse().ok()?))
             };
-            let cut =
-                || StudyError::new(format!("{shown}, is no row of a study"), "run that shard again with --resume");
-            let (own, index): ((String, u64, String), u64) = row().ok_or_else(cut)?;
+            let (what, again) = (format!("{shown}, is no row of a study"), "run that shard again with --resume");
+            let (own, index): ((String, u64, String), u64) = row().ok_or_else(|| StudyError::new(what, again))?;
             let is_own = *study.get_or_insert_with(|| own.clone()) == own;
             ensure(is_own, format!("{shown}, is of another study than {before}, or of another version"), help)?;
             if let Some((_, other)) = all.insert(index, (line, path)) {

@@ -53,8 +53,7 @@ impl Variable {
     }
 
     fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
-        let help =
-            "a range is FROM..TO UNIT, with /N for N values: \"4..10 mm/7\", with `log` behind it for even ratios";
+        let help = "write FROM..TO UNIT, /N behind it for N values, then `log` for even ratios: \"4..10 mm/7\"";
         let mut reader = NumberReader::new(key, values, help)?;
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
         let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));
@@ -76,9 +75,8 @@ impl Variable {
     fn list(key: &str, values: &str) -> Result<Self, StudyError> {
         let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
         let what = format!("{key}: a decimal comma, or two values, in `{values}`");
-        let help_point =
-            format!("write a point, {}, or a blank behind a comma between values", values.replacen(',', ".", 1));
-        ensure(!has_decimal_comma(values), what, help_point)?;
+        let point = values.replacen(',', ".", 1);
+        ensure(!has_decimal_comma(values), what, format!("write a point, {point}, or a blank behind every comma"))?;
         let mut reader = NumberReader { key, text: values, help, unit: String::new() };
         let items: Vec<&str> = values.split(',').map(|item| item.trim().trim_matches('"')).collect();
         reader.ensure(!items.contains(&""), "misses a value")?;

@@ -70,10 +70,8 @@ fn rounding(written: &str) -> f64 {
 #[test]
 fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
     let staged = format!("{CUP}{STAGES}");
-    let release =
-        RELEASE.replace("elements = 200", "elements = 60").replace("travel = \"70 mm\"", "travel = \"20 mm\"");
-    for (case, extra) in [(CUP, ""), (&staged, "Stage 2-retract"), (&release, "Spring-back"), (LIMIT, "Forming limit")]
-    {
+    let hat = RELEASE.replace("elements = 200", "elements = 60").replace("travel = \"70 mm\"", "travel = \"20 mm\"");
+    for (case, extra) in [(CUP, ""), (&staged, "Stage 2-retract"), (&hat, "Spring-back"), (LIMIT, "Forming limit")] {
         let (html, json) = report(case);
         let xml = as_xml(&html);
         let page = Document::parse(&xml).unwrap_or_else(|e| panic!("{e}"));

@@ -53,8 +53,7 @@ fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
 /// Trust: one iteration finds no equilibrium, so that no run counts.
 #[test]
 fn a_scatter_without_a_result_says_why() {
-    let mut scatter =
-        scatter_of(&["solver.max_iterations=1"], &["friction=uniform 0.05..0.11"], 8, 1).expect("a scatter");
+    let mut scatter = scatter_of(&["solver.max_iterations=1"], &["friction=uniform 0.05..0.11"], 8, 1).expect("one");
     let table = run(&mut scatter, 2, &());
     let report = scatter.report(&table);
     assert!(report.headline.starts_with("None of 8 runs came to a result: no equilibrium"), "{}", report.headline);

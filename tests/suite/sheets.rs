@@ -59,8 +59,7 @@ fn every_sheet_on_every_template_comes_to_an_end_that_is_told() {
         for template in TEMPLATES.iter() {
             let name = format!("{} of {}", template.name, entry.name);
             // A sheet that is let go has its back-stresses.
-            let release =
-                template.options().any(|choice| choice.key == "springback") && entry.material.elastic.is_some();
+            let release = template.options().any(|one| one.key == "springback") && entry.material.elastic.is_some();
             let given = [("material", entry.name), ("springback", "1 deg")];
             let text = template.fill(&given[..1 + usize::from(release)]).unwrap_or_else(|e| panic!("{name}: {e}"));
             let coarse = ["blank.elements=30".to_owned()];

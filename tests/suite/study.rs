@@ -44,8 +44,7 @@ fn designs_are_counted_with_the_last_key_fastest() {
 /// Trust: the same on any number of threads; friction raises the force.
 #[test]
 fn rows_come_in_order_and_are_the_same_on_any_number_of_threads() {
-    let tables =
-        [1, 3].map(|threads| run(&mut sweep(&["friction=0.04..0.2/3"], false).expect("a sweep"), threads, &()));
+    let tables = [1, 3].map(|count| run(&mut sweep(&["friction=0.04..0.2/3"], false).expect("a sweep"), count, &()));
     assert_eq!(tables[0].csv(), tables[1].csv());
     let force = tables[0].response("punch_force").expect("a force");
     let runs = &tables[0].runs;
@@ -230,8 +229,9 @@ fn shards_are_merged_to_the_table_of_the_whole_study() {
         (vec![shards[0], "foreign.csv", shards[2]], "another study"),
         (vec![shards[0], "columns.csv", shards[2]], "other columns"),
         (vec![shards[0], "no.csv"], "no table of a study"),
+        (shards.to_vec(), "m/study.csv is there, of a complete study; replace it with --restart"),
     ] {
-        let done = merge(&others);
+        let done = merge(&[&others[..], &["--restart"][usize::from(says.contains("--restart"))..]].concat());
         assert!(done.status.code() == Some(2) && text(&done.stderr).contains(says), "{says}: {}", text(&done.stderr));
     }
     assert_eq!(read("m/study.csv"), read("whole/study.csv"));

@@ -34,8 +34,7 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
 #[test]
 fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     let checked: Vec<_> = (60_000..60_006).map(|seed| check(case_of(random_die(seed).model))).collect();
-    let is_inside =
-        |(number, truth): (&Number, f64)| Some((truth - number.quantity.amount.value).abs() <= number.half()?);
+    let is_inside = |(one, truth): (&Number, f64)| Some((truth - one.quantity.amount.value).abs() <= one.half()?);
     let inside: Vec<bool> = checked.iter().flat_map(|one| one.with_truth()).filter_map(is_inside).collect();
     let share = inside.iter().filter(|is_inside| **is_inside).count() as f64 / inside.len() as f64;
     assert!(inside.len() > 30 && share >= 0.9, "{share} of {}", inside.len());

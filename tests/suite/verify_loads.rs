@@ -102,8 +102,7 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
     let named = ["quickstart", "brite_cylindrical", "chalmers_cup"];
     let of = named.map(|name| changes.iter().find(|(case, _)| *case == name).expect("it is drawn").1);
     let most = |of: &[f64]| of.iter().fold(0.0_f64, |most, change| most.max(change.abs()));
-    let others: Vec<f64> =
-        changes.iter().filter(|(case, _)| !named.contains(case)).map(|(_, change)| *change).collect();
+    let others: Vec<f64> = changes.iter().filter(|(case, _)| !named.contains(case)).map(|change| change.1).collect();
     let figures = [vec![deep_steps.to_string()], at_most(most(&of)), signed(&of, 2), at_most(most(&others))];
     told(
         "docs/agreement.md",
@@ -270,8 +269,7 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
         [frame.elements[0].thickness / (alpha.sin() / alpha).powi(2) - 1.0, mean / cap - 1.0]
     };
     let found = [0.9, 0.6, 0.4].map(pole_error);
-    let (errors, mean) =
-        (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, [_, mean]| most.max(mean.abs())));
+    let (errors, mean) = (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, one| most.max(one[1].abs())));
     told(
         "docs/agreement.md",
         "pole within {} % of (sin α/α)² at m = 0.9, mean thickness within {} % of a spherical cap's",

@@ -58,8 +58,7 @@ fn the_share_of_curling_is_that_of_the_shell_equation() {
         let found = ring(height, [0.0; 2]).curling(METAL.poisson);
         assert!((found - mean).abs() < 1e-9, "{height}: {found} {mean}");
     }
-    let shares: Vec<f64> =
-        [0.0, 1.0, 3.0, 10.0, 30.0, 99.0, 101.0, 1e4].map(|h| ring(h, [0.0; 2]).curling(0.3)).to_vec();
+    let shares = [0.0, 1.0, 3.0, 10.0, 30.0, 99.0, 101.0, 1e4].map(|h| ring(h, [0.0; 2]).curling(0.3));
     assert!(shares.windows(2).all(|pair| pair[1] <= pair[0]) && shares[0] == 1.0, "{shares:?}");
 }
 

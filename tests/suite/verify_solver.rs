@@ -61,8 +61,7 @@ fn every_shipped_case_runs_smoothly_to_its_full_travel() {
          with its 163.",
         &plain(&[woo, coarse, of("chalmers_cup")], 2),
     );
-    let (least, most) =
-        ticks.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), (_, t)| (least.min(*t), most.max(*t)));
+    let (least, most) = ticks.iter().fold((f64::INFINITY, 0.0_f64), |ends, (_, t)| (ends.0.min(*t), ends.1.max(*t)));
     let ticks = plain(&[least, most], 2);
     told(
         "docs/agreement.md",

@@ -79,7 +79,7 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
 
     let points = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
     let curve = FlowCurve::read(points, "points.csv", &Reduction::default()).expect("a curve");
-    let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift)).expect("a fit");
+    let fits = fit_laws(vec![curve.clone()], Some(HardeningKind::Swift), &()).expect("a fit");
     let swift = fits.best();
     let Hardening::Swift(_) = swift.hardening else { panic!("{:?}", swift.hardening) };
     let off = curve.points.iter().map(|point| (swift.hardening.at(point.strain).stress / point.stress - 1.0).abs());

@@ -96,8 +96,14 @@ fn run(
 /// Fits hardening laws to tension tests.
 #[pyfunction]
 pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
-    let fits = flow_curves(&files, &Reduction::default(), &[], &[]).and_then(|curves| fit_laws(curves, None));
-    results(&fits.map_err(|error| error::study(py, &error))?.report(), None)
+    let (fits, raised) = interruptible(py, None, |line| {
+        let curves = flow_curves(&files, &Reduction::default(), &[], &[], line)?;
+        fit_laws(curves, None, line)
+    });
+    match raised {
+        Some(raised) => Err(raised),
+        None => results(&fits.map_err(|error| error::study(py, &error))?.report(), None),
+    }
 }
 
 /// Compares cases, variants of the first and measured curves.

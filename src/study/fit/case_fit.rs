@@ -182,8 +182,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let mut charts = Vec::new();
     for (((curve, (_, before)), (points, after)), weights) in request.curves.iter().zip(first).zip(last).zip(&weights) {
         let (file, left_out, all) = (curve.file(), weights.iter().filter(|w| **w == 0.0).count(), points.len());
-        let note =
-            format!("{left_out} of {all} points of {file} are left out: the run at the start ended before them.");
+        let note = format!("{left_out} of {all} points of {file} are left out: the first run ended before them.");
         notes.extend((left_out > 0).then_some(note));
         let measured = points.iter().map(|p| (p.x, p.reference)).collect();
         let series = [

@@ -1,9 +1,10 @@
 //! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::tension::{EXAMPLE, FlowPoint, rows};
+use crate::numerics::statistics::block_means;
 use crate::study::error::ensure;
 use crate::study::measured_curve::{csv_error, read_csv};
-use crate::study::{StudyError, fail};
+use crate::study::{StudyError, Watch, fail};
 use crate::table::Csv;
 use crate::units::{Amount, joined, significant};
 use std::path::PathBuf;
@@ -50,6 +51,10 @@ pub struct FlowCurve {
 const ELASTIC: [f64; 2] = [0.1, 0.4];
 /// Fewest points of a line.
 const LINE: usize = 4;
+/// Most means in the search of the largest force, so that noise of single rows is no peak.
+const FORCES: usize = 200;
+/// Share of the offset on either side whose rows give the yield stress \[–\].
+const AT_YIELD: f64 = 0.1;
 /// Resolution of strains in files \[–\].
 const ROUNDED: f64 = 1e-9;
 /// Poisson's ratio of metals, for the elastic part of the width's strain, a hundredth of the whole \[–\].
@@ -77,34 +82,39 @@ impl FlowCurve {
             young => Some(elastic_line(&rows, name, young)?),
         };
         let elastic = |row: &FlowPoint| line.map_or(0.0, |(young, _)| row.stress / young);
+        let toe = line.map_or(0.0, |(_, toe)| toe);
         // Plastic strain and engineering stress.
         let reduced = |row: &FlowPoint| {
-            let sum =
-                if is_plastic { row.strain + elastic(row) } else { row.strain - line.map_or(0.0, |(_, toe)| toe) };
-            (if is_plastic { row.strain } else { sum - elastic(row) }, row.stress * (-sum).exp())
+            let plastic = if is_plastic { row.strain } else { row.strain - toe - elastic(row) };
+            [plastic, row.stress * (-plastic - elastic(row)).exp()]
         };
-        let all: Vec<(f64, f64)> = rows.iter().map(reduced).collect();
-        let peak = (0..all.len()).max_by(|a, b| all[*a].1.total_cmp(&all[*b].1)).unwrap_or(0);
-        let strength = all[peak].1;
-        let uniform = all[peak..].iter().any(|at| at.1 < (1.0 - FALLEN) * strength).then(|| all[peak].0);
+        let all: Vec<[f64; 2]> = rows.iter().map(reduced).collect();
+        let forces = block_means(&all, FORCES);
+        let peak = (0..forces.len()).max_by(|a, b| forces[*a][1].total_cmp(&forces[*b][1])).unwrap_or(0);
+        let [at_peak, strength] = forces[peak];
+        let uniform = forces.last().filter(|last| last[1] < (1.0 - FALLEN) * strength).map(|_| at_peak);
         let from = reduction.from.unwrap_or(offset) - ROUNDED;
         let to = reduction.to.unwrap_or(f64::INFINITY).min(uniform.unwrap_or(f64::INFINITY)) + ROUNDED;
-        let is_used = |i: &usize| (from..=to).contains(&all[*i].0) && (*i <= peak || uniform.is_none());
-        let used: Vec<usize> = (0..all.len()).filter(is_used).collect();
+        let rows_each = all.len().div_ceil(FORCES);
+        let end = all.len() - uniform.map_or(0, |_| (forces.len() - 1 - peak) * rows_each);
+        let used: Vec<usize> = (0..end).filter(|i| (from..=to).contains(&all[*i][0])).collect();
         let what = format!("{name} has no points with a plastic strain from {:.4} to {to:.4}", from + ROUNDED);
         ensure(!used.is_empty(), what, "see whether --young, --offset, --from and --to go with it")?;
-        let crossing = all[..=used[used.len() - 1]].windows(2).find(|pair| pair[0].0 < offset && pair[1].0 >= offset);
-        let yield_stress = match crossing {
-            Some([a, b]) => Some(a.1 + (b.1 - a.1) * (offset - a.0) / (b.0 - a.0)),
-            _ => ((all[0].0 - offset).abs() <= ROUNDED).then(|| all[0].1),
-        };
-        let across = |i: &usize| Some((all[*i].0, rows[*i].width? + POISSON * elastic(&rows[*i])));
+        let is_near = |at: &[f64; 2]| (at[0] - offset).abs() <= AT_YIELD * offset;
+        let near: Vec<[f64; 2]> = all[..end].iter().copied().filter(is_near).collect();
+        let crossing = all[..end].windows(2).find(|pair| pair[0][0] <= offset + ROUNDED && pair[1][0] >= offset);
+        let yield_stress = crossing.map(|pair| {
+            let [at_zero, slope, _] = straight_line(if near.len() < LINE { pair.to_vec() } else { near });
+            at_zero + slope * offset
+        });
+        let across = |i: &usize| Some([all[*i][0], rows[*i].width? + POISSON * elastic(&rows[*i])]);
         let r = r_value(used.iter().filter_map(across).collect());
-        let points: Vec<FlowPoint> = used.into_iter().map(|i| FlowPoint { strain: all[i].0, ..rows[i] }).collect();
+        let points: Vec<FlowPoint> = used.into_iter().map(|i| FlowPoint { strain: all[i][0], ..rows[i] }).collect();
         let source = if reduction.young.is_none() { "slope of the elastic line" } else { "E as given" };
         let young = line.map(|(young, _)| young);
         let cut = uniform.map_or("the force does not fall: no cut".to_owned(), |uniform| {
-            format!("largest force at a plastic strain of {uniform:.3}, {}: cut there", Amount::stress(strength))
+            let of = if rows_each > 1 { format!(", mean of {rows_each} rows,") } else { String::new() };
+            format!("largest force{of} at a plastic strain of {uniform:.3}, {}: cut there", Amount::stress(strength))
         });
         let name = name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
         let (count, first) = (points.len(), points[0].strain);
@@ -131,10 +141,10 @@ fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f
     let at = rows.iter().find(|row| row.strain >= 0.01).or(rows.last()).map_or(0.0, |row| row.stress);
     let is_elastic = |row: &&FlowPoint| (ELASTIC[0] * at..=ELASTIC[1] * at).contains(&row.stress);
     let before = rows.iter().take_while(|row| row.strain < 0.01).filter(is_elastic);
-    let points: Vec<(f64, f64)> = before.map(|row| (row.stress, row.strain)).collect();
+    let points: Vec<[f64; 2]> = before.map(|row| [row.stress, row.strain]).collect();
     let count = points.len();
     if let Some(young) = young {
-        let toe = points.iter().map(|(stress, strain)| strain - stress / young).sum::<f64>() / count as f64;
+        let toe = points.iter().map(|[stress, strain]| strain - stress / young).sum::<f64>() / count as f64;
         return Ok((young, if count < LINE { 0.0 } else { toe }));
     }
     let what = format!("{name} has {count} points on its elastic line, too few for its slope");
@@ -146,7 +156,7 @@ fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f
 }
 
 /// r from plastic strains along and across: −m/(1 + m) with their slope m.
-fn r_value(points: Vec<(f64, f64)>) -> Option<(f64, f64)> {
+fn r_value(points: Vec<[f64; 2]>) -> Option<(f64, f64)> {
     let [_, slope, error] = Some(points).filter(|points| points.len() >= LINE).map(straight_line)?;
     (-1.0 < slope && slope < 0.0).then(|| (-slope / (1.0 + slope), error / (1.0 + slope).powi(2)))
 }
@@ -157,6 +167,7 @@ pub fn flow_curves(
     reduction: &Reduction,
     rates: &[f64],
     directions: &[f64],
+    watch: &dyn Watch,
 ) -> Result<Vec<FlowCurve>, StudyError> {
     for (option, own) in [("--rate", rates.len()), ("--direction", directions.len())] {
         let what = format!("{option} has {own} values for {} tests", tests.len());
@@ -167,6 +178,7 @@ pub fn flow_curves(
     }
     let mut curves: Vec<FlowCurve> = Vec::new();
     for (i, path) in tests.iter().enumerate() {
+        ensure(!watch.wants_to_stop(), "interrupted", "begin again")?;
         let csv = read_csv(path, EXAMPLE)?;
         let (rate, direction) = (rates.get(i).copied(), directions.get(i).copied());
         let curve = FlowCurve { rate, direction, ..FlowCurve::new(&csv, &path.to_string_lossy(), reduction)? };
@@ -182,12 +194,12 @@ pub fn flow_curves(
 }
 
 /// Intercept, slope and standard error of the slope of the regression through points.
-pub(super) fn straight_line(points: Vec<(f64, f64)>) -> [f64; 3] {
+pub(super) fn straight_line(points: Vec<[f64; 2]>) -> [f64; 3] {
     let n = points.len() as f64;
-    let [x, y] = [points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n];
-    let xx: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
-    let xy: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let [x, y] = [points.iter().map(|p| p[0]).sum::<f64>() / n, points.iter().map(|p| p[1]).sum::<f64>() / n];
+    let xx: f64 = points.iter().map(|p| (p[0] - x).powi(2)).sum();
+    let xy: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();
     let slope = if xx > 0.0 { xy / xx } else { 0.0 };
-    let rest: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
+    let rest: f64 = points.iter().map(|p| (p[1] - y - slope * (p[0] - x)).powi(2)).sum();
     [y - slope * x, slope, (rest / (n - 2.0).max(1.0) / xx).sqrt()]
 }

@@ -6,8 +6,10 @@ use super::{Estimate, estimates};
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
 use crate::material::rate::{PowerRate, Rate};
 use crate::numerics::least_squares::{Parameter, minimise};
+use crate::numerics::statistics::block_means;
 use crate::study::error::ensure;
-use crate::study::{StudyError, fail};
+use crate::study::{StudyError, Watch};
+use statrs::statistics::Statistics;
 use std::cmp::Ordering;
 use std::str::FromStr;
 
@@ -23,6 +25,9 @@ pub enum HardeningKind {
     /// initial + k ε^n.
     Ludwik,
 }
+
+/// Strain \[–\], stress and its standard deviation or 1 \[MPa\], strain rate \[1/s\].
+type Row = [f64; 4];
 
 /// Name, unit (`MPa` or none), least and largest value.
 type ParameterRange = (&'static str, &'static str, f64, f64);
@@ -62,9 +67,9 @@ impl HardeningKind {
     }
 
     /// Starting points: linear parameters by regression, for several values of the others.
-    fn starts(self, points: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    fn starts(self, rows: &[Row]) -> Vec<Vec<f64>> {
         let line = |x: &dyn Fn(f64) -> f64, y: fn(f64) -> f64| {
-            straight_line(points.iter().map(|p| (x(p.0.max(0.0)), y(p.1))).collect())
+            straight_line(rows.iter().map(|row| [x(row[0].max(0.0)), y(row[1])]).collect())
         };
         let swift = |offset: f64| {
             let [k, n, _] = line(&|e| (offset + e).ln(), |stress| stress.max(1.0).ln());
@@ -82,7 +87,7 @@ impl HardeningKind {
         match self {
             Self::Swift => [1e-4, 1e-3, 5e-3, 2e-2, 0.1].map(swift).to_vec(),
             Self::Voce => rates.map(|rate| saturating(rate, 1.0)[..3].to_vec()).to_vec(),
-            Self::HockettSherby => rates.map(|rate| [0.5, 0.75, 0.95].map(|n| saturating(rate, n))).concat(),
+            Self::HockettSherby => rates.map(|rate| saturating(rate, 0.75)).to_vec(),
             Self::Ludwik => [0.2, 0.4, 0.6, 0.8].map(ludwik).to_vec(),
         }
     }
@@ -137,9 +142,12 @@ pub struct Direction {
     pub(super) r: Option<(f64, f64)>,
 }
 
-const MOST_STEPS: usize = 200;
+const MOST_STEPS: usize = 2000;
 const LEAST_CHANGE: f64 = 1e-9;
-const FOLLOWED: usize = 3;
+/// Most means of successive rows in the search of a minimum, a hundred a parameter.
+pub(super) const MEANS: usize = 400;
+/// Most steps on all rows from the minimum of means, which is nearer to theirs than a standard error.
+const CORRECTIONS: usize = 5;
 /// Half of a central difference over the parameter \[–\].
 const DIFFERENCE: f64 = 1e-5;
 /// Least variance of perfect data in the criterion \[MPa²\].
@@ -148,12 +156,14 @@ const ROUND_OFF: f64 = 1e-8;
 const EXPONENT: (ParameterRange, f64) = (("rate.exponent", "", 0.0, 1.0), 0.02);
 
 /// Fits all laws, or the wanted one, to the tests in the first direction, 0° if there is one.
-pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<HardeningKind>) -> Result<LawFits, StudyError> {
-    let kinds = wanted.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
+pub fn fit_laws(tests: Vec<FlowCurve>, law: Option<HardeningKind>, watch: &dyn Watch) -> Result<LawFits, StudyError> {
+    let kinds = law.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
     let fitted: Vec<&FlowCurve> = in_first_direction(&tests).collect();
     let (mut fits, mut errors) = (Vec::new(), Vec::new());
-    for kind in kinds {
-        LawFit::new(kind, &fitted).map_or_else(|error| errors.push(error), |fit| fits.push(fit));
+    for (i, kind) in kinds.iter().enumerate() {
+        LawFit::new(*kind, &fitted, watch).map_or_else(|error| errors.push(error), |fit| fits.push(fit));
+        ensure(!watch.wants_to_stop(), "interrupted", "begin again")?;
+        watch.ran(i + 1, kinds.len());
     }
     let rank = |i: &usize| (fits[*i].estimates.iter().any(|e| e.bound.is_some()), fits[*i].aic);
     let by_rank = |a: &usize, b: &usize| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal);
@@ -175,70 +185,69 @@ fn in_first_direction(tests: &[FlowCurve]) -> impl Iterator<Item = &FlowCurve> {
 
 impl Direction {
     fn new(angle: f64, tests: &[FlowCurve], law: &LawFit) -> Self {
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let own: Vec<&FlowCurve> = tests.iter().filter(|test| test.direction == Some(angle)).collect();
         let pairs = own.iter().flat_map(|test| test.points.iter().map(|point| (point, test.rate)));
-        let ratios: Vec<f64> = pairs.map(|(point, rate)| point.stress / law.stress(point.strain, rate)).collect();
+        let ratios = pairs.map(|(point, rate)| point.stress / law.stress(point.strain, rate));
         let (r, errors): (Vec<f64>, Vec<f64>) = own.iter().filter_map(|test| test.r).unzip();
         let error = errors.iter().map(|error| error * error).sum::<f64>().sqrt() / r.len() as f64;
-        Self { angle, tests: own.len(), ratio: mean(&ratios), r: (!r.is_empty()).then(|| (mean(&r), error)) }
+        Self { angle, tests: own.len(), ratio: ratios.mean(), r: (!r.is_empty()).then(|| (r.mean(), error)) }
     }
 }
 
 impl LawFit {
-    fn new(kind: HardeningKind, tests: &[&FlowCurve]) -> Result<Self, StudyError> {
+    fn new(kind: HardeningKind, tests: &[&FlowCurve], watch: &dyn Watch) -> Result<Self, StudyError> {
         let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
         let exponent = tests.iter().any(|test| test.rate > Some(slowest)).then_some(EXPONENT);
         let ranges: Vec<ParameterRange> = kind.parameters().into_iter().chain(exponent.map(|e| e.0)).collect();
-        let points = tests.iter().flat_map(|test| test.points.iter().map(|point| (*point, test.rate)));
-        let points: Vec<(FlowPoint, Option<f64>)> = points.collect();
-        let what = format!("{} points for the {} parameters of {}", points.len(), ranges.len(), kind.label());
+        let is_weighted = tests.iter().all(|test| test.points.iter().all(|point| point.scatter.is_some()));
+        let row = |test: &FlowCurve, point: &FlowPoint| {
+            let size = point.scatter.filter(|_| is_weighted).unwrap_or(1.0);
+            [point.strain, point.stress, size, test.rate.unwrap_or(slowest)]
+        };
+        let rows = tests.iter().flat_map(|test| test.points.iter().map(move |point| row(test, point)));
+        let rows: Vec<Row> = rows.collect();
+        let what = format!("{} points for the {} parameters of {}", rows.len(), ranges.len(), kind.label());
         let help = "a fit needs more points than parameters: another --law, or more points";
-        ensure(points.len() > ranges.len(), what, help)?;
+        ensure(rows.len() > ranges.len(), what, help)?;
         let laws = |values: &[f64]| {
             let rate = exponent.map(|_| PowerRate { exponent: values[ranges.len() - 1], reference: slowest });
             Some((kind.law(values)?, rate))
         };
-        let is_weighted = points.iter().all(|(point, _)| point.scatter.is_some());
-        let size = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).unwrap_or(1.0);
-        let residuals = |values: &Vec<f64>| -> Option<Vec<f64>> {
+        let residuals = |values: &[f64], rows: &[Row]| -> Option<Vec<f64>> {
             let (law, rate) = laws(values)?;
-            let miss = |point: &FlowPoint, at| stress(&law, rate, point.strain, at) - point.stress;
-            Some(points.iter().map(|(point, at)| miss(point, *at) / size(point)).collect())
+            let miss = |[strain, measured, size, at]: &Row| (stress(&law, rate, *strain, Some(*at)) - measured) / size;
+            Some(rows.iter().map(miss).collect())
         };
-        let squares = |all: &[f64]| all.iter().map(|r| r * r).sum::<f64>();
-        let parameter = |(&(_, _, low, high), start): (&ParameterRange, f64)| {
-            let start = start.clamp(low, high);
+        let parameter = |(&(_, _, low, high), value): (&ParameterRange, f64)| {
+            let start = value.clamp(low, high);
             Parameter { start, low, high, step: DIFFERENCE * start.abs().max(1e-3 * (high - low).min(1.0)) }
         };
-        let plain: Vec<(f64, f64)> = points.iter().map(|(point, _)| (point.strain, point.stress)).collect();
-        let mut starts: Vec<(f64, Vec<Parameter>)> = Vec::new();
-        for start in kind.starts(&plain) {
-            let start = start.into_iter().chain(exponent.map(|e| e.1));
-            let start: Vec<Parameter> = ranges.iter().zip(start).map(parameter).collect();
-            let sum = residuals(&start.iter().map(|p| p.start).collect()).map_or(f64::INFINITY, |all| squares(&all));
-            starts.extend(sum.is_finite().then_some((sum, start)));
-        }
-        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut all = |points: &[Vec<f64>]| points.iter().map(residuals).collect::<Vec<_>>();
-        let minima = starts.iter().take(FOLLOWED);
-        let minima =
-            minima.filter_map(|(_, start)| Some((minimise(start, &mut all, MOST_STEPS, LEAST_CHANGE)?, start)));
-        let best = minima.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
-        let Some(((hardening, rate), minimum, start)) = best.and_then(|(m, start)| Some((laws(&m.values)?, m, start)))
-        else {
-            return fail(
-                format!("{} cannot be fitted to the points", kind.label()),
-                "do stresses rise with the strain?",
-            );
+        let parameters = |values: Vec<f64>| -> Vec<Parameter> { ranges.iter().zip(values).map(parameter).collect() };
+        let minimum = |start: Vec<f64>, rows: &[Row], steps| {
+            let is_wanted = |_: &&Vec<f64>| !watch.wants_to_stop();
+            let mut all =
+                |trials: &[Vec<f64>]| trials.iter().take_while(is_wanted).map(|x| residuals(x, rows)).collect();
+            minimise(&parameters(start), &mut all, steps, LEAST_CHANGE)
         };
-        let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), start, &minimum, is_weighted);
+        let means = block_means(&rows, MEANS);
+        let starts = kind.starts(&means).into_iter().map(|x| x.into_iter().chain(exponent.map(|e| e.1)).collect());
+        let minima = starts.filter_map(|start| minimum(start, &means, MOST_STEPS));
+        let mut best = minima.min_by(|a, b| a.sum().total_cmp(&b.sum()));
+        if means.len() < rows.len() {
+            best = best.and_then(|best| minimum(best.values, &rows, CORRECTIONS));
+        }
+        let what = format!("{} cannot be fitted to the points", kind.label());
+        let unfitted = || StudyError::new(what, "do stresses rise with the strain?");
+        let ((hardening, rate), minimum) =
+            best.and_then(|best| Some((laws(&best.values)?, best))).ok_or_else(unfitted)?;
+        let bounds = parameters(minimum.values.clone());
+        let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), &bounds, &minimum, is_weighted);
         // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
-        let (n, k) = (points.len() as f64, ranges.len() as f64 + 1.0);
+        let (n, k) = (rows.len() as f64, ranges.len() as f64 + 1.0);
         let few = 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5);
-        let misses: Vec<f64> = minimum.residuals.iter().zip(&points).map(|(r, (point, _))| r * size(point)).collect();
+        let misses = minimum.residuals.iter().zip(&rows).map(|(r, row)| (r * row[2]).powi(2));
         let aic = n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + few;
-        Ok(Self { kind, hardening, rate, estimates, rms: (squares(&misses) / n).sqrt(), aic })
+        Ok(Self { kind, hardening, rate, estimates, rms: (misses.sum::<f64>() / n).sqrt(), aic })
     }
 
     /// Stress at a strain and a rate \[MPa\].

@@ -1,6 +1,6 @@
 //! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
-use super::law::{LawFit, LawFits};
+use super::law::{LawFit, LawFits, MEANS};
 use super::{Estimate, table};
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, Chart, Panel, Series, Style, thinned};
@@ -26,6 +26,9 @@ impl LawFits {
         };
         let rms = |rms: f64, digits| Amount::new(rms, Unit::MPa, Digits::Significant(digits));
         let mut notes: Vec<String> = self.tests.iter().map(|test| test.sentence.clone()).collect();
+        let is_long = self.fitted().map(|test| test.points.len()).sum::<usize>() > MEANS;
+        let long = "The search begins with means of the rows. Parameters, errors and misfits are of all rows.";
+        notes.extend(is_long.then(|| long.to_owned()));
         for e in best.estimates.iter().filter(|e| e.bound.is_some()) {
             notes.push(format!("{} is at the end of its range: the law does not suit these points.", e.key));
         }
@@ -109,8 +112,6 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
 }
 
 fn quoted(estimate: &Estimate) -> String {
-    match estimate.unit.as_str() {
-        "" => estimate.written(),
-        unit => format!("\"{} {unit}\"", estimate.written()),
-    }
+    let (value, unit) = (estimate.written(), &estimate.unit);
+    if unit.is_empty() { value } else { format!("\"{value} {unit}\"") }
 }

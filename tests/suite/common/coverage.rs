@@ -48,8 +48,7 @@ pub fn last_digits(case: Case) -> Vec<(&'static str, String, f64)> {
         let amount = number.quantity.amount;
         let (text, unit) = amount.parts();
         let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        let last =
-            0.1_f64.powi(decimals as i32) * amount.value / text.parse::<f64>().ok().filter(|shown| *shown != 0.0)?;
+        let last = 0.1_f64.powi(decimals as i32) * amount.value / text.parse::<f64>().ok().filter(|x| *x != 0.0)?;
         let half = verified.bars.number(number.origin, number.quantity.key)?.half().filter(|half| *half > 0.0)?;
         Some((number.quantity.label, format!("{text} {unit}"), half / last))
     });

@@ -186,8 +186,7 @@ fn bend(rng: &mut Rng, model: &mut Model, two: bool) -> String {
     let closed = center.y + valley - gap + 0.5 * t;
     let share = between(rng, 0.4, 0.98);
     let friction = model.tools[0].friction;
-    let tool =
-        |role, pieces, motion| Tool { role, profile: Profile::new(pieces).expect("connected"), friction, motion };
+    let tool = |role, path, motion| Tool { role, profile: Profile::new(path).expect("connected"), friction, motion };
     model.tools = vec![tool(Role::Punch, punch, Motion::Travel), tool(Role::Die, die, Motion::Fixed)];
     // Long enough to lie on the shoulder until the V is closed.
     model.blank.length = end + (closed / cos + 4.0 * t) * between(rng, 0.6, 1.2);
