@@ -29,11 +29,11 @@ pub fn compare(args: &Args) -> Result<Code> {
     }
     let (candidates, curves) = to_compare(&args.files, &args.variants, &args.options.common.overrides.all())?;
     let first = args.files.iter().find(|file| !is_curve(file)).unwrap_or(first);
-    let dir = args.options.folder(first, "compare");
+    let dir = args.options.folder(first, "compare")?;
     place::file(&dir.join("differences.csv"), &args.files, "--out")?;
     let folder = study_folder("compare", &dir).map_err(error::unusable("--out"))?;
-    let count = args.options.count(first, "compared");
-    let all = SideBySide::solve(&candidates, curves, None, args.options.threads.count(), &count)?;
+    let threads = args.options.threads.count();
+    let all = SideBySide::solve(&candidates, curves, None, threads, &args.options.count(first, "compared"))?;
     if all.members.len() < candidates.len() {
         warn(format!("{} of {} runs had ended", all.members.len(), candidates.len()));
     }
@@ -46,15 +46,11 @@ pub fn compare(args: &Args) -> Result<Code> {
 /// Cases with variants of the first, and measured curves.
 pub fn to_compare(files: &[PathBuf], variants: &Variants, set: &[String]) -> Result<(Vec<Candidate>, Vec<Spec>)> {
     let (curves, cases): (Vec<&PathBuf>, Vec<&PathBuf>) = files.iter().partition(|file| is_curve(file));
-    let mut changes = vec![Vec::new()];
-    for text in &variants.also {
-        changes.push(variant(text)?);
-    }
+    let variants = variants.also.iter().map(|text| variant(text)).collect::<Result<Vec<_>, _>>()?;
     let mut candidates = Vec::new();
     for (i, path) in cases.into_iter().enumerate() {
-        for own in changes.iter().take(if i == 0 { changes.len() } else { 1 }) {
-            let case = options::load(path, &[set, own].concat())?;
-            candidates.push(Candidate { case, overrides: own.clone() });
+        for overrides in std::iter::once(Vec::new()).chain(variants.iter().filter(|_| i == 0).cloned()) {
+            candidates.push(Candidate { case: options::load(path, &[set, &overrides].concat())?, overrides });
         }
     }
     let curves = curves.into_iter().map(|path| measured_curve(path)).collect::<Result<Vec<_>, _>>()?;
@@ -73,12 +69,14 @@ fn references(args: &Args, path: &Path) -> Result<Code> {
     cases.retain(|case| !case.compare.is_empty());
     let what = format!("no case in {} has a [[compare]] table", path.display());
     ensure!(!cases.is_empty() || !failed.is_empty(), bad_request(what));
-    let (dir, progress) = (args.options.folder(path, "compare"), args.options.common.progress());
+    let (dir, progress) = (args.options.folder(path, "compare")?, args.options.common.progress());
     args.options.threads.apply()?;
     let one = |case: &Case| {
-        let folder = place::results(case, &place::folder(&dir, case)?, comparison_folder)?;
+        let dir = place::folder(&dir, case)?;
+        place::results(case, &dir)?;
+        let folder = comparison_folder(&dir).map_err(error::unusable("--out"))?;
         let solution = progress.watch(case).solve(case.clone());
-        let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures());
+        let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures()?);
         let unwritten = results.write_comparisons(folder).err().map(anyhow::Error::from);
         let compared = results.comparisons.into_iter().map(|comparison| (case.name.clone(), comparison));
         Ok((compared.collect::<Vec<_>>(), unwritten))

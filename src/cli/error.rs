@@ -7,6 +7,7 @@ use stampflow::case::CaseError;
 use stampflow::import::ImportError;
 use stampflow::results::{WriteError, comparison::CompareError};
 use stampflow::study::StudyError;
+use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
@@ -86,33 +87,46 @@ fn of_case(error: &anyhow::Error) -> Option<&CaseError> {
 
 /// Text, remedy, file, line and column of an error as far as they are known.
 fn as_json(error: &anyhow::Error) -> Value {
-    let (mut what, mut help, mut file, mut line, mut column) = (format!("{error:#}"), None, None, None, None);
     if let Some(case) = of_case(error) {
-        (what, help, file) = (case.to_string(), case.remedy(), case.file().map(str::to_owned));
-        (line, column) = case.position().unzip();
-    } else if let Some(drawing) = error.downcast_ref::<ImportError>() {
+        let (line, column) = case.position().unzip();
+        json!({ "error": case.to_string(), "help": case.remedy(), "file": case.file(), "line": line, "column": column })
+    } else if let Some(ImportError { what, help, line, .. }) = error.downcast_ref() {
         // The drawing's path is the context.
-        (what, help, file, line) =
-            (drawing.what.clone(), Some(drawing.help.as_str()), Some(error.to_string()), drawing.line);
-    } else if let Some(BadInput { what: bad, help: remedy, path: Some(path) }) = error.downcast_ref() {
-        (what, help, file) = (bad.clone(), Some(remedy.as_str()), Some(path.display().to_string()));
+        json!({ "error": what, "help": help, "file": error.to_string(), "line": line, "column": null })
+    } else if let Some(BadInput { what, help, path: Some(path) }) = error.downcast_ref() {
+        json!({ "error": what, "help": help, "file": path.display().to_string(), "line": null, "column": null })
+    } else {
+        json!({ "error": format!("{error:#}"), "help": null, "file": null, "line": null, "column": null })
     }
-    json!({ "error": what, "help": help, "file": file, "line": line, "column": column })
 }
 
 static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Installs the handlers of Ctrl-C and SIGTERM: the first ends the runs, the second the program.
+/// Installs the handlers of Ctrl-C and SIGTERM: the first ends the runs, the second the program. SIGHUP, which a terminal
+/// that closes may send twice, ends the runs only.
 pub fn listen() -> std::io::Result<()> {
     for signal in [SIGINT, SIGTERM] {
         // In this order: the first signal finds the flag down and raises it, the second finds it up.
         flag::register_conditional_shutdown(signal, Code::Interrupted as i32, Arc::clone(&INTERRUPTED))?;
         flag::register(signal, Arc::clone(&INTERRUPTED))?;
     }
-    // A file that grows beyond the limit of the process is an error like a full disk.
     #[cfg(unix)]
-    flag::register(signal_hook::consts::SIGXFSZ, Arc::default())?;
+    {
+        use signal_hook::consts::{SIGHUP, SIGXFSZ};
+        // A file that grows beyond the limit of the process is an error like a full disk.
+        flag::register(SIGXFSZ, Arc::default())?;
+        let hung_up = if is_ignored(SIGHUP) { Arc::default() } else { Arc::clone(&INTERRUPTED) };
+        flag::register(SIGHUP, hung_up)?;
+    }
     Ok(())
+}
+
+/// Whether the parent, such as nohup, has a signal ignored; where the system does not list it, assumed without a terminal.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok());
+    ignored.map_or_else(|| !std::io::stderr().is_terminal(), |signals| signals >> (signal - 1) & 1 == 1)
 }
 
 pub fn is_interrupted() -> bool {

@@ -37,7 +37,7 @@ options! {
 }
 
 pub fn fit(args: &Args) -> Result<Code> {
-    let dir = args.options.folder(&args.files[0], "fit");
+    let dir = args.options.folder(&args.files[0], "fit")?;
     place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
     let folder = || study_folder("fit", &dir).map_err(error::unusable("--out"));
     let fitted = match args.files.as_slice() {
@@ -59,6 +59,7 @@ fn laws(args: &Args, place: (&Path, ResultFolder)) -> Result<Code> {
     let count = args.options.count(&args.files[0], "laws");
     let curves = flow_curves(&args.files, &reduction, &args.rate, &args.direction, &count);
     let fits = curves.and_then(|curves| fit_laws(curves, args.law, &count))?;
+    drop(count);
     let best = fits.best();
     let files = vec![("material.toml".to_owned(), material_text(&fits, best).into_bytes())];
     let extra = json!({ "law": best.kind.name(), "parameters": best.estimates });

@@ -5,7 +5,7 @@ use anyhow::Context;
 use options::length;
 use stampflow::author::{Import, Imported};
 use stampflow::case::files::{Disk, Files};
-use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
+use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::plot::png;
 use stampflow::units::{Dimensioned, Length};
@@ -65,11 +65,9 @@ pub fn import(args: Args) -> Result<Code> {
     let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();
-    let stages = later.iter().map(|later| json!({ "name": later.name(), "tools": tools(&later.tools) }));
-    let (stages, first_tools) = (stages.collect::<Value>(), tools(&first.tools));
-    let value = json!({
-        "case": out, "picture": picture, "tools": first_tools, "later": stages, "size": size, "notes": notes
-    });
+    let stage = |stage: &Operation| json!({ "name": stage.name(), "tools": tools(&stage.tools) });
+    let stages = json!({ "tools": tools(&first.tools), "later": later.iter().map(stage).collect::<Value>() });
+    let value = with(json!({ "case": out, "picture": picture, "size": size, "notes": notes }), stages);
     let has_punch = first.tool(Role::Punch).is_some();
     let printed = emit(json, value, || {
         let tools = first.tools.iter().chain(later.iter().flat_map(|later| &later.tools)).map(|tool| {

@@ -2,7 +2,7 @@
 
 use super::*;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use stampflow::plot::{Captions, Format, Pictures};
+use stampflow::plot::{Captions, Format, Pictures, WIDEST};
 use stampflow::results::comparison::{Computed, comparisons};
 use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
 use std::thread::available_parallelism;
@@ -107,10 +107,16 @@ impl Threads {
 }
 
 impl PictureOptions {
-    pub fn pictures(&self) -> Pictures {
+    /// Settings of pictures; refuses those that take too much memory.
+    pub fn pictures(&self) -> Result<Pictures> {
         let formats = FORMATS.map(|(_, format)| format).into_iter().filter(|one| self.format.contains(one)).collect();
         let (width, dpi) = (self.width, self.dpi.map(f64::from));
-        Pictures { formats, width, dpi, captions: self.captions, engineering_strain: self.engineering_strain }
+        let &Self { captions, engineering_strain, .. } = self;
+        let pictures = Pictures { formats, width, dpi, captions, engineering_strain };
+        let (across, dpi) = (pictures.across(), (WIDEST / pictures.inches()).floor());
+        let what = format!("png would be {across} pixels wide, {WIDEST} at most: try --dpi {dpi} or --format svg");
+        ensure!(across <= WIDEST || !pictures.formats.contains(&Format::Png), bad_request(what));
+        Ok(pictures)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use error::unusable;
-use stampflow::results::{ResultFolder, WriteError, can_write, is_result};
+use stampflow::results::{can_write, is_result};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Component;
@@ -20,11 +20,8 @@ fn refused(path: &Path, what: &str, option: &str) -> anyhow::Error {
     bad_path(path, what, format!("choose another place with {option}"))
 }
 
-/// Opens the folder for the results of a case, which may not hold a file that the case reads.
-pub fn results<Open>(case: &Case, dir: &Path, open: Open) -> Result<ResultFolder>
-where
-    Open: Fn(&Path) -> Result<ResultFolder, WriteError>,
-{
+/// Refuses a folder for the results of a case that holds a file that the case reads.
+pub fn results(case: &Case, dir: &Path) -> Result<()> {
     let folder = real(dir);
     for input in &case.inputs {
         let input_path = real(input);
@@ -32,7 +29,7 @@ where
         let what = "is read by the case and would be replaced by its results";
         ensure!(!is_inside || !is_named_as_result(&input_path), refused(input, what, "--out"));
     }
-    open(dir).map_err(unusable("--out"))
+    Ok(())
 }
 
 /// Refuses a file that is an input, or that cannot be written.

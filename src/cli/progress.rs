@@ -1,4 +1,4 @@
-//! Progress of runs: bars on the error stream where that is a terminal, else nothing.
+//! Progress of runs: bars on the error stream where that is a terminal, gone at the end; else nothing.
 
 use super::*;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -8,10 +8,14 @@ use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::{Observer, Stage, State};
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// Ticks of a full bar.
 const FULL: f64 = 1000.0;
+/// Time until bars appear: shorter work needs none; and between two turns of their spinners.
+const DELAY: Duration = Duration::from_millis(400);
+const TURN: Duration = Duration::from_millis(100);
 
 pub struct Progress(MultiProgress);
 
@@ -24,32 +28,28 @@ pub struct Watch {
     pub trace: Option<Vec<Vec<IterationRecord>>>,
     pub recorder: FrameRecorder,
     /// Names of the stages to come.
-    to_come: std::vec::IntoIter<String>,
-    duration: f64,
-    thickness: f64,
-    force_unit: &'static str,
+    names: std::vec::IntoIter<String>,
+    model: Model,
     bar: ProgressBar,
 }
 
 impl Progress {
     pub fn new(quiet: bool) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        Self(MultiProgress::with_draw_target(target))
+        let bars = MultiProgress::with_draw_target(ProgressDrawTarget::hidden());
+        let shown = bars.clone();
+        thread::spawn(move || {
+            thread::sleep(DELAY);
+            shown.set_draw_target(target);
+        });
+        Self(bars)
     }
 
     /// An observer of the run of a case.
     pub fn watch(&self, case: &Case) -> Watch {
-        let (name, Model { duration, blank, .. }) = (&case.name, case.model());
-        let to_come: Vec<_> = (0..).map_while(|i| Some(format!("{name}/{}", case.stage_label(i)?))).collect();
-        Watch {
-            trace: None,
-            recorder: FrameRecorder::default(),
-            to_come: to_come.into_iter(),
-            duration: *duration,
-            thickness: blank.thickness,
-            force_unit: case.model().extent().force_unit().symbol(),
-            bar: self.bar(name),
-        }
+        let names: Vec<String> = (0..).map_while(|i| Some(format!("{}/{}", case.name, case.stage_label(i)?))).collect();
+        let (names, model, bar) = (names.into_iter(), case.model().clone(), self.bar(&case.name));
+        Watch { trace: None, recorder: FrameRecorder::default(), names, model, bar }
     }
 
     /// A count of many runs.
@@ -58,9 +58,11 @@ impl Progress {
     }
 
     fn bar(&self, name: &str) -> ProgressBar {
-        let style = ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
+        let style = ProgressStyle::with_template("{spinner} {prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
         let bar = self.0.add(ProgressBar::new(FULL as u64)).with_style(style.expect("the template is valid"));
-        bar.with_prefix(visible(name).into_owned())
+        let bar = bar.with_prefix(visible(name).into_owned()).with_message("solving …");
+        bar.enable_steady_tick(TURN);
+        bar
     }
 }
 
@@ -73,9 +75,6 @@ impl stampflow::study::Watch for Count {
         self.0.set_length(all as u64);
         self.0.set_position(done as u64);
         self.0.set_message(format!("{done} of {all}, {} s left", self.0.eta().as_secs()));
-        if done == all {
-            self.0.finish();
-        }
     }
 }
 
@@ -85,8 +84,6 @@ impl Watch {
         let begin = Instant::now();
         let mut solution = case.solve(self);
         solution.wall = Some(begin.elapsed());
-        let end = if solution.is_complete() { ProgressBar::finish } else { ProgressBar::abandon };
-        end(&self.bar);
         solution
     }
 }
@@ -94,14 +91,15 @@ impl Watch {
 impl Observer for Watch {
     fn step(&mut self, record: &StepRecord) {
         let StepRecord { step, travel, punch_force, pole_height, pressure, .. } = *record;
-        let load = match self.force_unit {
-            unit if travel > 0.0 => format!("travel {travel:.2} mm, force {punch_force:.0} {unit}, "),
-            _ if pressure != 0.0 => format!("height {pole_height:.2} mm, pressure {pressure:.3} MPa, "),
+        let unit = self.model.extent().force_unit().symbol();
+        let load = match (travel > 0.0, pressure != 0.0) {
+            (true, _) => format!("travel {travel:.2} mm, force {punch_force:.0} {unit}, "),
+            (_, true) => format!("height {pole_height:.2} mm, pressure {pressure:.3} MPa, "),
             _ => String::new(),
         };
-        let left = 100.0 * record.thinnest / self.thickness;
+        let left = 100.0 * record.thinnest / self.model.blank.thickness;
         self.bar.set_message(format!("{load}step {step}, {left:.0} % of the thickness left at the thinnest"));
-        self.bar.set_position((record.time / self.duration * FULL).round() as u64);
+        self.bar.set_position((record.time / self.model.duration * FULL).round() as u64);
     }
 
     fn restart(&mut self, model: &Model, state: &State, step: usize) {
@@ -112,9 +110,8 @@ impl Observer for Watch {
 
     fn stage(&mut self, stage: &Stage) {
         self.trace.iter_mut().for_each(|trace| trace.push(Vec::new()));
-        let Some(name) = self.to_come.next() else { return };
-        self.duration = stage.model.duration;
-        self.bar.set_prefix(visible(&name).into_owned());
+        self.model = stage.model.clone();
+        self.names.next().iter().for_each(|name| self.bar.set_prefix(visible(name).into_owned()));
     }
 
     fn iteration(&mut self, iterate: &Iterate) {

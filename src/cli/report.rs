@@ -40,10 +40,11 @@ pub fn report(args: &Args) -> Result<Code> {
     let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
     let versus = versus.transpose()?;
     let report = versus.iter().fold(report, Report::against);
-    write(&path, report.html().as_bytes())?;
-    let mut value = report.json();
-    value["files"] = json!([path]);
-    emit(args.common.json(), value, || format!("{} is written", path.display()).into())?;
+    let written = write(&path, report.html().as_bytes());
+    let value = with(report.json(), json!({ "files": written.iter().map(|()| &path).collect::<Vec<_>>() }));
+    let is_written = || solved.sentence(&format!("{} is written", path.display()));
+    emit(args.common.json(), value, || if written.is_ok() { is_written() } else { solved.screen() })?;
+    written?;
     Ok(solved.code(false))
 }
 

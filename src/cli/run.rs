@@ -39,10 +39,10 @@ pub fn run(args: &Args) -> Result<Code> {
     ensure!(args.trace.is_none() || !several, bad_request(what));
     let (cases, mut failed) = args.common.load_all(&args.cases);
     for (i, case) in cases.iter().enumerate() {
-        let twin = cases[..i].iter().find(|other| other.name == case.name).unwrap_or(case);
-        let (one, other) = (case.path.display(), twin.path.display());
+        let twin = cases[..i].iter().find(|other| other.name == case.name);
+        let [one, other] = [case, twin.unwrap_or(case)].map(|case| case.path.display());
         let what = format!("{one} and {other} would write into one folder: run them one by one with --out");
-        ensure!(std::ptr::eq(twin, case), bad_request(what));
+        ensure!(twin.is_none(), bad_request(what));
     }
     let jobs = sound(cases.into_iter().map(|case| args.prepare(&case).map(|folder| (case, folder))), &mut failed);
     args.threads.apply()?;
@@ -57,6 +57,7 @@ pub fn run(args: &Args) -> Result<Code> {
 impl Args {
     /// Folder of a case's results, once all places to write to are known to be free.
     fn prepare(&self, case: &Case) -> Result<(PathBuf, ResultFolder)> {
+        self.pictures.pictures()?;
         let dir = match &self.out {
             Some(dir) if self.cases.len() == 1 => dir.clone(),
             out => place::folder(out.as_deref().unwrap_or(Path::new("out")), case)?,
@@ -68,7 +69,8 @@ impl Args {
         let page = dir.join(PAGE);
         let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
         ensure!(!self.report || page.symlink_metadata().is_err() || is_report(&page), bad_request(what));
-        let folder = place::results(case, &dir, |dir| result_folder(case, dir))?;
+        place::results(case, &dir)?;
+        let folder = result_folder(case, &dir).map_err(error::unusable("--out"))?;
         Ok((dir, folder))
     }
 
@@ -82,7 +84,7 @@ impl Args {
         let Solved { solution, verification, answer, findings } = &solved;
         let verification = verification.as_ref();
         let results = Results::of(solution)?.verified(verification).answered(answer, findings);
-        let results = results.with_pictures(&self.pictures.pictures());
+        let results = results.with_pictures(&self.pictures.pictures()?);
         let page = || Report::answered(solution, verification, (answer.clone(), findings.clone())).html();
         // Each is tried whatever became of the other.
         let written = results.write(&watch.recorder, self.report.then(|| (PAGE, page())), folder);
@@ -108,10 +110,9 @@ impl Args {
 
     /// Printed text below the answer, with --verbose also the solver's part.
     fn rest(&self, results: &Results, files: &str) -> ScreenText {
-        let (summary, mut text) = (CaseSummary::of(results.solution, &results.views), ScreenText::default());
-        if !summary.lines.is_empty() {
-            text = wrapped(format!("\n{}", summary.lines));
-        }
+        let summary = CaseSummary::of(results.solution, &results.views);
+        let lines = Some(&summary.lines).filter(|lines| !lines.is_empty());
+        let mut text = lines.map_or_else(ScreenText::default, |lines| wrapped(format!("\n{lines}")));
         for stage in summary.stages.iter().filter(|_| self.verbose) {
             text = text + "\n" + rows(stage.rows());
         }

@@ -7,7 +7,7 @@ use error::unusable;
 use stampflow::results::ResultFolder;
 use stampflow::study::{
     self, BaseCase, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep, TableFile,
-    Watch, begin, evaluate, study_folder,
+    begin, evaluate, study_folder,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -108,7 +108,7 @@ impl TableOptions {
     /// Evaluates a study, by its verb and its table's name, and presents it, perhaps with error bars and curves.
     fn run(&self, study: &mut dyn Study, [verb, name]: [&str; 2], shard: Shard, with_curves: bool) -> Result<Code> {
         let file = &self.file;
-        let dir = self.study.folder(file, verb);
+        let dir = self.study.folder(file, verb)?;
         let path = dir.join(shard.file(name));
         place::file(&path, std::slice::from_ref(file), "--out")?;
         let start = Instant::now();
@@ -118,7 +118,8 @@ impl TableOptions {
         let folder =
             (shard == Shard::WHOLE).then(|| study_folder(verb, &dir)).transpose().map_err(unusable("--out"))?;
         let runs = begin(study, &settings)?;
-        if watch.wants_to_stop() {
+        if is_interrupted() {
+            drop(watch);
             warn("ended before the first run: the same command begins again".to_owned());
             return Ok(Code::Interrupted);
         }
@@ -131,8 +132,9 @@ impl TableOptions {
             }
             ControlFlow::Continue(())
         });
+        drop(watch);
         let (all, designs) = (study.plan().designs, runs.runs.len());
-        if watch.wants_to_stop() && (all == 0 || (designs as u64) < shard.len(all)) {
+        if is_interrupted() && (all == 0 || (designs as u64) < shard.len(all)) {
             warn(format!("{designs} runs are in {}; --resume goes on with the others", table.part.display()));
             return failed.map_or(Ok(Code::Interrupted), |error| Err(error.into()));
         }
@@ -151,9 +153,10 @@ impl TableOptions {
 }
 
 impl StudyOptions {
-    /// Folder of the results.
-    pub fn folder(&self, file: &Path, verb: &str) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-{verb}", stem(file))))
+    /// Folder of the results; pictures that are too large are refused.
+    pub fn folder(&self, file: &Path, verb: &str) -> Result<PathBuf> {
+        self.pictures.pictures()?;
+        Ok(self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-{verb}", stem(file)))))
     }
 
     /// Progress of the runs of a file.
@@ -170,7 +173,7 @@ impl StudyOptions {
         curves: &[PathBuf],
         extra: Value,
     ) -> Result<Code> {
-        let pictures = self.pictures.pictures();
+        let pictures = self.pictures.pictures()?;
         let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());
         files.extend(tables().map(|table| (format!("{}.csv", table.name), table.csv())));
         files.extend(report.charts.iter().flat_map(|(name, chart)| pictures.files(name, chart)));

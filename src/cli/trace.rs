@@ -25,6 +25,7 @@ options! {
         tolerance: Option<f64> = "NORM" [long, value_parser = tolerance]
             "Tolerance of the norm in this step, 1e-12 to 0.1 [default: the case's own]",
         out: Option<PathBuf> = "FILE.csv" [long] "Also write every iteration there",
+        quiet: bool [long, short] "Show no progress",
     } overrides: Overrides;
 }
 
@@ -34,23 +35,24 @@ fn tolerance(text: &str) -> Result<f64, String> {
     (1e-12..=0.1).contains(&norm).then_some(norm).ok_or_else(|| "give 1e-12 to 0.1".to_owned())
 }
 
-pub fn trace(Args { case, step, stage, methods, tolerance, out, overrides }: Args) -> Result<Code> {
+pub fn trace(Args { case, step, stage, methods, tolerance, out, quiet, overrides }: Args) -> Result<Code> {
     let case = overrides.load(&case)?;
     out.iter().try_for_each(|path| place::replaced(path, &step_iterations(&[]), &case.inputs, "--out"))?;
     let request = TraceRequest { stage, step, matrices: methods.concat(), tolerance };
-    let trace = match trace_step(&case.stages, &request, &mut Progress::new(true).watch(&case)) {
+    let trace = match trace_step(&case.stages, &request, &mut Progress::new(quiet).watch(&case)) {
         Ok(trace) => trace,
         Err(NoSuchStep::Interrupted) => return Ok(Code::Interrupted),
         Err(error) => return Err(bad_request(error.to_string())),
     };
-    out.iter().try_for_each(|path| write(path, &step_iterations(&trace.histories)))?;
     let Trace { before, record, dt, .. } = &trace;
     let stage = case.stage_label(trace.stage - 1).map_or(String::new(), |stage| format!(" {stage}"));
     let head = format!(
         "{}{stage}, step {}: from {:.4} to {:.4} mm of travel, in {dt:.3e} s, tolerance {:.0e}",
         case.name, record.step, before.travel, record.travel, trace.tolerance
     );
-    print(trace.histories.iter().fold(wrapped(head), |text, history| text + iterations(history)))
+    let printed = print(trace.histories.iter().fold(wrapped(head), |text, history| text + iterations(history)));
+    out.iter().try_for_each(|path| write(path, &step_iterations(&trace.histories)))?;
+    printed
 }
 
 /// Iterations of the last pass, and how fast they converge.

@@ -4,7 +4,7 @@ use super::*;
 use stampflow::assess;
 use stampflow::assess::error_bars::{Contribution, Number, Origin};
 use stampflow::study::verify::{self, BEGINNING, FILE, Outcome, Verification};
-use stampflow::units::{Amount, ErrorBar, Quantity, rounded};
+use stampflow::units::{Amount, rounded};
 use std::time::Instant;
 
 options! {
@@ -32,9 +32,8 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     };
     path.iter().try_for_each(|path| place::replaced(path, BEGINNING.as_bytes(), &case.inputs, "--out"))?;
     let start = Instant::now();
-    let count = progress.count(format!("{}, finer", case.name));
     let solution = progress.watch(&case).solve(case);
-    let verification = verify::verify(&solution, &count);
+    let verification = verify::verify(&solution, &progress.count(format!("{}, finer", solution.case.name)));
     let seconds = start.elapsed().as_secs_f64();
     let written = path.iter().map(|path| write(path, &verification.csv()).map_err(Into::into));
     let failed: Vec<anyhow::Error> = written.filter_map(Result::err).collect();
@@ -67,13 +66,8 @@ fn as_json(verification: &Verification) -> Value {
         json!({ "direction": direction, "share": share, "error": error, "order": order, "extrapolated": extrapolated })
     };
     let number = |number: &Number| {
-        let Quantity { key, amount, error, .. } = &number.quantity;
-        let why_none = if let ErrorBar::Missing(why) = error { Some(why) } else { None };
-        let (value, unit, error_bar) = (rounded(amount.value), amount.unit.spelled(), number.half().map(rounded));
         let parts: Value = number.contributions.iter().map(part).collect();
-        json!({
-            "key": key, "value": value, "unit": unit, "error_bar": error_bar, "why_none": why_none, "parts": parts
-        })
+        with(json!(number), json!({ "parts": parts }))
     };
     let run = |Outcome { direction, times, end, .. }: &Outcome| {
         let direction = direction.map(|direction| direction.key());

@@ -29,7 +29,7 @@ pub use axis::{Axis, Spacing};
 pub use chart::Chart;
 pub use dimensions::{Dimension, dimensioned};
 pub use frame_recorder::{Extra, FrameRecorder};
-pub use settings::{Captions, Format, PAPER, Pictures, png};
+pub use settings::{Captions, Format, PAPER, Pictures, WIDEST, png};
 pub use sketch::{SketchedTool, sketch};
 pub use stage_view::StageView;
 pub(crate) use stage_view::stop_text;

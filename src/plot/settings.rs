@@ -47,6 +47,8 @@ pub const PAPER: f64 = 170.0;
 /// Default width of PNG files \[px\], and their default density if a paper width is given \[px/inch\].
 const PIXELS: f64 = 1600.0;
 const PRINTED: f64 = 300.0;
+/// Largest width of PNG files \[px\]: 1200 per inch of [`PAPER`], half a gigabyte of memory while one is made.
+pub const WIDEST: f64 = 8032.0;
 /// Smallest font on paper \[pt\] and in drawings \[px\].
 const LEAST_LETTER: f64 = 6.0;
 const SMALLEST: f64 = 13.5;
@@ -82,6 +84,21 @@ impl Format {
 }
 
 impl Pictures {
+    /// Pixels per inch, if PNG files state them.
+    fn density(&self) -> Option<f64> {
+        self.dpi.or(self.width.map(|_| PRINTED))
+    }
+
+    /// Width on paper \[inch\].
+    pub fn inches(&self) -> f64 {
+        self.width.unwrap_or(PAPER) / INCH
+    }
+
+    /// Width of PNG files \[px\].
+    pub fn across(&self) -> f64 {
+        self.density().map_or(PIXELS, |dpi| (dpi * self.inches()).round())
+    }
+
     /// Files of a chart, `stem` with the extension of each format.
     pub fn files(&self, stem: &str, chart: &Chart) -> Vec<(String, Vec<u8>)> {
         let mut chart = chart.clone();
@@ -89,14 +106,12 @@ impl Pictures {
             chart.title.clear();
             chart.notes.clear();
         }
-        let inches = self.width.unwrap_or(PAPER) / INCH;
         // Narrow paper holds fewer px, so that fonts keep their size.
-        let svg = sized(&chart, WIDTH.min(inches * POINTS * SMALLEST / LEAST_LETTER), self.width);
-        let dpi = self.dpi.or(self.width.map(|_| PRINTED));
+        let svg = sized(&chart, WIDTH.min(self.inches() * POINTS * SMALLEST / LEAST_LETTER), self.width);
         let file = |format: &Format| {
             let bytes = match format {
                 Format::Svg => svg.clone().into_bytes(),
-                Format::Png => raster::png(&svg, dpi.map_or(PIXELS, |dpi| (dpi * inches).round()), dpi),
+                Format::Png => raster::png(&svg, self.across(), self.density()),
             };
             (format!("{stem}.{}", format.ending()), bytes)
         };

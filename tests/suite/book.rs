@@ -35,12 +35,9 @@ fn pages() -> Vec<PathBuf> {
 fn printed(command: &str, folder: &Path) -> Vec<String> {
     let program = Path::new(env!("CARGO_BIN_EXE_stampflow")).parent().expect("a folder");
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
-    let done = Command::new("sh")
-        .args(["-c", command])
-        .current_dir(folder)
-        .envs([("PATH", path.as_str()), ("COLUMNS", "80"), ("NO_COLOR", "1")])
-        .output()
-        .expect("a shell");
+    let mut shell = Command::new("sh");
+    let shell = shell.envs([("PATH", path.as_str()), ("COLUMNS", "80"), ("NO_COLOR", "1")]);
+    let done = shell.args(["-c", command]).current_dir(folder).output().expect("a shell");
     assert!(done.status.success(), "{command}: {}", String::from_utf8_lossy(&done.stderr));
     let time = Regex::new(r" in [0-9.]+ (ms|s|min|h)\b").expect("a pattern");
     let lines = String::from_utf8_lossy(&done.stdout).into_owned();
@@ -176,14 +173,12 @@ fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
     let book: String = pages().iter().chain([&readme]).map(read).collect();
     let entries = fs::read_dir(Path::new(ROOT).join("docs")).expect("shipped");
     let names = entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned());
-    let wrong: Vec<String> = names
-        .filter(|name| name.ends_with(".png"))
-        .filter(|name| {
-            let is_made = book.contains(&format!(" as {name} -->"));
-            let is_shown = book.contains(&format!("({name})")) || book.contains(&format!("(docs/{name})"));
-            !is_made || !is_shown
-        })
-        .collect();
+    let is_wrong = |name: &String| {
+        let is_made = book.contains(&format!(" as {name} -->"));
+        let is_shown = book.contains(&format!("({name})")) || book.contains(&format!("(docs/{name})"));
+        name.ends_with(".png") && (!is_made || !is_shown)
+    };
+    let wrong: Vec<String> = names.filter(is_wrong).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 

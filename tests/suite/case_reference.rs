@@ -57,13 +57,8 @@ fn what_is_said_to_be_needed_is() {
     let mut said = Vec::new();
     for (name, table) in definitions() {
         for (key, needs) in table["dependentRequired"].as_object().into_iter().flatten() {
-            said.extend(
-                needs
-                    .as_array()
-                    .expect("keys")
-                    .iter()
-                    .map(|need| [name.clone(), key.clone(), need.as_str().expect("a key").to_owned()]),
-            );
+            let needed = |need: &Value| [name.clone(), key.clone(), need.as_str().expect("a key").to_owned()];
+            said.extend(needs.as_array().expect("keys").iter().map(needed));
         }
     }
     let rows = include_str!("../bad_cases/needs.txt").lines().filter(|line| !line.starts_with('#'));
@@ -131,9 +126,8 @@ impl<'a> Reference<'a> {
             };
             let referred = reference(value).map(|name| one_line(&self.schema["$defs"][name])).unwrap_or_default();
             let mut meaning = if value["description"].is_string() { one_line(value) } else { referred };
-            let needs: Vec<String> = list(&table["dependentRequired"][key])
-                .map(|other| format!("`{}`", other.as_str().unwrap_or("")))
-                .collect();
+            let needs = list(&table["dependentRequired"][key]);
+            let needs: Vec<String> = needs.map(|other| format!("`{}`", other.as_str().unwrap_or(""))).collect();
             if !needs.is_empty() {
                 let _ = write!(meaning, " Needs {}.", needs.join(" and "));
             }

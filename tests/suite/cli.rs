@@ -4,7 +4,7 @@ use crate::common::cli::{COMPARE, CUP, STAGES, folder, read_json, stampflow, tex
 use crate::common::files::files;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::SystemTime;
 
 /// Arguments, the exit code, and what stands on the error stream: nothing at all if empty.
@@ -137,23 +137,12 @@ fn no_control_character_reaches_the_terminal() {
     fs::write(dir.path().join("d.dxf"), drawing.replace("\nPUNCH\n", "\nPUNCH\u{1b}[31m\n")).unwrap();
     let (named, missing) = (format!("cases/n{obeyed}.toml"), format!("cases/{obeyed}"));
     let (set, verb) = (format!("blank.{obeyed}=1"), format!("ru{obeyed}n"));
-    for (args, code) in [
-        (&["check", "cases/cup.toml", "--run"][..], 0),
-        (&["run", "cases/cup.toml"], 0),
-        (&["run", "cases/cup.toml", "--json"], 0),
-        (&["report", &named], 0),
-        (&["import", "d.dxf"], 0),
-        (&["check", "cases/raw.toml"], 2),
-        (&["check", "cases/raw.toml", "--json"], 2),
-        (&["check", "cases/key.toml"], 2),
-        (&["check", "cases/curved.toml"], 2),
-        (&["check", "cases/hot.toml"], 2),
-        (&["check", "cases/other.toml"], 2),
-        (&["check", "cases/cup.toml", "--set", &set], 2),
-        (&["check", &missing], 2),
-        (&[&verb], 2),
-    ] {
-        let done = stampflow(dir.path(), args);
+    let cup = "cases/cup.toml";
+    let done = format!("check {cup} --run|run {cup}|run {cup} --json|report {named}|import d.dxf");
+    let bad = ["raw", "key", "curved", "hot", "other"].map(|name| format!("check cases/{name}.toml|")).concat();
+    let bad = format!("{bad}check cases/raw.toml --json|check {cup} --set {set}|check {missing}|{verb}");
+    for (args, code) in done.split('|').map(|args| (args, 0)).chain(bad.split('|').map(|args| (args, 2))) {
+        let done = stampflow(dir.path(), &args.split(' ').collect::<Vec<_>>());
         assert_eq!(done.status.code(), Some(code), "{args:?}: {}", text(&done.stderr));
         let printed = [text(&done.stdout), text(&done.stderr)].concat();
         assert_eq!(printed.chars().find(|c| c.is_control() && *c != '\n'), None, "{args:?}: {printed:?}");
@@ -188,6 +177,28 @@ fn every_stage_has_its_folder_and_its_row() {
     check_calls(dir.path(), &[(&["run", "cases/cup.toml", "-q", "--set", "stages.0.punch.move=80 mm"], 3, "")]);
     assert!(out.join("2-retract/summary.json").is_file() && !out.join("3-apart").exists());
     assert!(rows()[3].ends_with("3,apart,not run,,,,,,,,,"), "{:?}", rows());
+}
+
+/// Trust: `script` gives the program a terminal; the first run takes longer than it may be without a bar.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_has_a_bar_before_the_first_result_and_none_if_it_is_to_be_quiet() {
+    let dir = folder(&CUP.replace("elements = 30", "elements = 200"));
+    for (args, bar, mark) in [
+        ("compare cases/cup.toml --also friction=0.1", "cup, compared", "  0 %"),
+        ("sweep cases/cup.toml --vary friction=0.05 --restart --set blank.elements=2000", "cup, runs", "  0 %"),
+        ("trace cases/cup.toml --step 90 --set blank.elements=2000", "cup", "░"),
+    ] {
+        let is_shown = |more: &str| {
+            let line = format!("{} {args} {more}", env!("CARGO_BIN_EXE_stampflow"));
+            let mut script = Command::new("script");
+            let script = script.args(["-qec", &line, "/dev/null"]).current_dir(dir.path()).stdin(Stdio::null());
+            let done = script.output().expect("script of util-linux");
+            assert!(done.status.success(), "{args}: {}", text(&done.stdout));
+            text(&done.stdout).split('\r').any(|frame| frame.contains(bar) && frame.contains(mark))
+        };
+        assert_eq!((is_shown(""), is_shown("--quiet")), (true, false), "{args}");
+    }
 }
 
 /// Neither is read: a pipe that nobody writes into waits for ever, a device never ends.

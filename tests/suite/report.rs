@@ -25,8 +25,7 @@ fn as_xml(html: &str) -> String {
     let mut rest = html.strip_prefix("<!DOCTYPE html>").expect("a document type");
     while let Some(start) = ["<meta", "<br", "<hr", "<img", "<col>"].iter().filter_map(|tag| rest.find(tag)).min() {
         let end = start + rest[start..].find('>').expect("a whole tag");
-        xml.push_str(&rest[..end]);
-        xml.push('/');
+        xml = xml + &rest[..end] + "/";
         rest = &rest[end..];
     }
     xml + rest
@@ -43,11 +42,8 @@ fn text_of(node: Node) -> String {
 /// Numbers written in a text, as they are written.
 fn numbers(text: &str) -> Vec<String> {
     let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | 'e');
-    text.split(|c| !is_part(c))
-        .map(|t| t.trim_matches(['.', 'e']))
-        .filter(|t| t.parse::<f64>().is_ok())
-        .map(str::to_owned)
-        .collect()
+    let words = text.split(|c| !is_part(c)).map(|t| t.trim_matches(['.', 'e']));
+    words.filter(|t| t.parse::<f64>().is_ok()).map(str::to_owned).collect()
 }
 
 fn collect(value: &Value, found: &mut Vec<f64>) {

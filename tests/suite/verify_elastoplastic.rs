@@ -356,11 +356,9 @@ fn thin_stretch_follows_the_continuum() {
         Some((travel.parse::<f64>().ok()?, force.parse::<f64>().ok()?))
     });
     let points: Vec<(f64, f64)> = points.collect();
-    let misses: Vec<(f64, f64)> = points
-        .iter()
-        .filter(|(travel, _)| (2.6..=33.0).contains(travel))
-        .map(|&(travel, force)| (travel, 100.0 * (force_at(&run, travel) / force - 1.0)))
-        .collect();
+    let judged = points.iter().filter(|(travel, _)| (2.6..=33.0).contains(travel));
+    let miss = |&(travel, force): &(f64, f64)| (travel, 100.0 * (force_at(&run, travel) / force - 1.0));
+    let misses: Vec<(f64, f64)> = judged.map(miss).collect();
     let within = |from: f64| {
         let far = misses.iter().filter(|(travel, _)| *travel >= from).map(|(_, miss)| *miss);
         let (least, most) = far.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), miss| (a.min(miss), b.max(miss)));

@@ -53,11 +53,8 @@ fn thickness_force_and_pressure_do_not_hang_on_the_step() {
 fn a_bulge_is_of_second_order_in_the_step() {
     let height = |by: f64| {
         let set = divided(by);
-        let set: Vec<&str> = set
-            .iter()
-            .map(String::as_str)
-            .chain(["blank.theory=membrane", "blank.elements=30", "solver.contact_smoothing=0.003"])
-            .collect();
+        let coarse = ["blank.theory=membrane", "blank.elements=30", "solver.contact_smoothing=0.003"];
+        let set: Vec<&str> = set.iter().map(String::as_str).chain(coarse).collect();
         last(&solver::run(&shipped("bulge", &set), &mut ())).pole_height
     };
     let orders = orders_of_changes(&[1.0, 2.0, 4.0, 8.0].map(height));

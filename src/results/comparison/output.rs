@@ -2,7 +2,7 @@
 
 use super::{Band, Comparison, Point, Verdict, four_digits};
 use crate::case::comparison::NAMES;
-use crate::plot::chart::{Chart, Panel, Series, Style, bounds, thinned};
+use crate::plot::chart::{Chart, Panel, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color};
 use crate::plot::{Axis, StageView};
 use crate::results::{Files, Format, Results, csv};
@@ -163,9 +163,9 @@ impl Comparison {
                     Series::new(format!("Tolerance ±{tolerance} %"), level(tolerance), TOLERANCE),
                     Series::silent(level(-tolerance), TOLERANCE),
                     Series::silent(differences.clone(), Style::solid(BLACK, 1.6)),
-                    Series::silent(thinned(differences), Style::Circles { color: BLACK }),
+                    Series::silent(differences, Style::Circles { color: BLACK }),
                 ];
-                let circles = Series::new("Reference", thinned(reference), Style::Circles { color: color(1) });
+                let circles = Series::new("Reference", reference, Style::Circles { color: color(1) });
                 let below = Panel::fit(x.clone(), Axis::named("Difference", Unit::Percent), 150.0, 0.0).with(below);
                 let judged = self.points.iter().filter(|point| point.judged);
                 let missed = judged.filter(|point| point.computed.is_none()).count();
