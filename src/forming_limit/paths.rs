@@ -62,6 +62,14 @@ impl Paths {
         1 << self.halvings
     }
 
+    /// Paths with instants of even distances, at most so many apart from the last one.
+    pub fn thinned(&self, most: usize) -> Self {
+        let (every, end) = (self.instants.len().div_ceil(most).max(1), self.instants.len().saturating_sub(1));
+        let (mut thinned, mut number) = (self.clone(), 0..);
+        thinned.instants.retain(|_| number.next().is_some_and(|i| i % every == 0 || i == end));
+        thinned
+    }
+
     /// The path of an element: minor and major strain at every instant, with the major direction of the end \[–\].
     pub fn of(&self, element: usize) -> Vec<[f64; 2]> {
         let hoop_is_major = self.hoop_is_major(element);

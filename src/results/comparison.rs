@@ -154,8 +154,8 @@ impl<'a> Reference<'a> {
             Ok(unit) => unit,
         };
         if unit != computed.unit {
-            let with = computed.axis();
-            return self.refuse(format!(": column `{header}` cannot be compared with the computed {}", with.text()));
+            let with = computed.axis().text();
+            return self.refuse(format!(": column `{header}` cannot be compared with the computed {with}"));
         }
         let value = |row: &Record| {
             let place = format!(", line {}, column `{header}`", row.line);

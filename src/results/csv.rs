@@ -1,7 +1,7 @@
 //! Comma-separated text of tables.
 
 use crate::table::{Column, Table};
-use crate::units::rounded;
+use crate::units::{parse, rounded};
 
 /// Writes a header row (`punch_force_N`) and one row per value with nine significant digits; empty cells are not finite.
 pub fn csv(table: &Table) -> Vec<u8> {
@@ -18,10 +18,13 @@ pub(super) fn csv_with_texts(table: &Table, texts: &[(&str, Vec<String>)]) -> Ve
     records((0..=table.rows()).map(|i| columns.iter().map(|column| &column[i]).collect::<Vec<_>>()))
 }
 
-/// Writes rows of cells.
-pub(crate) fn records<R: IntoIterator<Item = C>, C: AsRef<[u8]>>(rows: impl IntoIterator<Item = R>) -> Vec<u8> {
+/// Writes rows of cells. An apostrophe stands before text, but no quantity, that a spreadsheet would run as a formula.
+/// Source: OWASP, CSV Injection.
+pub(crate) fn records<R: IntoIterator<Item = C>, C: AsRef<str>>(rows: impl IntoIterator<Item = R>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    rows.into_iter().for_each(|row| writer.write_record(row).expect("memory takes every row"));
+    let is_formula = |cell: &str| cell.starts_with(['=', '@', '+', '-', '\t', '\'']) && parse(cell).is_err();
+    let inert = |cell: C| [if is_formula(cell.as_ref()) { "'" } else { "" }, cell.as_ref()].concat();
+    rows.into_iter().for_each(|row| writer.write_record(row.into_iter().map(inert)).expect("memory takes every row"));
     writer.into_inner().expect("memory takes every row")
 }
 

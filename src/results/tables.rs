@@ -188,10 +188,13 @@ pub(super) fn forming_limit(curve: &Curve) -> Table {
     Table::new(vec![column(0, MINOR), column(1, MAJOR)])
 }
 
-/// Strains and distance to the limit: one row per element and accepted step; the crookedness is that of the whole path.
+/// Most instants of a path in its table, apart from the end; declared: twice the steps of a run by default.
+const INSTANTS: usize = 200;
+
+/// Strains and distance to the limit: one row per element and instant; the crookedness is that of the whole path.
 pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
     let (assessment, curve) = (view.forming_limit()?, view.model().forming_limit.as_ref()?);
-    let (paths, extent) = (&view.stage.paths, view.extent());
+    let (paths, extent) = (view.stage.paths.thinned(INSTANTS), view.extent());
     let mut columns: [Vec<f64>; 10] = Default::default();
     for (e, judged) in assessment.elements.iter().enumerate() {
         for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {

@@ -161,11 +161,10 @@ impl Results<'_> {
         for (i, view) in self.views.iter().enumerate() {
             let inside = PathBuf::from(self.solution.case.stage_label(i).unwrap_or_default());
             let frames = recorder.of_stage(i, view.stage);
+            let has_moved = frames.len() > 1;
             for output in OUTPUTS {
                 let files = match output.make {
-                    Make::Moving(extra, make) if recorder.extras.contains(&extra) && frames.len() > 1 => {
-                        make(view, &frames)
-                    }
+                    Make::Moving(extra, make) if recorder.extras.contains(&extra) && has_moved => make(view, &frames),
                     _ => output.files(view),
                 };
                 files.iter().try_for_each(|(name, bytes)| folder.write(inside.join(name), bytes))?;

@@ -268,6 +268,8 @@ fn paths_of_any_length_are_thinned_evenly() {
         let mut paths = Paths::starting(vec![1.0]);
         (0..steps).for_each(|i| paths.record(Instant { time: i as f64, travel: 0.0, strains: vec![[0.0, 0.0]] }));
         let times: Vec<f64> = paths.instants.iter().map(|instant| instant.time).collect();
+        let few = paths.thinned(200).instants;
+        assert!(few.len() <= 201 && few.first() == paths.instants.first() && few.last() == paths.instants.last());
         assert!(times.len() == steps || (Paths::MOST / 2..=Paths::MOST).contains(&times.len()), "{steps}");
         assert_eq!((times[0], times[times.len() - 1]), (0.0, steps as f64 - 1.0));
         if let [first, second, .., last] = times[..] {

@@ -135,11 +135,10 @@ impl Lines<'_> {
             self.plain("forming_paths_crooked", "  elements whose path is not straight", assessment.crooked());
             self.plain("forming_limit_reached", "  reached", assessment.reached.is_some());
             if let Some(reached) = assessment.reached {
-                if model.travel > 0.0 {
-                    self.number("forming_limit_travel", "    first at a travel of", Amount::place(reached.travel));
-                } else {
-                    self.number("forming_limit_time", "    first at a time of", Amount::time(reached.time));
-                }
+                let has_travel = model.travel > 0.0;
+                let [travel, time] = [Amount::place(reached.travel), Amount::time(reached.time)];
+                self.number("forming_limit_travel", "    first at a travel of", has_travel.then_some(travel));
+                self.number("forming_limit_time", "    first at a time of", (!has_travel).then_some(time));
                 self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
             }
         }
@@ -185,14 +184,11 @@ impl Lines<'_> {
         let ironing = self.largest(|s| s.ironing);
         if ironing > 0.0 {
             let [force, friction] = [self.largest(|s| s.ironing_force), self.largest(|s| s.ironing_friction)];
+            let pressure = Amount::stress(self.largest(|s| s.ironing_pressure));
             self.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
             self.number("ironing_force", "Largest ironing force of the die", self.force(force));
             self.number("ironing_friction", "Largest friction in it", self.force(friction));
-            self.number(
-                "ironing_pressure",
-                "Largest ironing pressure",
-                Amount::stress(self.largest(|s| s.ironing_pressure)),
-            );
+            self.number("ironing_pressure", "Largest ironing pressure", pressure);
         }
         // A flat sheet has no bend.
         let sharpest = self.largest(|s| s.sharpest_bend);
@@ -275,13 +271,11 @@ fn as_begun(run: &StageSolution) -> StepRecord {
 }
 
 fn mesh(model: &Model) -> String {
-    let blank = &model.blank;
+    let (blank, ratio) = (&model.blank, model.settings.bend_ratio);
     let theory = match blank.theory {
         Theory::Membrane => "membrane".to_owned(),
         Theory::Bending => format!("bending, {} layers", blank.layers),
-        Theory::Selective => {
-            format!("bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
-        }
+        Theory::Selective => format!("bending with {} layers where t/R is above {ratio}", blank.layers),
     };
     let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
     format!("{} elements, {theory}, {grading}", blank.elements)
