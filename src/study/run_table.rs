@@ -94,7 +94,7 @@ impl RunTable {
 
     /// Run of a line; `None` if it is of another study, or cut.
     pub fn read(&self, line: &csv::StringRecord) -> Option<Run> {
-        let fields: Vec<&str> = line.iter().collect();
+        let fields: Vec<&str> = line.iter().map(|field| field.strip_prefix('\'').unwrap_or(field)).collect();
         let [key, designs, index, inputs, rest @ ..] = &fields[..] else { return None };
         let is_own = *key == self.plan.key && *designs == self.plan.designs.to_string();
         let (values, rest) = rest.split_at_checked(self.plan.columns.len()).filter(|_| is_own)?;
