@@ -166,11 +166,9 @@ fn man(verb: Option<&str>) -> Result<Code> {
     let mut command = program();
     // Gives the verbs their names and global options.
     command.build();
-    if let Some(verb) = verb {
-        let found = command.find_subcommand(verb).cloned();
-        command = found.ok_or_else(|| bad_request(format!("there is no verb `{verb}`: see stampflow --help")))?;
-    }
+    let found = verb.map_or(Some(&command), |verb| command.find_subcommand(verb)).cloned();
+    let unknown = || bad_request(format!("there is no verb `{}`: see stampflow --help", verb.unwrap_or_default()));
     let mut bytes = Vec::new();
-    clap_mangen::Man::new(command).render(&mut bytes)?;
+    clap_mangen::Man::new(found.ok_or_else(unknown)?).render(&mut bytes)?;
     print(String::from_utf8(bytes)?)
 }

@@ -9,7 +9,9 @@ use stampflow::results::can_write;
 /// Writes a case, or lists all templates without a subcommand.
 pub fn new(matches: &ArgMatches) -> Result<Code> {
     let Some((name, matches)) = matches.subcommand() else {
-        return emit(matches.get_flag("json"), TEMPLATES.iter().map(as_json).collect(), || wrapped(templates::list()));
+        let options = |one: &'static Template| one.options().collect::<Vec<&Choice>>();
+        let entry = |one: &'static Template| json!({ "name": one.name, "about": one.about, "options": options(one) });
+        return emit(matches.get_flag("json"), TEMPLATES.iter().map(entry).collect(), || wrapped(templates::list()));
     };
     let template = templates::find(name)?;
     let value = |key: &'static str| Some((key, matches.get_one::<String>(key)?.as_str()));
@@ -26,11 +28,6 @@ pub fn new(matches: &ArgMatches) -> Result<Code> {
     write(path, text.as_bytes())?;
     let next = || format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display()).into();
     emit(is_json, json!({ "template": template.name, "file": path }), next)
-}
-
-fn as_json(template: &Template) -> Value {
-    let options: Vec<&Choice> = template.options().collect();
-    json!({ "name": template.name, "about": template.about, "options": options })
 }
 
 fn flag(name: &'static str, help: &'static str) -> Arg {

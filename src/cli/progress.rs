@@ -13,9 +13,8 @@ use std::time::{Duration, Instant};
 
 /// Ticks of a full bar.
 const FULL: f64 = 1000.0;
-/// Time until bars appear: shorter work needs none; and between two turns of their spinners.
+/// Time until bars appear, as shorter work needs none.
 const DELAY: Duration = Duration::from_millis(400);
-const TURN: Duration = Duration::from_millis(100);
 
 pub struct Progress(MultiProgress);
 
@@ -61,7 +60,7 @@ impl Progress {
         let style = ProgressStyle::with_template("{spinner} {prefix:>16} {bar:24.cyan} {percent:>3} % {msg}");
         let bar = self.0.add(ProgressBar::new(FULL as u64)).with_style(style.expect("the template is valid"));
         let bar = bar.with_prefix(visible(name).into_owned()).with_message("solving …");
-        bar.enable_steady_tick(TURN);
+        bar.enable_steady_tick(DELAY / 4);
         bar
     }
 }

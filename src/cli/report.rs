@@ -54,8 +54,7 @@ impl Args {
         let default = || place::folder(Path::new("out"), case).map(|folder| folder.join("report.html"));
         let path = self.output.clone().map_or_else(default, Ok)?;
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("html");
-        let help = "write -o NAME.html; a browser prints it as PDF";
-        let what = format!("a report is an HTML page and no .{ending} file: {help}");
+        let what = format!("a report is an HTML page, not .{ending}: write -o NAME.html; a browser prints it as PDF");
         ensure!(matches!(ending, "html" | "htm"), bad_request(what));
         let is_free = self.force || path.symlink_metadata().is_err() || path.is_dir() || is_report(&path);
         let what = "is there and is no report of ours: choose another name with -o, or replace it with --force";

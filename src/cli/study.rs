@@ -65,19 +65,20 @@ options! {
 
 pub fn sweep(SweepArgs { vary, one_at_a_time, keep, options }: &SweepArgs) -> Result<Code> {
     let table = &options.table;
-    let mut sweep = Sweep::load(&table.file, table.overrides(), vary, *one_at_a_time)?;
+    let mut sweep = Sweep::load(&table.file, table.study.common.overrides.all(), vary, *one_at_a_time)?;
     options.run(&mut sweep, ["sweep", "study"], keep.is_some())
 }
 
 pub fn scatter(ScatterArgs { vary, runs, seed, options }: &ScatterArgs) -> Result<Code> {
-    let mut scatter = Scatter::load(&options.table.file, options.table.overrides(), vary, *runs, *seed)?;
+    let table = &options.table;
+    let mut scatter = Scatter::load(&table.file, table.study.common.overrides.all(), vary, *runs, *seed)?;
     options.run(&mut scatter, ["scatter"; 2], false)
 }
 
 pub fn search(args: SearchArgs) -> Result<Code> {
     let SearchArgs { vary, goal, largest, smallest, condition, target, tolerance, options } = args;
     let side = if largest { Some(Side::Largest) } else { smallest.then_some(Side::Smallest) };
-    let base = BaseCase::load(&options.file, options.overrides())?;
+    let base = BaseCase::load(&options.file, options.study.common.overrides.all())?;
     let mut search = LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?;
     options.run(&mut search, ["search"; 2], Shard::WHOLE, false)
 }
@@ -101,10 +102,6 @@ impl ShardOptions {
 }
 
 impl TableOptions {
-    fn overrides(&self) -> Vec<String> {
-        self.study.common.overrides.all()
-    }
-
     /// Evaluates a study, by its verb and its table's name, and presents it, perhaps with error bars and curves.
     fn run(&self, study: &mut dyn Study, [verb, name]: [&str; 2], shard: Shard, with_curves: bool) -> Result<Code> {
         let file = &self.file;
