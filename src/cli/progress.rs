@@ -8,7 +8,6 @@ use stampflow::plot::FrameRecorder;
 use stampflow::solver::Iterate;
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::{Observer, Stage, State};
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// Ticks of a full bar.
@@ -37,8 +36,8 @@ impl Progress {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bars = MultiProgress::with_draw_target(ProgressDrawTarget::hidden());
         let shown = bars.clone();
-        thread::spawn(move || {
-            thread::sleep(DELAY);
+        std::thread::spawn(move || {
+            std::thread::sleep(DELAY);
             shown.set_draw_target(target);
         });
         Self(bars)
