@@ -60,8 +60,8 @@ pub fn import(args: Args) -> Result<Code> {
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
     let import = Import { options, geometry, material, thickness, blank, travel };
     let imported = import.read(&bytes, &drawing).with_context(|| drawing.display().to_string())?;
-    write(&out, imported.text.as_bytes())?;
-    write(&picture, &png(&imported.picture(&drawing)))?;
+    write(&out, imported.text.as_bytes()).map_err(error::unusable("-o"))?;
+    write(&picture, &png(&imported.picture(&drawing))).map_err(error::unusable("-o"))?;
     let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();

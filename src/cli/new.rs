@@ -4,7 +4,6 @@ use super::*;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use stampflow::assess::size_doubts;
 use stampflow::author::templates::{self, Choice, TEMPLATES, Template};
-use stampflow::results::can_write;
 
 /// Writes a case, or lists all templates without a subcommand.
 pub fn new(matches: &ArgMatches) -> Result<Code> {
@@ -24,8 +23,7 @@ pub fn new(matches: &ArgMatches) -> Result<Code> {
     let help = "choose another name, or replace it with --force";
     let is_free = matches.get_flag("force") || path.symlink_metadata().is_err();
     ensure!(is_free, bad_path(path, "is there already and was left as it is", help));
-    can_write(path).map_err(error::unusable("--output"))?;
-    write(path, text.as_bytes())?;
+    write(path, text.as_bytes()).map_err(error::unusable("--output"))?;
     let next = || format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display()).into();
     emit(is_json, json!({ "template": template.name, "file": path }), next)
 }

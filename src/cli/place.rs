@@ -32,11 +32,11 @@ pub fn results(case: &Case, dir: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a file that is an input, or that cannot be written.
+/// Refuses a file that is an input.
 pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<()> {
     let place = real(path);
     ensure!(inputs.iter().all(|input| real(input) != place), refused(path, "is what is read", option));
-    can_write(path).map_err(unusable(option))
+    Ok(())
 }
 
 /// Refuses a file that is an input, cannot be written, or exists and does not begin like the one to be written.
@@ -48,7 +48,8 @@ pub fn replaced(path: &Path, beginning: &[u8], inputs: &[PathBuf], option: &str)
     // Opening a pipe would wait for a writer.
     let is_free = path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins();
     ensure!(is_free, refused(path, "is there already, and it is not what may be replaced here", option));
-    file(path, inputs, option)
+    file(path, inputs, option)?;
+    can_write(path).map_err(unusable(option))
 }
 
 /// Refuses a file with the name of a result in the folder of results.

@@ -3,7 +3,7 @@
 use super::compare::{Variants, to_compare};
 use super::*;
 use stampflow::report::Report;
-use stampflow::results::is_report;
+use stampflow::results::{can_write, is_report};
 use stampflow::study::compare::SideBySide;
 use stampflow::study::verify::verify;
 
@@ -25,6 +25,7 @@ pub fn report(args: &Args) -> Result<Code> {
     let case = args.common.overrides.load(&args.case)?;
     let path = args.page(&case)?;
     place::file(&path, &case.inputs, "--output")?;
+    can_write(&path).map_err(error::unusable("--output"))?;
     let files: Vec<PathBuf> = std::iter::once(&args.case).chain(&args.against).cloned().collect();
     let is_compared = files.len() > 1 || !args.variants.also.is_empty();
     let compared = is_compared.then(|| to_compare(&files, &args.variants, &args.common.overrides.all())).transpose()?;

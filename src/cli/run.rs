@@ -98,8 +98,8 @@ impl Args {
             let summary = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
             output.json = Some(with(summary, own));
         } else {
-            let files = written.as_ref().map(|files| format!("{} files in {}", files.len(), dir.display()));
-            let files = files.unwrap_or_default();
+            let files: String =
+                written.iter().map(|files| format!("{} files in {}", files.len(), dir.display())).collect();
             let is_short = self.cases.len() > 1 && !self.verbose;
             let whole = || solved.screen() + self.rest(&results, &files);
             output.screen = if is_short { solved.sentence(&files) } else { whole() };

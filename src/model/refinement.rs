@@ -22,16 +22,16 @@ pub enum Direction {
     CutOff,
 }
 
-/// Name, refinement in words with its factor as `{}`, and formal order of convergence \[–\], by the order of the directions.
-/// Points may or may not meet the reversal of stress, so they have no order.
+/// Name, refinement in words with its factor as `{}`, and the formal order of convergence \[–\] of those that are extrapolated, by
+/// the order of the directions.
 const TABLE: [(&str, &str, Option<f64>); 7] = [
     ("elements", "{} times the elements", Some(2.0)),
     ("points", "{} times the points through the thickness", None),
-    ("steps", "steps of 1/{} of the length", Some(1.0)),
-    ("contact stiffness", "{} times the contact stiffness", Some(1.0)),
+    ("steps", "steps of 1/{} of the length", None),
+    ("contact stiffness", "{} times the contact stiffness", None),
     ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
-    ("slip speed", "1/{} of the slip speed", Some(1.0)),
-    ("cut-off", "1/{} of the cut-off strain", Some(1.0)),
+    ("slip speed", "1/{} of the slip speed", None),
+    ("cut-off", "1/{} of the cut-off strain", None),
 ];
 
 impl Direction {
@@ -54,7 +54,7 @@ impl Direction {
         TABLE[self as usize].1.replace("{}", &Amount::number(times).to_string())
     }
 
-    /// Formal order of convergence \[–\].
+    /// Formal order of convergence \[–\]; `None` for a direction that is not extrapolated.
     pub fn order(self) -> Option<f64> {
         TABLE[self as usize].2
     }

@@ -107,11 +107,10 @@ impl<'a> Converged<'a> {
         next
     }
 
-    /// Velocities extrapolated linearly to the end of the step from the means of this and the last one; elastoplastic metal keeps
-    /// the mean.
+    /// Velocities extrapolated linearly to the end of the step from the means of this and the last one.
     fn end_velocity(&self, mean: &[Node]) -> Vec<Node> {
-        let Step { model, state, dt, speed_ratio, number, .. } = *self.step;
-        if model.mode != Mode::Flow || number == 1 {
+        let Step { state, dt, speed_ratio, number, .. } = *self.step;
+        if number == 1 {
             return mean.to_vec();
         }
         let ahead = dt / (dt + state.last_step / speed_ratio);

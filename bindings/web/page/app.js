@@ -73,6 +73,8 @@ async function remember() {
 
 /** Begins with a case's text: its sliders, nothing moved, then what the link says besides. */
 async function begin(next) {
+  asked++;
+  status("solving …", "solving");
   state = next;
   if (state.template) {
     const filled = await engine.ask({ do: "fill", name: state.template, given: state.given });
@@ -170,10 +172,10 @@ function listen() {
 
 /** A step, iteration by iteration. */
 async function takenApart(step) {
+  const mine = asked;
   status("solving …", "solving");
   const trace = await engine.ask({ ...question(false), do: "trace", step });
-  if (trace?.error) refuse(trace.error);
-  else status("solved", "solved");
+  if (mine === asked) trace?.error ? refuse(trace.error) : status("solved", "solved");
   return trace;
 }
 

@@ -70,15 +70,15 @@ mod tests {
     /// Trust: f = 7 + c hᵖ with h = 1, 1/2, 1/4 has the error c on its first level; the others by hand.
     #[test]
     fn a_power_law_is_extrapolated_and_anything_else_has_its_spread() {
-        use Direction::{Elements, Points, Steps};
-        for (direction, p) in [(Steps, 0.6), (Steps, 1.0), (Steps, 1.9), (Elements, 1.1), (Elements, 3.9)] {
+        use Direction::{Elements, Points, Smoothing};
+        for (direction, p) in [(Smoothing, 0.6), (Smoothing, 1.0), (Smoothing, 1.9), (Elements, 1.1), (Elements, 3.9)] {
             let estimate = estimate(direction, &[1.0_f64, 0.5, 0.25].map(|h| 7.0 - 2.0 * h.powf(p)));
             assert_relative_eq!(estimate.order.expect("one sign"), p, max_relative = 1e-9);
             assert_relative_eq!(estimate.error, 1.25 * 2.0, max_relative = 1e-9);
         }
         for (direction, levels, error, order) in [
-            (Steps, &[10.0, 7.0, 8.0][..], 9.0, None),
-            (Steps, &[10.0, 9.0, 6.0], 12.0, Some((1.0_f64 / 3.0).log2())),
+            (Smoothing, &[10.0, 7.0, 8.0][..], 9.0, None),
+            (Smoothing, &[10.0, 9.0, 6.0], 12.0, Some((1.0_f64 / 3.0).log2())),
             (Elements, &[10.0, 9.0, 9.0], 3.0, None),
             (Points, &[10.0, 9.0, 8.5], 4.5, Some(1.0)),
             (Points, &[5.0, 4.0], 3.0, None),
