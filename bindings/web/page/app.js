@@ -2,7 +2,7 @@
 import { csv, save } from "./downloads.js";
 import { Editor } from "./editor.js";
 import { compiled, Engine } from "./engine.js";
-import { Lessons } from "./lessons.js";
+import { Lessons } from "./lesson_panel.js";
 import { drawOptions } from "./options.js";
 import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
