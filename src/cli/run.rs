@@ -4,7 +4,7 @@ use super::*;
 use rayon::prelude::*;
 use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::report::Report;
-use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, is_report, result_folder, tables};
+use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, csv, is_report, result_folder, tables};
 
 options! {
     /// Solve cases and write their tables and plots
@@ -64,7 +64,7 @@ impl Args {
         };
         if let Some(path) = &self.trace {
             place::outside(path, &dir, "--trace")?;
-            place::replaced(path, &tables::iterations(&[]), &case.inputs, "--trace")?;
+            place::replaced(path, &csv(&tables::iteration_table([].iter())), &case.inputs, "--trace")?;
         }
         let page = dir.join(PAGE);
         let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
@@ -89,7 +89,7 @@ impl Args {
         // Each is tried whatever became of the other.
         let written = results.write(&watch.recorder, self.report.then(|| (PAGE, page())), folder);
         let traced = self.trace.iter().zip(&watch.trace);
-        let traced = traced.map(|(path, iterations)| write(path, &tables::iterations(&iterations.concat())));
+        let traced = traced.map(|(path, rows)| write(path, &csv(&tables::iteration_table(rows.iter().flatten()))));
         let mut output = Output { code: solved.code(self.strict), ..Output::default() };
         if self.common.json() {
             let comparisons = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));

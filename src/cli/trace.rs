@@ -3,16 +3,12 @@
 use super::*;
 use options::one_of;
 use stampflow::model::Iteration::{self, Newton, PrimalDual, Secant};
-use stampflow::results::tables::{matrix_key, step_iterations};
+use stampflow::results::tables::step_iterations;
 use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace as trace_step};
 
-const METHODS: [(&str, &[Iteration]); 4] = [
-    ("primal-dual", &[PrimalDual]),
-    ("newton", &[Newton]),
-    ("secant", &[Secant]),
-    ("all", &[PrimalDual, Newton, Secant]),
-];
+const METHODS: [(&str, &[Iteration]); 4] =
+    [("primal-dual", &[PrimalDual]), ("newton", &[Newton]), ("secant", &[Secant]), ("all", &Iteration::ALL)];
 
 options! {
     /// Show one step of the solver, iteration by iteration
@@ -59,7 +55,7 @@ pub fn trace(Args { case, step, stage, methods, tolerance, out, quiet, overrides
 fn iterations(history: &IterationHistory) -> ScreenText {
     let pass = history.last_pass();
     let start = pass.first().map_or("", |row| row.start.key());
-    let head = format!("\n{} matrix, start: {start}\n\n", matrix_key(history.matrix));
+    let head = format!("\n{} matrix, start: {start}\n\n", history.matrix.key());
     let headers = ["iteration", "velocity", "taken", "residual", "largest at", "cut off", "contact", "sticking"];
     let n = history.count();
     let end = match history.end {

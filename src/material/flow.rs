@@ -104,6 +104,16 @@ pub enum Iteration {
     Secant,
 }
 
+impl Iteration {
+    /// All matrices.
+    pub const ALL: [Self; 3] = [Self::PrimalDual, Self::Newton, Self::Secant];
+
+    /// Name in case files and tables.
+    pub fn key(self) -> &'static str {
+        ["primal_dual", "newton", "secant"][self as usize]
+    }
+}
+
 /// Law of all thickness points in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowLaw<'a> {

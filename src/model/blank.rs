@@ -35,6 +35,21 @@ pub enum ThicknessRule {
 }
 
 impl Blank {
+    /// Free blank of 100 graded elements that bend, with 5 points through the thickness; `length` is the radius, or the
+    /// half-length in plane strain \[mm\].
+    pub fn new(length: f64, thickness: f64) -> Self {
+        Self {
+            length,
+            thickness,
+            elements: 100,
+            grading: Grading::Radii,
+            theory: Theory::Bending,
+            layers: 5,
+            rule: ThicknessRule::Parts,
+            edge: Edge::Free,
+        }
+    }
+
     /// The points through the thickness.
     pub fn points(&self) -> Vec<ThicknessPoint> {
         match self.rule {

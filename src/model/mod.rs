@@ -83,6 +83,34 @@ pub struct Model {
 }
 
 impl Model {
+    /// Axisymmetric sheet by the flow law with default settings; the punch travels `travel` \[mm\] at 1 mm/s, and its end
+    /// is kept.
+    pub fn new(blank: Blank, material: Material, tools: Vec<Tool>, travel: f64) -> Self {
+        Self {
+            title: String::new(),
+            notes: Vec::new(),
+            geometry: Geometry::Axisymmetric,
+            depth: None,
+            blank,
+            material,
+            tools,
+            beads: Vec::new(),
+            gas: Vec::new(),
+            heat: None,
+            travel,
+            schedule: None,
+            speed: 1.0,
+            duration: travel,
+            timed: false,
+            frames: vec![travel],
+            stop: StopRules::default(),
+            settings: Settings::default(),
+            mode: Mode::default(),
+            release: None,
+            forming_limit: None,
+        }
+    }
+
     /// Extent of the part that forces and work refer to.
     pub fn extent(&self) -> Extent {
         Extent::of(self.geometry, self.depth)

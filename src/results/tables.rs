@@ -1,10 +1,10 @@
 //! Tables of steps, frames, thickness points, strain paths and iterations.
 
+use super::StageView;
 use super::csv::{csv_with_texts, number, records};
-use super::{StageView, csv};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
-use crate::model::{Extent, Geometry, Iteration, Model, PressureCap};
+use crate::model::{Extent, Geometry, Model, PressureCap};
 use crate::plot::fields::element::*;
 use crate::plot::fields::step::*;
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
@@ -221,28 +221,19 @@ pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
     ]))
 }
 
-/// Name of a matrix in case files and tables.
-pub fn matrix_key(matrix: Iteration) -> &'static str {
-    ["primal_dual", "newton", "secant"][matrix as usize]
-}
-
-fn iteration_table<'a>(iterations: impl Iterator<Item = &'a IterationRecord> + Clone) -> Table {
+/// Iterations of the corrector, of rejected steps too: one row each.
+pub fn iteration_table<'a>(iterations: impl Iterator<Item = &'a IterationRecord> + Clone) -> Table {
     let extent = Extent::of(Geometry::Axisymmetric, None);
     Table::new(ITERATION.iter().map(|field| field.column(extent, iterations.clone())).collect())
-}
-
-/// Iterations of the corrector, of rejected steps too, as CSV.
-pub fn iterations(iterations: &[IterationRecord]) -> Vec<u8> {
-    csv(&iteration_table(iterations.iter()))
 }
 
 /// Iterations of one step with several matrices as CSV, with the method, the start and the matrix of each row.
 pub fn step_iterations(histories: &[IterationHistory]) -> Vec<u8> {
     let rows = || histories.iter().flat_map(|history| history.rows.iter().map(move |row| (history.matrix, row)));
     let texts = [
-        ("method", rows().map(|(method, _)| matrix_key(method).to_owned()).collect()),
+        ("method", rows().map(|(method, _)| method.key().to_owned()).collect()),
         ("start", rows().map(|(_, row)| row.start.key().to_owned()).collect()),
-        ("matrix", rows().map(|(_, row)| matrix_key(row.matrix).to_owned()).collect()),
+        ("matrix", rows().map(|(_, row)| row.matrix.key().to_owned()).collect()),
     ];
     csv_with_texts(&iteration_table(rows().map(|(_, row)| row)), &texts)
 }

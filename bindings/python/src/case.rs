@@ -3,9 +3,10 @@
 use super::error;
 use super::interruptible::{Progress, Stages, interruptible};
 use super::solution::Solution;
-use super::table::json;
+use super::table::json as to_json;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use serde_json::json;
 use stampflow::author::templates::{TEMPLATES, Template, find};
 use stampflow::case::library;
 use stampflow::study::{BaseCase, StudyError};
@@ -81,7 +82,7 @@ impl Case {
 
     /// Findings before a run, as JSON.
     fn findings(&self) -> PyResult<String> {
-        json(&assess::before(&self.case))
+        to_json(&assess::before(&self.case))
     }
 
     /// Solves the case; returns also the exception that cut it short.
@@ -122,10 +123,29 @@ pub fn templates() -> BTreeMap<&'static str, Vec<(&'static str, &'static str)>> 
     TEMPLATES.iter().map(|template| (template.name, options(template))).collect()
 }
 
-/// Names of the built-in sheets.
+/// Built-in sheets by name, as JSON.
 #[pyfunction]
-pub fn materials() -> Vec<&'static str> {
-    library::names().collect()
+pub fn materials(py: Python<'_>) -> PyResult<String> {
+    let all = library::materials().map_err(|error| error::case(py, &error))?;
+    let entries = all.iter().map(|entry| {
+        let library::Entry { name, about, material, text, .. } = entry;
+        let about = json!({
+            "title": about.title, "stands_for": about.stands_for.as_ref().map_or(&[][..], |stands| &stands.grades),
+            "grade": about.grade, "source": about.source(), "licence": about.licence, "thickness": about.thickness,
+            "law": material.hardening.to_string(), "r": material.yield_criterion.ratio(), "n": entry.n(),
+            "proof_stress_MPa": entry.proof_stress(), "tensile_strength_MPa": entry.tensile_strength(),
+            "uniform_elongation": entry.uniform_elongation(), "young_MPa": material.elastic.map(|elastic| elastic.young),
+            "notes": about.notes, "case": text,
+        });
+        (name.to_string(), about)
+    });
+    to_json(&entries.collect::<serde_json::Map<_, _>>())
+}
+
+/// JSON schema of case files.
+#[pyfunction]
+pub fn schema() -> String {
+    stampflow::case::schema()
 }
 
 /// TOML of a JSON object.

@@ -2,20 +2,26 @@
 
 use super::error;
 use super::interruptible::{Progress, interruptible};
-use super::table::{Column, Picture, columns, json, picture};
+use super::table::{Column, Picture, columns, field, json, picture};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::Table;
 use stampflow::assess::error_bars::ErrorBars;
 use stampflow::assess::{Answer, Finding, judgements};
+use stampflow::geometry::Point;
+use stampflow::model::Model;
 use stampflow::report::Report;
-use stampflow::results::{self, CaseSummary, Make, OUTPUTS, Output, Results, tables};
-use stampflow::solver::solution::NodeRecord;
+use stampflow::results::{self, Make, OUTPUTS, Output, Results, Summary, tables};
 use stampflow::study::{judge, verify};
-use stampflow::table::{Column as NamedColumn, Unit};
+use stampflow::table::Unit;
+use stampflow::units::Amount;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
+
+/// Angle of a chord in the outline of a tool \[rad\].
+const ARC: f64 = 0.03;
 
 /// A solved case, with error bars once it was verified.
 #[pyclass(frozen, module = "stampflow._native")]
@@ -42,11 +48,14 @@ struct Verdict<'a> {
     findings: Vec<&'a Finding>,
 }
 
-/// Time [s], travel [mm], elements and nodes.
-type FrameParts<'py> = (f64, f64, Vec<Column<'py>>, Vec<Column<'py>>);
+/// Columns of each tool by its name.
+type Outlines<'py> = BTreeMap<&'static str, Vec<Column<'py>>>;
+
+/// Time [s], travel [mm], elements, nodes and tools.
+type FrameParts<'py> = (f64, f64, Vec<Column<'py>>, Vec<Column<'py>>, Outlines<'py>);
 
 /// Name with unit, label, value, printed unit, error bar, printed form.
-type NumberParts = (String, &'static str, f64, &'static str, Option<f64>, String);
+type NumberParts = (String, String, f64, &'static str, Option<f64>, String);
 
 #[pymethods]
 impl Solution {
@@ -76,16 +85,21 @@ impl Solution {
         let kept = solved.frames.get(frame..=frame).ok_or_else(none)?;
         let mut elements = tables::profile(&solved.model, kept);
         elements.columns.remove(0);
-        let column = |key, label, unit, value: fn(&NodeRecord) -> f64| {
-            NamedColumn::new(key, label, unit, kept[0].nodes.iter().map(value).collect())
-        };
+        let nodes = &kept[0].nodes;
         let nodes = Table::new(vec![
-            column("r", "Distance from the axis", Unit::Mm, |node| node.r),
-            column("z", "z, along punch travel", Unit::Mm, |node| node.z),
-            column("theta", "Rotation of the fibre", Unit::None, |node| node.theta),
-            column("thickness", "Thickness", Unit::Mm, |node| node.thickness),
+            field("r", "Distance from the axis", Unit::Mm, nodes, |node| node.r),
+            field("z", "z, along punch travel", Unit::Mm, nodes, |node| node.z),
+            field("theta", "Rotation of the fibre", Unit::None, nodes, |node| node.theta),
+            field("thickness", "Thickness", Unit::Mm, nodes, |node| node.thickness),
         ]);
-        Ok((kept[0].time, kept[0].travel, columns(py, elements), columns(py, nodes)))
+        let tools = outlines(py, &solved.model, &kept[0].tool_displacement);
+        Ok((kept[0].time, kept[0].travel, columns(py, elements), columns(py, nodes), tools))
+    }
+
+    /// Outlines of the tools of a stage as drawn.
+    fn tools<'py>(&self, py: Python<'py>, stage: usize) -> PyResult<Outlines<'py>> {
+        let solved = self.solution.stages.get(stage).ok_or_else(|| PyIndexError::new_err("no such stage"))?;
+        Ok(outlines(py, &solved.model, &[]))
     }
 
     /// A table of a stage by the name of its file; `None` if the stage has none.
@@ -108,32 +122,24 @@ impl Solution {
         results.views.get(stage).and_then(make).map(|chart| picture(&chart)).transpose()
     }
 
-    /// Contents of `summary.json`; with several stages a list of them.
-    fn summary(&self, py: Python<'_>) -> PyResult<String> {
-        json(&CaseSummary::of(&self.solution, &self.results(py)?.views))
-    }
-
     /// Light, sentence and rows of the verdict, as JSON.
     fn verdict(&self, py: Python<'_>) -> PyResult<String> {
         let (answer, findings) = self.judged(py);
         json(&Verdict { answer, findings: judgements(findings).collect() })
     }
 
-    /// Numbers of the part.
-    fn numbers(&self, py: Python<'_>) -> Vec<NumberParts> {
-        let numbers = self.judged(py).0.numbers.iter();
-        let parts = numbers.map(|number| {
-            let amount = number.amount;
-            (
-                amount.unit.keyed(number.key),
-                number.label,
-                amount.value,
-                amount.unit.symbol(),
-                amount.bar,
-                amount.to_string(),
-            )
+    /// Numbers of the part, then those of the last stage's summary.
+    fn numbers(&self, py: Python<'_>) -> PyResult<Vec<NumberParts>> {
+        let of_part = &self.judged(py).0.numbers;
+        let summary = self.results(py)?.views.last().map(Summary::of);
+        let is_new = |(key, ..): &(&str, &str, Amount)| of_part.iter().all(|number| number.key != *key);
+        let of_stage = summary.iter().flat_map(Summary::numbers).filter(is_new);
+        let numbers = of_part.iter().map(|number| (number.key, number.label, number.amount)).chain(of_stage);
+        let parts = numbers.map(|(key, label, amount)| {
+            let unit = amount.unit;
+            (unit.keyed(key), label.to_owned(), amount.value, unit.symbol(), amount.bar, amount.to_string())
         });
-        parts.collect()
+        Ok(parts.collect())
     }
 
     /// Adds error bars from finer runs; returns also the exception that cut it short.
@@ -171,6 +177,16 @@ impl Solution {
         let results = py.detach(|| Results::of(&self.solution)).map_err(|error| error::reference(py, &error))?;
         Ok(results.verified(self.bars.as_ref()))
     }
+}
+
+fn outlines<'py>(py: Python<'py>, model: &Model, moved: &[Point]) -> Outlines<'py> {
+    let tools = model.tools.iter().enumerate().map(|(i, tool)| {
+        let (points, moved) = (tool.profile.polyline(ARC), moved.get(i).copied().unwrap_or_default());
+        let r = field("r", "Distance from the axis", Unit::Mm, &points, |point| point.x + moved.x);
+        let z = field("z", "z, along punch travel", Unit::Mm, &points, |point| point.y + moved.y);
+        (tool.role.name(), columns(py, Table::new(vec![r, z])))
+    });
+    tools.collect()
 }
 
 fn output(file: &str) -> PyResult<&'static Output> {

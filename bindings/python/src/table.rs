@@ -1,21 +1,41 @@
-//! Tables as numpy arrays, which take over the memory of their columns; charts as SVG and JSON.
+//! Tables as read-only numpy arrays, which take over the memory of their columns; charts as SVG and JSON.
 
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::Table;
 use stampflow::plot::{Chart, svg};
+use stampflow::table::{Column as NamedColumn, Unit};
 
 /// Header with its unit, label, printed unit, and values.
 pub type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
+/// Column of a quantity of records.
+pub fn field<R>(
+    key: &'static str,
+    label: &'static str,
+    unit: Unit,
+    records: &[R],
+    value: impl Fn(&R) -> f64,
+) -> NamedColumn {
+    NamedColumn::new(key, label, unit, records.iter().map(value).collect())
+}
+
 /// Columns of a table from left to right.
 pub fn columns(py: Python<'_>, table: Table) -> Vec<Column<'_>> {
-    let column = |column: stampflow::table::Column| {
-        (column.header(), column.label, column.unit.symbol(), column.values.into_pyarray(py))
+    let column = |column: NamedColumn| {
+        (column.header(), column.label, column.unit.symbol(), read_only(column.values.into_pyarray(py)))
     };
     table.columns.into_iter().map(column).collect()
+}
+
+fn read_only(array: Bound<'_, PyArray1<f64>>) -> Bound<'_, PyArray1<f64>> {
+    // The only owner of a new array: nobody else borrows it.
+    if let Ok(borrowed) = array.try_readwrite() {
+        borrowed.make_nonwriteable();
+    }
+    array
 }
 
 /// SVG of a chart, and the chart as JSON.

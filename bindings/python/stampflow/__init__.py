@@ -10,12 +10,13 @@ in case files: ``"0.9 mm"``.
 """
 
 from ._native import __version__
-from .case import Case, materials, new, templates
-from .columns import Columns
+from .case import Case, laws, materials, new, templates
+from .columns import Columns, Named
 from .errors import CaseError, CompareError, DrawingError, Error, Interrupted, StudyError
 from .picture import Picture, Plots
-from .solution import Finding, Frame, Number, Solution, Stage
+from .solution import Finding, Frame, Number, Solution, Stage, Verdict
 from .study import Study, compare, fit, scatter, search, sweep
+from .trace import Iterate, IterationHistory, Trace
 
 __all__ = [
     "Case",
@@ -27,6 +28,9 @@ __all__ = [
     "Finding",
     "Frame",
     "Interrupted",
+    "Iterate",
+    "IterationHistory",
+    "Named",
     "Number",
     "Picture",
     "Plots",
@@ -34,9 +38,12 @@ __all__ = [
     "Stage",
     "Study",
     "StudyError",
+    "Trace",
+    "Verdict",
     "__version__",
     "compare",
     "fit",
+    "laws",
     "materials",
     "new",
     "scatter",
@@ -44,3 +51,7 @@ __all__ = [
     "sweep",
     "templates",
 ]
+
+
+def __dir__() -> list[str]:
+    return list(__all__)

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any
 
 from . import _native
+from .columns import Named
 from .errors import finished
 from .picture import Picture
 from .solution import Finding, Solution
+from .trace import Trace
 
 Progress = Callable[[float], object]
+
+#: Keys of the families of laws, and their tables in the schema.
+FAMILIES = {"hardening": "Hardening", "rate": "Rate", "softening": "ThermalLaw", "friction": "FrictionLaw", "fracture": "Fracture"}
 
 
 class Case:
@@ -28,8 +34,7 @@ class Case:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Case:
         """Reads a case file."""
-        with open(path, "rb"):
-            return cls(_native.Case.load(fspath(path)))
+        return cls(_native.Case.load(existing(path)))
 
     @classmethod
     def from_text(cls, text: str, name: str = "case.toml") -> Case:
@@ -49,7 +54,7 @@ class Case:
         ``geometry``, ``material``, ``thickness``, ``blank_radius``, ``travel``; texts with units. What is not given is a
         placeholder, marked in ``case.text``.
         """
-        text, name, notes, drawing = _native.from_drawing(fspath(path), json.dumps(options))
+        text, name, notes, drawing = _native.from_drawing(existing(path), json.dumps(options))
         return cls(_native.Case.parse(text, name, []), notes, Picture._of(*drawing))
 
     def with_(self, settings: Mapping[str, object] | None = None, /, **more: object) -> Case:
@@ -96,7 +101,25 @@ class Case:
         :class:`Interrupted`, whose ``partial`` is the solution so far.
         """
         native, raised = self._native.solve(progress)
-        return finished(Solution(native), raised)
+        return finished(Solution(self, native), raised)
+
+    def trace(
+        self,
+        step: int,
+        matrices: str | Sequence[str] = (),
+        *,
+        stage: int = 1,
+        tolerance: float | None = None,
+        progress: Progress | None = None,
+    ) -> Trace:
+        """Repeats one step from the same state with each matrix of the corrector and keeps every iteration.
+
+        Steps count from 1, as the rows of ``load_travel``. ``matrices`` are ``primal_dual``, ``newton``, ``secant``, or
+        ``"all"``; none for the case's own. ``tolerance`` replaces that of the norm in this step.
+        """
+        names = [matrices] if isinstance(matrices, str) else list(matrices)
+        traced = _native.trace(self._native, (stage, step), names, tolerance, progress)
+        return Trace(stage, step, *traced)
 
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (self._native.written, self._native.path, self.settings, self.notes)
@@ -115,11 +138,15 @@ def _restored(text: str, path: str, settings: list[str], notes: list[str]) -> Ca
     return Case(_native.Case.parse(text, path, settings), notes)
 
 
+def existing(path: str | PathLike[str]) -> str:
+    """Path of a file that can be read; raises ``FileNotFoundError`` and its like."""
+    with open(path, "rb"):
+        return fspath(path)
+
+
 def setting(value: object) -> str:
-    """A value as ``--set`` takes it."""
-    if isinstance(value, str):
-        return value
-    return json.dumps(value)
+    """A value as ``--set`` takes it; numpy's numbers and arrays too."""
+    return value if isinstance(value, str) else json.dumps(value, default=lambda other: other.tolist())
 
 
 def new(template: str, **sizes: str | float) -> Case:
@@ -138,6 +165,32 @@ def templates() -> dict[str, dict[str, str]]:
     }
 
 
-def materials() -> list[str]:
-    """Names of the built-in sheets."""
-    return _native.materials()
+def materials() -> Named[Mapping[str, Any]]:
+    """Built-in sheets by name: ``materials()["drawing-steel"]["law"]``.
+
+    Each has ``title``, ``stands_for`` (grades), ``source``, ``grade`` of the source, ``licence``, ``thickness``, ``law``,
+    ``notes``, ``case`` (its table), and, None where it is not known, ``r``, ``n``, ``proof_stress_MPa``,
+    ``tensile_strength_MPa``, ``uniform_elongation`` and ``young_MPa``.
+    """
+    return Named("material", json.loads(_native.materials()))
+
+
+def laws() -> Named[Mapping[str, Any]]:
+    """Laws of case files by name: ``laws()["hardening.swift"]["formula"]``.
+
+    Each has ``formula``, ``range`` (of validity) and ``source``, empty where none is given, and ``keys``, a description
+    and an example of each.
+    """
+    tables = json.loads(_native.schema())["$defs"]
+    found = {}
+    for family, title in FAMILIES.items():
+        for name, reference in tables[title]["properties"].items():
+            law = tables[reference["$ref"].rpartition("/")[2]]
+            parts = re.fullmatch(r"(.*?)(?:\s+Valid (.*?))?(?:\s+Source: (.*))?", " ".join(law["description"].split()))
+            formula, valid, source = parts.groups("") if parts else ("", "", "")
+            keys = {
+                key: {"about": about.get("description", ""), "example": about.get("examples", [None])[0]}
+                for key, about in law["properties"].items()
+            }
+            found[f"{family}.{name}"] = {"formula": formula, "range": valid, "source": source, "keys": keys}
+    return Named("law", found)

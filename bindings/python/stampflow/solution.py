@@ -1,16 +1,16 @@
-"""Solved cases: stages, frames, numbers and findings."""
+"""Solved cases: stages, frames, verdict and numbers."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
-from .columns import Columns
+from .columns import Columns, Named
 from .errors import finished
 from .picture import Plots
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from . import _native
+    from .case import Case
 
 COLORS = {"red": "#D55E00", "amber": "#E69F00", "grey": "#787878", "green": "#009E73"}
 
@@ -54,6 +55,23 @@ class Finding:
         return cls(**values)
 
 
+class Verdict(Named[Finding]):
+    """Judgement of a part. As text its sentence; a mapping of its findings: ``verdict["thinning"].found``."""
+
+    def __init__(self, light: str, sentence: str, findings: Sequence[Finding]) -> None:
+        super().__init__("finding", {row.key: row for row in findings})
+        #: Worst light of the findings: ``green``, ``amber``, ``red``.
+        self.light = light
+        #: Failure, or the most important warning.
+        self.sentence = sentence
+
+    def __str__(self) -> str:
+        return self.sentence
+
+    def __repr__(self) -> str:
+        return f"<Verdict: {self.light}, {self.sentence}>"
+
+
 @dataclass(frozen=True)
 class Number:
     """A number of the part. ``float(number)`` is its value."""
@@ -79,7 +97,9 @@ class Number:
 class Frame:
     """The sheet at one instant: arrays over its elements, from the axis or symmetry plane outward."""
 
-    def __init__(self, time: float, travel: float, elements: Sequence[Any], nodes: Sequence[Any]) -> None:
+    def __init__(
+        self, time: float, travel: float, elements: Sequence[Any], nodes: Sequence[Any], tools: dict[str, Any]
+    ) -> None:
         #: Time [s].
         self.time = time
         #: Punch travel [mm].
@@ -88,6 +108,8 @@ class Frame:
         self.elements = Columns(elements)
         #: Columns of the nodes on the mid-surface: ``r_mm``, ``z_mm``, ``theta`` [rad], ``thickness_mm``.
         self.nodes = Columns(nodes)
+        #: Outlines of the tools where they stand, by name: columns ``r_mm`` and ``z_mm``.
+        self.tools = outlines(tools)
 
     @property
     def s0(self) -> NDArray[np.float64]:
@@ -103,25 +125,9 @@ class Frame:
         return f"<Frame at {self.travel:g} mm, {self.time:g} s: {len(self.s0)} elements>"
 
 
-class Frames(Sequence[Frame]):
-    """Kept frames of a stage, each made on access."""
-
-    def __init__(self, native: _native.Solution, stage: int, count: int) -> None:
-        self._native, self._stage, self._count = native, stage, count
-
-    def __len__(self) -> int:
-        return self._count
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return [self[i] for i in range(*index.indices(self._count))]
-        at = index + self._count if index < 0 else index
-        if not 0 <= at < self._count:
-            raise IndexError(f"there is no frame {index}: {self._count} were kept")
-        return Frame(*self._native.frame(self._stage, at))
-
-    def __iter__(self) -> Iterator[Frame]:
-        return (self[i] for i in range(self._count))
+def outlines(tools: dict[str, Any]) -> Named[Columns]:
+    """Columns of each tool by its name."""
+    return Named("tool", {name: Columns(columns) for name, columns in tools.items()})
 
 
 class Stage:
@@ -139,8 +145,17 @@ class Stage:
         self.complete: bool = facts["complete"]
         #: Iterations of all accepted steps.
         self.iterations: int = facts["iterations"]
-        #: Kept frames; the last one is the end.
-        self.frames: Sequence[Frame] = Frames(native, index, facts["frames"])
+        self._frames: int = facts["frames"]
+
+    @cached_property
+    def frames(self) -> Sequence[Frame]:
+        """Kept frames; the last one is the end."""
+        return tuple(Frame(*self._native.frame(self._index, i)) for i in range(self._frames))
+
+    @property
+    def tools(self) -> Named[Columns]:
+        """Outlines of the tools as drawn, where they touch the flat sheet: ``tools["die"]["r_mm"]``, ``["z_mm"]``."""
+        return outlines(self._native.tools(self._index))
 
     def table(self, name: str) -> Columns:
         """Table by the name of its CSV file: ``load_travel``, ``profile``, ``strain_paths``, ``residual_stress`` …"""
@@ -154,30 +169,38 @@ class Stage:
         """Every accepted step: ``travel_mm``, ``punch_force_N`` (``punch_force_N_per_mm`` in plane strain), works, iterations."""
         return self.table("load_travel")
 
-    @cached_property
-    def profile(self) -> Columns:
-        """Every element of every kept frame: ``travel_mm``, ``s0_mm``, ``thickness_mm``, strains, stresses."""
-        return self.table("profile")
-
     @property
     def plot(self) -> Plots:
         """Pictures of the stage: ``plot.load_travel()``."""
         return Plots(self._native.pictures, lambda name: self._native.picture(self._index, name))
 
     def __repr__(self) -> str:
-        return f"<Stage {self.name}: {self.stop}, {len(self.frames)} frames>"
+        return f"<Stage {self.name}: {self.stop}, {self._frames} frames>"
 
 
 class Solution:
-    """A solved case. Notebooks show its verdict and its section.
+    """A solved case: ``verdict`` judges it, ``numbers`` describe it, tables, frames and pictures show it.
 
-    ``load_travel``, ``profile``, ``frames`` and ``plot`` are those of the last stage.
+    ``load_travel``, ``frames`` and ``plot`` are those of the last stage. A solution is pickled as its case and
+    solved again when it is first used.
     """
 
-    def __init__(self, native: _native.Solution) -> None:
-        self._native = native
-        #: Stages that were run, in order.
-        self.stages = [Stage(native, i, facts) for i, facts in enumerate(json.loads(native.stages()))]
+    def __init__(self, case: Case, native: _native.Solution | None = None, verified: bool = False) -> None:
+        #: The case.
+        self.case = case
+        self._verified = verified
+        if native is not None:
+            self._native = native
+
+    @cached_property
+    def _native(self) -> _native.Solution:
+        solved = self.case.solve()
+        return (solved.verify() if self._verified else solved)._native
+
+    @cached_property
+    def stages(self) -> Sequence[Stage]:
+        """Stages that were run, in order."""
+        return tuple(Stage(self._native, i, facts) for i, facts in enumerate(json.loads(self._native.stages())))
 
     @property
     def complete(self) -> bool:
@@ -185,35 +208,15 @@ class Solution:
         return self._native.complete
 
     @cached_property
-    def summary(self) -> dict[str, Any]:
-        """Contents of ``summary.json``; with several stages a list in ``summary["stages"]``."""
-        summary: dict[str, Any] = json.loads(self._native.summary())
-        return summary
+    def verdict(self) -> Verdict:
+        """Light, sentence and findings."""
+        verdict = json.loads(self._native.verdict())
+        return Verdict(verdict["light"], verdict["sentence"], [Finding._of(row) for row in verdict["findings"]])
 
     @cached_property
-    def _verdict(self) -> dict[str, Any]:
-        verdict: dict[str, Any] = json.loads(self._native.verdict())
-        return verdict
-
-    @property
-    def verdict(self) -> str:
-        """Verdict in one sentence."""
-        return str(self._verdict["sentence"])
-
-    @property
-    def light(self) -> str:
-        """Worst light of the verdict."""
-        return str(self._verdict["light"])
-
-    @cached_property
-    def findings(self) -> list[Finding]:
-        """Rows of the verdict."""
-        return [Finding._of(row) for row in self._verdict["findings"]]
-
-    @cached_property
-    def numbers(self) -> dict[str, Number]:
-        """Numbers of the part by names with units: ``numbers["punch_force_N"]``."""
-        return {row[0]: Number(*row[1:]) for row in self._native.numbers()}
+    def numbers(self) -> Named[Number]:
+        """Numbers by names with units: of the part, ``numbers["punch_force_N"]``, then of the last stage's summary."""
+        return Named("number", {row[0]: Number(*row[1:]) for row in self._native.numbers()})
 
     def verify(self, *, progress: Callable[[float], object] | None = None) -> Solution:
         """Returns the solution with error bars on numbers, findings and pictures.
@@ -222,17 +225,12 @@ class Solution:
         """
         native, raised = self._native.verify(progress)
         finished(self, raised)
-        return Solution(native)
+        return Solution(self.case, native, verified=True)
 
     @property
     def load_travel(self) -> Columns:
         """See :attr:`Stage.load_travel`."""
         return self.stages[-1].load_travel
-
-    @property
-    def profile(self) -> Columns:
-        """See :attr:`Stage.profile`."""
-        return self.stages[-1].profile
 
     @property
     def frames(self) -> Sequence[Frame]:
@@ -252,11 +250,25 @@ class Solution:
         """Writes the HTML report."""
         self._native.report(fspath(path))
 
+    def _parts(self) -> tuple[object, ...]:
+        # An interrupted solution does not follow from its case.
+        partial = any(stage.stop == "interrupted" for stage in self.stages)
+        return self.case, self._native if partial else None, self._verified
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Solution, self._parts()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Solution) and self._parts() == other._parts()
+
+    def __hash__(self) -> int:
+        return hash((self.case, self._verified))
+
     def __repr__(self) -> str:
-        return f"<Solution: {self.light}, {self.verdict}>"
+        return f"<Solution: {self.verdict.light}, {self.verdict}>"
 
     def _repr_html_(self) -> str:
-        rows = sorted(self.findings, key=lambda row: list(COLORS).index(row.light))
+        rows = sorted(self.verdict.values(), key=lambda row: list(COLORS).index(row.light))
         cells = "".join(
             f'<tr><td style="color:{COLORS[row.light]}">&#9679; {row.light}</td>'
             + "".join(f"<td>{escape(text)}</td>" for text in (row.label, row.found, row.limit, row.advice))
@@ -265,7 +277,7 @@ class Solution:
         )
         part = self._native.picture(len(self.stages) - 1, "part") if self.stages else None
         return (
-            f'<p><span style="color:{COLORS[self.light]}">&#9679;</span> <b>{escape(self.verdict)}</b></p>'
+            f'<p><span style="color:{COLORS[self.verdict.light]}">&#9679;</span> <b>{escape(str(self.verdict))}</b></p>'
             + (part[0] if part else "")
             + f"<details><summary>{len(rows)} rows of the verdict</summary><table>{cells}</table></details>"
         )

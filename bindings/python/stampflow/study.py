@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from .case import Case
+from .case import Case, existing
+from .columns import Named, read_only
 from .errors import finished
 from .picture import Plots
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float], object]
 Path = str | PathLike[str]
+#: ``KEY=VALUES`` texts, or values by key: a text, a number, a list, or a range (from, to) or (from, to, count).
+Variables = Mapping[str, Any] | Sequence[str]
 
 
 class Study:
@@ -32,36 +35,29 @@ class Study:
         self.notes: list[str] = self.json["notes"]
         #: Whether it found what was wanted.
         self.found = bool(self.json["found"])
-        self._header, self._rows = runs
-        self._pictures = pictures
+        self._parts = report, runs, pictures
+        header, self._rows = runs
+        self._columns = Named("column", {name: column(row[i] for row in self._rows) for i, name in enumerate(header)})
+        #: Columns of the run table: variables, then responses, then light, end and reason.
+        self.columns = tuple(header)
         #: Pictures, each a method.
         self.plot = Plots(lambda: list(pictures), lambda name: pictures.get(name))
 
     def __len__(self) -> int:
         return len(self._rows)
 
-    @property
-    def columns(self) -> list[str]:
-        """Columns of the run table: variables, then responses, then light, end and reason."""
-        return self._header
-
     def __getitem__(self, name: str) -> NDArray[Any]:
-        """Column of the run table: floats if every cell is a number or empty, else text."""
-        import numpy as np
+        """Read-only column of the run table: floats if every cell is a number or empty, else text."""
+        return self._columns[name]
 
-        if name not in self._header:
-            raise KeyError(f"there is no column {name}; there are {', '.join(self._header)}")
-        cells = [row[self._header.index(name)] for row in self._rows]
-        try:
-            return np.array([float(cell) if cell else np.nan for cell in cells])
-        except ValueError:
-            return np.array(cells)
+    def __reduce__(self) -> tuple[object, ...]:
+        return Study, self._parts
 
     def to_pandas(self) -> Any:
         """``pandas.DataFrame`` with one row per run."""
         import pandas
 
-        return pandas.DataFrame({name: self[name] for name in self._header})
+        return pandas.DataFrame(dict(self._columns))
 
     def __repr__(self) -> str:
         return f"<Study of {len(self)} runs: {self.headline}>"
@@ -69,17 +65,34 @@ class Study:
     def _repr_html_(self) -> str:
         from html import escape
 
-        first = next(iter(self._pictures.values()), None)
+        first = next(iter(self._parts[2].values()), None)
         notes = "".join(f"<li>{escape(note)}</li>" for note in self.notes)
         return f"<p><b>{escape(self.headline)}</b></p>" + (first[0] if first else "") + f"<ul>{notes}</ul>"
 
 
-def texts(variables: Mapping[str, Any] | Sequence[str]) -> list[str]:
-    """Variables as ``KEY=RANGE``: a text, or a list of values."""
+def column(cells: Iterable[str]) -> NDArray[Any]:
+    """Cells as floats, or as text if one is no number."""
+    import numpy as np
+
+    cells = list(cells)
+    try:
+        return read_only(np.array([float(cell) if cell else np.nan for cell in cells]))
+    except ValueError:
+        return read_only(np.array(cells))
+
+
+def texts(variables: Variables, between: str = "") -> list[str]:
+    """Variables as ``KEY=VALUES``; ``between`` stands before a range that is given as a tuple."""
     if not isinstance(variables, Mapping):
-        return list(variables)
-    listed = {key: value if isinstance(value, str) else ", ".join(str(one) for one in value) for key, value in variables.items()}
-    return [f"{key}={value}" for key, value in listed.items()]
+        return [variables] if isinstance(variables, str) else list(variables)
+
+    def values(value: Any) -> str:
+        if isinstance(value, tuple):
+            low, high, *count = value
+            return f"{between}{low}..{high}" + "".join(f"/{number}" for number in count)
+        return ", ".join(map(str, value)) if isinstance(value, Iterable) and not isinstance(value, str) else str(value)
+
+    return [f"{key}={values(value)}" for key, value in variables.items()]
 
 
 def _run(kind: str, case: Case | Path, request: dict[str, Any], progress: Progress | None) -> Study:
@@ -90,20 +103,20 @@ def _run(kind: str, case: Case | Path, request: dict[str, Any], progress: Progre
 
 def sweep(
     case: Case | Path,
-    vary: Mapping[str, Any] | Sequence[str],
+    vary: Variables,
     *,
     one_at_a_time: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
-    """Runs every combination of values: ``sweep(case, {"friction": [0.04, 0.08], "tools.die.shoulder": "4..10 mm/4"})``."""
+    """Runs every combination of values: ``sweep(case, {"friction": [0.04, 0.08], "tools.die.shoulder": ("4 mm", "10 mm", 4)})``."""
     request = {"vary": texts(vary), "one_at_a_time": one_at_a_time, "threads": threads}
     return _run("sweep", case, request, progress)
 
 
 def search(
     case: Case | Path,
-    vary: str | None = None,
+    vary: Variables = (),
     *,
     goal: str | None = None,
     largest: bool = False,
@@ -115,37 +128,40 @@ def search(
     progress: Progress | None = None,
 ) -> Study:
     """Finds where a condition ends or a number has a wanted value: ``search(case, goal="limiting-draw-ratio")``,
-    ``search(case, "blank.radius=45..70 mm", largest=True, while_="no red")``."""
+    ``search(case, {"blank.radius": ("45 mm", "70 mm")}, largest=True, while_="no red")``."""
     side = "largest" if largest else "smallest" if smallest else None
-    request = {"vary": [vary] if vary else [], "goal": goal, "side": side, "condition": while_, "target": target}
+    request = {"vary": texts(vary), "goal": goal, "side": side, "condition": while_, "target": target}
     return _run("search", case, {**request, "tolerance": tolerance, "threads": threads}, progress)
 
 
 def scatter(
     case: Case | Path,
-    vary: Mapping[str, Any] | Sequence[str] = (),
+    vary: Variables = (),
     *,
     runs: int = 256,
     seed: int = 1,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
-    """Runs a sample of scattering inputs: ``scatter(case, {"friction": "uniform 0.06..0.10"}, runs=64)``."""
-    return _run("scatter", case, {"vary": texts(vary), "runs": runs, "seed": seed, "threads": threads}, progress)
+    """Runs a sample of scattering inputs: ``scatter(case, {"friction": "normal 0.08 ± 0.01"}, runs=64)``.
+
+    A range, ``(0.06, 0.10)``, is a uniform distribution.
+    """
+    return _run("scatter", case, {"vary": texts(vary, "uniform "), "runs": runs, "seed": seed, "threads": threads}, progress)
 
 
 def fit(
     case: Case | Path,
-    vary: Mapping[str, Any] | Sequence[str] = (),
+    vary: Variables = (),
     to: Path | Sequence[Path] = (),
     *,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
     """Fits keys of a case to measured curves, or hardening laws to a tension test (a CSV file in place of the case)."""
-    files = [fspath(to)] if isinstance(to, (str, PathLike)) else [fspath(path) for path in to]
+    files = [existing(path) for path in ([to] if isinstance(to, (str, PathLike)) else to)]
     if not isinstance(case, Case) and fspath(case).endswith(".csv"):
-        report, runs, pictures = _native.fit_law([fspath(case), *files])
+        report, runs, pictures = _native.fit_law([existing(case), *files])
         return Study(report, runs, pictures)
     return _run("fit", case, {"vary": texts(vary), "to": files, "threads": threads}, progress)
 
@@ -154,5 +170,5 @@ def compare(*cases: Case | Path, also: Sequence[str] = (), to: Sequence[Path] = 
     """Compares cases, variants of the first one (``also="friction=0.12"``) and measured curves."""
     bases = [case if isinstance(case, Case) else Case.load(case) for case in cases]
     variants = [also] if isinstance(also, str) else list(also)
-    report, runs, pictures = _native.compare([base._native for base in bases], variants, [fspath(path) for path in to])
+    report, runs, pictures = _native.compare([base._native for base in bases], variants, [existing(path) for path in to])
     return Study(report, runs, pictures)

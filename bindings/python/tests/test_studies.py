@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +12,10 @@ import stampflow as sf
 from conftest import QUICKSTART, ROOT
 
 CHEAP = {"blank.elements": 20, "solver.max_step": 0.1}
+
+
+def light(solution: sf.Solution) -> str:
+    return solution.verdict.light
 
 
 @pytest.fixture(scope="module")
@@ -27,8 +33,32 @@ def test_a_sweep_has_a_row_per_design_and_pictures(case: sf.Case) -> None:
         study["nothing"]
 
 
+def test_ranges_are_tuples_lists_and_numbers(case: sf.Case) -> None:
+    texts = sf.sweep(case, ["friction=0.04,0.12", "tools.die.shoulder=4..8 mm/3", "blank.layers=5"])
+    values = {"friction": np.array([0.04, 0.12]), "tools.die.shoulder": ("4 mm", "8 mm", 3), "blank.layers": 5}
+    assert pickle.loads(pickle.dumps(sf.sweep(case, values))).to_pandas().equals(texts.to_pandas())
+    uniform = sf.scatter(case, {"friction": (0.06, 0.10)}, runs=8)
+    assert uniform.headline == sf.scatter(case, "friction=uniform 0.06..0.10", runs=8).headline
+    with pytest.raises(ValueError, match="read-only"):
+        uniform["friction"][0] = 1.0
+
+
+def test_eight_runs_go_to_processes(case: sf.Case) -> None:
+    """Solutions come back as their cases. Processes are forked after the parent has used its own threads."""
+    cases = [case.with_(friction=0.04 + 0.01 * i) for i in range(8)]
+    here = [case.solve() for case in cases]
+    lights = [solution.verdict.light for solution in here]
+    with ProcessPoolExecutor(2) as pool:
+        assert list(pool.map(sf.Case.solve, cases)) == here
+        assert list(pool.map(light, here)) == lights
+    joblib = pytest.importorskip("joblib")
+    there = joblib.Parallel(n_jobs=2)(joblib.delayed(case.solve)() for case in cases)
+    assert there == here and there[0] != here[1]
+    assert [str(solution.numbers["punch_force_N"]) for solution in there] == [str(solution.numbers["punch_force_N"]) for solution in here]
+
+
 def test_a_search_finds_a_limit(case: sf.Case) -> None:
-    study = sf.search(case, "tools.punch.travel=10..25 mm", target="punch_force=40 kN")
+    study = sf.search(case, {"tools.punch.travel": ("10 mm", "25 mm")}, target="punch_force=40 kN")
     assert study.found and "40" in study.headline
 
 

@@ -67,6 +67,14 @@ impl Summary {
         })
     }
 
+    /// Key, label and amount of every number.
+    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, &str, Amount)> {
+        self.0.iter().filter_map(|Line { key, label, value, .. }| match value {
+            Value::Number(amount) => Some((*key, label.trim(), *amount)),
+            _ => None,
+        })
+    }
+
     /// Labels and values of all printed lines; the entries of a list stand below each other.
     pub fn rows(&self) -> impl Iterator<Item = [String; 2]> {
         self.printed().flat_map(|Line { label, value, .. }| match value {

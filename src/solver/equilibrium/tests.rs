@@ -6,7 +6,7 @@ use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
-    Bead, Blank, Edge, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
+    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
     Settings, Tool,
 };
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
@@ -17,37 +17,14 @@ use nalgebra::Vector3;
 
 /// A blank of so many elements without tools, solved with Newton's matrix.
 pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, elements: usize) -> Model {
+    let layers = if theory == Theory::Membrane { 1 } else { 5 };
+    let blank = Blank { elements, grading: Grading::Uniform, theory, layers, ..Blank::new(length, thickness) };
+    let material = Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid")));
     Model {
-        title: "test".into(),
-        notes: vec![],
         geometry,
-        depth: None,
-        blank: Blank {
-            length,
-            thickness,
-            elements,
-            grading: Grading::Uniform,
-            theory,
-            layers: if theory == Theory::Membrane { 1 } else { 5 },
-            rule: Default::default(),
-            edge: Edge::Free,
-        },
-        material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
-        tools: vec![],
-        beads: vec![],
-        gas: vec![],
-        heat: None,
-        travel: 1.0,
-        schedule: None,
-        speed: 1.0,
-        duration: 1.0,
-        stop: Default::default(),
         timed: true,
-        frames: vec![1.0],
         settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
+        ..Model::new(blank, material, vec![], 1.0)
     }
 }
 

@@ -5,10 +5,7 @@ use stampflow::case::library;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
 use stampflow::material::{Hardening, Material};
-use stampflow::model::{
-    Blank, Edge, Geometry, Grading, Mode, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, ThicknessRule,
-    Tool,
-};
+use stampflow::model::{Blank, Edge, Geometry, Model, Motion, Norm, Press, Role, Settings, Tool};
 use std::f64::consts::FRAC_PI_2;
 
 /// The kinds of section.
@@ -166,6 +163,8 @@ pub fn random_die(seed: u64) -> RandomDie {
         tools.push(tool(Role::Holder, Profile::holder(flange, t), Motion::Pressed(Press::constant(force))));
     }
     let elements = rng.usize(30..=200);
+    let edge = if stretch { Edge::Clamped } else { Edge::Free };
+    let blank = Blank { elements, edge, ..Blank::new(length, t) };
     let norm = if rng.bool() { Norm::Velocity } else { Norm::Both };
     let text = format!(
         "{process:?} t {t:.3} R {radius:.2} corner {:.1} t shoulder {:.1} t ratio {beta:.2} clearance {:.2} t mu {friction:.3} \
@@ -176,35 +175,10 @@ pub fn random_die(seed: u64) -> RandomDie {
     );
     let model = Model {
         title: format!("random die {seed}"),
-        notes: vec![],
         geometry: if plane { Geometry::PlaneStrain } else { Geometry::Axisymmetric },
-        depth: None,
-        blank: Blank {
-            length,
-            thickness: t,
-            elements,
-            grading: Grading::Radii,
-            theory: Theory::Bending,
-            layers: 5,
-            rule: ThicknessRule::default(),
-            edge: if stretch { Edge::Clamped } else { Edge::Free },
-        },
-        material,
-        tools,
-        beads: vec![],
-        gas: vec![],
-        heat: None,
-        travel,
-        speed: 1.0,
-        schedule: None,
-        duration: travel,
-        stop: StopRules::default(),
         timed: true,
-        frames: vec![travel],
         settings: Settings { norm, ..Settings::default() },
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
+        ..Model::new(blank, material, tools, travel)
     };
     RandomDie { process, model, text }
 }
