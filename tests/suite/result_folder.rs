@@ -211,10 +211,10 @@ fn the_working_directory_may_be_the_folder() {
     assert!(dir.path().join("cases/cup.toml").is_file() && names(dir.path()).iter().all(|name| !name.starts_with('.')));
 }
 
-/// Starts a run that takes long, after a shell's `before`, lets something happen, and interrupts it.
+/// Starts a run that takes long, by the command `before` if it is not empty, lets something happen, and interrupts it.
 #[cfg(unix)]
 fn meanwhile(dir: &Path, before: &str, happens: impl Fn()) -> Output {
-    let line = format!("{before} exec {} run cases/cup.toml -q", env!("CARGO_BIN_EXE_stampflow"));
+    let line = format!("exec {before} {} run cases/cup.toml -q", env!("CARGO_BIN_EXE_stampflow"));
     let mut shell = Command::new("sh");
     let shell = shell.args(["-c", &line]).current_dir(dir).stdout(Stdio::piped()).stderr(Stdio::piped());
     let run = shell.spawn().unwrap();
@@ -257,8 +257,8 @@ fn a_second_signal_ends_the_program_at_once_but_not_that_of_a_closed_terminal() 
     let until_written = "kill -HUP ID; kill -HUP ID; kill -CONT ID; while test -e out/.cup.lock; do sleep 0.1; done";
     for (before, signals, is_kept) in [
         ("", "kill -INT ID; kill -TERM ID; kill -CONT ID", false),
-        ("", until_written, true),
-        ("trap '' HUP;", "kill -HUP ID; kill -CONT ID", true),
+        ("env --default-signal=HUP", until_written, true),
+        ("env --ignore-signal=HUP", "kill -HUP ID; kill -CONT ID", true),
     ] {
         let dir = folder(&endless());
         let done = meanwhile(dir.path(), before, || {

@@ -166,8 +166,9 @@ fn a_study_that_is_ended_before_its_first_run_is_resumed() {
             |out| format!("sweep cases/cup.toml -q --vary friction=0.05,0.1 --shard {shard} --resume --out {out}");
         let swept = |out| stampflow(dir.path(), &line(out).split(' ').collect::<Vec<_>>());
         ok(&swept("whole"));
-        let mut command = Command::new(env!("CARGO_BIN_EXE_stampflow"));
-        let run = command.args(line("cut").split(' ')).current_dir(dir.path()).stderr(Stdio::null()).spawn();
+        let mut command = Command::new("env");
+        command.args(["--default-signal=HUP", env!("CARGO_BIN_EXE_stampflow")]).args(line("cut").split(' '));
+        let run = command.current_dir(dir.path()).stderr(Stdio::null()).spawn();
         let is_lock = |name: &std::ffi::OsStr| name.to_string_lossy().ends_with(".lock");
         let files = |out: &str| fs::read_dir(dir.path().join(out)).into_iter().flatten().map(|entry| entry.unwrap());
         let mut run = run.unwrap();
