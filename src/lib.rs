@@ -50,7 +50,7 @@
 //! let solution = stampflow::run(&model, &mut ());
 //! let force = solution.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
 //! println!("{}, {:.1} kN at most", solution.stop, 1e-3 * force);
-//! # let case = stampflow::Case::load("cases/quickstart.toml")?.solve(&mut ());
+//! # let case = stampflow::case::load("cases/quickstart.toml", &["output.count=1".into()])?.solve(&mut ());
 //! # let of_case = case.stages[0].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
 //! # assert!((force - of_case).abs() < 1e-9 * of_case); // The same model, but for round-off.
 //! # Ok::<(), Box<dyn std::error::Error>>(())

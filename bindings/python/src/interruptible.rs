@@ -44,7 +44,7 @@ pub fn interruptible<R: Send>(
             let line = Line { share: progress.is_some().then_some(send), stop: &stop };
             let worker = scope.spawn(move || {
                 let _over = over;
-                work(&line)
+                pooled(|| work(&line))
             });
             let call = || {
                 Python::attach(|py| {
@@ -65,6 +65,14 @@ pub fn interruptible<R: Send>(
             (worker.join().unwrap_or_else(|panic| resume_unwind(panic)), raised)
         })
     })
+}
+
+/// Runs `work` with new threads for its parallel parts: a process that was forked has none of its parent's.
+pub fn pooled<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    match rayon::ThreadPoolBuilder::new().build() {
+        Ok(pool) => pool.install(work),
+        Err(_) => work(),
+    }
 }
 
 /// Observer of the stages of one run.

@@ -1,7 +1,7 @@
 //! Solved cases.
 
 use super::error;
-use super::interruptible::{Progress, interruptible};
+use super::interruptible::{Progress, interruptible, pooled};
 use super::table::{Column, Picture, columns, field, json, picture};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
@@ -130,7 +130,11 @@ impl Solution {
 
     /// Numbers of the part, then those of the last stage's summary.
     fn numbers(&self, py: Python<'_>) -> PyResult<Vec<NumberParts>> {
-        let of_part = &self.judged(py).0.numbers;
+        // Judging, which solves more runs, adds their error bars only.
+        let of_part = match self.bars {
+            None => Answer::of(&self.solution.case, &self.solution.stages, &[]).numbers,
+            Some(_) => self.judged(py).0.numbers.clone(),
+        };
         let summary = self.results(py)?.views.last().map(Summary::of);
         let is_new = |(key, ..): &(&str, &str, Amount)| of_part.iter().all(|number| number.key != *key);
         let of_stage = summary.iter().flat_map(Summary::numbers).filter(is_new);
@@ -151,7 +155,7 @@ impl Solution {
 
     /// Writes every table and plot into a folder, as `run --out` does; returns the files.
     fn write(&self, py: Python<'_>, folder: String) -> PyResult<Vec<String>> {
-        let files = py.detach(|| self.solution.write(&folder)).map_err(|error| error::output(&error))?;
+        let files = py.detach(|| pooled(|| self.solution.write(&folder))).map_err(|error| error::output(&error))?;
         Ok(files.iter().map(|file| file.to_string_lossy().into_owned()).collect())
     }
 
@@ -170,7 +174,8 @@ impl Solution {
     }
 
     fn judged(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
-        py.detach(|| self.verdict.get_or_init(|| judge(&self.solution, self.bars.as_ref(), true, &())))
+        let judge = || pooled(|| judge(&self.solution, self.bars.as_ref(), true, &()));
+        py.detach(|| self.verdict.get_or_init(judge))
     }
 
     fn results(&self, py: Python<'_>) -> PyResult<Results<'_>> {
