@@ -27,7 +27,7 @@ pub struct Check {
 /// Checks a case without solving it.
 pub fn report(case: &Case) -> Check {
     let model = case.model();
-    let strength = estimate::tensile_strength(&model.material);
+    let strength = estimate::flange_strength(model);
     let source = |label, source: &Option<String>| source.as_ref().map(|source| line(label, source.clone(), ""));
     let mut lines = blank(model);
     lines.push(line("material", model.material.describe(), ""));
@@ -35,7 +35,7 @@ pub fn report(case: &Case) -> Check {
     lines.push(number("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
     lines.extend(tools::lines(model));
     lines.extend(source("friction source", &case.sources.friction));
-    lines.extend(tools::holder(model, strength));
+    lines.extend(tools::holder(model));
     lines.push(number("elements", Amount::count(model.blank.elements as f64), ""));
     lines.extend(estimate::coarsest_corner(model).map(|fit| {
         let (tool, radius, per_quarter) = (fit.role.name(), Amount::drawn(fit.radius), Amount::norm(fit.per_quarter));

@@ -1,7 +1,7 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
 use super::design::{CAREFUL_RATIO, LIMITING_RATIO, REDRAW_RATIO};
-use super::estimate::{self, draw_ratio, held_area, siebel_pressure, tensile_strength};
+use super::estimate::{self, draw_ratio, held_area, siebel_pressure};
 use super::holder::if_open;
 use super::tear::is_upright;
 use super::{Finding, Light, Run};
@@ -72,7 +72,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
             let area = held_area(model)?;
             let pressure = (press.force.smallest() - beads).max(0.0) / area;
-            let advised = siebel_pressure(model, tensile_strength(&model.material))?;
+            let advised = siebel_pressure(model)?;
             let [wanted, least] = [advised, pressure].map(Amount::stress);
             judged("Wrinkle index", format!("{{}}: {wanted} advised over {least}; {itself}"))
                 .number(Amount::ratio(advised / pressure))

@@ -2,6 +2,7 @@
 
 pub(crate) use super::design::{siebel, tensile_strength};
 use crate::geometry::Point;
+use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::mesh;
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::model::{Edge, Geometry, Model, Motion, Role};
@@ -46,10 +47,17 @@ pub(crate) fn holder_pressure(model: &Model) -> Option<f64> {
     }
 }
 
+/// Tensile strength of the flange, as hot as its edge is at first \[MPa\].
+pub(crate) fn flange_strength(model: &Model) -> f64 {
+    let temperature = model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(model.blank.length));
+    let warm = model.material.thermal.map_or(1.0, |thermal| thermal.at(temperature));
+    warm * model.material.load_maximum(1.0, temperature)[1]
+}
+
 /// [`siebel`]'s pressure for the blank and the punch of a model.
-pub(crate) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
+pub(crate) fn siebel_pressure(model: &Model) -> Option<f64> {
     let diameter = 2.0 * mouth(model.tool(Role::Punch)?, model.travel);
-    Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, strength))
+    Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, flange_strength(model)))
 }
 
 /// Angle of the edge on the die's shoulder when a sheet of constant area leaves the die \[rad\]; declared, above 45° because

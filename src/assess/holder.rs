@@ -1,6 +1,6 @@
 //! Holder: force, lift, distance blocks, closing over slopes of holder and die.
 
-use super::estimate::{held_from, holder_pressure, tensile_strength};
+use super::estimate::{flange_strength, held_from, holder_pressure};
 use super::{Finding, Light, Run, material};
 use crate::measure::rests_on_blocks;
 use crate::model::{Model, Motion, Role, Tool};
@@ -34,7 +34,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
 
 /// Holder pressure above the strength of the sheet, unless the hardening law is to blame.
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
-    let strength = tensile_strength(&model.material);
+    let strength = flange_strength(model);
     let pressure = Amount::stress(holder_pressure(model).filter(|_| !material::is_weak(model))?);
     let limit = pressure.with_value(strength);
     let text = format!("the holder presses with {{}}, more than the sheet's tensile strength of {limit}");
@@ -64,7 +64,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         return Some(open.limit("closed on the sheet"));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
-    let (pressure, most) = (holder_pressure(model).unwrap_or(0.0), PRESSURE * tensile_strength(&model.material));
+    let (pressure, most) = (holder_pressure(model).unwrap_or(0.0), PRESSURE * flange_strength(model));
     let mut text = format!("lifted by {{}} at most; presses with {} at first", Amount::stress(pressure));
     if last.rim_share > RIM_SHARE {
         text += &format!("; at the end it sits on the outer {} only", Amount::size(StepRecord::RIM * thickness));

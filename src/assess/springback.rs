@@ -45,12 +45,14 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let Some(worst) = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used())) else {
         return unjudged(limits, &changes);
     };
+    // A longer travel does not turn a wall that lies against the punch's.
+    let advice = if worst.of_punch { "" } else { "over-bend: `stampflow search --for over-bend`" };
     Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text), "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .limit(joined(judged.iter().map(Judged::limit), "; "))
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice("over-bend: `stampflow search --for over-bend`")
+        .advice(advice)
         .into()
 }
 

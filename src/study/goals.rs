@@ -1,8 +1,8 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
 use super::{Side, StudyError, fail};
-use crate::assess::design::{holder_pressure, tensile_strength};
-use crate::assess::estimate::held_from;
+use crate::assess::design::holder_pressure;
+use crate::assess::estimate::{flange_strength, held_from};
 use crate::case::Case;
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
@@ -41,7 +41,7 @@ impl HolderRule {
         let is_given = case.overrides.iter().any(|key| key.starts_with("tools.holder.") && !key.contains("friction"));
         let holder = model.tool(Role::Holder).filter(|holder| matches!(holder.motion, Motion::Pressed(_)))?;
         let end = held_from(model)?.max(extent(holder).0);
-        let (thickness, strength) = (model.blank.thickness, tensile_strength(&model.material));
+        let (thickness, strength) = (model.blank.thickness, flange_strength(model));
         let by_pressure = !case.written("tools.holder.pressure").is_empty();
         (!is_given).then_some(Self { punch, end, thickness, strength, by_pressure })
     }
@@ -147,7 +147,7 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
 
 fn bead_force(model: &Model) -> Result<Goal, StudyError> {
     need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
-    let largest = RESTRAINT * tensile_strength(&model.material) * model.blank.thickness;
+    let largest = RESTRAINT * flange_strength(model) * model.blank.thickness;
     Ok(Goal::reach(range("tools.beads.0.restraining", [0.0, largest], "N/mm"), "draw_in"))
 }
 

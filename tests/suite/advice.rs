@@ -1,5 +1,8 @@
 //! Friction that a verdict hangs on, and advice that keeps its word.
 
+#[path = "../../benches/common/verdicts.rs"]
+mod verdicts;
+
 use crate::common::shipped::{shipped_case, solved_once};
 use stampflow::assess::{self, Finding, Kind, Light};
 use stampflow::author::templates::TEMPLATES;
@@ -77,5 +80,16 @@ fn new_cases_are_green_with_their_defaults() {
             _ => &[],
         };
         assert_eq!(open.collect::<Vec<_>>(), expected, "{}: {}", template.name, answer.sentence);
+    }
+}
+
+/// Trust: one verdict for all; `cargo bench --bench verdicts` has 200 parts.
+#[test]
+fn every_verb_judges_random_parts_alike_and_first_advice_keeps_its_word() {
+    for seed in 0..4 {
+        let part = verdicts::random_part(seed);
+        assert_eq!(verdicts::disagreement(&part, seed == 0).0, None, "{seed}");
+        let advised = verdicts::advised(&part).map(|one| (one.light, one.first));
+        assert!(!matches!(advised, Some((_, Some((_, false))))), "{seed}: {advised:?}");
     }
 }

@@ -69,22 +69,32 @@ fn cups_tear_where_a_toolmaker_has_them_tear() {
     }
 }
 
-/// Trust: the wall carries the force, whatever is embossed in the bottom: 3 mm deep, Ø 30 to 36 mm.
+/// Trust: the wall carries the force, whatever is embossed in the bottom: a recess or a boss, 3 mm deep. Of two steps the inner one
+/// carries until the outer one meets the sheet, as a punch of its size in the same die does; drawn on, it tears there.
 #[test]
 fn an_embossed_bottom_does_not_tear_a_cup() {
     let folder = temp_dir::TempDir::new().expect("a folder");
     let given = [("material", "dc04"), ("punch-radius", "35 mm")];
     let text = templates::find("cup").and_then(|template| template.fill(&given)).expect("a case");
     let plain = text.lines().find(|line| line.starts_with("flat = ")).expect("a flat punch");
-    fs::write(folder.child("punch.csv"), "r_mm,z_mm,radius_mm\n0,-3,\n15,-3,4\n18,0,4\n35,0,6\n35,-200,\n")
-        .expect("written");
-    let [flat, embossed] = [plain, "profile = \"punch.csv\""].map(|punch| {
-        let file = folder.child("made.toml");
-        fs::write(&file, text.replace(plain, punch)).expect("written");
-        judged(&case::load(&file, &[]).expect("valid"))
-    });
-    assert_eq!([flat.1, embossed.1], [Light::Green; 2]);
-    assert!((embossed.0 / flat.0 - 1.0).abs() < 0.05, "{flat:?} {embossed:?}");
+    let cup = |punch: &str, set: &[&str]| {
+        let (file, is_flat) = (folder.child("made.toml"), punch.starts_with("flat"));
+        fs::write(folder.child("punch.csv"), format!("r_mm,z_mm,radius_mm\n{punch}35,-200,\n")).expect("written");
+        let line = if is_flat { punch } else { "profile = \"punch.csv\"" };
+        fs::write(&file, text.replace(plain, line)).expect("written");
+        let set: Vec<String> = set.iter().map(|key| (*key).to_owned()).collect();
+        judged(&case::load(&file, &set).expect("valid"))
+    };
+    let flat = cup(plain, &[]);
+    let recess = cup("0,-3,\n15,-3,4\n18,0,4\n35,0,6\n", &[]);
+    let boss = cup("0,0,\n12,0,3\n14,-3,3\n35,-3,6\n", &[]);
+    assert_eq!([flat.1, recess.1, boss.1], [Light::Green; 3], "{flat:?} {recess:?} {boss:?}");
+    assert!((recess.0 / flat.0 - 1.0).abs() < 0.05, "{flat:?} {recess:?}");
+    let steps = "0,0,\n20,0,3\n20,-12,5\n35,-12,6\n";
+    let [small, inner] =
+        ["flat = { radius = \"20 mm\", nose = \"3 mm\" }", steps].map(|punch| cup(punch, &["tools.punch.travel=8 mm"]));
+    assert!((inner.0 / small.0 - 1.0).abs() < 0.02 && inner.0 > flat.0, "{small:?} {inner:?}");
+    assert_eq!(cup(steps, &[]).1, Light::Red);
 }
 
 /// Trust: at 7 mm a dome over a ball of ten thicknesses is whole, as every producer's index of 11 mm and more says.

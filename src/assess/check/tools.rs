@@ -76,7 +76,7 @@ fn pace(model: &Model) -> String {
     }
 }
 
-pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
+pub(super) fn holder(model: &Model) -> Vec<Line> {
     let force = |force: f64| Amount::given_force(force, model.extent().force_unit());
     let press = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
@@ -97,7 +97,7 @@ pub(super) fn holder(model: &Model, strength: f64) -> Vec<Line> {
     let Some((area, pressure)) = estimate::held_area(model).zip(estimate::holder_pressure(model)) else { return lines };
     let on = "on the initial area between holder and die's flat";
     lines.push(number("holder pressure", Amount::stress(pressure), on));
-    lines.extend(estimate::siebel_pressure(model, strength).map(|siebel| {
+    lines.extend(estimate::siebel_pressure(model).map(|siebel| {
         let rule = "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
         number("advised pressure", Amount::stress(siebel), format!("{rule}: {}", force(siebel * area)))
     }));
