@@ -11,6 +11,9 @@ pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
     #[schemars(extend("default" = "primal_dual"))]
     pub iteration: Iteration,
+    /// First guess of a step: the velocities at the end of the step before; true by default. If false, fifteen iterations of
+    /// the secant matrix from rest.
+    pub predictor: bool,
     /// Norm that must be small for a step to be accepted; "velocity" when not given.
     #[schemars(extend("default" = "velocity"))]
     pub norm: Norm,
@@ -73,6 +76,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             iteration: Iteration::PrimalDual,
+            predictor: true,
             norm: Norm::Velocity,
             tolerance: 1e-5,
             max_iterations: 40,

@@ -70,7 +70,8 @@ pub(super) fn solve<'s>(
     observer: &mut dyn Observer,
 ) -> Result<(Start, Converged<'s>), Outcome> {
     let mut outcome = Outcome::BEGUN;
-    for &start in if step.number == 1 { Start::FIRST } else { Start::USUAL } {
+    let from_rest = step.number == 1 || !step.model.settings.predictor;
+    for &start in if from_rest { Start::FIRST } else { Start::USUAL } {
         outcome = attempt(step, trial, evaluation, start, observer);
         if outcome.converged {
             return Ok((start, Converged::new(step, trial, evaluation, outcome)));

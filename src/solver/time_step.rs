@@ -15,6 +15,8 @@ use crate::solver::state::State;
 /// Iterations up to which the next step may grow, and above which it shrinks.
 const EASY: usize = 8;
 const HARD: usize = 15;
+/// Factor on both for steps from rest: room for the fifteen iterations of the secant matrix.
+const REST: usize = 3;
 const GROWTH: f64 = 1.5;
 const SHRINK: f64 = 0.7;
 /// Changes of contact over the number of points above which steps do not grow \[–\].
@@ -79,7 +81,8 @@ impl<'a> StepControl<'a> {
         let dt = self.given;
         let approach = approach(before, converged) * dt / converged.step.dt;
         let iterations = record.iterations / converged.outcome.rounds;
-        let patience = patience(self.model.settings.iteration);
+        let settings = &self.model.settings;
+        let patience = patience(settings.iteration).max(if settings.predictor { 1 } else { REST });
         let many_changes = record.contact_changes as f64 > MANY_CHANGES * (STATIONS * self.model.blank.elements) as f64;
         if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
