@@ -14,8 +14,16 @@ const scripts = [
   `<script type="text/plain" id="worker">${inlined(read("page/worker.js"))}</script>`,
   `<script type="module">${inlined(built.outputFiles[0].text)}</script>`,
 ];
+/** Fonts of the equations that are in the page: Latin and Greek letters, and the sizes of roots and brackets. */
+const FONTS = /KaTeX_(Main-Regular|Math-Italic|Size[1-4]-Regular)\.woff2/;
+const katex = read("node_modules/katex/dist/katex.min.css").replaceAll(/@font-face\{[^}]*\}/g, (face) => {
+  const [file] = face.match(FONTS) ?? [];
+  if (!file) return "";
+  const letters = readFileSync(here("node_modules/katex/dist/fonts", file)).toString("base64");
+  return face.replace(/src:.*\}/, `src:url(data:font/woff2;base64,${letters})}`);
+});
 const whole = read("page/index.html")
-  .replace("<!-- style -->", () => `<style>${read("node_modules/uplot/dist/uPlot.min.css")}\n${read("page/style.css")}</style>`)
+  .replace("<!-- style -->", () => `<style>${read("node_modules/uplot/dist/uPlot.min.css")}\n${katex}\n${read("page/style.css")}</style>`)
   .replace("<!-- scripts -->", () => scripts.join("\n"));
 mkdirSync(dirname(page), { recursive: true });
 writeFileSync(page, whole);

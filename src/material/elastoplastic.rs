@@ -29,7 +29,7 @@
 use super::chaboche::BackStresses;
 use super::hill48::SHEAR_INVERSE;
 use super::hosford::ordered;
-use super::point_law::{StressUpdate, Tangent};
+use super::point_law::{PointSnapshot, StressUpdate, Tangent};
 use super::yield_condition::{Symmetric, Triple, dot};
 use super::{Elastic, FlowStress, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 
@@ -175,6 +175,15 @@ impl PointLaw for ElastoplasticLaw<'_> {
         }
         *trial = Trial { strain: e, increment: x, slope, back };
         response(stress, own, x, at.radius)
+    }
+
+    fn snapshot(&self, point: &Carried, trial: &Trial, update: &StressUpdate) -> PointSnapshot {
+        let elastic = times(self.operators.stiffness, trial.strain);
+        let tangent = self.respond(point, &mut trial.clone(), trial.strain, [0.0; 2]).1;
+        PointSnapshot {
+            trial_stress: Some(each(|j| point.stress[j] + elastic[j])),
+            ..update.snapshot(trial.strain, point.strain, &tangent)
+        }
     }
 }
 

@@ -24,7 +24,7 @@
 use super::{FlowStress, Gtn, Hardening, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
-pub use super::point_law::{StressUpdate, Tangent};
+pub use super::point_law::{PointSnapshot, StressUpdate, Tangent};
 pub use super::yield_condition::{
     Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition,
 };
@@ -155,6 +155,14 @@ impl PointLaw for FlowLaw<'_> {
             }
         }
     }
+
+    fn snapshot(&self, point: &PointState, iterate: &Iterate, update: &StressUpdate) -> PointSnapshot {
+        PointSnapshot {
+            equivalent_increment: iterate.metric.square.sqrt(),
+            viscosity: Some(iterate.fluidity * self.duration / 3.0),
+            ..update.snapshot(iterate.strain, point.strain, &iterate.tangent(self, point))
+        }
+    }
 }
 
 /// Memory of a thickness point from one iteration to the next.
@@ -241,26 +249,13 @@ impl Iterate {
         let FlowStress { stress: yield_stress, slope } = yielding;
         let f = yield_stress * inverse;
         let h = if increment > 0.0 { share * slope * inverse / increment } else { 0.0 };
-
-        // C = (1 + a) (f A + g⊗b + b⊗g)
-        let b = match law.matrix {
-            Iteration::Secant => [0.0; 5],
-            Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
-            Iteration::PrimalDual => {
-                let w = carried.unwrap_or(self.carried);
-                let square = condition.stress_square(&metric, w);
-                let beyond = square > yield_stress * yield_stress;
-                let back = if beyond { yield_stress / square.sqrt() } else { 1.0 };
-                self.carried = w.map(|w| back * w);
-                std::array::from_fn(|i| 0.5 * (h * g[i] - inverse_square * self.carried[i]))
-            }
-        };
-        let tangent = Tangent {
-            own: metric.own.map(|entry| steep * f * entry),
-            coupling: metric.coupling.map(|entry| steep * f * entry),
-            across: if law.voids.is_none() { MEAN_SQUARE } else { 0.0 },
-            outer: [g, b.map(|b| steep * b)],
-        };
+        if law.matrix == Iteration::PrimalDual {
+            let w = carried.unwrap_or(self.carried);
+            let square = condition.stress_square(&metric, w);
+            let beyond = square > yield_stress * yield_stress;
+            let back = if beyond { yield_stress / square.sqrt() } else { 1.0 };
+            self.carried = w.map(|w| back * w);
+        }
         *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };
         let moment = [f * g[2], f * g[3]];
         let update = StressUpdate {
@@ -270,7 +265,24 @@ impl Iterate {
             yield_stress,
             work_across: moment[0] * spread[0] + moment[1] * spread[1],
         };
-        (update, tangent)
+        (update, self.tangent(law, point))
+    }
+
+    /// C = (1 + a) (f A + g⊗b + b⊗g) of the last evaluation.
+    fn tangent(&self, law: &FlowLaw, point: &PointState) -> Tangent {
+        let Self { metric, fluidity: f, hardening: h, inverse_square, .. } = self;
+        let (g, steep) = (metric.gradient, 1.0 + point.previous.weight);
+        let b: Layer = match law.matrix {
+            Iteration::Secant => [0.0; 5],
+            Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
+            Iteration::PrimalDual => std::array::from_fn(|i| 0.5 * (h * g[i] - inverse_square * self.carried[i])),
+        };
+        Tangent {
+            own: metric.own.map(|entry| steep * f * entry),
+            coupling: metric.coupling.map(|entry| steep * f * entry),
+            across: if law.voids.is_none() { MEAN_SQUARE } else { 0.0 },
+            outer: [g, b.map(|b| steep * b)],
+        }
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.

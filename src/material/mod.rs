@@ -34,6 +34,7 @@ pub use thermal::ThermalLaw;
 pub use yield_criterion::YieldCriterion;
 
 use crate::numerics::bisect;
+use flow::{FlowLaw, Iteration};
 
 /// Strains among which the load maximum is searched \[–\], and halvings of the step there.
 const STRAINS: (usize, f64) = (400, 0.01);
@@ -89,6 +90,20 @@ impl Material {
             chaboche: BackStresses::default(),
             gtn: None,
             fracture: None,
+        }
+    }
+
+    /// Flow law of an iteration with `matrix`, in a step of `duration` \[s\] with the cut-off Δε₀ \[–\].
+    pub fn flow_law(&self, matrix: Iteration, cutoff: f64, duration: f64) -> FlowLaw<'_> {
+        FlowLaw {
+            hardening: &self.hardening,
+            rate: self.rate.as_ref(),
+            softening: self.thermal.as_ref(),
+            criterion: self.yield_criterion,
+            voids: self.gtn.as_ref(),
+            matrix,
+            cutoff,
+            duration,
         }
     }
 

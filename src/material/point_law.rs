@@ -20,6 +20,30 @@ pub trait PointLaw {
         e: Triple,
         spread: [f64; 2],
     ) -> (StressUpdate, Tangent);
+
+    /// Snapshot of the last evaluation, which gave `update`.
+    fn snapshot(&self, point: &Self::PointState, iterate: &Self::Iterate, update: &StressUpdate) -> PointSnapshot;
+}
+
+/// Thickness point in one evaluation of the corrector.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PointSnapshot {
+    /// Δε_s, Δε_θ, Δγ \[–\].
+    pub strain_increment: Triple,
+    /// Δt ε̄̇ at the end of the step by the flow law, Δp by the elastoplastic law \[–\].
+    pub equivalent_increment: f64,
+    /// ε̄ at the end of the step \[–\].
+    pub equivalent_strain: f64,
+    /// σ_y at the end of the step \[MPa\].
+    pub yield_stress: f64,
+    /// σ \[MPa\].
+    pub stress: Triple,
+    /// μ = σ_y/(3 ε̄̇_reg) \[MPa s\]; `None` by the elastoplastic law.
+    pub viscosity: Option<f64>,
+    /// σ₀ + D Δε \[MPa\]; `None` by the flow law.
+    pub trial_stress: Option<Triple>,
+    /// C of the strains in the plane and the shear, by rows \[MPa\].
+    pub tangent: [Triple; 3],
 }
 
 /// Stress of a thickness point and its hardening in the step.
@@ -37,6 +61,22 @@ pub struct StressUpdate {
     pub work_across: f64,
 }
 
+impl StressUpdate {
+    /// Snapshot of a point that began the step with the strain ε̄ = `start` \[–\].
+    pub fn snapshot(&self, strain_increment: Triple, start: f64, tangent: &Tangent) -> PointSnapshot {
+        PointSnapshot {
+            strain_increment,
+            equivalent_increment: self.increment,
+            equivalent_strain: start + self.increment,
+            yield_stress: self.yield_stress,
+            stress: self.stress,
+            viscosity: None,
+            trial_stress: None,
+            tangent: tangent.rows(),
+        }
+    }
+}
+
 /// Derivatives of stress and moment by the strain increment and its spread, or their replacement in the matrix:
 ///
 /// ```text
@@ -52,4 +92,14 @@ pub struct Tangent {
     pub across: f64,
     /// g and h \[–, MPa\].
     pub outer: [Layer; 2],
+}
+
+impl Tangent {
+    /// C of the strains in the plane and the shear, by rows \[MPa\].
+    pub fn rows(&self) -> [Triple; 3] {
+        let Self { own: [ss, st, tt, sg, tg, gg], outer: [g, h], .. } = *self;
+        let own = [[ss, st, sg], [st, tt, tg], [sg, tg, gg]];
+        let at = [0, 1, 4];
+        std::array::from_fn(|i| std::array::from_fn(|j| own[i][j] + g[at[i]] * h[at[j]] + h[at[i]] * g[at[j]]))
+    }
 }

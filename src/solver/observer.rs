@@ -2,10 +2,12 @@
 
 use super::corrector::{Outcome, Pass};
 use super::evaluation::Evaluation;
-use super::step::{CUT_OFF_ZONE, Step};
+use super::step::{CUT_OFF_ZONE, Step, elastoplastic_law};
 use super::trial::Trial;
 use crate::element::Node;
 use crate::geometry::turned;
+use crate::material::PointLaw;
+use crate::material::flow::{PointSnapshot, StressUpdate};
 use crate::model::{Mode, Model, Stage};
 use crate::solver::solution::{IterationRecord, StepRecord};
 use crate::solver::state::State;
@@ -48,10 +50,14 @@ pub struct Iterate<'a> {
 pub struct IterateSnapshot {
     /// Nodes from the axis outward \[mm, rad\].
     pub nodes: Vec<Node>,
+    /// Displacement of each tool along r and z \[mm\].
+    pub tools: Vec<[f64; 2]>,
     /// Forces out of balance at the nodes along r and z, and moments; 0 at held freedoms \[N, N mm, or per mm of depth\].
     pub imbalance: Vec<[f64; 3]>,
-    /// Largest strain increment of each element \[–\] and the yield stress there \[MPa\].
-    pub increments: Vec<[f64; 2]>,
+    /// δȧ of the nodes by the last iteration \[mm/s, rad/s\]; 0 of a predictor.
+    pub correction: Vec<Node>,
+    /// Thickness points of each element.
+    pub points: Vec<Vec<PointSnapshot>>,
     /// Flags of the elements that strain by less than ten cut-offs, where the stress is not the metal's.
     pub cut_off: Vec<bool>,
     /// Contact points under pressure, tool by tool.
@@ -65,6 +71,10 @@ pub struct IterateContact {
     pub position: [f64; 2],
     /// Force of the tool on the sheet with friction, along r and z \[N, or N/mm\].
     pub force: [f64; 2],
+    /// Gap between tool and face \[mm\], negative where the tool penetrates.
+    pub gap: f64,
+    /// Pressure \[MPa\].
+    pub pressure: f64,
     /// True below the regularisation speed of friction.
     pub sticks: bool,
 }
@@ -86,18 +96,21 @@ impl Iterate<'_> {
             active_contacts: evaluation.active_contacts,
             touching: self.contacts().count(),
             sticking: self.contacts().filter(|contact| contact.sticks).count(),
-            cut_off: self.increments().filter(|(_, is_cut_off)| *is_cut_off).count(),
+            cut_off: self.cut_off().filter(|is| *is).count(),
         }
     }
 
     /// Copy of sheet and forces.
     pub fn snapshot(&self) -> IterateSnapshot {
-        let (increments, cut_off) = self.increments().unzip();
+        let Self { step, trial, evaluation, .. } = self;
+        let share = if self.outcome.iterations > 0 { trial.line.length / step.dt } else { 0.0 };
         IterateSnapshot {
-            nodes: self.evaluation.nodes.clone(),
-            imbalance: self.evaluation.system.rhs.iter().map(|force| (*force).into()).collect(),
-            increments,
-            cut_off,
+            nodes: evaluation.nodes.clone(),
+            tools: trial.tools.iter().map(|tool| (*tool).into()).collect(),
+            imbalance: evaluation.system.rhs.iter().map(|force| (*force).into()).collect(),
+            correction: trial.line.direction.iter().map(|d| (share * d).into()).collect(),
+            points: (0..step.bends.len()).map(|e| self.points(e)).collect(),
+            cut_off: self.cut_off().collect(),
             contacts: self.contacts().collect(),
         }
     }
@@ -108,21 +121,37 @@ impl Iterate<'_> {
         pairs.filter(move |(contact, _)| contact.is_active(penalty)).map(move |(contact, place)| IterateContact {
             position: place.position.into(),
             force: (contact.facing * contact.normal + turned(contact.facing) * contact.tangential).into(),
+            gap: contact.gap,
+            pressure: contact.pressure.value,
             sticks: contact.slip.abs() < step.slip_scale,
         })
     }
 
-    /// Largest strain increment of each element and the yield stress there, and whether it is cut off.
-    fn increments(&self) -> impl Iterator<Item = ([f64; 2], bool)> {
+    fn points(&self, e: usize) -> Vec<PointSnapshot> {
+        let Self { step, trial, pass, .. } = self;
+        let Step { model, dt, .. } = step;
+        let snapshot = |(k, update)| match model.mode {
+            Mode::Flow => {
+                let law = model.material.flow_law(pass.matrix, step.cutoff(trial.softening), *dt);
+                law.snapshot(&step.flow_points[(e, k)], &trial.iterates[(e, k)], update)
+            }
+            _ => {
+                let (point, memory) = (&step.elastoplastic_points[(e, k)], &trial.elastoplastic[(e, k)]);
+                elastoplastic_law(model, pass.matrix, *dt).snapshot(point, memory, update)
+            }
+        };
+        self.updates(e).iter().enumerate().map(snapshot).collect()
+    }
+
+    /// Points of an element; a membrane has one.
+    fn updates(&self, e: usize) -> &[StressUpdate] {
+        let row = self.evaluation.updates.row(e);
+        if self.step.bends[e] { row } else { &row[..1] }
+    }
+
+    fn cut_off(&self) -> impl Iterator<Item = bool> {
         let is_flow = self.step.model.mode == Mode::Flow;
         let limit = if is_flow { CUT_OFF_ZONE * self.step.cutoff(self.trial.softening) } else { 0.0 };
-        self.evaluation.updates.rows().zip(&self.step.bends).map(move |(updates, bends)| {
-            let points = if *bends { updates } else { &updates[..1] };
-            let larger = |most: [f64; 2], increment: f64, stress: f64| {
-                if increment > most[0] { [increment, stress] } else { most }
-            };
-            let most = points.iter().fold([0.0; 2], |most, point| larger(most, point.increment, point.yield_stress));
-            (most, most[0] < limit)
-        })
+        (0..self.step.bends.len()).map(move |e| self.updates(e).iter().all(|point| point.increment < limit))
     }
 }

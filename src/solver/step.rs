@@ -241,12 +241,10 @@ fn shear_yield(context: &RunContext, state: &State) -> Vec<f64> {
 /// Elastoplastic law of a step of `duration` \[s\].
 pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
     let material = &model.material;
+    let elastic = model.elasticity().expect("checked where the model is made");
     ElastoplasticLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(
-            model.elasticity().expect("checked where the model is made"),
-            material.yield_criterion,
-        ),
+        operators: Operators::new(elastic, material.yield_criterion),
         kinematic: chaboche::shifting(material.chaboche),
         rate: material.rate.as_ref(),
         softening: material.thermal.as_ref(),

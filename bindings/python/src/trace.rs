@@ -6,6 +6,7 @@ use super::table::{Column, columns, field};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use stampflow::Table;
+use stampflow::material::flow::PointSnapshot;
 use stampflow::model::{Iteration, Mode, Model};
 use stampflow::results::tables::iteration_table;
 use stampflow::solver::IterateSnapshot;
@@ -44,26 +45,28 @@ pub fn trace<'py>(
     raised.map_or(Ok(()), Err)?;
     let traced = traced.map_err(|error| PyIndexError::new_err(error.to_string()))?;
     let model = &stages[traced.stage - 1].model;
-    let histories = traced.histories.iter().map(|history| parts(py, model, traced.dt, history));
+    let histories = traced.histories.iter().map(|history| parts(py, model, history));
     Ok((traced.record.travel, traced.dt, traced.tolerance, histories.collect()))
 }
 
-fn parts<'py>(py: Python<'py>, model: &Model, dt: f64, history: &IterationHistory) -> HistoryParts<'py> {
-    let iterates = history.iterates.iter().map(|iterate| tables(model, dt, iterate).map(|table| columns(py, table)));
+fn parts<'py>(py: Python<'py>, model: &Model, history: &IterationHistory) -> HistoryParts<'py> {
+    let iterates = history.iterates.iter().map(|iterate| tables(model, iterate).map(|table| columns(py, table)));
     let starts = history.rows.iter().map(|row| row.start.key()).collect();
     let order = history.rate().and_then(|rate| rate.order);
     let rows = columns(py, iteration_table(history.rows.iter()));
     (history.matrix.key(), history.end.is_some(), order, rows, starts, iterates.collect())
 }
 
-/// Nodes, elements and contact points; `dt` is the duration of the step \[s\].
-fn tables(model: &Model, dt: f64, iterate: &IterateSnapshot) -> [Table; 3] {
-    let IterateSnapshot { nodes, imbalance, increments, cut_off, contacts, .. } = iterate;
+/// Nodes, elements and contact points.
+fn tables(model: &Model, iterate: &IterateSnapshot) -> [Table; 3] {
+    let IterateSnapshot { nodes, imbalance, points, cut_off, contacts, .. } = iterate;
+    let larger = |a: &&PointSnapshot, b: &&PointSnapshot| a.equivalent_increment.total_cmp(&b.equivalent_increment);
+    let most: Vec<&PointSnapshot> = points.iter().filter_map(|points| points.iter().max_by(larger)).collect();
     let (times, force) = (model.extent().times(), model.extent().force_unit());
     let flag = |is_set: bool| f64::from(u8::from(is_set));
-    let viscosity = |[increment, stress]: &[f64; 2]| stress * dt / (3.0 * increment);
-    let viscosity = (model.mode == Mode::Flow)
-        .then(|| field("viscosity_MPa_s", "Viscosity there", Unit::None, increments, viscosity));
+    let viscosity = (model.mode == Mode::Flow).then(|| {
+        field("viscosity_MPa_s", "Viscosity there", Unit::None, &most, |point| point.viscosity.unwrap_or(f64::NAN))
+    });
     let nodes = vec![
         field("r", "Distance from the axis", Unit::Mm, nodes, |node| node[0]),
         field("z", "z, along punch travel", Unit::Mm, nodes, |node| node[1]),
@@ -72,8 +75,10 @@ fn tables(model: &Model, dt: f64, iterate: &IterateSnapshot) -> [Table; 3] {
         field("imbalance_z", "Force out of balance along z", force, imbalance, |forces| times * forces[1]),
     ];
     let elements = [
-        field("strain_increment", "Largest equivalent strain increment", Unit::None, increments, |most| most[0]),
-        field("yield_stress", "Yield stress there", Unit::MPa, increments, |most| most[1]),
+        field("strain_increment", "Largest equivalent strain increment", Unit::None, &most, |point| {
+            point.equivalent_increment
+        }),
+        field("yield_stress", "Yield stress there", Unit::MPa, &most, |point| point.yield_stress),
         field("cut_off", "Strains by less than ten cut-offs", Unit::None, cut_off, |is_cut_off| flag(*is_cut_off)),
     ];
     let contacts = vec![

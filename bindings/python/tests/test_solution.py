@@ -96,8 +96,9 @@ def test_a_step_is_traced_with_every_matrix(solution: sf.Solution) -> None:
     moves = [history.iterates[-1].nodes["z_mm"] for history in trace.values()]
     assert np.abs(moves[1] - moves[0]).max() < 1e-3 * trace.duration
     elements = own.iterates[-1].elements
-    rate = elements["strain_increment"] / trace.duration
-    assert np.allclose(elements["viscosity_MPa_s"], elements["yield_stress_MPa"] / (3 * rate))
+    rate, flows = elements["strain_increment"] / trace.duration, elements["cut_off"] == 0
+    # Beyond ten cut-offs the cut-off adds half a hundredth at most.
+    assert np.allclose(elements["viscosity_MPa_s"][flows], (elements["yield_stress_MPa"] / (3 * rate))[flows], rtol=0.005)
     with pytest.raises(IndexError, match="there is no step 4000"):
         solution.case.trace(4000)
     with pytest.raises(ValueError, match="there is no matrix picard"):

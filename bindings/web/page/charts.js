@@ -1,7 +1,6 @@
 // The charts of a solved stage: load, thickness, forming limit. Each has a sentence for who does not see it.
 import { draw } from "./plot.js";
-import { nearest } from "./section.js";
-import { format, html } from "./dom.js";
+import { format } from "./dom.js";
 
 /** Forces of several thousand are shown in thousands. */
 function forceUnit(stage) {
@@ -9,9 +8,7 @@ function forceUnit(stage) {
   return largest >= 1000 ? { by: 1e-3, unit: `k${stage.forceUnit}` } : { by: 1, unit: stage.forceUnit };
 }
 
-function scaled(values, by) {
-  return Array.from(values, (value) => value * by);
-}
+const scaled = (values, by) => Array.from(values, (value) => value * by);
 
 function peakOf(values) {
   let best = 0;
@@ -36,10 +33,10 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
     ? [["pressure", "Gas pressure"]]
     : [["punch_force", "Punch force"], ["holder_force", "Holder force"], ["edge_force", "Edge force"]];
   const acts = keys.filter(([key], i) => i === 0 || steps[key].some((value) => value !== 0));
-  const series = acts.map(([key, label], i) => ({ name: (label), x: over, y: scaled(steps[key], by), look: `c${i}` }));
+  const series = acts.map(([key, label], i) => ({ name: label, x: over, y: scaled(steps[key], by), look: `c${i}` }));
   if (other && other.stage.steps.travel.length > 0) {
     const before = other.stage.steps;
-    series.push({ name: `A: ${(acts[0][1])}`, x: byGas ? before.pole_height : before.travel, y: scaled(before[acts[0][0]], by), look: "a" });
+    series.push({ name: `A: ${acts[0][1]}`, x: byGas ? before.pole_height : before.travel, y: scaled(before[acts[0][0]], by), look: "a" });
   }
   const main = series[0].y;
   const peak = peakOf(main);
@@ -48,29 +45,26 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
   const now = byGas ? over[stepAt(steps.time, Infinity)] : stage.film.travel[picture];
   draw(host, {
     x: { label: `${xLabel} [mm]` },
-    y: { label: `${(byGas ? "Gas pressure" : "Load")} [${unit}]`, least: 1e-6 },
+    y: { label: `${byGas ? "Gas pressure" : "Load"} [${unit}]`, least: 1e-6 },
     series,
     flags: [...flags, { x: over[peak], y: main[peak], label: text }],
     cursor: byGas ? undefined : { x: now, y: main[stepAt(over, now)] },
-    summary: `${(acts[0][1])}: ${text}. ${stage.events.map(({ label, travel }) => `${label}, ${format(travel)} mm`).join("; ")}`,
+    summary: `${acts[0][1]}: ${text}. ${stage.events.map(({ label, travel }) => `${label}, ${format(travel)} mm`).join("; ")}`,
     onPick: byGas ? undefined : onTravel,
   });
 }
 
-function thicknessAt(stage, picture) {
-  return stage.film.thickness.subarray(stage.film.elements * picture, stage.film.elements * (picture + 1));
-}
+/** Numbers of the elements at a picture. */
+const at = ({ film }, key, picture) => film[key].subarray(film.elements * picture, film.elements * (picture + 1));
 
-function placeLabel(isRound) {
-  return `${(isRound ? "Initial distance from the axis" : "Initial distance from the middle")} [mm]`;
-}
+const placeLabel = (isRound) => `Initial distance from the ${isRound ? "axis" : "middle"} [mm]`;
 
-export function drawThickness(host, { stage, picture, other, isRound, place, onPlace }) {
+export function drawThickness(host, { stage, picture, other, isRound, chosen, onPlace }) {
   const { s0 } = stage.end;
-  const now = thicknessAt(stage, picture);
+  const now = at(stage, "thickness", picture);
   const flat = { x: [0, stage.length], y: [stage.thickness, stage.thickness], look: "flat" };
   const series = [flat, { name: "Thickness", x: s0, y: now, look: "c0" }];
-  if (other) series.push({ name: "A: Thickness", x: other.stage.end.s0, y: thicknessAt(other.stage, other.picture), look: "a" });
+  if (other) series.push({ name: "A: Thickness", x: other.stage.end.s0, y: at(other.stage, "thickness", other.picture), look: "a" });
   const least = now.indexOf(Math.min(...now));
   const text = `thinnest ${format(now[least])} mm at ${format(s0[least])} mm`;
   draw(host, {
@@ -78,25 +72,19 @@ export function drawThickness(host, { stage, picture, other, isRound, place, onP
     y: { label: "Thickness [mm]", least: 0.1 * stage.thickness },
     series,
     flags: [{ x: s0[least], y: now[least], label: text, isBelow: true }],
-    cursor: Number.isFinite(place) ? { x: place, y: now[nearest(s0, place)] } : undefined,
+    cursor: chosen >= 0 ? { x: s0[chosen], y: now[chosen] } : undefined,
     summary: `Thickness on the part: ${text}`,
     onPick: onPlace,
   });
 }
 
-/** Minor and major strain of every element at a picture, and the limit's major strain there [–]. */
-function strains({ film }, picture) {
-  const [minor, major, limit] = [film.minor, film.major, film.limit].map((all) => all.subarray(film.elements * picture, film.elements * (picture + 1)));
-  return { minor, major, limit };
-}
-
-export function drawLimit(host, { stage, picture, other, isRound, place, onPlace }) {
+export function drawLimit(host, { stage, picture, other, isRound, chosen: place, onPlace }) {
   if (!stage.limit) return nothing(host, "no forming limit in this case");
   const { s0 } = stage.end;
-  const { minor, major, limit } = strains(stage, picture);
+  const [minor, major, limit] = ["minor", "major", "limit"].map((key) => at(stage, key, picture));
   const worst = peakOf(Array.from(major, (strain, e) => (Number.isNaN(limit[e]) ? -Infinity : strain - limit[e])));
   const text = `nearest to the limit: ${format((100 * major[worst]) / limit[worst])} % at ${format(s0[worst])} mm`;
-  const chosen = Number.isFinite(place) ? nearest(s0, place) : worst;
+  const chosen = place >= 0 ? place : worst;
   const name = `limit: ${stage.limit.name}`;
   const summary = `Forming limit: ${text}`;
   if (!isRound) {
@@ -106,7 +94,7 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
       y: { label: "Major strain [–]", least: 0.05 },
       series: [{ name: "Major strain", x: s0, y: major, look: "c0" }, { name, x: [0, stage.length], y: [level, level], look: "limit" }],
       flags: [{ x: s0[worst], y: major[worst], label: text }],
-      cursor: Number.isFinite(place) ? { x: place, y: major[chosen] } : undefined,
+      cursor: place >= 0 ? { x: s0[chosen], y: major[chosen] } : undefined,
       summary,
       onPick: onPlace,
     });
@@ -114,18 +102,16 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
   const [low, high] = [Math.min(-0.05, ...minor) - 0.05, Math.max(0.1, ...minor) + 0.05];
   const isSeen = (x) => x >= low && x <= high;
   const top = 1.1 * Math.max(...major, stage.limit.planeStrain, ...stage.limit.major.filter((_, i) => isSeen(stage.limit.minor[i]) && stage.limit.minor[i] > 0));
-  const path = Array.from({ length: picture + 1 }, (_, i) => strains(stage, i));
+  const path = (key) => Array.from({ length: picture + 1 }, (_, i) => at(stage, key, i)[chosen]);
   const dots = [{ x: minor, y: major, look: "c0" }, { x: [minor[chosen]], y: [major[chosen]], look: "chosen" }];
-  if (other) {
-    const before = strains(other.stage, other.picture);
-    dots.unshift({ x: before.minor, y: before.major, look: "a" });
-  }
+  if (other) dots.unshift({ x: at(other.stage, "minor", other.picture), y: at(other.stage, "major", other.picture), look: "a" });
   draw(host, {
     x: { label: "Minor strain [–]", range: [low, high] },
     y: { label: "Major strain [–]", range: [Math.min(0, ...major), top] },
     series: [
       { name, x: stage.limit.minor, y: stage.limit.major, look: "limit" },
-      { name: "", x: path.map((at) => at.minor[chosen]), y: path.map((at) => at.major[chosen]), look: "path" },
+      { x: path("minor"), y: path("major"), look: "path" },
+      { name: "elements", x: [], y: [], look: "c0" },
     ],
     dots,
     flags: [{ x: minor[worst], y: major[worst], label: text }],
@@ -134,5 +120,5 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
 }
 
 function nothing(host, text) {
-  host.replaceChildren(html("p", { className: "nothing" }, text));
+  host.replaceChildren(Object.assign(document.createElement("p"), { className: "nothing", textContent: text }));
 }

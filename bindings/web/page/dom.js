@@ -1,4 +1,5 @@
-// Elements by their id, and numbers as text.
+// Elements by their id, numbers as text, and templates by lit.
+export { html, nothing, render, svg } from "lit-html";
 
 export const byId = (id) => document.getElementById(id);
 
@@ -8,16 +9,13 @@ export function format(value, digits = 3) {
   return value.toLocaleString("en", { maximumSignificantDigits: digits, useGrouping: false });
 }
 
-/** An HTML element with properties and children. */
-export function html(name, properties, ...children) {
-  const element = Object.assign(document.createElement(name), properties);
-  element.append(...children);
-  return element;
+/** Like `format`; numbers far from 1 have a power of ten. */
+export function scientific(value, digits = 3) {
+  const size = Math.abs(value);
+  if (!Number.isFinite(value) || value === 0 || (size >= 0.01 && size < 1e5)) return format(value, digits);
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+  return `${mantissa}·10${raised(Number(exponent))}`;
 }
 
-export function svg(name, attributes, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes ?? {})) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
+/** An exponent in small letters. */
+export const raised = (exponent) => String(exponent).replaceAll(/[-\d]/g, (sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]));

@@ -1,38 +1,21 @@
-// The case file as text, with the numbers of its lines; an error stands at its line, as the command line prints it.
-import { html } from "./dom.js";
+// The case file as text; an error is shown as the command line prints it, and its line is selected.
+import { byId, html, nothing, render } from "./dom.js";
 
-export class Editor {
-  constructor({ text, lines, error, printed }) {
-    Object.assign(this, { text, lines, error, printed });
-    text.addEventListener("input", () => this.number());
-    text.addEventListener("scroll", () => (lines.scrollTop = text.scrollTop));
-  }
+const text = byId("text");
 
-  set(value) {
-    this.text.value = value;
-    this.printed.textContent = value;
-    this.number();
-  }
+export function setText(value) {
+  text.value = value;
+  byId("printed").textContent = value;
+}
 
-  /** The numbers of the lines; the line of an error stands out. */
-  number(wrong) {
-    const count = this.text.value.split("\n").length;
-    const numbers = Array.from({ length: count }, (_, i) => html("div", { className: i + 1 === wrong ? "wrong" : "" }, i + 1));
-    this.lines.replaceChildren(...numbers);
-    this.lines.scrollTop = this.text.scrollTop;
-  }
-
-  clear() {
-    this.error.hidden = true;
-    this.number();
-  }
-
-  /** Shows what is wrong; of an error with a place, its line too. */
-  refuse({ what, help, line, column, rendered }) {
-    const place = line ? `line ${line}, column ${column}: ` : "";
-    this.error.replaceChildren(html("p", {}, `${place}${what}`), html("pre", {}, rendered || help || ""));
-    this.error.hidden = false;
-    this.number(line);
-    if (line) this.text.scrollTop = Math.max(0, (line - 4) * parseFloat(getComputedStyle(this.text).lineHeight));
-  }
+/** Shows what is wrong; null where nothing is. */
+export function showError(error) {
+  byId("error").hidden = !error;
+  const { what, help, line, column, rendered } = error ?? {};
+  render(error ? html`<p>${line ? `line ${line}, column ${column}: ` : nothing}${what}</p><pre>${rendered || help}</pre>` : nothing, byId("error"));
+  if (!line) return;
+  const before = text.value.split("\n").slice(0, line);
+  const end = before.join("\n").length;
+  text.setSelectionRange(end - before.at(-1).length, end);
+  text.scrollTop = Math.max(0, (line - 4) * parseFloat(getComputedStyle(text).lineHeight));
 }

@@ -1,34 +1,72 @@
-// Panel of a lesson: its question, its control and its answer.
+// Panel of a lesson: its question, its one control and its answer. A lesson of lessons.js is
+//
+//   { title, question, says, statement, template or text, overrides?: ["key=value"], kind: "result" or "step",
+//     control: { key, label, from and to or values, value?, unit? }, shows?: "load", "thickness", "limit" or "viscosity",
+//     answer({ result, first, trace, iterate }): text, isAnswered(the same) }
+//
+// with a key of the case file, or "step", "iteration" or "matrix" of the step by step.
 import { LESSONS } from "./lessons.js";
-import { byId } from "./dom.js";
+import { row } from "./sliders.js";
+import { byId, html, render } from "./dom.js";
+
+/** Controls of the step by step, which come into the panel. */
+const OF_STEP = ["step", "iteration", "matrix"];
 
 export class Lessons {
-  /** begin(template) puts a template in the place of what is shown; `steps` takes a step of it apart. */
-  constructor(begin, steps) {
-    Object.assign(this, { begin, steps, current: null, result: null, first: null });
-    byId("learn").addEventListener("click", () => this.toggle());
-    byId("lesson").addEventListener("change", () => this.open(Number(byId("lesson").value)));
+  /** begin(state) puts a case in the place of what is shown, set(key, text, isLast) a value in it; `steps` takes a step of it apart. */
+  constructor({ begin, set, steps, plan }) {
+    Object.assign(this, { begin, set, steps, plan, current: null });
+    byId("learn").addEventListener("click", () => (this.current ? this.close() : this.open(0)));
+    byId("lesson").addEventListener("change", ({ target }) => this.open(Number(target.value)));
+    render(LESSONS.map(({ title }, i) => html`<option value=${i}>${i + 1}. ${title}</option>`), byId("lesson"));
   }
 
-  toggle() {
-    const isShown = byId("lessons").hidden;
-    byId("lessons").hidden = !isShown;
-    byId("learn").setAttribute("aria-pressed", isShown);
-    if (isShown) return this.open(0);
-    this.current = null;
-    this.highlight();
+  open(number) {
+    const { template = "", text = "", overrides = [] } = LESSONS[number];
+    return this.begin({ template, base: text, name: "lesson.toml", overrides, lesson: number });
   }
 
-  async open(number) {
-    Object.assign(this, { current: LESSONS[number], result: null, first: null });
-    const { title, says, asks, template, isOfStep } = this.current;
-    byId("lesson").replaceChildren(...LESSONS.map((lesson, i) => new Option(`${i + 1}. ${lesson.title}`, i, false, i === number)));
+  /** The panel of a lesson; null where none is open. */
+  async enter(number) {
+    this.current = LESSONS[number] ?? null;
+    Object.assign(this, { result: null, first: null, value: undefined });
+    byId("lessons").hidden = !this.current;
+    byId("learn").setAttribute("aria-pressed", Boolean(this.current));
+    document.body.classList.toggle("learning", Boolean(this.current));
+    document.body.classList.toggle("by-step", this.current?.kind === "step");
+    byId("step-controls").append(...document.querySelectorAll("[data-control]"));
+    const { question = "", says = "", kind, shows = "load", control } = this.current ?? {};
+    byId("beside").append(byId(`figure-${shows === "viscosity" ? "load" : shows}`));
+    byId("charts").append(...["load", "thickness", "limit"].map((name) => byId(`figure-${name}`)).filter((figure) => shows !== "viscosity" && figure.id !== `figure-${shows}`));
+    byId("colour").value = shows === "viscosity" ? shows : "thickness";
+    if (!this.current) return;
+    byId("lesson").value = number;
+    byId("lesson-question").textContent = question;
     byId("lesson-says").textContent = says;
-    byId("lesson-asks").textContent = asks;
-    byId("lesson-book").textContent = `More in the book: docs/lessons.md, “${title}”`;
     byId("lesson-answer").textContent = "";
-    await this.begin(template);
-    await this.steps.toggle(Boolean(isOfStep));
+    if (OF_STEP.includes(control.key)) byId("lesson-control").append(document.querySelector(`[data-control="${control.key}"]`));
+    this.drawControl();
+    await this.steps.toggle(kind === "step");
+  }
+
+  close() {
+    this.begin({ lesson: null });
+    this.steps.toggle(false);
+  }
+
+  /** A slider, or a button for each value; of the step by step the control itself is in the panel. */
+  drawControl() {
+    const { key, label, from, to, values, unit = "", value: begun } = this.current.control;
+    const given = this.plan().sliders.find((slider) => slider.key === key || slider.path === key);
+    const now = this.value ?? begun ?? given?.value ?? values?.[0] ?? from;
+    const move = (_, value, isLast) => {
+      this.value = value;
+      this.drawControl();
+      this.set(key, unit ? `"${value} ${unit}"` : value, isLast);
+    };
+    const button = (value) => html`<button aria-pressed=${value === now} @click=${() => move(key, value, true)}>${value} ${unit}</button> `;
+    const chosen = values ? html`<p role="group" aria-label=${label}>${label}: ${values.map(button)}</p>` : row({ key, label, value: begun ?? now, unit, low: from, high: to }, now, false, move);
+    render(OF_STEP.includes(key) ? "" : chosen, byId("lesson-slider"));
   }
 
   /** A result: whether it answers the question. */
@@ -40,18 +78,12 @@ export class Lessons {
   }
 
   judge() {
-    this.highlight();
     const { trace, iterate } = this.steps;
-    if (!this.current || !this.result || (this.current.isOfStep && !trace)) return;
+    if (!this.current || !this.result || (this.current.kind === "step" && !trace)) return;
     const seen = { result: this.result, first: this.first, trace, iterate };
-    const now = this.current.answer(seen);
-    byId("lesson-answer").textContent = this.current.isAnswered(seen) ? `✓ answered: ${now}` : `now: ${now}`;
-    byId("lesson-answer").classList.toggle("answered", this.current.isAnswered(seen));
-  }
-
-  /** The slider that the question is about stands out. */
-  highlight() {
-    const key = this.current?.slider;
-    for (const line of document.querySelectorAll("[data-key]")) line.classList.toggle("asked", line.dataset.key === key);
+    const isAnswered = this.current.isAnswered(seen);
+    byId("lesson-answer").textContent = isAnswered ? `✓ answered: ${this.current.answer(seen)}` : `now: ${this.current.answer(seen)}`;
+    byId("lesson-statement").textContent = isAnswered ? (this.current.statement ?? "") : "";
+    byId("lesson-answer").classList.toggle("answered", isAnswered);
   }
 }

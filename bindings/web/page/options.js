@@ -1,19 +1,12 @@
 // What a template may be given beside what it picks by its rules: one field for each, empty where the rule holds.
-import { byId, html } from "./dom.js";
+import { byId, html, render } from "./dom.js";
 
 /** onGive(given) after every field that is left with another value. */
 export function drawOptions(template, given, onGive) {
-  const panel = byId("options");
-  panel.hidden = !template;
-  const fields = (template?.options ?? []).map(({ key, default: picked, about }) => {
-    const field = html("input", { type: "text", placeholder: picked, value: given[key] ?? "" });
-    field.dataset.option = key;
-    field.addEventListener("change", () => {
-      const { [key]: _, ...others } = given;
-      const value = field.value.trim();
-      onGive(value ? { ...others, [key]: value } : others);
-    });
-    return html("label", {}, key.replaceAll("-", " "), field, html("small", {}, about));
-  });
-  panel.querySelector("div").replaceChildren(...fields);
+  byId("options").hidden = !template;
+  const give = (key, value) => onGive(Object.fromEntries(Object.entries({ ...given, [key]: value.trim() }).filter(([, text]) => text)));
+  const fields = (template?.options ?? []).map(({ key, default: picked, about }) => html`<label>${key.replaceAll("-", " ")}
+    <input type="text" data-option=${key} placeholder=${picked} .value=${given[key] ?? ""} @change=${({ target }) => give(key, target.value)}>
+    <small>${about}</small></label>`);
+  render(fields, byId("options-fields"));
 }

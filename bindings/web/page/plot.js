@@ -1,6 +1,6 @@
 // Charts by uPlot: curves from arrays, marks with their words, a cursor that follows the pointer or the arrow keys.
 import uPlot from "uplot";
-import { format } from "./dom.js";
+import { format, raised } from "./dom.js";
 
 /** Colour (a variable of the style sheet), width [px] and dashes of each look. */
 const LOOKS = {
@@ -8,11 +8,10 @@ const LOOKS = {
   flat: ["--rule", 2, []], limit: ["--ink", 2.4, []], path: ["--c1", 2, []], chosen: ["--c1", 2, []],
 };
 const FONT = "12px system-ui, sans-serif";
-const probe = document.createElement("i");
 
 /** A colour of the style sheet in the theme that is shown. */
 function color(name) {
-  document.body.append(probe);
+  const probe = document.body.appendChild(document.createElement("i"));
   probe.style.color = `var(${name})`;
   const resolved = getComputedStyle(probe).color;
   probe.remove();
@@ -28,64 +27,51 @@ function range(values, least, room) {
 }
 
 const rises = (xs) => Array.prototype.every.call(xs, (x, i) => i === 0 || x > xs[i - 1]);
-const power = (exponent) => `10${String(exponent).replaceAll(/[-\d]/g, (sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]))}`;
 
-/** Points on the canvas [px]. */
-function points(u, { x, y }) {
-  return Array.from(x, (value, i) => [u.valToPos(value, "x", true), u.valToPos(y[i], "y", true)]).filter(([, top]) => Number.isFinite(top));
-}
-
-/** Dots, paths that turn back, and the cursor's dot. */
+/** Paths that turn back, dots, the cursor's dot, and words at their marks, which step down where they would stand on one another. */
 function drawFree(u, chart, paths) {
-  const { ctx } = u;
+  const { ctx, bbox } = u;
+  const [ratio, line, taken] = [devicePixelRatio, 15 * devicePixelRatio, []];
+  const points = ({ x, y }) => Array.from(x, (value, i) => [u.valToPos(value, "x", true), u.valToPos(y[i], "y", true)]).filter(([, top]) => Number.isFinite(top));
+  const circle = ([left, top]) => (ctx.beginPath(), ctx.arc(left, top, 3 * ratio, 0, 2 * Math.PI));
+  Object.assign(ctx, { font: FONT.replace("12", 12 * ratio), textAlign: "left", textBaseline: "alphabetic", lineWidth: 2 * ratio });
   for (const path of paths) {
     ctx.strokeStyle = color(LOOKS[path.look][0]);
-    ctx.lineWidth = 2 * devicePixelRatio;
     ctx.beginPath();
-    points(u, path).forEach(([left, top], i) => (i ? ctx.lineTo(left, top) : ctx.moveTo(left, top)));
+    points(path).forEach((at, i) => (i ? ctx.lineTo(...at) : ctx.moveTo(...at)));
     ctx.stroke();
   }
-  const cursor = chart.cursor && Number.isFinite(chart.cursor.y) ? [{ x: [chart.cursor.x], y: [chart.cursor.y], look: "limit" }] : [];
+  const cursor = Number.isFinite(chart.cursor?.y) ? [{ x: [chart.cursor.x], y: [chart.cursor.y], look: "limit" }] : [];
   for (const dots of [...(chart.dots ?? []), ...cursor]) {
     ctx.fillStyle = color(LOOKS[dots.look][0]);
-    for (const [left, top] of points(u, dots)) {
-      ctx.beginPath();
-      ctx.arc(left, top, 3 * devicePixelRatio, 0, 2 * Math.PI);
-      ctx.fill();
-    }
+    points(dots).forEach((at) => (circle(at), ctx.fill()));
   }
-}
-
-/** Words at their marks; they step down where they would stand on one another. */
-function drawFlags(u, flags) {
-  const { ctx, bbox } = u;
-  const line = 15 * devicePixelRatio;
-  const taken = [];
-  ctx.font = FONT.replace("12px", `${12 * devicePixelRatio}px`);
-  for (const { x, y, label, isBelow } of flags) {
-    const [[left, top]] = points(u, { x: [x], y: [y] });
+  ctx.strokeStyle = ctx.fillStyle = color("--ink");
+  ctx.lineWidth = ratio;
+  for (const { x, y, label, isBelow } of chart.flags ?? []) {
+    const [[left, top]] = points({ x: [x], y: [y] });
     const width = ctx.measureText(label).width;
     const begin = Math.max(bbox.left + 4, Math.min(left - width / 2, bbox.left + bbox.width - width));
     let base = isBelow || top - bbox.top < 1.5 * line ? top + 1.3 * line : top - 0.8 * line;
     while (taken.some((other) => Math.abs(other.base - base) < line && begin < other.end && begin + width > other.begin)) base += line;
     taken.push({ base, begin, end: begin + width });
-    ctx.strokeStyle = ctx.fillStyle = color("--ink");
-    ctx.lineWidth = devicePixelRatio;
-    ctx.beginPath();
-    ctx.arc(left, top, 3 * devicePixelRatio, 0, 2 * Math.PI);
+    circle([left, top]);
     ctx.stroke();
+    Object.assign(ctx, { strokeStyle: color("--panel"), lineWidth: 4 * ratio });
+    ctx.strokeText(label, begin, base);
+    Object.assign(ctx, { strokeStyle: ctx.fillStyle, lineWidth: ratio });
     ctx.fillText(label, begin, base);
   }
 }
 
 /**
  * Draws into `host`, in the place of what was there.
- * chart: { x: {label, range?}, y: {label, range?, least?, powers?}, series: [{name, x, y, look}], dots?: [{x, y, look}],
+ * chart: { x: {label, range?}, y: {label, range?, least?, powers?}, series: [{name?, x, y, look}], dots?: [{x, y, look}],
  *          flags?: [{x, y, label, isBelow?}], cursor?: {x, y?}, summary, onPick?(x) }
  */
 export function draw(host, chart) {
   const width = Math.max(240, host.clientWidth);
-  const height = Math.round(Math.min(0.62 * width, Math.max(220, 0.28 * innerHeight)));
+  const height = Math.round(Math.min(0.7 * width, Math.max(220, 0.33 * innerHeight)));
   const lines = chart.series.filter(({ x, look }) => look !== "path" && rises(x));
   const paths = chart.series.filter((series) => !lines.includes(series));
   const all = (key) => [...chart.series, ...(chart.dots ?? [])].flatMap((series) => Array.from(series[key]));
@@ -97,24 +83,21 @@ export function draw(host, chart) {
     values: (_, ticks) => ticks.map(text),
   });
   const pick = (x) => chart.onPick(Math.min(xRange[1], Math.max(xRange[0], x)));
+  const plain = (value) => format(value, 6);
   const options = {
     width, height,
     legend: { show: lines.some(({ name }) => name), live: false },
     cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
     scales: { x: { time: false, range: xRange }, y: { range: yRange } },
-    axes: [axis(chart.x.label, (value) => format(value, 6)), { ...axis(chart.y.label, chart.y.powers ? power : (value) => format(value, 6)), size: 58 }],
-    series: [{}, ...lines.map(({ name, look }) => {
-      const [variable, thick, dash] = LOOKS[look];
-      return { label: name, stroke: color(variable), width: thick, dash, spanGaps: true, points: { show: false } };
-    })],
-    hooks: { draw: [(u) => (drawFree(u, chart, paths), drawFlags(u, chart.flags ?? []))] },
+    axes: [axis(chart.x.label, plain), { ...axis(chart.y.label, chart.y.powers ? (exponent) => (Number.isInteger(exponent) ? `10${raised(exponent)}` : "") : plain), size: 58 }],
+    series: [{}, ...lines.map(({ name, look }) => ({ label: name ?? "", stroke: color(LOOKS[look][0]), width: LOOKS[look][1], dash: LOOKS[look][2], spanGaps: true, points: { show: false } }))],
+    hooks: { draw: [(u) => drawFree(u, chart, paths)] },
   };
   const tables = lines.map(({ x, y }) => [Array.from(x), Array.from(y, (value) => (Number.isFinite(value) ? value : null))]);
-  const data = tables.length > 1 ? uPlot.join(tables) : (tables[0] ?? [[], []]);
   host.replaceChildren();
-  const plot = new uPlot(options, data, host);
+  const plot = new uPlot(options, tables.length > 1 ? uPlot.join(tables) : (tables[0] ?? [[], []]), host);
   if (chart.cursor) plot.setCursor({ left: plot.valToPos(chart.cursor.x, "x"), top: 0 }, false);
-  for (const entry of host.querySelectorAll(".u-series")) entry.hidden = !entry.textContent.trim();
+  plot.root.querySelectorAll(".u-series").forEach((entry, i) => (entry.hidden = !options.series[i].label));
   Object.assign(host, { tabIndex: 0, role: "img", ariaLabel: chart.summary });
   if (chart.onPick) plot.over.onpointermove = plot.over.onpointerdown = ({ offsetX }) => pick(plot.posToVal(offsetX, "x"));
   host.onkeydown = (event) => {

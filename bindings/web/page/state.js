@@ -2,7 +2,7 @@
 
 /** As the page begins. */
 export function begun() {
-  return { template: "cup", given: {}, base: "", name: "cup.toml", files: {}, sheet: "", values: {}, a: null, at: 1, stage: 0 };
+  return { template: "cup", given: {}, base: "", name: "cup.toml", files: {}, sheet: "", values: {}, overrides: [], set: {}, lesson: null, a: null, at: 1, stage: 0 };
 }
 
 async function through(stream, bytes) {
@@ -28,20 +28,16 @@ export async function unpacked(hash) {
   }
 }
 
-/** A number as a case file has it: no more digits than anyone means. */
-function written(value) {
-  return String(Number(value.toPrecision(6)));
-}
-
-/** The settings that replace what the base text says: the sheet, and every path whose sliders were moved. */
+/** The settings that replace what the base text says: the sheet, every path whose sliders were moved, and what a lesson sets. */
 export function overrides(state, { sliders, writes }) {
   const value = (key) => state.values[key] ?? sliders.find((slider) => slider.key === key)?.value ?? 0;
   const set = writes
     .filter(({ terms }) => terms.some((key) => state.values[key] !== undefined))
-    .map(({ path, unit, terms, plus, isWhole }) => {
-      const sum = terms.reduce((sum, key) => sum + value(key), plus);
-      const number = isWhole ? Math.max(1, Math.round(sum)) : written(sum);
+    .map(({ path, unit, terms, plus }) => {
+      // No more digits than anyone means.
+      const number = Number(terms.reduce((sum, key) => sum + value(key), plus).toPrecision(6));
       return unit ? `${path}="${number} ${unit}"` : `${path}=${number}`;
     });
-  return (state.sheet ? [`material=${state.sheet}`] : []).concat(set);
+  const ofLesson = Object.entries(state.set).map(([key, value]) => `${key}=${value}`);
+  return [...state.overrides, ...(state.sheet ? [`material=${state.sheet}`] : []), ...set, ...ofLesson];
 }

@@ -1,20 +1,25 @@
-// One step of the solver, iteration by iteration: the sheet as it is tried, norms with each matrix, equations with their numbers.
+// One step of the solver, iteration by iteration: the sheet as it is tried, norms with each matrix, points with their equations.
+import { equations } from "./equations.js";
 import { draw } from "./plot.js";
-import { byId, format, html, svg } from "./dom.js";
+import { drawing, drawTools, faces, mapOf, nearest, nodesOf, place, sheetOf } from "./section.js";
+import { byId, format, html, nothing, render, scientific, svg } from "./dom.js";
 
 const MATRICES = { primal_dual: "primal-dual", newton: "Newton", secant: "secant" };
 const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic", friction: "friction", contact: "contact springs" };
 /** Numbers below are drawn as it: nothing is left there. */
 const LEAST = 1e-12;
-/** Of the longest arrow over the width of the sheet [–]. */
-const ARROW = 0.12;
+/** Of the longest arrow over the width of the picture, and half the width of a zoom over the thickness [–]. */
+const [ARROW, ZOOM] = [0.12, 5];
+/** Arrows by their look: name and unit. */
+const ARROWS = { contact: ["contact force", "N"], balance: ["out of balance", "N"], correction: ["δȧ", "mm/s"] };
 
 const log = (values) => Array.from(values, (value) => Math.log10(Math.max(LEAST, value)));
+const size = ([r, z]) => Math.hypot(r, z);
 
 export class Steps {
-  /** ask(step) answers with the trace of a step; onShow() hears of every iteration that is shown. */
-  constructor(ask, onShow) {
-    Object.assign(this, { ask, onShow, trace: null, element: 0 });
+  /** ask(question) answers a question on the case; onShow() hears of every iteration that is shown, pick(e) picks an element. */
+  constructor(ask, onShow, pick) {
+    Object.assign(this, { ask, onShow, pick, trace: null, element: 0, point: 0 });
     byId("teach").addEventListener("click", () => this.toggle(!this.isShown));
     byId("step").addEventListener("change", () => this.load());
     byId("step").addEventListener("input", () => (byId("step-text").textContent = byId("step").value));
@@ -43,151 +48,129 @@ export class Steps {
   }
 
   /** Another result: as many steps as its first stage has. */
-  show({ stages }) {
-    const { length } = stages[0].steps.travel;
-    byId("step").max = length;
-    if (this.isShown) this.load();
-    else byId("step").value = Math.round(0.4 * length);
+  async show({ stages: [stage] }) {
+    this.stage = stage;
+    byId("step").max = stage.steps.travel.length;
+    if (this.isShown) await this.load();
+    else byId("step").value = Math.round(0.4 * stage.steps.travel.length);
   }
 
   async load() {
-    const trace = await this.ask(byId("step").valueAsNumber);
+    const trace = await this.ask({ do: "trace", step: byId("step").valueAsNumber });
     if (!trace || trace.error) return;
     this.trace = trace;
-    const chosen = Math.max(0, byId("matrix").selectedIndex);
-    byId("matrix").replaceChildren(...trace.ways.map(({ matrix }, i) => new Option((MATRICES[matrix]), matrix, false, i === chosen)));
+    render(trace.ways.map(({ matrix }) => html`<option value=${matrix}>${MATRICES[matrix]}</option>`), byId("matrix"));
     this.begin();
   }
 
   /** From the predictor of a matrix, at the node that is most out of balance. */
   begin() {
     const { iterates } = this.way;
-    byId("iteration").max = iterates.length - 1;
-    byId("iteration").value = 0;
-    const forces = sizes(iterates[0].forces, 2, 0);
-    this.element = Math.min(forces.indexOf(Math.max(...forces)), iterates[0].increments.length - 1);
+    Object.assign(byId("iteration"), { max: iterates.length - 1, value: 0 });
+    const forces = iterates[0].forces.map(size);
+    this.choose(Math.min(forces.indexOf(Math.max(...forces)), iterates[0].cutOff.length - 1));
+  }
+
+  choose(element) {
+    Object.assign(this, { element, point: 0 });
     this.draw();
   }
 
-  draw() {
+  async draw() {
     if (!this.trace || !this.isShown) return;
-    const { trace, iterate, way } = this;
+    const { trace, iterate, way, element, stage } = this;
     const at = byId("iteration").valueAsNumber;
     byId("step-text").textContent = `${trace.step}: ${format(trace.travel)} mm`;
     byId("iteration-text").textContent = `${at} / ${way.iterates.length - 1}`;
-    const pick = (node) => {
-      this.element = Math.min(Math.round(node), iterate.increments.length - 1);
-      this.draw();
-    };
-    drawTried(byId("tried"), iterate, this.element);
-    drawNorms(byId("norms"), trace, at);
-    drawResidual(byId("residual"), iterate, this.element, pick);
+    drawSheet(iterate, element, stage, trace.travel, this.pick);
+    drawNorms(byId("norms"), trace, way, at);
+    drawResidual(byId("residual"), iterate, element, (node) => this.pick(Math.min(Math.round(node), iterate.cutOff.length - 1)));
     drawPower(byId("power"), trace.power);
-    drawEquations(byId("equations"), trace, iterate, this.element);
     this.onShow();
+    const { points } = await this.ask({ do: "points", way: trace.ways.indexOf(way), iteration: at, element });
+    if (points && iterate === this.iterate && element === this.element) this.drawPoints(points);
+  }
+
+  /** Numbers of the points through the thickness, and the equations of the one that is chosen. */
+  drawPoints(points) {
+    const { trace, way, iterate, element } = this;
+    this.point = Math.min(this.point, points.length - 1);
+    const inner = trace.isElastic ? ["Δp", "σ_tr,s", "σ_tr,θ"] : ["Δt ε̄̇", "μ [MPa s]"];
+    const columns = ["Point", "Δε_s", "Δε_θ", "Δγ", "ε̄", ...inner, "σ_y", "σ_s", "σ_θ", "τ", "C_ss", "C_sθ", "C_θθ", "C_γγ"];
+    const numbers = ({ strain_increment: e, equivalent_strain, equivalent_increment, yield_stress, stress, viscosity, trial_stress: trial, tangent: c }) =>
+      [...e, equivalent_strain, equivalent_increment, ...(trial ? [trial[0], trial[1]] : [viscosity]), yield_stress, ...stress, c[0][0], c[0][1], c[1][1], c[2][2]];
+    const choose = (k) => () => ((this.point = k), this.drawPoints(points));
+    const rows = points.map((point, k) => html`<tr class=${k === this.point ? "chosen" : ""}>
+      <th scope="row"><button aria-pressed=${k === this.point} @click=${choose(k)}>${k + 1}</button></th>${numbers(point).map((value) => html`<td>${scientific(value)}</td>`)}</tr>`);
+    const state = iterate.cutOff[element] ? "nearly rigid" : trace.isElastic ? "" : "flows";
+    render(html`<p class="hint">Element ${element + 1} ${state}. Points from the die's face to the punch's; stresses and C in MPa. Pick another element in a picture or chart, another point here.</p>
+      <div class="scroll"><table class="points"><thead><tr>${columns.map((name) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>${rows}</tbody></table></div>`, byId("points"));
+    byId("equations").innerHTML = equations(points[this.point], trace.duration, way.matrix, iterate);
   }
 }
 
-/** Sizes of vectors that stand in an array, every `stride` numbers, from `first` on. */
-function sizes(array, stride, first) {
-  return Array.from({ length: array.length / stride }, (_, i) => Math.hypot(array[stride * i + first], array[stride * i + first + 1]));
-}
-
-/** The sheet with two kinds of arrows, each kind over its largest. */
-function drawTried(host, { nodes, forces, contacts, cutOff, sticking }, element) {
-  const count = nodes.length / 2;
-  const of = (k) => Array.from({ length: count }, (_, i) => nodes[2 * i + k]);
-  const [rs, zs] = [of(0), of(1)];
+/** The whole sheet with its arrows, and the tools around the element that is picked. */
+function drawSheet(iterate, element, stage, travel, pick) {
+  const thickness = nodesOf(stage, nearest(stage.film.travel, travel)).map((node) => node[3]);
+  const nodes = iterate.nodes.map((node, i) => [...node, thickness[i]]);
+  const [rs, zs] = [0, 1].map((k) => nodes.map((node) => node[k]));
   const [right, low, high] = [Math.max(...rs), Math.min(...zs), Math.max(...zs)];
-  const width = Math.max(240, host.clientWidth);
   const room = 0.14 * right;
-  const scale = width / (right + 2 * room);
-  const height = Math.max(120, scale * (high - low + 2 * room));
-  const x = (r) => scale * (r + room);
-  const y = (z) => height - scale * (z - low + room);
-  const rigid = cutOff.filter(Boolean).length;
-  const touching = contacts.length / 4;
-  const summary = `${cutOff.length - rigid} flows, ${rigid} nearly rigid; ${touching} points in contact, ${sticking} stick`;
-  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
-  cutOff.forEach((is, e) => {
-    root.append(svg("line", { x1: x(rs[e]), y1: y(zs[e]), x2: x(rs[e + 1]), y2: y(zs[e + 1]), class: `tried ${is ? "rigid" : "flows"}` }));
-  });
-  const arrow = (r, z, [dr, dz], look) => {
-    if (scale * Math.hypot(dr, dz) < 2) return;
-    const [from, to] = [[x(r), y(z)], [x(r + dr), y(z + dz)]];
-    const along = [0, 1].map((k) => (to[k] - from[k]) / Math.hypot(to[0] - from[0], to[1] - from[1]));
-    const barb = (side) => `${(to[0] - 5 * along[0] + side * 2.5 * along[1]).toFixed(1)} ${(to[1] - 5 * along[1] - side * 2.5 * along[0]).toFixed(1)}`;
-    const tip = to.map((at) => at.toFixed(1)).join(" ");
-    root.append(svg("path", { d: `M${from.map((at) => at.toFixed(1)).join(" ")}L${tip}M${barb(1)}L${tip}L${barb(-1)}`, class: `force ${look}` }));
+  const [r, z] = [rs, zs].map((all) => (all[element] + all[element + 1]) / 2);
+  const half = ZOOM * stage.thickness;
+  const { contacts, forces, correction, cutOff } = iterate;
+  const fills = cutOff.map((isRigid) => (isRigid ? "var(--tool-edge)" : "var(--c1)"));
+  const at = { contact: contacts.map(({ position }) => position), balance: nodes, correction: nodes };
+  const vectors = { contact: contacts.map(({ force }) => force), balance: forces, correction };
+  const largest = Object.fromEntries(Object.entries(vectors).map(([look, all]) => [look, Math.max(LEAST, ...all.map(size))]));
+  const show = (host, window, looks, tools, summary, under) => {
+    const map = mapOf(host, 0.32 * innerHeight, window);
+    const long = ARROW * (window.right - window.left);
+    const arrows = looks.map((look) => vectors[look].map((vector, i) => arrow(map, at[look][i], vector.map((part) => (long * part) / largest[look]), look)));
+    const keys = looks.map((look) => html`<span class="key ${look}">→ ${ARROWS[look][0]}: ${scientific(largest[look])} ${ARROWS[look][1]}</span> `);
+    render([drawing(map, summary, nodes, pick, tools(map), sheetOf(faces(nodes), fills, map), arrows, place(nodes, element, map)), html`<p class="hint">${under} ${keys}</p>`], host);
   };
-  const [most, pressed] = [Math.max(...sizes(forces, 2, 0), LEAST), Math.max(...sizes(contacts, 4, 2), LEAST)];
-  const long = (force, largest) => (ARROW * right * force) / largest;
-  for (let i = 0; i < contacts.length; i += 4) {
-    arrow(contacts[i], contacts[i + 1], [long(contacts[i + 2], pressed), long(contacts[i + 3], pressed)], "contact");
-  }
-  for (let i = 0; i < count; i++) arrow(rs[i], zs[i], [long(forces[2 * i], most), long(forces[2 * i + 1], most)], "");
-  root.append(svg("circle", { cx: x((rs[element] + rs[element + 1]) / 2), cy: y((zs[element] + zs[element + 1]) / 2), r: 7, class: "place" }));
-  const key = (look, text) => html("span", { className: `force-key ${look}` }, `→ ${text}`);
-  const keys = [key("contact", `contact force: ${format(pressed)} N`), "  ", key("", `out of balance: ${format(most)} N`)];
-  host.replaceChildren(root, html("p", { className: "hint" }, `${summary}. `, ...keys));
+  const rigid = cutOff.filter(Boolean).length;
+  const summary = `${cutOff.length - rigid} elements flow, ${rigid} are nearly rigid; ${contacts.length} points in contact, ${contacts.filter(({ sticks }) => sticks).length} stick`;
+  show(byId("tried"), { left: -room, right: right + room, low: low - room, high: high + room }, Object.keys(ARROWS), () => nothing, summary, `${summary}.`);
+  const near = contacts.filter(({ position }) => size([position[0] - r, position[1] - z]) < half);
+  const gaps = near.map(({ gap }) => 1e3 * gap);
+  const under = near.length > 0 ? `${near.length} contact points here: gap ${format(Math.min(...gaps))} to ${format(Math.max(...gaps))} µm, pressure up to ${format(Math.max(...near.map(({ pressure }) => pressure)))} MPa.` : "No contact here.";
+  const dots = (map) => near.map(({ position, sticks }) => svg`<circle class="touch ${sticks ? "sticks" : ""}" cx=${map.x(position[0])} cy=${map.y(position[1])} r="4"/>`);
+  const tools = (map) => [drawTools(stage.tools, iterate.tools.flatMap((moved) => [...moved]), map)[0], dots(map)];
+  show(byId("zoom"), { left: r - half, right: r + half, low: z - 0.6 * half, high: z + 0.6 * half }, ["contact", "correction"], tools, under, under);
 }
 
-function drawNorms(host, trace, at) {
-  const name = ({ matrix, converged }) => `${(MATRICES[matrix])}${converged ? "" : ` (not converged)`}`;
-  const series = trace.ways.map((way, i) => ({ name: name(way), x: Array.from(way.velocity, (_, k) => k + 1), y: log(way.velocity), look: `c${i}` }));
-  const longest = Math.max(2, ...series.map(({ x }) => x.length));
-  const bound = Math.log10(trace.tolerance);
+function arrow({ x, y, scale }, [r, z], [dr, dz], look) {
+  if (scale * Math.hypot(dr, dz) < 2) return nothing;
+  const to = [x(r + dr), y(z + dz)];
+  const along = [dr, -dz].map((part) => part / Math.hypot(dr, dz));
+  const barb = (side) => `${to[0] - 5 * along[0] + side * 2.5 * along[1]} ${to[1] - 5 * along[1] - side * 2.5 * along[0]}`;
+  return svg`<path class="force ${look}" d="M${x(r)} ${y(z)}L${to.join(" ")}M${barb(1)}L${to.join(" ")}L${barb(-1)}"/>`;
+}
+
+/** Velocity norms of all matrices, and the residual norm of the chosen one. */
+function drawNorms(host, trace, way, at) {
+  const name = ({ matrix, converged }) => `${MATRICES[matrix]}${converged ? "" : " (not converged)"}`;
+  const curve = (values) => ({ x: Array.from(values, (_, k) => k + 1), y: log(values) });
+  const series = trace.ways.map((one, i) => ({ name: name(one), ...curve(one.velocity), look: `c${i}` }));
+  series.push({ name: `‖r‖, ${MATRICES[way.matrix]}`, ...curve(way.residual), look: "a" });
+  const [longest, bound] = [Math.max(2, ...series.map(({ x }) => x.length)), Math.log10(trace.tolerance)];
   series.push({ name: "tolerance", x: [0, longest], y: [bound, bound], look: "flat" });
-  const counts = trace.ways.map((way) => `${name(way)}: ${way.velocity.length}`).join("; ");
-  draw(host, { x: { label: "Iteration" }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
+  const before = way.velocity.length - way.iterates.length + 1;
+  const counts = trace.ways.map((one) => `${name(one)}: ${one.velocity.length}`).join("; ");
+  draw(host, { x: { label: "Iteration" }, y: { label: "‖δȧ‖ / ‖ȧ‖ [–]", powers: true }, series, cursor: { x: before + at }, summary: counts });
 }
 
 function drawResidual(host, iterate, element, onPick) {
-  const forces = log(sizes(iterate.forces, 2, 0));
-  const nodes = forces.map((_, i) => i);
-  draw(host, {
-    x: { label: "Node" },
-    y: { label: `Force [N]`, powers: true },
-    series: [{ name: "", x: nodes, y: forces, look: "c0" }],
-    cursor: { x: element },
-    summary: `Force out of balance at each node: ${format(10 ** Math.max(...forces))} N`,
-    onPick,
-  });
+  const forces = log(iterate.forces.map(size));
+  const summary = `Force out of balance at each node: ${format(10 ** Math.max(...forces))} N`;
+  draw(host, { x: { label: "Node" }, y: { label: "Force [N]", powers: true }, series: [{ x: forces.map((_, i) => i), y: forces, look: "c0" }], cursor: { x: element }, summary, onPick });
 }
 
 function drawPower(host, power) {
   const all = Object.entries(POWERS).filter(([key]) => power[key] !== 0);
   const largest = Math.max(...all.map(([key]) => Math.abs(power[key])), LEAST);
-  const rows = all.map(([key, name]) => {
-    const share = power[key] / largest;
-    const cells = [name, html("meter", { value: Math.abs(share), ariaLabel: name }), `${format(100 * share)} %`];
-    return html("tr", {}, ...cells.map((cell) => html("td", {}, cell)));
-  });
-  host.replaceChildren(html("table", { className: "power" }, ...rows));
-}
-
-/** MathML of plain parts. */
-const math = (inner) => `<math display="block"><mrow>${inner}</mrow></math>`;
-const mi = (name) => `<mi>${name}</mi>`;
-const mo = (sign) => `<mo>${sign}</mo>`;
-const mn = (value, digits = 4) => `<mn>${format(value, digits)}</mn>`;
-const rate = `<mover>${mi("ε")}${mo("¯")}</mover>`;
-const increment = `<mrow>${mi("Δ")}${rate}</mrow>`;
-const sub = (base, index) => `<msub>${base}<mn>${index}</mn></msub>`;
-const squared = (base) => `<msup><mrow>${base}</mrow><mn>2</mn></msup>`;
-
-function drawEquations(host, trace, iterate, element) {
-  const [own, yieldStress] = [iterate.increments[element], iterate.yieldStresses[element]];
-  const regular = Math.hypot(own, trace.cutoff ?? 0);
-  const cut = `${mi("Δ")}${sub(mi("ε"), 0)}`;
-  const velocity = iterate.velocity;
-  const rows = [
-    math(`<msub>${increment}<mi>reg</mi></msub>${mo("=")}<msqrt>${squared(increment)}${mo("+")}${squared(cut)}</msqrt>${mo("=")}<msqrt>${squared(mn(own))}${mo("+")}${squared(mn(trace.cutoff ?? 0))}</msqrt>${mo("=")}${mn(regular)}`),
-    math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
-    math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === null ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
-  ];
-  const state = iterate.cutOff[element] ? "nearly rigid" : "flows";
-  const note = `Element ${element}: ${state}. Each matrix takes the step from the same state; pick an element in the chart of nodes.`;
-  host.innerHTML = rows.map((row) => `<p>${row}</p>`).join("");
-  host.prepend(html("p", { className: "hint" }, note));
+  const rows = all.map(([key, name]) => html`<tr><td>${name}</td><td><meter value=${Math.abs(power[key] / largest)} aria-label=${name}></meter></td><td>${format((100 * power[key]) / largest)} %</td></tr>`);
+  render(html`<table class="power">${rows}</table>`, host);
 }

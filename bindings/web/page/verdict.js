@@ -1,35 +1,36 @@
 // The verdict: its sentence with the light, the part's numbers, every row, and what should be known besides.
-import { html } from "./dom.js";
+import { byId, html, render } from "./dom.js";
 
 /** Shapes beside the colours. */
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
-const element = (name, className, ...children) => html(name, { className }, ...children);
+/** Advice that names a command of the command line, and what the page has in its place. */
+const OURS = [
+  ["`run`, `report` and `check --run` solve it with less and more", "move the slider Friction down and up, and look at what changes"],
+  ["`stampflow search --for over-bend`", "give the tools a sharper angle, and look at the next result"],
+  ["--material NAME", "choose it under Sheet"],
+  ["(strain_paths.csv of `run`)", "(chart Forming limit)"],
+];
+const ours = (text) => OURS.reduce((text, [theirs, own]) => text.replace(theirs, own), text);
 
-function light(name, text) {
-  return element("span", "lit", html("span", { className: `light ${name}`, ariaHidden: "true" }, SHAPES[name]), ` ${text}`);
-}
+const light = (name, text) => html`<span class="lit"><span class="light ${name}" aria-hidden="true">${SHAPES[name]}</span> ${text}</span>`;
 
 export function drawAnswer(host, { verdict }, isA) {
-  const sentence = element("p", "sentence", light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`));
-  const numbers = verdict.numbers.map(({ label, text, about }) =>
-    element("div", "", element("dt", "", label), element("dd", "", element("b", "", text), " ", about)),
-  );
-  host.replaceChildren(sentence, element("dl", "numbers", ...numbers));
+  const numbers = verdict.numbers.map(({ label, text, about }) => html`<div><dt>${label}</dt><dd><b>${text}</b> ${about}</dd></div>`);
+  render(html`<p class="sentence">${light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`)}</p><dl class="numbers">${numbers}</dl>`, host);
 }
 
-export function drawRows(host, { verdict }) {
-  const order = ["red", "amber", "grey", "green"];
-  const rows = [...verdict.rows].sort((a, b) => order.indexOf(a.light) - order.indexOf(b.light));
-  const head = ["Finding", "Found", "Limit", "What to do"].map((text) => html("th", { scope: "col" }, text));
-  const body = rows.map(({ light: name, label, found, limit, source, advice }) => {
-    const bound = html("td", { title: source }, limit);
-    return element("tr", "", html("th", { scope: "row" }, light(name, label)), element("td", "", found), bound, element("td", "", advice));
-  });
-  host.replaceChildren(element("thead", "", element("tr", "", ...head)), element("tbody", "", ...body));
+function row({ light: name, label, found, limit, source, advice }) {
+  return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice)}</td></tr>`;
 }
 
-export function drawNotes(host, { verdict }) {
-  const all = [verdict.end, ...verdict.warnings, ...verdict.notes].filter(Boolean);
-  host.replaceChildren(...all.map((text) => element("li", "", text)));
+/** Rows that are not green, and the green ones folded. */
+export function drawRows({ verdict }) {
+  const of = (lights) => lights.flatMap((name) => verdict.rows.filter((one) => one.light === name));
+  const head = ["Finding", "Found", "Limit", "What to do"].map((text) => html`<th scope="col">${text}</th>`);
+  const table = (rows) => html`<table><thead><tr>${head}</tr></thead><tbody>${rows.map(row)}</tbody></table>`;
+  const [open, green] = [of(["red", "amber", "grey"]), of(["green"])];
+  const folded = html`<details id="green"><summary>${light("green", `${green.length} checks green`)}</summary>${table(green)}</details>`;
+  render([open.length > 0 ? table(open) : "", folded], byId("rows"));
+  render([verdict.end, ...verdict.warnings, ...verdict.notes].filter(Boolean).map((text) => html`<li>${ours(text)}</li>`), byId("notes"));
 }

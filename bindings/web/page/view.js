@@ -1,29 +1,28 @@
 // All that shows a result: section, charts, verdict, and the cursor that they share.
 import { drawLimit, drawLoad, drawThickness } from "./charts.js";
-import { drawSection } from "./section.js";
-import { drawAnswer, drawNotes, drawRows } from "./verdict.js";
-import { byId, format } from "./dom.js";
+import { drawSection, nearest } from "./section.js";
+import { drawAnswer, drawRows } from "./verdict.js";
+import { byId, format, html, render } from "./dom.js";
 
-/** Time that the whole travel is played in [ms]. */
-const PLAYED = 3000;
+/** Time of a picture while the travel is played [ms]. */
+const PICTURE = 75;
 
 export class View {
-  constructor(onCursor) {
-    this.result = null;
-    this.resultOfA = null;
+  /** onCursor() hears of every move of the cursor, onElement(e) of every element that is picked. */
+  constructor(onCursor, onElement) {
+    Object.assign(this, { onCursor, onElement, result: null, resultOfA: null });
     /** Share of the pictures that is shown [–], the stage, and the place on the flat blank [mm]. */
-    this.at = 1;
-    this.stage = 0;
-    this.place = NaN;
-    this.onCursor = onCursor;
-    byId("travel").addEventListener("input", (event) => this.moveTo(event.target.valueAsNumber));
+    Object.assign(this, { at: 1, stage: 0, place: NaN });
+    byId("travel").addEventListener("input", ({ target }) => this.moveTo(target.valueAsNumber));
     byId("play").addEventListener("click", () => this.play());
-    byId("stage").addEventListener("change", (event) => {
-      this.stage = Number(event.target.value);
-      this.drawMoving();
-      this.onCursor();
-    });
+    byId("colour").addEventListener("change", () => this.drawMoving());
+    byId("stage").addEventListener("change", ({ target }) => this.set({ stage: Number(target.value) }));
     new ResizeObserver(() => this.draw()).observe(byId("main"));
+  }
+
+  /** Index of the element that is picked; −1 where none is. */
+  get chosen() {
+    return nearest(this.result.stages[this.stage].end.s0, this.place);
   }
 
   show(result) {
@@ -32,33 +31,36 @@ export class View {
     this.draw();
   }
 
-  moveTo(at) {
-    this.at = Math.min(1, Math.max(0, at));
-    byId("travel").value = this.at;
+  set(cursor) {
+    Object.assign(this, cursor);
     this.drawMoving();
     this.onCursor();
   }
 
+  moveTo(at) {
+    byId("travel").value = at;
+    this.set({ at: Math.min(1, Math.max(0, at)) });
+  }
+
+  pick(e) {
+    this.set({ place: this.result.stages[this.stage].end.s0[e] });
+    this.onElement(e);
+  }
+
   /** To the picture nearest to a travel [mm]. */
   toTravel(travel) {
-    const { film } = this.result.stages[this.stage];
-    let best = 0;
-    for (let i = 1; i < film.travel.length; i++) if (Math.abs(film.travel[i] - travel) < Math.abs(film.travel[best] - travel)) best = i;
-    this.moveTo(best / (film.travel.length - 1));
+    const all = this.result.stages[this.stage].film.travel;
+    this.moveTo(nearest(all, travel) / (all.length - 1));
   }
 
   play() {
-    this.isPlaying = !this.isPlaying;
-    byId("play").textContent = this.isPlaying ? "Stop" : "Play";
-    if (!this.isPlaying) return;
-    const from = performance.now() - PLAYED * (this.at >= 1 ? 0 : this.at);
-    const next = (now) => {
-      if (!this.isPlaying) return;
-      this.moveTo((now - from) / PLAYED);
-      if (this.at < 1) return requestAnimationFrame(next);
-      this.play();
-    };
-    requestAnimationFrame(next);
+    clearInterval(this.playing);
+    const isBegun = byId("play").textContent === "Play";
+    byId("play").textContent = isBegun ? "Stop" : "Play";
+    if (!isBegun) return;
+    if (this.at >= 1) this.moveTo(0);
+    const step = 1 / (this.result.stages[this.stage].film.travel.length - 1);
+    this.playing = setInterval(() => (this.at >= 1 ? this.play() : this.moveTo(this.at + step)), PICTURE);
   }
 
   draw() {
@@ -67,11 +69,9 @@ export class View {
     drawAnswer(byId("answer"), this.result, false);
     byId("answer-a").hidden = !this.resultOfA;
     if (this.resultOfA) drawAnswer(byId("answer-a"), this.resultOfA, true);
-    drawRows(byId("rows"), this.result);
-    drawNotes(byId("notes"), this.result);
-    const stages = this.result.stages.map(({ name }, i) => new Option(`${i + 1} ${name}`, i, false, i === this.stage));
-    byId("stage").replaceChildren(...stages);
-    byId("stages").hidden = stages.length < 2;
+    drawRows(this.result);
+    render(this.result.stages.map(({ name }, i) => html`<option value=${i} .selected=${i === this.stage}>${i + 1} ${name}</option>`), byId("stage"));
+    byId("stages").hidden = this.result.stages.length < 2;
     this.drawMoving();
   }
 
@@ -83,12 +83,10 @@ export class View {
     const picture = pictureOf(stage);
     const stageOfA = this.resultOfA?.stages[this.stage];
     const other = stageOfA && { stage: stageOfA, picture: pictureOf(stageOfA) };
-    const shown = { stage, picture, other, place: this.place, isRound: this.result.isRound };
-    const onPlace = (place) => {
-      this.place = place;
-      this.drawMoving();
-    };
-    drawSection(byId("section"), shown);
+    const shown = { stage, picture, other, chosen: this.chosen, isRound: this.result.isRound };
+    const onPlace = (place) => this.pick(nearest(stage.end.s0, place));
+    const most = Math.max(200, (document.body.classList.contains("learning") ? 0.3 : 0.45) * innerHeight);
+    drawSection(byId("section"), { ...shown, most, isViscosity: byId("colour").value === "viscosity", onElement: (e) => this.pick(e) });
     drawLoad(byId("load"), { ...shown, onTravel: (travel) => this.toTravel(travel) });
     drawThickness(byId("thickness"), { ...shown, onPlace });
     drawLimit(byId("limit"), { ...shown, onPlace });

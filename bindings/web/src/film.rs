@@ -1,15 +1,27 @@
 //! Pictures of the sheet and its tools as they move.
 
-use serde::Serialize;
-use stampflow::solver::solution::Frame;
+use serde_json::{Value, json};
+use stampflow::solver::solution::{ElementRecord, Frame};
+use stampflow::solver::state::MaterialPoint;
 use stampflow::{Model, Observer, Stage, State};
 
 /// Pictures of a stage, evenly over its travel.
 const PICTURES: f64 = 40.0;
 
-/// Observer that keeps frames of every stage.
+/// A frame, and the viscosity of each element \[MPa s\].
+pub type Picture = (Frame, Vec<f64>);
+
+/// Observer that keeps pictures of every stage.
 #[derive(Default)]
-pub struct Recorder(pub Vec<Vec<Frame>>);
+pub struct Recorder(pub Vec<Vec<Picture>>);
+
+/// Picture of a state, with μ = σ̄/(3 ε̄̇) as the mean through the thickness.
+pub fn picture(model: &Model, state: &State) -> Picture {
+    let (layers, metal) = (model.blank.points(), model.material.yield_criterion);
+    let own = |point: &MaterialPoint| metal.equivalent_stress(point.stress) / (3.0 * point.equivalent_rate);
+    let mean = |points: &[MaterialPoint]| points.iter().zip(&layers).map(|(point, at)| at.weight * own(point)).sum();
+    (state.frame(model), state.points.rows().map(mean).collect())
+}
 
 impl Observer for Recorder {
     fn stage(&mut self, _: &Stage) {
@@ -17,59 +29,43 @@ impl Observer for Recorder {
     }
 
     fn restart(&mut self, _: &Model, state: &State, _: usize) {
-        self.0.last_mut().into_iter().for_each(|frames| frames.retain(|frame| frame.time <= state.time));
+        self.0.last_mut().into_iter().for_each(|frames| frames.retain(|(frame, _)| frame.time <= state.time));
     }
 
     fn state(&mut self, model: &Model, state: &State) {
         let Some(frames) = self.0.last_mut() else { return };
-        let due = frames.last().map_or(0.0, |last| model.progress(last.time) + 1.0 / PICTURES);
+        let due = frames.last().map_or(0.0, |last| model.progress(last.0.time) + 1.0 / PICTURES);
         let progress = model.progress(state.time);
         // The end is added once the stage has come there.
         if progress >= due && progress < 1.0 {
-            frames.push(state.frame(model));
+            frames.push(picture(model, state));
         }
     }
 }
 
-/// Pictures of a stage, one after the other.
-#[derive(Default, Serialize)]
-pub struct Film {
-    elements: usize,
-    /// Punch travel \[mm\].
-    travel: Vec<f64>,
-    /// r, z \[mm\], θ \[rad\] and thickness \[mm\] of each node.
-    nodes: Vec<f64>,
-    /// Thickness of each element \[mm\].
-    thickness: Vec<f64>,
-    /// Minor strain of each element \[–\].
-    minor: Vec<f64>,
-    /// Major strain of each element \[–\].
-    major: Vec<f64>,
-    /// Major strain of the forming limit at each element's minor strain \[–\]; not a number where it is not known.
-    limit: Vec<f64>,
-    /// Displacement of each tool in r and z \[mm\].
-    tools: Vec<f64>,
-}
-
-impl Film {
-    /// Film of the frames of a stage.
-    pub fn new(model: &Model, frames: &[Frame]) -> Self {
-        let mut film = Self::default();
-        let curve = model.forming_limit.as_ref();
-        for frame in frames {
-            film.elements = frame.elements.len();
-            film.travel.push(frame.travel);
-            film.nodes.extend(frame.nodes.iter().flat_map(|node| [node.r, node.z, node.theta, node.thickness]));
-            for element in &frame.elements {
-                let minor = element.strain_meridional.min(element.strain_hoop);
-                film.thickness.push(element.thickness);
-                film.minor.push(minor);
-                film.major.push(element.strain_meridional.max(element.strain_hoop));
-                let limit = curve.filter(|curve| curve.knows(minor));
-                film.limit.push(limit.map_or(f64::NAN, |curve| curve.major_at(minor)));
-            }
-            film.tools.extend(frame.tool_displacement.iter().flat_map(|tool| [tool.x, tool.y]));
-        }
-        film
-    }
+/// Pictures one after the other: nodes as r, z \[mm\], θ \[rad\] and thickness \[mm\], of each element thickness \[mm\], strains \[–\],
+/// the limit of the major strain at its minor strain \[–\] (not a number where it is not known) and viscosity \[MPa s\].
+pub fn film(model: &Model, pictures: &[Picture]) -> Value {
+    let frames = || pictures.iter().map(|(frame, _)| frame);
+    let elements = |number: &dyn Fn(&ElementRecord) -> f64| -> Vec<f64> {
+        frames().flat_map(|frame| frame.elements.iter().map(number)).collect()
+    };
+    let minor = |element: &ElementRecord| element.strain_meridional.min(element.strain_hoop);
+    let limit = |element: &ElementRecord| {
+        let curve = model.forming_limit.as_ref().filter(|curve| curve.knows(minor(element)));
+        curve.map_or(f64::NAN, |curve| curve.major_at(minor(element)))
+    };
+    let nodes = frames().flat_map(|frame| &frame.nodes).flat_map(|node| [node.r, node.z, node.theta, node.thickness]);
+    let tools = frames().flat_map(|frame| &frame.tool_displacement).flat_map(|tool| [tool.x, tool.y]);
+    json!({
+        "elements": pictures.last().map_or(0, |(frame, _)| frame.elements.len()),
+        "travel": frames().map(|frame| frame.travel).collect::<Vec<_>>(),
+        "nodes": nodes.collect::<Vec<_>>(),
+        "thickness": elements(&|element| element.thickness),
+        "minor": elements(&minor),
+        "major": elements(&|element| element.strain_meridional.max(element.strain_hoop)),
+        "limit": elements(&limit),
+        "viscosity": pictures.iter().flat_map(|(_, viscosity)| viscosity).collect::<Vec<_>>(),
+        "tools": tools.collect::<Vec<_>>(),
+    })
 }

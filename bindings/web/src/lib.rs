@@ -12,7 +12,6 @@
 
 mod film;
 mod request;
-mod sliders;
 mod solve;
 mod stage;
 mod trace;
@@ -25,7 +24,7 @@ static INPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 static TEXT: Mutex<String> = Mutex::new(String::new());
 
 /// There is one thread.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

@@ -1,6 +1,5 @@
 //! Requests of the page, and why one fails.
 
-use crate::sliders::Sliders;
 use crate::{solve, trace};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -8,10 +7,11 @@ use stampflow::author::Import;
 use stampflow::author::templates::{Choice, TEMPLATES, Template, find};
 use stampflow::case::files::Memory;
 use stampflow::case::{Case, CaseError, library, parse_with};
-use stampflow::import::{ImportError, Options};
-use stampflow::model::Geometry;
+use stampflow::import::{DrawingUnit, ImportError, Options};
+use stampflow::model::{Geometry, Model};
 use std::collections::BTreeMap;
 use std::path::Path;
+use toml_edit::DocumentMut;
 
 /// A request; `do` is its kind.
 #[derive(Deserialize)]
@@ -21,8 +21,12 @@ pub enum Request {
     Templates,
     /// Text of a template's case.
     Fill { name: String, given: BTreeMap<String, String> },
-    /// Sliders of a case's text.
-    Sliders { text: String },
+    /// Numbers of a case's text at dotted paths, and those of its method.
+    Numbers {
+        #[serde(flatten)]
+        case: CaseText,
+        paths: Vec<String>,
+    },
     /// A solved case.
     Solve {
         #[serde(flatten)]
@@ -36,8 +40,10 @@ pub enum Request {
         case: CaseText,
         step: usize,
     },
-    /// A case around the tools of a DXF drawing.
-    Drawing { name: String },
+    /// Thickness points of an element in an iteration with one of the matrices, of the step that was traced last.
+    Points { way: usize, iteration: usize, element: usize },
+    /// A case around the tools of a DXF drawing, in a unit where its header has none or another.
+    Drawing { name: String, unit: Option<String> },
 }
 
 /// A case as text, with the files beside it.
@@ -62,6 +68,17 @@ impl CaseText {
         let name = if self.name.is_empty() { "case.toml" } else { &self.name };
         Ok(parse_with(&self.text, name, &self.overrides, &files)?)
     }
+
+    /// Number or text at each path; `None` where there is none.
+    fn numbers(&self, paths: &[String]) -> Vec<Option<Value>> {
+        let document = self.text.parse::<DocumentMut>().unwrap_or_default();
+        let number = |path: &String| {
+            let item = path.split('.').try_fold(document.as_item(), |item, key| item.get(key))?;
+            let number = item.as_float().or(item.as_integer().map(|whole| whole as f64));
+            number.map(Value::from).or(item.as_str().map(Value::from))
+        };
+        paths.iter().map(number).collect()
+    }
 }
 
 impl Request {
@@ -73,13 +90,32 @@ impl Request {
                 let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (&key[..], &value[..])).collect();
                 Ok(json!({ "text": find(name)?.fill(&given)? }))
             }
-            Self::Sliders { text } => Ok(json!(Sliders::of_case(text))),
+            Self::Numbers { case, paths } => {
+                Ok(json!({ "numbers": case.numbers(paths), "method": case.case().ok().map(method) }))
+            }
             Self::Solve { case, coarse } => Ok(solve::solve(case.case()?, *coarse)),
-            Self::Trace { case, step } => trace::step(&case.case()?, *step)
-                .map_err(|missing| Failure { what: missing.to_string(), ..Failure::default() }),
-            Self::Drawing { name } => drawing(name, file),
+            Self::Trace { case, step } => {
+                trace::step(&case.case()?, *step).map_err(|missing| Failure::new(missing.to_string()))
+            }
+            &Self::Points { way, iteration, element } => {
+                trace::points(way, iteration, element).ok_or_else(|| Failure::new("take the step again".to_owned()))
+            }
+            Self::Drawing { name, unit } => drawing(name, unit.as_deref(), file),
         }
     }
+}
+
+/// Numbers of the method by their paths, stresses in GPa.
+fn method(case: Case) -> Value {
+    let Model { blank, settings, .. } = case.model();
+    json!({
+        "blank.elements": blank.elements,
+        "blank.layers": blank.layers,
+        "solver.max_step": settings.max_step,
+        "solver.cutoff_strain": settings.cutoff_strain,
+        "solver.contact_stiffness": 1e-3 * settings.contact_stiffness,
+        "solver.contact_smoothing": settings.contact_smoothing,
+    })
 }
 
 fn templates() -> Value {
@@ -91,12 +127,14 @@ fn templates() -> Value {
     json!({
         "templates": TEMPLATES.iter().map(template).collect::<Vec<_>>(),
         "sheets": library::names().collect::<Vec<_>>(),
+        "units": DrawingUnit::ALL,
     })
 }
 
 /// Text of a case around the tools of a drawing, with placeholders, and how the drawing was understood.
-fn drawing(name: &str, file: &[u8]) -> Result<Value, Failure> {
-    let (options, geometry) = (Options::default(), Geometry::Axisymmetric);
+fn drawing(name: &str, unit: Option<&str>, file: &[u8]) -> Result<Value, Failure> {
+    let unit = unit.map(str::parse).transpose().map_err(Failure::new)?;
+    let (options, geometry) = (Options { unit, ..Options::default() }, Geometry::Axisymmetric);
     let import = Import { options, geometry, material: None, thickness: None, blank: None, travel: None };
     let imported = import.read(file, Path::new(name))?;
     Ok(json!({ "text": imported.text, "notes": imported.notes }))
@@ -113,6 +151,12 @@ pub struct Failure {
     pub column: Option<usize>,
     /// The whole message as the command line prints it.
     pub rendered: String,
+}
+
+impl Failure {
+    fn new(what: String) -> Self {
+        Self { what, ..Self::default() }
+    }
 }
 
 impl From<CaseError> for Failure {

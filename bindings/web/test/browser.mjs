@@ -6,7 +6,7 @@ import { PAGE } from "./solver.mjs";
 
 export async function browser() {
   const installed = execFileSync("sh", ["-c", "command -v chromium || command -v chromium-browser || command -v google-chrome"], { encoding: "utf8" });
-  return puppeteer.launch({ executablePath: installed.trim(), headless: true, args: ["--no-sandbox", "--disable-gpu"] });
+  return puppeteer.launch({ defaultViewport: { width: 1440, height: 900 }, executablePath: installed.trim(), headless: true, args: ["--no-sandbox", "--disable-gpu"] });
 }
 
 /** What the page did that it never may: errors in the console, requests to anywhere. */

@@ -5,7 +5,6 @@ use crate::element::kinematics::{EPS_S, EPS_T};
 use crate::element::section::Section;
 use crate::element::surface::STATIONS;
 use crate::material::PointLaw;
-use crate::material::flow::FlowLaw;
 use crate::model::{Iteration, Mode, Model, Theory};
 use crate::numerics::Grid;
 use crate::solver::corrector::LARGEST_MOVE;
@@ -37,18 +36,9 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         let (points, iterates) = (&step.elastoplastic_points, &mut trial.elastoplastic);
         return add_elements(step, &law, points, iterates, (&trial.moves, slack), at, out);
     }
-    let material = &model.material;
-    let law = FlowLaw {
-        hardening: &material.hardening,
-        rate: material.rate.as_ref(),
-        softening: material.thermal.as_ref(),
-        criterion: material.yield_criterion,
-        voids: material.gtn.as_ref(),
-        // The secant matrix asks for the least besides the stress.
-        matrix: if at.residual_alone { Iteration::Secant } else { at.matrix },
-        cutoff: step.cutoff(trial.softening),
-        duration: dt,
-    };
+    // The secant matrix asks for the least besides the stress.
+    let matrix = if at.residual_alone { Iteration::Secant } else { at.matrix };
+    let law = model.material.flow_law(matrix, step.cutoff(trial.softening), dt);
     let slack = (SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0), f64::INFINITY);
     add_elements(step, &law, &step.flow_points, &mut trial.iterates, (&trial.moves, slack), at, out)
 }
