@@ -20,7 +20,8 @@ fn main() {
     let alike = judged.iter().filter(|(_, (text, _))| text.is_none()).count();
     let sound = judged.iter().filter(|(_, (_, is_sound))| *is_sound).count();
     println!(
-        "{alike} of {count} parts are judged alike by run, report, page, sweep, search and scatter; {sound} of them are sound\n"
+        "{alike} of {count} parts are judged alike by run, page, sweep, search and scatter, every tenth by the report too; \
+         {sound} of them are sound\n"
     );
 
     let open: Vec<_> = seeds(0, 4 * wanted).filter_map(|seed| Some((seed, advised(&random_part(seed))?))).collect();
