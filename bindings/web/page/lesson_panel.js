@@ -35,7 +35,7 @@ export class Lessons {
     document.body.classList.toggle("learning", Boolean(this.current));
     document.body.classList.toggle("by-step", this.current?.kind === "step");
     byId("step-controls").append(...document.querySelectorAll("[data-control]"));
-    const { question = "", says = "", kind, shows = "load", control } = this.current ?? {};
+    const { question = "", says = "", kind, shows = "load", step, control } = this.current ?? {};
     byId("beside").append(byId(`figure-${shows === "viscosity" ? "load" : shows}`));
     byId("charts").append(...["load", "thickness", "limit"].map((name) => byId(`figure-${name}`)).filter((figure) => shows !== "viscosity" && figure.id !== `figure-${shows}`));
     byId("colour").value = shows === "viscosity" ? shows : "thickness";
@@ -44,6 +44,7 @@ export class Lessons {
     byId("lesson-question").textContent = question;
     byId("lesson-says").textContent = says;
     byId("lesson-answer").textContent = "";
+    if (step) byId("step").value = step;
     if (OF_STEP.includes(control.key)) byId("lesson-control").append(document.querySelector(`[data-control="${control.key}"]`));
     this.drawControl();
     await this.steps.toggle(kind === "step");

@@ -1,11 +1,48 @@
-// Lessons of one screen: a few sentences, and a question that is answered by moving a slider. docs/lessons.md has more on each.
+// Ten lessons on the method: their texts, cases and controls are those of lessons.json, with what each reads off a result.
+import TEXTS from "../../lessons.json";
 import { format } from "./dom.js";
 
 const lastOf = ({ stages }) => stages.at(-1);
-const finding = ({ verdict }, key) => verdict.rows.find((one) => one.key === key);
-const peak = ({ stages }) => Math.max(...stages[0].steps.punch_force);
+const steps = ({ stages }) => stages[0].steps;
+const peak = (result) => Math.max(...steps(result).punch_force);
+const sum = (values) => values.reduce((sum, value) => sum + value, 0);
+const percent = (value, of) => 100 * (value / of - 1);
 
-/** Place of the thinnest element on the flat blank [mm]. */
+/** A column of the steps at a travel [mm], in between by a straight line. */
+function at(result, travel, key) {
+  const { travel: travels, [key]: values } = steps(result);
+  const i = Math.max(1, travels.findIndex((one) => one >= travel * (1 - 1e-9)));
+  return values[i - 1] + ((values[i] - values[i - 1]) * (travel - travels[i - 1])) / (travels[i] - travels[i - 1]);
+}
+
+/** Work of the punch up to a travel, the force between two steps by a straight line [J]. */
+function work(result, end) {
+  const { travel, punch_force: force } = steps(result);
+  const last = travel.findIndex((one) => one >= end * (1 - 1e-9));
+  return 1e-3 * sum(Array.from(travel.slice(1, last + 1), (now, i) => ((now - travel[i]) * (force[i + 1] + force[i])) / 2));
+}
+
+/** Punch force of ideal drawing by Tresca's condition, at the largest force of the cup [N]; its law, blank and wall in mm and MPa. */
+function byHand(result) {
+  const { punch_force, draw_in } = steps(result);
+  const { length: blank, thickness } = result.stages[0];
+  const stress = (strain) => 520 * (0.005 + strain) ** 0.22;
+  const [wall, rim] = [30 + thickness / 2, blank - draw_in[punch_force.indexOf(peak(result))]];
+  const mean = (stress(Math.log(blank / rim)) + stress(Math.log(Math.sqrt(wall ** 2 + blank ** 2 - rim ** 2) / wall))) / 2;
+  return 2 * Math.PI * wall * thickness * mean * Math.log(rim / wall);
+}
+
+/** Volume of the sheet at the end over that of the blank [–]. */
+function volume({ stages: [{ film, end, length, thickness }] }) {
+  const count = end.thickness.length;
+  const nodes = film.nodes.slice(-4 * (count + 1));
+  const ring = (t, e) => {
+    const [r, z, next, beside] = [nodes[4 * e], nodes[4 * e + 1], nodes[4 * e + 4], nodes[4 * e + 5]];
+    return t * (r + next) * Math.hypot(next - r, beside - z);
+  };
+  return sum(Array.from(end.thickness, ring)) / (length ** 2 * thickness);
+}
+
 function thinnestAt(result) {
   const { thickness, s0 } = lastOf(result).end;
   return s0[thickness.indexOf(Math.min(...thickness))];
@@ -17,104 +54,55 @@ function turnsBack({ stages }) {
   return (Math.abs(released - drawn) * 180) / Math.PI;
 }
 
-/** Iterations of a step with one of the matrices. */
-const iterations = ({ ways }, matrix) => ways.find((one) => one.matrix === matrix).velocity.length;
+const rigid = ({ ways }) => ways[0].iterates.at(-1).cutOff.filter(Boolean).length;
+const shrunk = (result) => 1 - steps(result).draw_in.at(-1) / result.stages[0].length;
+const iterations = ({ ways }, matrix) => {
+  const { converged, velocity } = ways.find((one) => one.matrix === matrix);
+  return converged ? String(velocity.length) : "fails";
+};
 
-/**
- * Each begins with a template; the control that answers it, and when it has: by what is solved, by what was solved first, and by
- * the step that is taken apart. The fields stand in lesson_panel.js.
- */
-export const LESSONS = [
+/** Of each lesson, in the order of the texts: what it shows of a result, of the first one, and of a step; and when it is answered. */
+const READ = [
   {
-    title: "Ideal drawing",
-    says: "Without friction and bending only the flange takes work: its circles shrink from the blank's rim to the throat, and the wall pulls with F = 2π r t σ ln(R/r). Friction under the holder and round the shoulder, and bending, come on top.",
-    question: "Bring the largest punch force below 35 kN with lubricant alone: what is left is nearly the ideal force.",
-    template: "cup",
-    control: { key: "friction", label: "Friction", from: 0.01, to: 0.24, value: 0.08 },
-    answer: ({ result }) => `${format(peak(result) / 1e3)} kN`,
-    isAnswered: ({ result }) => peak(result) < 35e3,
+    answer: ({ trace }) => `${rigid(trace)} of ${trace.ways[0].iterates[0].cutOff.length} elements nearly rigid`,
+    isAnswered: ({ trace }) => 2 * rigid(trace) > trace.ways[0].iterates[0].cutOff.length,
   },
   {
-    title: "Why a velocity norm",
-    says: "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far an iteration moves the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.",
-    question: "Go through the iterations until one moves the sheet by less than a thousandth of its step.",
-    template: "cup",
-    control: { key: "iteration" },
-    kind: "step",
-    answer: ({ iterate }) => format(iterate.velocity ?? NaN),
-    isAnswered: ({ iterate }) => (iterate.velocity ?? 1) < 1e-3,
+    answer: ({ result }) => `${format(peak(result) / 1e3)} kN, by hand ${format(byHand(result) / 1e3)} kN: ${format(percent(peak(result), byHand(result)), 2)} % above`,
+    isAnswered: ({ result }) => peak(result) < 1.1 * byHand(result),
   },
   {
-    title: "Why primal-dual",
-    says: "Where the sheet hardly deforms, the flow law σ = σ_y Δε / √(Δε² + Δε₀²) bends sharply. The secant matrix crawls round that bend, Newton's jumps over it. The primal-dual matrix keeps stress and strain as two unknowns, and does neither.",
-    question: "Find a step for which the secant takes at least fifteen times as many iterations as the primal-dual matrix.",
-    template: "cup",
-    control: { key: "step" },
-    kind: "step",
-    answer: ({ trace }) => `${iterations(trace, "secant")} : ${iterations(trace, "primal_dual")}`,
-    isAnswered: ({ trace }) => iterations(trace, "secant") >= 15 * iterations(trace, "primal_dual"),
+    answer: ({ result }) => `radius × ${format(shrunk(result))}; ${format(lastOf(result).end.thickness.at(-1), 4)} mm, by hand ${format(Math.exp(-lastOf(result).end.strain_hoop.at(-1) / 2), 4)} mm; volume × ${volume(result).toFixed(9)}`,
+    isAnswered: ({ result }) => shrunk(result) < 0.8,
   },
   {
-    title: "Volume constancy and thinning",
-    says: "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.",
-    question: "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.",
-    template: "cup",
-    control: { key: "blank.radius", label: "Blank radius", from: 42, to: 64, unit: "mm" },
-    answer: ({ result }) => `${format(Math.max(...lastOf(result).end.thickness))} mm`,
-    isAnswered: ({ result }) => Math.max(...lastOf(result).end.thickness) < 1.2,
+    answer: ({ result }) => `${format(Math.min(...lastOf(result).end.thickness), 4)} mm, ${format(thinnestAt(result), 4)} mm from the axis on the flat blank`,
+    isAnswered: ({ result, first }) => thinnestAt(result) !== thinnestAt(first),
   },
   {
-    title: "Friction and the pole",
-    says: "A punch stretches a clamped sheet into a dome. Where the sheet lies on the punch, friction holds it, and what is held does not thin any more: the thinnest place wanders from the pole outward.",
-    question: "Bring the thinnest place within 8 mm of the pole.",
-    template: "stretch-dome",
-    control: { key: "friction", label: "Friction", from: 0.01, to: 0.24, value: 0.08 },
-    answer: ({ result }) => `${format(thinnestAt(result))} mm`,
-    isAnswered: ({ result }) => thinnestAt(result) < 8,
+    answer: ({ result }) => `${sum(steps(result).iterations)} iterations, ${format(peak(result) / 1e3, 4)} kN`,
+    isAnswered: ({ result, first }) => sum(steps(result).iterations) > 2 * sum(steps(first).iterations),
   },
   {
-    title: "Draw ratio",
-    says: "The wall must pull the whole flange in: the force grows with the blank's diameter over that of the punch, what the wall can bear does not. Their ratio has a limit near 2.",
-    question: "Enlarge the blank until the wall comes near the force that it can bear: tearing is no longer green.",
-    template: "cup",
-    control: { key: "blank.radius", label: "Blank radius", from: 42, to: 64, unit: "mm" },
-    answer: ({ result }) => finding(result, "tearing")?.found ?? "",
-    isAnswered: ({ result }) => finding(result, "tearing")?.light !== "green",
+    answer: ({ trace }) => `primal-dual ${iterations(trace, "primal_dual")}, Newton ${iterations(trace, "newton")}, secant ${iterations(trace, "secant")}`,
+    isAnswered: ({ trace }) => iterations(trace, "newton") === "fails" && iterations(trace, "primal_dual") !== "fails",
   },
   {
-    title: "Bending and unbending",
-    says: "Sheet that runs over a radius is bent and straightened again, and both are paid for: the sharper the radius over the thickness, the larger the force.",
-    question: "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.",
-    template: "u-bend",
-    control: { key: "tools.punch.flat.nose", label: "Punch nose radius", from: 2, to: 8, unit: "mm" },
-    answer: ({ result }) => `${format(peak(result))} N/mm`,
-    isAnswered: ({ result }) => peak(result) > 28,
+    answer: ({ iterate }) => `velocity norm ${iterate.velocity?.toExponential(1) ?? "–"}, residual norm ${format(iterate.residual)}`,
+    isAnswered: ({ iterate }) => (iterate.velocity ?? 1) < 2e-3,
   },
   {
-    title: "Spring-back",
-    says: "Bending leaves a moment in the sheet. When the tools go, it turns back elastically by κ = 12 M (1 − ν²) / (E t³): the stronger and the thinner the sheet, the further.",
-    question: "Find a thickness at which each leg turns back by more than 4 degrees.",
-    template: "v-bend",
-    control: { key: "blank.thickness", label: "Sheet thickness", from: 0.5, to: 1.6, unit: "mm" },
-    answer: ({ result }) => `${format(turnsBack(result))}°`,
-    isAnswered: ({ result }) => turnsBack(result) > 4,
+    answer: ({ result }) => `sinks in by ${format(100 * Math.max(...steps(result).penetration))} % of the thickness, ${format(peak(result) / 1e3, 4)} kN, ${sum(steps(result).iterations)} iterations`,
+    isAnswered: ({ result, first }) => Math.abs(percent(peak(result), peak(first))) > 0.5,
   },
   {
-    title: "Localisation",
-    says: "Where a place thins, it hardens, and its neighbours take over: n says how much. When hardening no longer outweighs thinning, one place takes all the stretching, and the sheet tears.",
-    question: "Find an n at which the thinnest place is thinner than 0.70 mm.",
-    template: "stretch-dome",
-    control: { key: "material.hardening.swift.n", label: "Hardening n", from: 0.08, to: 0.3 },
-    answer: ({ result }) => `${format(Math.min(...lastOf(result).end.thickness))} mm`,
-    isAnswered: ({ result }) => Math.min(...lastOf(result).end.thickness) < 0.7,
+    answer: ({ result }) => `${format(at(result, 0.2, "punch_force"))} N/mm at 0.2 mm, at most ${format(peak(result))} N/mm; each leg turns back by ${format(turnsBack(result), 2)}°`,
+    isAnswered: ({ result, first }) => at(result, 0.2, "punch_force") > 2 * at(first, 0.2, "punch_force"),
   },
   {
-    title: "Error bars",
-    says: "Every number hangs on the mesh, too. Solved once more with other elements, it says by how much: what moves is not the cup but the arithmetic, and a number without that bar is half a number.",
-    question: "Take elements away until the largest punch force is off by more than 1 %.",
-    template: "cup",
-    control: { key: "blank.elements", label: "Elements", from: 8, to: 80 },
-    answer: ({ result, first }) => `${format(100 * Math.abs(peak(result) / peak(first) - 1), 2)} %`,
-    isAnswered: ({ result, first }) => Math.abs(peak(result) / peak(first) - 1) > 0.01,
+    answer: ({ result }) => `until 34 mm ${format(work(result, 34), 5)} J; thinnest ${format(at(result, 34, "thinnest"), 4)} mm at 34 mm, ${format(steps(result).thinnest.at(-1))} mm at 38 mm`,
+    isAnswered: ({ result, first }) => Math.abs(percent(work(result, 34), work(first, 34))) < 0.2 && steps(result).thinnest.at(-1) > 1.2 * steps(first).thinnest.at(-1),
   },
 ];
+
+export const LESSONS = TEXTS.map((text, i) => ({ ...text, ...READ[i] }));
