@@ -119,3 +119,7 @@ pub use solver::solution::{Frame, StageSolution, StepRecord, Stop};
 pub use solver::state::State;
 pub use solver::{Observer, run, solve};
 pub use table::Table;
+
+#[cfg(test)]
+#[path = "latex/tests.rs"]
+mod latex;

@@ -61,3 +61,7 @@ pub type Node = [f64; 3];
 
 /// The element's freedoms in order: r₁, z₁, θ₁, r₂, z₂, θ₂.
 pub type Vector6 = nalgebra::SVector<f64, 6>;
+
+#[cfg(test)]
+#[path = "theory/tests.rs"]
+pub(crate) mod theory;

@@ -161,7 +161,7 @@ fn has_negative_pressure(context: &RunContext, trial: &Trial) -> bool {
     context.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
-fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
+pub(super) fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
     let (model, line) = (context.model, &trial.line);
     let t = model.blank.thickness;
     let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
@@ -176,7 +176,7 @@ fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
 }
 
 /// Relative increment of the velocities by a share of the direction \[–\].
-fn velocity_norm(model: &Model, trial: &Trial, share: f64) -> f64 {
+pub(super) fn velocity_norm(model: &Model, trial: &Trial, share: f64) -> f64 {
     let t = model.blank.thickness;
     let (mut change, mut total) = (0.0, 0.0);
     for (d, u) in trial.line.direction.iter().zip(&trial.moves) {

@@ -197,3 +197,6 @@ fn compare(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
         }
     }
 }
+
+#[path = "../../theory/tests.rs"]
+mod theory;
