@@ -217,7 +217,7 @@ async function start() {
     state.set[key] = text;
     solve(!isLast);
   };
-  lessons = new Lessons({ begin, set, steps, plan: () => plan });
+  lessons = new Lessons({ begin, set, steps, view, plan: () => plan });
   listen();
   const lists = await engine.ask({ do: "templates" });
   templates = lists.templates;

@@ -49,5 +49,5 @@ export function equations(point, duration, matrix, { velocity, residual }) {
   const tangent = tex`C = \begin{pmatrix}${Array.from(point.tangent, (entries) => Array.from(entries, (entry) => number(entry)).join(" & ")).join(tex`\\`)}\end{pmatrix}${unit("MPa")}`;
   const norm = velocity === null ? "" : tex`,\quad \frac{\lVert\delta\dot a\rVert}{\lVert\dot a\rVert} = ${number(velocity, 3)}`;
   const step = tex`\delta\dot a = -H^{-1} r${norm},\quad \lVert r\rVert = ${number(residual, 3)}`;
-  return [...rows, tangent, step].map((row) => `<p>${katex.renderToString(row, { displayMode: true })}</p>`).join("");
+  return [...rows, tangent, step].map((row) => `<p>${katex.renderToString(row, { displayMode: true, fleqn: true })}</p>`).join("");
 }

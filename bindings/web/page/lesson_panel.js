@@ -7,15 +7,15 @@
 // with a key of the case file, or "step", "iteration" or "matrix" of the step by step.
 import { LESSONS } from "./lessons.js";
 import { row } from "./sliders.js";
-import { byId, html, render } from "./dom.js";
+import { byId, html, render, scientific } from "./dom.js";
 
 /** Controls of the step by step, which come into the panel. */
 const OF_STEP = ["step", "iteration", "matrix"];
 
 export class Lessons {
-  /** begin(state) puts a case in the place of what is shown, set(key, text, isLast) a value in it; `steps` takes a step of it apart. */
-  constructor({ begin, set, steps, plan }) {
-    Object.assign(this, { begin, set, steps, plan, current: null });
+  /** begin(state) puts a case in the place of what is shown, set(key, text, isLast) a value in it; `steps` takes a step of it apart, `view` shows it. */
+  constructor({ begin, set, steps, view, plan }) {
+    Object.assign(this, { begin, set, steps, view, plan, current: null });
     byId("learn").addEventListener("click", () => (this.current ? this.close() : this.open(0)));
     byId("lesson").addEventListener("change", ({ target }) => this.open(Number(target.value)));
     render(LESSONS.map(({ title }, i) => html`<option value=${i}>${i + 1}. ${title}</option>`), byId("lesson"));
@@ -33,7 +33,7 @@ export class Lessons {
     byId("lessons").hidden = !this.current;
     byId("learn").setAttribute("aria-pressed", Boolean(this.current));
     document.body.classList.toggle("learning", Boolean(this.current));
-    document.body.classList.toggle("by-step", this.current?.kind === "step");
+    document.body.classList.toggle("by-step", this.current?.kind === "step" && this.current.shows !== "viscosity");
     byId("step-controls").append(...document.querySelectorAll("[data-control]"));
     const { question = "", says = "", kind, shows = "load", step, control } = this.current ?? {};
     byId("beside").append(byId(`figure-${shows === "viscosity" ? "load" : shows}`));
@@ -65,7 +65,8 @@ export class Lessons {
       this.drawControl();
       this.set(key, unit ? `"${value} ${unit}"` : value, isLast);
     };
-    const button = (value) => html`<button aria-pressed=${value === now} @click=${() => move(key, value, true)}>${value} ${unit}</button> `;
+    const named = (value) => (typeof value === "number" ? scientific(value) : String(value).replaceAll("_", "-"));
+    const button = (value) => html`<button aria-pressed=${value === now} @click=${() => move(key, value, true)}>${named(value)} ${unit}</button> `;
     const chosen = values ? html`<p role="group" aria-label=${label}>${label}: ${values.map(button)}</p>` : row({ key, label, value: begun ?? now, unit, low: from, high: to }, now, false, move);
     render(OF_STEP.includes(key) ? "" : chosen, byId("lesson-slider"));
   }
@@ -81,6 +82,7 @@ export class Lessons {
   judge() {
     const { trace, iterate } = this.steps;
     if (!this.current || !this.result || (this.current.kind === "step" && !trace)) return;
+    if (this.current.kind === "step" && this.travel !== trace.travel) this.view.toTravel((this.travel = trace.travel));
     const seen = { result: this.result, first: this.first, trace, iterate };
     const isAnswered = this.current.isAnswered(seen);
     byId("lesson-answer").textContent = isAnswered ? `✓ answered: ${this.current.answer(seen)}` : `now: ${this.current.answer(seen)}`;

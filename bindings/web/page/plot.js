@@ -97,7 +97,7 @@ export function draw(host, chart) {
   host.replaceChildren();
   const plot = new uPlot(options, tables.length > 1 ? uPlot.join(tables) : (tables[0] ?? [[], []]), host);
   if (chart.cursor) plot.setCursor({ left: plot.valToPos(chart.cursor.x, "x"), top: 0 }, false);
-  plot.root.querySelectorAll(".u-series").forEach((entry, i) => (entry.hidden = !options.series[i].label));
+  plot.root.querySelectorAll(".u-series").forEach((entry, i) => (entry.hidden = !options.series[i + 1].label));
   Object.assign(host, { tabIndex: 0, role: "img", ariaLabel: chart.summary });
   if (chart.onPick) plot.over.onpointermove = plot.over.onpointerdown = ({ offsetX }) => pick(plot.posToVal(offsetX, "x"));
   host.onkeydown = (event) => {

@@ -49,7 +49,7 @@ export class Steps {
 
   /** Another result: as many steps as its first stage has. */
   async show({ stages: [stage] }) {
-    this.stage = stage;
+    this.next = stage;
     byId("step").max = stage.steps.travel.length;
     if (this.isShown) await this.load();
     else byId("step").value = Math.round(0.4 * stage.steps.travel.length);
@@ -58,7 +58,7 @@ export class Steps {
   async load() {
     const trace = await this.ask({ do: "trace", step: byId("step").valueAsNumber });
     if (!trace || trace.error) return;
-    this.trace = trace;
+    Object.assign(this, { trace, stage: this.next });
     render(trace.ways.map(({ matrix }) => html`<option value=${matrix}>${MATRICES[matrix]}</option>`), byId("matrix"));
     this.begin();
   }
@@ -127,7 +127,7 @@ function drawSheet(iterate, element, stage, travel, pick) {
     const map = mapOf(host, 0.32 * innerHeight, window);
     const long = ARROW * (window.right - window.left);
     const arrows = looks.map((look) => vectors[look].map((vector, i) => arrow(map, at[look][i], vector.map((part) => (long * part) / largest[look]), look)));
-    const keys = looks.map((look) => html`<span class="key ${look}">→ ${ARROWS[look][0]}: ${scientific(largest[look])} ${ARROWS[look][1]}</span> `);
+    const keys = looks.filter((look) => largest[look] > LEAST).map((look) => html`<span class="key ${look}">→ ${ARROWS[look][0]}: ${scientific(largest[look])} ${ARROWS[look][1]}</span> `);
     render([drawing(map, summary, nodes, pick, tools(map), sheetOf(faces(nodes), fills, map), arrows, place(nodes, element, map)), html`<p class="hint">${under} ${keys}</p>`], host);
   };
   const rigid = cutOff.filter(Boolean).length;
