@@ -1,5 +1,6 @@
 // The charts of a solved stage: load, thickness, forming limit. Each has a sentence for who does not see it.
 import { draw } from "./plot.js";
+import { nearest } from "./section.js";
 import { format } from "./dom.js";
 
 /** Forces of several thousand are shown in thousands. */
@@ -10,18 +11,7 @@ function forceUnit(stage) {
 
 const scaled = (values, by) => Array.from(values, (value) => value * by);
 
-function peakOf(values) {
-  let best = 0;
-  for (let i = 1; i < values.length; i++) if (values[i] > values[best]) best = i;
-  return best;
-}
-
-/** Index of the last step up to a travel. */
-function stepAt(xs, x) {
-  let i = 0;
-  while (i + 1 < xs.length && xs[i + 1] <= x + 1e-9) i++;
-  return i;
-}
+const peakOf = (values) => values.indexOf(Math.max(...values));
 
 export function drawLoad(host, { stage, picture, other, onTravel }) {
   const { steps } = stage;
@@ -42,13 +32,13 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
   const peak = peakOf(main);
   const text = `peak ${format(main[peak])} ${unit} at ${format(over[peak])} mm`;
   const flags = byGas ? [] : stage.events.map(({ label, travel, force }) => ({ x: travel, y: force * by, label }));
-  const now = byGas ? over[stepAt(steps.time, Infinity)] : stage.film.travel[picture];
+  const now = stage.film.travel[picture];
   draw(host, {
     x: { label: `${xLabel} [mm]` },
     y: { label: `${byGas ? "Gas pressure" : "Load"} [${unit}]`, least: 1e-6 },
     series,
     flags: [...flags, { x: over[peak], y: main[peak], label: text }],
-    cursor: byGas ? undefined : { x: now, y: main[stepAt(over, now)] },
+    cursor: byGas ? undefined : { x: now, y: main[nearest(over, now)] },
     summary: `${acts[0][1]}: ${text}. ${stage.events.map(({ label, travel }) => `${label}, ${format(travel)} mm`).join("; ")}`,
     onPick: byGas ? undefined : onTravel,
   });

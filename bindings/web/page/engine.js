@@ -12,10 +12,11 @@ export class Engine {
 
   begin() {
     this.worker?.terminate();
-    this.worker = new Worker(this.url);
+    this.worker = Object.assign(new Worker(this.url), {
+      onmessage: ({ data }) => this.answered(data),
+      onerror: ({ message }) => this.answered({ id: this.running?.id, trap: message }),
+    });
     this.worker.postMessage({ module: this.module });
-    this.worker.onmessage = ({ data }) => this.answered(data);
-    this.worker.onerror = (event) => this.answered({ id: this.running?.id, trap: event.message });
   }
 
   /** Answers one question after the other. */
@@ -46,15 +47,14 @@ export class Engine {
 
   answered({ id, answer, took, trap }) {
     if (this.running?.id !== id) return;
-    if (trap === undefined) this.finish(Object.assign(answer, { took }), false);
-    else this.finish({ error: { what: trap, help: "", rendered: trap } }, true);
+    const failed = { error: { what: trap, help: "", rendered: trap } };
+    this.finish(trap === undefined ? Object.assign(answer, { took }) : failed, trap !== undefined);
   }
 
   finish(answer, isBegunAnew) {
-    const { running } = this;
-    this.running = null;
     if (isBegunAnew) this.begin();
-    running.resolve(answer);
+    this.running.resolve(answer);
+    this.running = null;
     this.next();
   }
 }

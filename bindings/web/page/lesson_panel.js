@@ -1,6 +1,6 @@
 // Panel of a lesson: its question, its one control and its answer. A lesson of lessons.js is
 //
-//   { title, question, says, statement, template or text, overrides?: ["key=value"], kind: "result" or "step",
+//   { title, question, says, statement, template or text, overrides?: ["key=value"], kind: "result" or "step", step?: its number,
 //     control: { key, label, from and to or values, value?, unit? }, shows?: "load", "thickness", "limit" or "viscosity",
 //     answer({ result, first, trace, iterate }): text, isAnswered(the same) }
 //
@@ -43,7 +43,7 @@ export class Lessons {
     byId("lesson").value = number;
     byId("lesson-question").textContent = question;
     byId("lesson-says").textContent = says;
-    byId("lesson-answer").textContent = "";
+    byId("lesson-answer").textContent = byId("lesson-statement").textContent = "";
     if (step) byId("step").value = step;
     if (OF_STEP.includes(control.key)) byId("lesson-control").append(document.querySelector(`[data-control="${control.key}"]`));
     this.drawControl();

@@ -44,8 +44,6 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
         "title": case.model().title,
         "text": case.text,
         "isRound": case.model().geometry == Geometry::Axisymmetric,
-        "isCoarse": is_coarse,
-        "isComplete": solution.is_complete(),
         "stages": stages,
         "verdict": {
             "light": answer.light,

@@ -41,8 +41,6 @@ pub fn json(name: &str, stage: &StageSolution, mut frames: Vec<Picture>) -> Valu
         "tools": tools.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "limit": model.forming_limit.as_ref().map(limit),
-        "isComplete": stage.stop.is_complete(),
-        "why": stage.stop.to_string(),
     })
 }
 
