@@ -52,18 +52,18 @@ impl BaseCase {
         }
     }
 
-    /// Refuses overrides that settings of all designs replace: an override changes the case, but not with them.
+    /// Refuses overrides and settings of all designs that later ones replace: one changes the case, but not with them.
     pub(super) fn check_effective(&self, settings: &[String]) -> Result<(), StudyError> {
-        for i in 0..self.overrides.len() {
-            let mut others = self.clone();
-            let override_ = others.overrides.remove(i);
-            let changes = |settings: &[String]| match (self.case(settings), others.case(settings)) {
-                (Ok(with), Ok(without)) => with.text != without.text,
-                _ => true,
+        let (given, all) = (self.overrides.len(), [&self.overrides, settings].concat());
+        let bare = Self { overrides: Vec::new(), ..self.clone() };
+        for (i, one) in all.iter().enumerate() {
+            let changes = |end: usize| {
+                let cases = [&all[..=i], &all[..i]].map(|before| bare.case(&[before, &all[i + 1..end]].concat()).ok());
+                let [with, without] = cases.map(|case| case.map(|case| case.text));
+                with != without || with.is_none()
             };
-            let what = format!("`{override_}` has no effect: the study gives all its runs other values of this key");
-            let help = "leave it out, or do not vary the key";
-            ensure(!changes(&[]) || changes(settings), what, help)?;
+            let what = format!("`{one}` has no effect: the study gives all its runs other values of this key");
+            ensure(!changes(given.max(i + 1)) || changes(all.len()), what, "leave it out, or do not vary the key")?;
         }
         Ok(())
     }

@@ -120,12 +120,8 @@ impl Record {
         let is_name = |text: &str| text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
         let has_unit = names.split(';').any(|name| Unit::of_header(name.trim()).is_ok());
         if !names.split(';').all(is_name) || !has_unit && !below.split(';').any(is_number) {
-            // Of a file that is something else a message shows one word only.
-            let text: String = self.fields.iter().collect();
-            let word: String = text.chars().take_while(|c| c.is_alphanumeric()).take(LONGEST / 2).collect();
-            let what =
-                format!("{name} is no table of numbers: its first line names no columns, it begins with \"{word}\"");
-            return refused(None, what, example);
+            // A message quotes nothing of a file that is something else.
+            return refused(None, format!("{name} is no table of numbers: its first line names no columns"), example);
         }
         let is_separated = |(c, _): &(char, _)| self.fields.iter().any(|field| field.contains(*c));
         let Some((_, separator)) = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(is_separated) else {

@@ -72,6 +72,7 @@ fn a_key_is_given_once() {
         ("blank.elements=32", "friction=0.05..0.1 & friction=0.1..0.2", "friction is varied twice"),
         ("friction=0.3", "friction=0.05..0.1", "`friction=0.3` has no effect"),
         ("tools.punch.friction=0.3", "friction=0.05..0.1", "`tools.punch.friction=0.3` has no effect"),
+        ("blank.elements=32", "tools.die.friction=0.1..0.3 & friction=0.1..0.3", "die.friction=0.2` has no effect"),
     ] {
         let asked = request(vary, Some("no red"), None, Some(Side::Largest));
         let refused = LimitSearch::new(base(&[set]), &asked).expect_err(vary).to_string();
