@@ -34,7 +34,6 @@ function status(text, kind) {
   document.documentElement.dataset.state = kind;
 }
 
-/** A message in the page's words; without a text none. */
 function notice(text = "") {
   byId("notice").textContent = text;
   byId("notice").hidden = !text;
@@ -52,7 +51,6 @@ async function solve(coarse) {
   showError(null);
   if (document.activeElement !== byId("text")) setText(result.text);
   view.show(result);
-  // A newer question is on its way.
   if (mine !== asked) return;
   if (coarse) {
     resting = setTimeout(() => solve(false), REST);
@@ -151,7 +149,6 @@ async function open(files) {
   return begin({ template: "", base, name, files: { ...state.files, ...beside } });
 }
 
-/** Begins with what the link says. */
 async function follow() {
   const hash = location.hash.slice(1);
   // A skip link goes to a part of the page.

@@ -3,7 +3,8 @@ import { draw } from "./plot.js";
 import { nearest } from "./section.js";
 import { format } from "./dom.js";
 
-/** Forces of several thousand are shown in thousands. */
+const nothing = (host, text) => host.replaceChildren(Object.assign(document.createElement("p"), { className: "nothing", textContent: text }));
+
 function forceUnit(stage) {
   const largest = Math.max(...stage.steps.punch_force.map(Math.abs), ...stage.steps.holder_force.map(Math.abs));
   return largest >= 1000 ? { by: 1e-3, unit: `k${stage.forceUnit}` } : { by: 1, unit: stage.forceUnit };
@@ -44,7 +45,6 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
   });
 }
 
-/** Numbers of the elements at a picture. */
 const at = ({ film }, key, picture) => film[key].subarray(film.elements * picture, film.elements * (picture + 1));
 
 const placeLabel = (isRound) => `Initial distance from the ${isRound ? "axis" : "middle"} [mm]`;
@@ -107,8 +107,4 @@ export function drawLimit(host, { stage, picture, other, isRound, chosen: place,
     flags: [{ x: minor[worst], y: major[worst], label: text }],
     summary,
   });
-}
-
-function nothing(host, text) {
-  host.replaceChildren(Object.assign(document.createElement("p"), { className: "nothing", textContent: text }));
 }

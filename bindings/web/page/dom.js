@@ -3,7 +3,6 @@ export { html, nothing, render, svg } from "lit-html";
 
 export const byId = (id) => document.getElementById(id);
 
-/** A number with so many significant digits. */
 export function format(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   return value.toLocaleString("en", { maximumSignificantDigits: digits, useGrouping: false });
@@ -17,5 +16,4 @@ export function scientific(value, digits = 3) {
   return `${mantissa}·10${raised(Number(exponent))}`;
 }
 
-/** An exponent in small letters. */
 export const raised = (exponent) => String(exponent).replaceAll(/[-\d]/g, (sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]));

@@ -8,10 +8,8 @@ export function save(name, text, type) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** Units as they stand at the end of a header. */
 function header(key, forceUnit) {
-  const force = forceUnit === "N" ? "N" : "N_per_mm";
-  if (/force/.test(key)) return `${key}_${force}`;
+  if (/force/.test(key)) return `${key}_${forceUnit === "N" ? "N" : "N_per_mm"}`;
   if (/^stress|^pressure$/.test(key)) return `${key}_MPa`;
   if (/^strain|^penetration$|^iterations$/.test(key)) return key;
   return key === "time" ? "time_s" : `${key}_mm`;

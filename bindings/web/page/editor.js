@@ -8,7 +8,6 @@ export function setText(value) {
   byId("printed").textContent = value;
 }
 
-/** Shows what is wrong; null where nothing is. */
 export function showError(error) {
   byId("error").hidden = !error;
   const { what, help, line, column, rendered } = error ?? {};

@@ -4,7 +4,6 @@
 const PATIENCE = 300;
 
 export class Engine {
-  /** @param module the compiled solver  @param source text of the worker */
   constructor(module, source) {
     Object.assign(this, { module, url: URL.createObjectURL(new Blob([source], { type: "text/javascript" })), waiting: [], running: null, count: 0 });
     this.begin();
@@ -19,7 +18,6 @@ export class Engine {
     this.worker.postMessage({ module: this.module });
   }
 
-  /** Answers one question after the other. */
   ask(question, file, isLatest = false) {
     return new Promise((resolve) => {
       this.waiting.push({ id: ++this.count, question, file, resolve, isLatest });
@@ -59,7 +57,6 @@ export class Engine {
   }
 }
 
-/** The solver of the page: gzip in base64. */
 export async function compiled(base64) {
   const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

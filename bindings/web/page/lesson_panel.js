@@ -16,7 +16,7 @@ export class Lessons {
   /** begin(state) puts a case in the place of what is shown, set(key, text, isLast) a value in it; `steps` takes a step of it apart, `view` shows it. */
   constructor({ begin, set, steps, view, plan }) {
     Object.assign(this, { begin, set, steps, view, plan, current: null });
-    byId("learn").addEventListener("click", () => (this.current ? this.close() : this.open(0)));
+    byId("learn").addEventListener("click", () => (this.current ? this.begin({ lesson: null }) : this.open(0)));
     byId("lesson").addEventListener("change", ({ target }) => this.open(Number(target.value)));
     render(LESSONS.map(({ title }, i) => html`<option value=${i}>${i + 1}. ${title}</option>`), byId("lesson"));
   }
@@ -26,8 +26,8 @@ export class Lessons {
     return this.begin({ template, base: text, name: "lesson.toml", overrides, lesson: number });
   }
 
-  /** The panel of a lesson; null where none is open. */
   async enter(number) {
+    const before = this.current;
     this.current = LESSONS[number] ?? null;
     Object.assign(this, { result: null, first: null, value: undefined });
     byId("lessons").hidden = !this.current;
@@ -39,7 +39,7 @@ export class Lessons {
     byId("beside").append(byId(`figure-${shows === "viscosity" ? "load" : shows}`));
     byId("charts").append(...["load", "thickness", "limit"].map((name) => byId(`figure-${name}`)).filter((figure) => shows !== "viscosity" && figure.id !== `figure-${shows}`));
     byId("colour").value = shows === "viscosity" ? shows : "thickness";
-    if (!this.current) return;
+    if (!this.current) return before && this.steps.toggle(false);
     byId("lesson").value = number;
     byId("lesson-question").textContent = question;
     byId("lesson-says").textContent = says;
@@ -48,11 +48,6 @@ export class Lessons {
     if (OF_STEP.includes(control.key)) byId("lesson-control").append(document.querySelector(`[data-control="${control.key}"]`));
     this.drawControl();
     await this.steps.toggle(kind === "step");
-  }
-
-  close() {
-    this.begin({ lesson: null });
-    this.steps.toggle(false);
   }
 
   /** A slider, or a button for each value; of the step by step the control itself is in the panel. */
@@ -71,7 +66,6 @@ export class Lessons {
     render(OF_STEP.includes(key) ? "" : chosen, byId("lesson-slider"));
   }
 
-  /** A result: whether it answers the question. */
   show(result) {
     if (!this.current) return;
     this.first ??= result;

@@ -9,7 +9,6 @@ const LOOKS = {
 };
 const FONT = "12px system-ui, sans-serif";
 
-/** A colour of the style sheet in the theme that is shown. */
 function color(name) {
   const probe = document.body.appendChild(document.createElement("i"));
   probe.style.color = `var(${name})`;

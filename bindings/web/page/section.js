@@ -15,7 +15,6 @@ function colour(colours, share) {
   return css(colours[i].map((from, k) => from + (at - i) * (colours[i + 1][k] - from)));
 }
 
-/** Colour of each element, and the key of the colours. */
 function colouring({ film, thickness }, picture, isViscosity) {
   const own = (key) => Array.from(film[key].subarray(film.elements * picture, film.elements * (picture + 1)));
   if (!isViscosity) {
@@ -102,7 +101,6 @@ export function place(nodes, e, { x, y }) {
   return svg`<circle class="place" cx=${x((nodes[e][0] + nodes[e + 1][0]) / 2)} cy=${y((nodes[e][1] + nodes[e + 1][1]) / 2)} r="7"/>`;
 }
 
-/** Draws a stage's picture; `other` is the same of design A, dashed. */
 export function drawSection(host, { stage, picture, other, chosen, isViscosity, onElement, most }) {
   const map = mapOf(host, most, shownOf([stage, other?.stage].filter(Boolean)));
   const nodes = nodesOf(stage, picture);

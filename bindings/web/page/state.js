@@ -1,6 +1,5 @@
 // What is looked at, and its link: all of it in the address, deflated and in base64, so that a link is the example.
 
-/** As the page begins. */
 export function begun() {
   return { template: "cup", given: {}, base: "", name: "cup.toml", files: {}, sheet: "", values: {}, overrides: [], set: {}, lesson: null, a: null, at: 1, stage: 0 };
 }

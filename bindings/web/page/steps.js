@@ -10,7 +10,6 @@ const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic",
 const LEAST = 1e-12;
 /** Of the longest arrow over the width of the picture, and half the width of a zoom over the thickness [–]. */
 const [ARROW, ZOOM] = [0.12, 5];
-/** Arrows by their look: name and unit. */
 const ARROWS = { contact: ["contact force", "N"], balance: ["out of balance", "N"], correction: ["δȧ", "mm/s"] };
 
 const log = (values) => Array.from(values, (value) => Math.log10(Math.max(LEAST, value)));
@@ -32,7 +31,6 @@ export class Steps {
     return !byId("steps").hidden;
   }
 
-  /** History of the chosen matrix. */
   get way() {
     return this.trace.ways[Math.max(0, byId("matrix").selectedIndex)];
   }
@@ -47,7 +45,6 @@ export class Steps {
     if (isShown) await this.load();
   }
 
-  /** Another result: as many steps as its first stage has. */
   async show({ stages: [stage] }) {
     this.next = stage;
     byId("step").max = stage.steps.travel.length;
@@ -149,7 +146,6 @@ function arrow({ x, y, scale }, [r, z], [dr, dz], look) {
   return svg`<path class="force ${look}" d="M${x(r)} ${y(z)}L${to.join(" ")}M${barb(1)}L${to.join(" ")}L${barb(-1)}"/>`;
 }
 
-/** Velocity norms of all matrices, and the residual norm of the chosen one. */
 function drawNorms(host, trace, way, at) {
   const name = ({ matrix, converged }) => `${MATRICES[matrix]}${converged ? "" : " (not converged)"}`;
   const curve = (values) => ({ x: Array.from(values, (_, k) => k + 1), y: log(values) });

@@ -1,7 +1,6 @@
 // The verdict: its sentence with the light, the part's numbers, every row, and what should be known besides.
 import { byId, html, render } from "./dom.js";
 
-/** Shapes beside the colours. */
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
 /** Advice that names a command of the command line, and what the page has in its place. */
@@ -24,7 +23,6 @@ function row({ light: name, label, found, limit, source, advice }) {
   return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice)}</td></tr>`;
 }
 
-/** Rows that are not green, and the green ones folded. */
 export function drawRows({ verdict }) {
   const of = (lights) => lights.flatMap((name) => verdict.rows.filter((one) => one.light === name));
   const head = ["Finding", "Found", "Limit", "What to do"].map((text) => html`<th scope="col">${text}</th>`);

@@ -20,7 +20,6 @@ export class View {
     new ResizeObserver(() => this.draw()).observe(byId("main"));
   }
 
-  /** Index of the element that is picked; −1 where none is. */
   get chosen() {
     return nearest(this.result.stages[this.stage].end.s0, this.place);
   }
@@ -47,7 +46,6 @@ export class View {
     this.onElement(e);
   }
 
-  /** To the picture nearest to a travel [mm]. */
   toTravel(travel) {
     const all = this.result.stages[this.stage].film.travel;
     this.moveTo(nearest(all, travel) / (all.length - 1));
@@ -75,7 +73,6 @@ export class View {
     this.drawMoving();
   }
 
-  /** What the cursor moves. */
   drawMoving() {
     if (!this.result) return;
     const stage = this.result.stages[this.stage];

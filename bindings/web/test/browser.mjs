@@ -25,7 +25,6 @@ export async function opened(of, hash = "") {
 
 export const stateOf = (page) => page.evaluate(() => document.documentElement.dataset.state);
 
-/** Until nothing is solved any more. */
 export async function settled(page) {
   await page.waitForFunction(() => ["solved", "error"].includes(document.documentElement.dataset.state), { timeout: 120_000, polling: 20 });
 }
@@ -45,7 +44,6 @@ export function set(page, selector, value, ...events) {
   }, value, events);
 }
 
-/** Sets a control and waits for the result. */
 export async function setAndSettle(page, selector, value) {
   await page.evaluate(() => (document.documentElement.dataset.state = "asked"));
   await set(page, selector, value, "input", "change");
@@ -54,7 +52,6 @@ export async function setAndSettle(page, selector, value) {
 
 export const slider = (key) => `.slider[data-key="${key}"] input[type="range"]`;
 
-/** Moves a slider to a share of its value. */
 export async function move(page, key, share) {
   await setAndSettle(page, slider(key), share * (await page.$eval(slider(key), (range) => range.valueAsNumber)));
 }

@@ -15,7 +15,6 @@ const OTHER_STEPS = ["brite_four_steps withdraw"];
 
 const TABLES = { "load_travel.csv": "steps", "profile.csv": "end" };
 
-/** The columns of a table by their keys, units cut off. */
 function columns(text, keys) {
   const [head, ...rows] = text.trim().split("\n").map((line) => line.split(","));
   const at = (key) => head.findIndex((header) => header === key || header.replace(/_(mm|N|N_per_mm|MPa|s)$/, "") === key);
