@@ -77,6 +77,7 @@ async function remember() {
 /** Begins with a case's text: its sliders, nothing moved, then what the link says besides. */
 async function begin(changes) {
   asked++;
+  clearTimeout(remembering);
   notice();
   byId("drawing").hidden = true;
   status("solving …", "solving");

@@ -13,7 +13,7 @@ export function scientific(value, digits = 3) {
   const size = Math.abs(value);
   if (!Number.isFinite(value) || value === 0 || (size >= 0.01 && size < 1e5)) return format(value, digits);
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-  return `${mantissa}·10${raised(Number(exponent))}`;
+  return `${Number(mantissa)}·10${raised(Number(exponent))}`;
 }
 
 export const raised = (exponent) => String(exponent).replaceAll(/[-\d]/g, (sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]));

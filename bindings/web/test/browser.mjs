@@ -12,7 +12,6 @@ export async function browser() {
 /** What the page did that it never may: errors in the console, requests to anywhere. */
 export const wrongs = [];
 
-/** A page that has come to its first result, or to what the link says. */
 export async function opened(of, hash = "") {
   const page = await of.newPage();
   page.on("console", (message) => message.type() === "error" && wrongs.push(`console: ${message.text()}`));
