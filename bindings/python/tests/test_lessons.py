@@ -76,7 +76,7 @@ def by_hand(solution: sf.Solution) -> float:
     rim = blank - load["draw_in_mm"][load["punch_force_N"].argmax()]
     began = math.sqrt(wall**2 + blank**2 - rim**2)
     stresses = [520.0 * (0.005 + math.log(ratio)) ** 0.22 for ratio in (blank / rim, began / wall)]
-    return 2.0 * math.pi * wall * np.mean(stresses) * math.log(rim / wall)
+    return 2.0 * math.pi * wall * float(np.mean(stresses)) * math.log(rim / wall)
 
 
 def test_ideal_drawing_is_what_the_hand_computes() -> None:
