@@ -223,8 +223,7 @@ pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
 
 /// Iterations of the corrector, of rejected steps too: one row each.
 pub fn iteration_table<'a>(iterations: impl Iterator<Item = &'a IterationRecord> + Clone) -> Table {
-    let extent = Extent::of(Geometry::Axisymmetric, None);
-    Table::new(ITERATION.iter().map(|field| field.column(extent, iterations.clone())).collect())
+    Table::new(ITERATION.iter().map(|field| field.column(Extent::Ring, iterations.clone())).collect())
 }
 
 /// Iterations of one step with several matrices as CSV, with the method, the start and the matrix of each row.

@@ -44,7 +44,7 @@ pub fn interruptible<R: Send>(
             let line = Line { share: progress.is_some().then_some(send), stop: &stop };
             let worker = scope.spawn(move || {
                 let _over = over;
-                pooled(|| work(&line))
+                work(&line)
             });
             let call = || {
                 Python::attach(|py| {

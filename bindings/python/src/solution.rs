@@ -136,19 +136,19 @@ impl Solution {
             Some(_) => self.judged(py).0.numbers.clone(),
         };
         let summary = self.results(py)?.views.last().map(Summary::of);
-        let is_new = |(key, ..): &(&str, &str, Amount)| of_part.iter().all(|number| number.key != *key);
+        let is_new = |(key, ..): &(&str, String, Amount)| of_part.iter().all(|number| number.key != *key);
         let of_stage = summary.iter().flat_map(Summary::numbers).filter(is_new);
-        let numbers = of_part.iter().map(|number| (number.key, number.label, number.amount)).chain(of_stage);
+        let numbers = of_part.iter().map(|number| (number.key, number.label.to_owned(), number.amount)).chain(of_stage);
         let parts = numbers.map(|(key, label, amount)| {
             let unit = amount.unit;
-            (unit.keyed(key), label.to_owned(), amount.value, unit.symbol(), amount.bar, amount.to_string())
+            (unit.keyed(key), label, amount.value, unit.symbol(), amount.bar, amount.to_string())
         });
         Ok(parts.collect())
     }
 
     /// Adds error bars from finer runs; returns also the exception that cut it short.
     fn verify(&self, py: Python<'_>, progress: Progress) -> (Self, Option<PyErr>) {
-        let (verified, raised) = interruptible(py, progress, |line| verify::verify(&self.solution, line));
+        let (verified, raised) = interruptible(py, progress, |line| pooled(|| verify::verify(&self.solution, line)));
         let solution = Arc::clone(&self.solution);
         (Self { solution, bars: Some(verified.bars), verdict: OnceLock::new() }, raised)
     }

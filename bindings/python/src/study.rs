@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::error;
-use super::interruptible::{Progress, interruptible};
+use super::interruptible::{Progress, interruptible, pooled};
 use super::table::{Picture, json, picture};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -59,7 +59,7 @@ pub fn study(
 ) -> PyResult<(String, Columns, Pictures, Option<PyErr>)> {
     let request: Request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let base = case.base().map_err(|error| error::study(py, &error))?;
-    let (result, mut raised) = interruptible(py, progress, |line| run(kind, base, request, line));
+    let (result, mut raised) = interruptible(py, progress, |line| pooled(|| run(kind, base, request, line)));
     let (report, runs) = result.map_err(|error| raised.take().unwrap_or_else(|| error::study(py, &error)))?;
     let (report, runs, pictures) = results(&report, runs)?;
     Ok((report, runs, pictures, raised))

@@ -237,8 +237,7 @@ impl Lines<'_> {
         // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
         let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
         self.number("velocity_norm", "Largest accepted velocity norm", known.reduce(f64::max).map(Amount::norm));
-        let residual = Amount::norm(self.largest(|s| s.residual_norm));
-        self.number("residual_norm", "Largest accepted residual norm", residual);
+        self.number("residual_norm", "Largest accepted residual norm", Amount::norm(self.largest(|s| s.residual_norm)));
         self.plain("rejected", "Rejected tries", count(|s| s.rejected) + effort.abandoned);
         for (key, count) in [
             ("steps_from_predictor", effort.predictor),

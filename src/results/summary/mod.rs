@@ -67,11 +67,14 @@ impl Summary {
         })
     }
 
-    /// Key, label and amount of every number.
-    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, &str, Amount)> {
-        self.0.iter().filter_map(|Line { key, label, value, .. }| match value {
-            Value::Number(amount) => Some((*key, label.trim(), *amount)),
-            _ => None,
+    /// Key, label and amount of every number; an indented label stands behind that of the line above.
+    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, String, Amount)> {
+        let mut head = "";
+        self.0.iter().filter_map(move |Line { key, label, value, .. }| {
+            let part = label.strip_prefix("  ").map(|part| format!("{head}, {}", part.trim()));
+            head = if part.is_none() { label } else { head };
+            let Value::Number(amount) = value else { return None };
+            Some((*key, part.unwrap_or_else(|| label.clone()), *amount))
         })
     }
 
