@@ -19,6 +19,7 @@ export function drawSliders({ sliders }, { values, sheet, isRound }, onMove) {
 export function row({ key, label, value: begun, unit, low, high }, value, isRound, onMove) {
   const clean = (x) => (WHOLE.test(key) ? Math.round(x) : Number(x.toPrecision(6)));
   const [most, least] = [Math.max(high, value), Math.min(low, value)].map(clean);
+  const short = Number(value.toPrecision(4));
   const name = `${label} [${unit || "–"}]`;
   const [to, from] = least > 0 && most / least > DECADES ? [Math.log10, (x) => 10 ** x] : [(x) => x, (x) => x];
   const step = WHOLE.test(key) ? 1 : (to(most) - to(least)) / STEPS;
@@ -27,6 +28,6 @@ export function row({ key, label, value: begun, unit, low, high }, value, isRoun
   return html`<div class="slider ${value === begun ? "" : "moved"}" data-key=${key}>
     <span>${label} ${isRound && RADII.includes(key) ? html`<small>Ø ${format(2 * value, 4)} ${unit}</small>` : nothing}</span>
     <input type="range" min=${to(least)} max=${to(most)} step=${step} .value=${to(value)} aria-label=${name} aria-valuetext="${scientific(value)} ${unit}" @input=${move(false)} @change=${move(true)}>
-    <input type="number" step="any" .value=${String(Number(value.toPrecision(4)))} aria-label=${name} @change=${type}>
+    <input type="number" step="any" .value=${value > 0 && value < 1e-3 ? short.toExponential() : String(short)} aria-label=${name} @change=${type}>
     <span class="unit">${unit || "–"}</span></div>`;
 }

@@ -99,8 +99,8 @@ export class Steps {
     const choose = (k) => () => ((this.point = k), this.drawPoints(points));
     const rows = points.map((point, k) => html`<tr class=${k === this.point ? "chosen" : ""}>
       <th scope="row"><button aria-pressed=${k === this.point} @click=${choose(k)}>${k + 1}</button></th>${numbers(point).map((value) => html`<td>${scientific(value)}</td>`)}</tr>`);
-    const state = iterate.cutOff[element] ? "nearly rigid" : trace.isElastic ? "" : "flows";
-    render(html`<p class="hint">Element ${element + 1} ${state}. Points from the die's face to the punch's; stresses and C in MPa. Pick another element in a picture or chart, another point here.</p>
+    const state = iterate.cutOff[element] ? " is nearly rigid" : trace.isElastic ? "" : " flows";
+    render(html`<p class="hint">Element ${element + 1}${state}. Points from the die's face to the punch's; stresses and C in MPa. Pick another element in a picture or chart, another point here.</p>
       <div class="scroll"><table class="points"><thead><tr>${columns.map((name) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>${rows}</tbody></table></div>`, byId("points"));
     byId("equations").innerHTML = equations(points[this.point], trace.duration, way.matrix, iterate);
   }

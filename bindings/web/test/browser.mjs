@@ -28,7 +28,6 @@ export async function settled(page) {
   await page.waitForFunction(() => ["solved", "error"].includes(document.documentElement.dataset.state), { timeout: 120_000, polling: 20 });
 }
 
-/** What is done, and then until it has led to a fine result. */
 export async function after(page, what, ...of) {
   await page.evaluate(() => (document.documentElement.dataset.state = "asked"));
   await page.evaluate(what, ...of);
