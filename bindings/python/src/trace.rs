@@ -79,6 +79,9 @@ fn tables(model: &Model, iterate: &IterateSnapshot) -> [Table; 3] {
             point.equivalent_increment
         }),
         field("yield_stress", "Yield stress there", Unit::MPa, &most, |point| point.yield_stress),
+        field("strain_equivalent", "Equivalent strain there", Unit::None, &most, |point| point.equivalent_strain),
+        field("stress_meridional", "Meridional stress there", Unit::MPa, &most, |point| point.stress[0]),
+        field("stress_hoop", "Hoop stress there", Unit::MPa, &most, |point| point.stress[1]),
         field("cut_off", "Strains by less than ten cut-offs", Unit::None, cut_off, |is_cut_off| flag(*is_cut_off)),
     ];
     let contacts = vec![

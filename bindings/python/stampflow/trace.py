@@ -18,8 +18,9 @@ class Iterate:
     def __init__(self, nodes: Sequence[Any], elements: Sequence[Any], contacts: Sequence[Any]) -> None:
         #: Nodes: ``r_mm``, ``z_mm``, ``theta`` [rad], and the force out of balance ``imbalance_r_N``, ``imbalance_z_N``.
         self.nodes = Columns(nodes)
-        #: Elements at the thickness point that strains most: ``strain_increment``, ``yield_stress_MPa``,
-        #: ``viscosity_MPa_s`` (flow law), and ``cut_off``, 1 where the element strains by less than ten cut-offs.
+        #: Elements at the thickness point that strains most: ``strain_increment``, ``strain_equivalent``,
+        #: ``yield_stress_MPa``, ``stress_meridional_MPa``, ``stress_hoop_MPa``, ``viscosity_MPa_s`` (flow law), and
+        #: ``cut_off``, 1 where the element strains by less than ten cut-offs.
         self.elements = Columns(elements)
         #: Points under a tool's pressure: ``r_mm``, ``z_mm``, ``force_r_N``, ``force_z_N``, and ``sticks``, 1 or 0.
         self.contacts = Columns(contacts)

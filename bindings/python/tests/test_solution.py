@@ -97,6 +97,10 @@ def test_a_step_is_traced_with_every_matrix(solution: sf.Solution) -> None:
     assert np.abs(moves[1] - moves[0]).max() < 1e-3 * trace.duration
     elements = own.iterates[-1].elements
     rate, flows = elements["strain_increment"] / trace.duration, elements["cut_off"] == 0
+    # Mises' stress of the plane; transverse shear is small.
+    along, across = elements["stress_meridional_MPa"], elements["stress_hoop_MPa"]
+    equivalent = np.sqrt(along**2 - along * across + across**2)
+    assert np.allclose(equivalent[flows], elements["yield_stress_MPa"][flows], rtol=0.05)
     # Beyond ten cut-offs the cut-off adds half a hundredth at most.
     assert np.allclose(elements["viscosity_MPa_s"][flows], (elements["yield_stress_MPa"] / (3 * rate))[flows], rtol=0.005)
     with pytest.raises(IndexError, match="there is no step 4000"):
