@@ -34,7 +34,6 @@ export async function after(page, what, ...of) {
   await settled(page);
 }
 
-/** Sets a control to a value, as a user would; `events` are input while it moves, change when it is let go. */
 export function set(page, selector, value, ...events) {
   return page.$eval(selector, (control, value, events) => {
     control.value = value;
