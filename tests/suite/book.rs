@@ -13,6 +13,7 @@
 //!
 //! `UPDATE=1` writes the lines and the pictures anew.
 
+use crate::common::files::files;
 use regex::Regex;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,13 +23,10 @@ use temp_dir::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The pages of the book, in alphabetical order.
-fn pages() -> Vec<PathBuf> {
-    let entries = fs::read_dir(Path::new(ROOT).join("docs")).expect("shipped");
-    let mut pages: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
-    pages.retain(|page| page.extension().is_some_and(|ending| ending == "md"));
-    pages.sort();
-    pages
+/// The pages of the book and the README, with their text.
+fn pages() -> Vec<(PathBuf, String)> {
+    let paths = files(Path::new(ROOT).join("docs"), "md").into_iter().chain([Path::new(ROOT).join("README.md")]);
+    paths.map(|path| (path.clone(), fs::read_to_string(path).expect("readable"))).collect()
 }
 
 /// What a command of a page prints on its output, line by line.
@@ -112,10 +110,9 @@ fn pages_show_what_the_program_prints_and_draws() {
     let update = std::env::var_os("UPDATE").is_some();
     let wrong = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
-        for path in pages().into_iter().chain([Path::new(ROOT).join("README.md")]) {
+        for (path, page) in pages() {
             let wrong = &wrong;
             scope.spawn(move || {
-                let page = fs::read_to_string(&path).expect("readable");
                 let (anew, pictures) = made_anew(&page);
                 if update {
                     fs::write(&path, &anew).expect("writable");
@@ -145,19 +142,16 @@ fn pages_show_what_the_program_prints_and_draws() {
 /// Trust: the files themselves.
 #[test]
 fn every_page_is_in_the_summary_and_every_link_and_picture_is_there() {
-    let docs = Path::new(ROOT).join("docs");
-    let summary = fs::read_to_string(docs.join("SUMMARY.md")).expect("shipped");
+    let summary = include_str!("../../docs/SUMMARY.md");
     let link = Regex::new(r"\]\(([^)#]+)(?:#[^)]*)?\)").expect("a pattern");
     let mut missing = Vec::new();
-    for page in pages().into_iter().chain([Path::new(ROOT).join("README.md")]) {
+    for (page, text) in pages() {
         let name = page.file_name().expect("a name").to_string_lossy().into_owned();
         if !["SUMMARY.md", "README.md"].contains(&name.as_str()) && !summary.contains(&format!("({name})")) {
             missing.push(format!("SUMMARY.md has no {name}"));
         }
-        let text = fs::read_to_string(&page).expect("readable");
         for target in link.captures_iter(&text).map(|parts| parts[1].to_owned()) {
-            let is_elsewhere = target.starts_with("http");
-            if !is_elsewhere && !page.parent().expect("a folder").join(&target).exists() {
+            if !target.starts_with("http") && !page.with_file_name(&target).exists() {
                 missing.push(format!("{name} leads to {target}, which is not there"));
             }
         }
@@ -168,18 +162,29 @@ fn every_page_is_in_the_summary_and_every_link_and_picture_is_there() {
 /// Trust: the files themselves; what no command makes is old one day and nobody sees it.
 #[test]
 fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
-    let read = |page: &PathBuf| fs::read_to_string(page).expect("readable");
-    let readme = Path::new(ROOT).join("README.md");
-    let book: String = pages().iter().chain([&readme]).map(read).collect();
-    let entries = fs::read_dir(Path::new(ROOT).join("docs")).expect("shipped");
-    let names = entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned());
-    let is_wrong = |name: &String| {
+    let book: String = pages().into_iter().map(|(_, text)| text).collect();
+    for path in files(Path::new(ROOT).join("docs"), "png") {
+        let name = path.file_name().expect("a name").to_string_lossy();
         let is_made = book.contains(&format!(" as {name} -->"));
         let is_shown = book.contains(&format!("({name})")) || book.contains(&format!("(docs/{name})"));
-        name.ends_with(".png") && (!is_made || !is_shown)
-    };
-    let wrong: Vec<String> = names.filter(is_wrong).collect();
-    assert!(wrong.is_empty(), "{wrong:?}");
+        assert!(is_made && is_shown, "{name}");
+    }
+}
+
+/// Trust: the rules of prose. Code, comments, equations, headings, tables and pictures are no prose.
+#[test]
+fn a_page_has_18_words_a_sentence_in_the_mean_and_80_a_paragraph_at_most() {
+    let rest = Regex::new(r"(?ms)^```.*?^```$|<!--.*?-->|^\$\$.*?\$\$$|^[#|<!].*?$").expect("a pattern");
+    let end = Regex::new(r"[.!?][)*”]*\s").expect("a pattern");
+    let paragraph = Regex::new(r"\n\s*(?:\n|[*-] |\d+\. )").expect("a pattern");
+    let words = |text: &str| text.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count();
+    for (page, text) in pages() {
+        let prose = rest.replace_all(&text, "\n");
+        let sentences = paragraph.split(&prose).flat_map(|text| end.split(text)).filter(|text| words(text) > 0).count();
+        let mean = words(&prose) as f64 / sentences as f64;
+        let longest = paragraph.split(&prose).map(words).max().unwrap_or(0);
+        assert!(mean <= 18.0 && longest <= 80, "{}: {mean:.1} a sentence, {longest} a paragraph", page.display());
+    }
 }
 
 /// Trust: the code itself: `src/state.rs` is a file of it and `src/state.rs::State` a thing that the file defines.
@@ -187,8 +192,7 @@ fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
 fn what_a_page_names_of_the_code_is_there() {
     let name = Regex::new(r"`((?:src|tests|benches|cases)/[\w./-]+?)(?:::(\w+))?`").expect("a pattern");
     let (mut missing, mut items) = (Vec::new(), 0);
-    for page in pages() {
-        let text = fs::read_to_string(&page).expect("readable");
+    for (page, text) in pages() {
         for parts in name.captures_iter(&text) {
             let path = Path::new(ROOT).join(&parts[1]);
             let is_there = match parts.get(2) {
@@ -214,7 +218,7 @@ fn every_finding_has_a_row_on_the_page_of_the_verdict() {
     let page = fs::read_to_string(Path::new(ROOT).join("docs/verdict.md")).expect("shipped");
     let made = Regex::new(r#"(?:judged|warning|rated|doubted)\(\s*"([a-z_]+)",\s*"([^"]+)""#).expect("a pattern");
     let mut found = 0;
-    for path in crate::common::files::files("src/assess", "rs") {
+    for path in files("src/assess", "rs") {
         let code = fs::read_to_string(&path).expect("readable");
         for parts in made.captures_iter(&code) {
             let row = format!("\n| {} `{}` |", &parts[2], &parts[1]);
