@@ -91,11 +91,13 @@ pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
 mod tests {
     use super::*;
 
-    /// Trust: nothing holds a punch back; the bend's gap is less than its sheet at the end of its way.
+    /// Trust: nothing holds a punch back; the forces of the first draw's tools fade; the bend's gap is less than its sheet at the
+    /// end of its way.
     #[test]
     fn what_is_drawn_back_goes_all_the_way_and_what_bottoms_ends_as_closed() {
         for (name, overrides, kind, is_remedied) in [
             ("drawn_back", &[][..], StopKind::FullTravel, false),
+            ("redrawn", &[], StopKind::FullTravel, false),
             ("w_bend", &["blank.elements=36", "tools.punch.travel=36.8 mm"], StopKind::ToolsClosed, true),
             ("w_bend", &["solver.min_step=5e-4"], StopKind::ToolsClosed, false),
         ] {

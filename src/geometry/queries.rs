@@ -10,6 +10,10 @@ const SMOOTH: f64 = 0.02;
 /// Largest ratio of the radii of arcs of one corner \[–\].
 const ALIKE: f64 = 1.5;
 
+/// Most rises of a search, and the last one over the wanted distance \[–\].
+const MOST_RISES: usize = 200;
+const LAST_RISE: f64 = 1e-6;
+
 /// Vertex between two pieces of a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
@@ -22,6 +26,26 @@ pub struct Vertex {
 }
 
 impl Profile {
+    /// Rise along y at which the closest place of the profile is `apart` below or beside another \[mm\].
+    pub fn rise_until(&self, other: &Self, apart: f64) -> f64 {
+        let heights = |profile: &Self| {
+            let points = profile.polyline(0.01);
+            let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+            (low, points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max))
+        };
+        let ((_, top), (face, end)) = (heights(self), heights(other));
+        // Distances change no faster than the profile rises.
+        let mut rise = face - top - apart;
+        for _ in 0..MOST_RISES {
+            let spare = self.distance_to(other, Point::new(0.0, rise)).0 - apart;
+            if spare < LAST_RISE * apart || rise > end - top {
+                break;
+            }
+            rise += spare;
+        }
+        rise
+    }
+
     /// Replaces every arc by `per_quarter` chords per 90°, at least one.
     pub fn faceted(&self, per_quarter: usize) -> Self {
         let chords = |piece: &Piece| match piece {

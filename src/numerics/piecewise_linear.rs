@@ -27,8 +27,7 @@ impl From<f64> for PiecewiseLinear {
 impl PiecewiseLinear {
     /// Through the points (x, value); `None` when there is none, or x does not rise from each to the next.
     pub fn new(points: Vec<(f64, f64)>) -> Option<Self> {
-        let rises = points.windows(2).all(|w| w[0].0 < w[1].0);
-        (rises && !points.is_empty()).then_some(Self { points })
+        (!points.is_empty() && points.windows(2).all(|w| w[0].0 < w[1].0)).then_some(Self { points })
     }
 
     /// The value at `x`.
@@ -38,8 +37,7 @@ impl PiecewiseLinear {
 
     /// Place at which a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
     pub fn reaches(&self, value: f64) -> f64 {
-        let inverse: Vec<(f64, f64)> = self.points.iter().map(|(x, value)| (*value, *x)).collect();
-        interpolated(&inverse, value)
+        interpolated(&self.points.iter().map(|(x, value)| (*value, *x)).collect::<Vec<_>>(), value)
     }
 
     /// Slope of the line that leads up to `x`; 0 up to the first point and beyond the last.
@@ -55,6 +53,12 @@ impl PiecewiseLinear {
         let ((x0, v0), (x1, v1)) = (points[kept - 1], self.points[kept]);
         points.push((x0 + (x1 - x0) * (value - v0) / (v1 - v0), value));
         Self { points }
+    }
+
+    /// Rising from 0 at 0 to its value at `x`, unchanged beyond.
+    pub fn rising_to(&self, x: f64) -> Self {
+        let beyond = self.points.iter().copied().filter(|p| p.0 > x);
+        Self { points: [(0.0, 0.0), (x, self.at(x))].into_iter().chain(beyond).collect() }
     }
 
     /// Every value more by this much.

@@ -3,7 +3,7 @@
 //! The holder closes before the punch moves, up to the force of the start of the draw or to the fixed gap.
 
 use super::{Observer, run_from};
-use crate::geometry::{Point, Profile};
+use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
 use crate::solver::solution::{Closing, StageSolution};
 use crate::solver::state::State;
@@ -15,9 +15,6 @@ const SQUEEZE: f64 = 0.05;
 
 /// Least distance of holder and die over the sheet thickness \[–\].
 const APART: f64 = 0.5;
-/// Most rises of the search, and the last one over the wanted distance \[–\].
-const RISES: usize = 200;
-const LAST_RISE: f64 = 1e-6;
 
 /// Travel of a model's holder from the flat sheet until it is one thickness, or the held gap, from the die \[mm\]; `None` where
 /// both lie on the flat sheet, where the holder has no force, and where they do not meet over the blank.
@@ -28,7 +25,7 @@ pub fn closing_way(model: &Model) -> Option<f64> {
         Motion::Pressed(press) if !press.is_idle() => model.blank.thickness,
         _ => return None,
     };
-    let way = travel_until(&holder.profile, &die.profile, apart);
+    let way = holder.profile.rise_until(&die.profile, apart);
     let (distance, at) = holder.profile.distance_to(&die.profile, Point::new(0.0, way));
     let meets = distance < (1.0 + LIES) * apart && at.x < model.blank.length;
     let held = !matches!(model.blank.edge, Edge::Pulled { .. });
@@ -39,28 +36,8 @@ pub fn closing_way(model: &Model) -> Option<f64> {
 /// \[mm\]; `None` without a holder.
 pub(super) fn block_height(model: &Model) -> Option<f64> {
     let (holder, apart) = (model.tool(Role::Holder)?, APART * model.blank.thickness);
-    let on_die = model.tool(Role::Die).map(|die| travel_until(&holder.profile, &die.profile, apart));
+    let on_die = model.tool(Role::Die).map(|die| holder.profile.rise_until(&die.profile, apart));
     Some(on_die.unwrap_or(model.blank.thickness - apart))
-}
-
-/// Move of a holder at which its closest place is so far from the die \[mm\].
-fn travel_until(holder: &Profile, die: &Profile, apart: f64) -> f64 {
-    let heights = |profile: &Profile| {
-        let points = profile.polyline(0.01);
-        let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-        (low, points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max))
-    };
-    let ((_, top), (face, end)) = (heights(holder), heights(die));
-    // Distances change no faster than the holder moves.
-    let mut moved = face - top - apart;
-    for _ in 0..RISES {
-        let spare = holder.distance_to(die, Point::new(0.0, moved)).0 - apart;
-        if spare < LAST_RISE * apart || moved > end - top {
-            break;
-        }
-        moved += spare;
-    }
-    moved
 }
 
 /// Closes the holder over the flat blank, in the model without its punch.

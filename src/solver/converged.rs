@@ -93,6 +93,7 @@ impl<'a> Converged<'a> {
             nose_curvature: state.nose_curvature.clone(),
             tearing_index: state.tearing_index.clone(),
             s0: state.s0.clone(),
+            unloading: state.unloading.clone(),
         };
         mark_steady(step, evaluation, &mut next);
         if let Some(elastic) = model.elasticity() {

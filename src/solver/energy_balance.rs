@@ -31,9 +31,8 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     for ((before, now), u) in before.gas_force.iter().zip(&now.gas_force).zip(&trial.moves) {
         done.external += 0.5 * (before + now).dot(&Point::new(u[0], u[1]));
     }
-    let left = |time: f64| 1.0 - time / model.duration;
-    let fading = 0.5 * (left(state.time) + left(step.end()));
-    for (force, u) in step.context.unloading.iter().zip(&trial.moves) {
+    let fading = 0.5 * (step.unloading_left(state.time) + step.unloading_left(step.end()));
+    for (force, u) in state.unloading.iter().zip(&trial.moves) {
         done.external += fading * force.dot(&Vector3::from(*u));
     }
     let cutoff = step.cutoff(trial.softening);

@@ -8,14 +8,11 @@ use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
 use crate::element::Theory;
 use crate::element::kinematics::Reference;
-use crate::element::section;
 use crate::geometry::Profile;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::quadrature::ThicknessPoint;
 use crate::solver::state::State;
-use crate::solver::state::nonlocal_average::NonlocalAverage;
-use nalgebra::Vector3;
 
 /// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;
@@ -56,15 +53,13 @@ pub(super) struct RunContext<'a> {
     pub least_force: f64,
     /// Move of the holder relative to the die at which it stands on its blocks \[mm\].
     pub blocks: Option<f64>,
-    /// Nodal forces before the tools were taken away \[N, N mm\]; empty while they act.
-    pub unloading: Vec<Vector3<f64>>,
     pub selection: Selection,
     /// Strength of a sheet that may tear.
     pub strength: Option<PlaneStrainStrength<'a>>,
 }
 
 impl<'a> RunContext<'a> {
-    pub fn new(model: &'a Model, state: &State) -> Self {
+    pub fn new(model: &'a Model) -> Self {
         let mut shared = 0;
         let mut index = |unknown: bool| {
             let index = unknown.then_some(shared);
@@ -86,7 +81,6 @@ impl<'a> RunContext<'a> {
         });
         let tools = tools.collect();
         let gas_shared = model.gas.iter().map(|gas| index(matches!(gas.pressure, Pressure::Rate(_)))).collect();
-        let rule = model.blank.points();
         Self {
             model,
             tools,
@@ -102,10 +96,9 @@ impl<'a> RunContext<'a> {
                 * model.geometry.area(model.blank.length)
                 / model.blank.length,
             blocks: block_height(model),
-            unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
             strength: PlaneStrainStrength::new(model),
-            rule,
+            rule: model.blank.points(),
         }
     }
 
@@ -136,19 +129,4 @@ pub(super) fn references<'a>(
         let theory = if bends { Theory::Bending } else { Theory::Membrane };
         Reference::new(model.geometry, theory, pair[0], pair[1])
     })
-}
-
-/// Nodal forces in equilibrium with the stress of the sheet \[N, N mm\].
-fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
-    let mut forces = vec![Vector3::zeros(); state.nodes.len()];
-    let section = NonlocalAverage::new(model, state).section_thickness(&state.thickness);
-    for (e, reference) in references(model, state, &state.bends).enumerate() {
-        let Some(current) = reference.moved([0.0; 3], [0.0; 3]) else { continue };
-        let points = state.points.row(e);
-        let volume = state.volume[e] * section[e] / state.thickness[e];
-        let force = section::forces(&current, volume, section[e], rule, |k| points[k].stress);
-        forces[e] += force.fixed_rows::<3>(0);
-        forces[e + 1] += force.fixed_rows::<3>(3);
-    }
-    forces
 }

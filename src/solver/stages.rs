@@ -1,13 +1,14 @@
 //! Sequences of stages: the sheet and the tools that stay carry over.
 
 use super::closing::{close, closed, closing_way};
+use super::equilibrium::unloading;
+use super::step::FADING;
 use super::{Observer, run_from};
 use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::model::stage::{Beginning, Stage};
-use crate::model::{Model, Role, Tool, mesh};
-use crate::numerics::Grid;
-use crate::numerics::bisect;
+use crate::model::{Mode, Model, Motion, Role, Tool, mesh};
+use crate::numerics::{Grid, bisect};
 use crate::solver::solution::{StageSolution, Stop, StopKind, Trimmed};
 use crate::solver::state::{MaterialPoint, State, waiting, waiting_displacement};
 
@@ -68,6 +69,14 @@ fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
 fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed>) {
     let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
+    if !state.unloading.is_empty() && model.travel > 0.0 {
+        let is_new = |tool: &&mut Tool| !before.model.tools.iter().any(|old| is_same(tool, old));
+        for tool in model.tools.iter_mut().filter(is_new) {
+            if let Motion::Pressed(press) = &mut tool.motion {
+                press.force = press.force.rising_to(FADING * model.travel);
+            }
+        }
+    }
     model.blank.elements = state.thickness.len();
     model.blank.length = state.s0[state.s0.len() - 1];
     let trimmed = stage.begin.trim.map(|asked| Trimmed {
@@ -113,8 +122,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.tool_velocity = vec![0.0; model.tools.len()];
     state.tools = model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect();
     for (j, tool) in model.tools.iter().enumerate() {
-        let stays = |other: &Tool| other.role == tool.role && other.profile == tool.profile;
-        if let Some(k) = before.tools.iter().position(stays) {
+        if let Some(k) = before.tools.iter().position(|other| is_same(tool, other)) {
             state.tools[j] = old.tools[k];
             state.pressure.row_mut(j).copy_from_slice(old.pressure.row(k));
             state.shift.row_mut(j).copy_from_slice(old.shift.row(k));
@@ -123,7 +131,14 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
             state.tools[j].y = met(model, &state, j);
         }
     }
+    let has_gone = |old: &Tool| !model.tools.iter().any(|tool| is_same(tool, old));
+    let is_unheld = model.release.is_some() || begin.trim.is_some() || before.tools.iter().any(has_gone);
+    state.unloading = if is_unheld && model.mode != Mode::Flow { unloading(model, &state) } else { Vec::new() };
     state
+}
+
+fn is_same(tool: &Tool, other: &Tool) -> bool {
+    other.role == tool.role && other.profile == tool.profile
 }
 
 /// Removes the elements from the edge inward whose middle lies beyond a distance from the axis.

@@ -12,6 +12,7 @@ use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory, Tool};
 use crate::numerics::Grid;
 use crate::numerics::quadrature::ThicknessPoint;
+use nalgebra::Vector3;
 
 /// Thickness point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,6 +92,8 @@ pub struct State {
     pub gas: Vec<f64>,
     /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
+    /// Nodal forces before tools were taken away from an elastic sheet, which fade \[N, N mm\]; empty without any.
+    pub unloading: Vec<Vector3<f64>>,
 }
 
 /// Gap at which a tool waits before the first step: a few smoothing lengths \[mm\].

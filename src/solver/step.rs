@@ -18,6 +18,8 @@ use crate::solver::state::{MaterialPoint, State};
 const EXPONENT: f64 = 0.005;
 /// Floor of increments over the cut-off \[–\].
 const FLOOR: f64 = 100.0;
+/// Progress of a stage over which the forces of the tools before fade \[–\]; those of a release fade over all of it.
+pub(super) const FADING: f64 = 0.02;
 /// Strain increment of a cut-off point over the cut-off \[–\].
 pub(super) const CUT_OFF_ZONE: f64 = 10.0;
 
@@ -111,6 +113,12 @@ impl<'a> Step<'a> {
 
     pub fn stations(&self, e: usize) -> &'static [Station; STATIONS] {
         stations(self.bends[e])
+    }
+
+    /// Share of the forces of removed tools that is left at a time \[–\].
+    pub fn unloading_left(&self, time: f64) -> f64 {
+        let over = if self.model.release.is_some() { 1.0 } else { FADING };
+        (1.0 - time / (over * self.model.duration)).max(0.0)
     }
 
     /// Cut-off Δε₀ of the step times `softening` \[–\].
