@@ -3,10 +3,7 @@
 #[path = "../../benches/common/verdicts.rs"]
 mod verdicts;
 
-use crate::common::shipped::{shipped_case, solved_once};
-use stampflow::assess::{self, Finding, Kind, Light};
-use stampflow::author::templates::TEMPLATES;
-use stampflow::case::{self, Solution};
+use crate::common::prelude::*;
 use stampflow::study::judge;
 
 fn solved(overrides: &[&str]) -> Solution {

@@ -1,10 +1,6 @@
 //! Who may know whom: rooms use only what lies below them, and each outside crate has its room.
 
-use crate::common::files::below;
-use regex::Regex;
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::PathBuf;
+use crate::common::prelude::*;
 
 /// Rooms of `src/` from the top down; a room may use those on its own line (itself) and on lines below.
 const FLOORS: &[&[&str]] = &[

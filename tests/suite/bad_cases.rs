@@ -4,9 +4,7 @@
 //! changed in `base/cup.toml`, as in a diff: `- ` takes a line out, `+ ` puts one in, `  ` names a line to go on from. A case
 //! without changes stands whole in `NAME.toml`.
 
-use crate::common::files::files;
-use stampflow::case;
-use std::fs;
+use crate::common::prelude::*;
 
 /// Base with its changes; panics on a change that names no line after the last one.
 fn patched(base: &str, patch: &[&str]) -> String {

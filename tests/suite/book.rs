@@ -13,13 +13,7 @@
 //!
 //! `UPDATE=1` writes the lines and the pictures anew.
 
-use crate::common::files::files;
-use regex::Regex;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::Mutex;
-use temp_dir::TempDir;
+use crate::common::prelude::*;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 

@@ -1,10 +1,8 @@
 //! A small part of the campaign of random dies (`cargo bench --bench campaign` runs it in full): kinds of outcome only.
 
-use crate::common::random_die::{self, SECOND_SERIES, THIRD_SERIES};
+use crate::common::prelude::*;
+use crate::common::random_die::{SECOND_SERIES, THIRD_SERIES};
 use crate::common::random_work::{self, Kind, make_elastic};
-use stampflow::model::Role;
-use stampflow::solver;
-use std::collections::BTreeSet;
 
 /// A hundred by the flow law, thirty with the metal elastic too.
 #[test]

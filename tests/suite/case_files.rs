@@ -1,16 +1,10 @@
 //! Case files: the shipped ones load, broken ones say what is wrong, and no override can make the reader panic.
 
-use crate::common::cup::MINIMAL;
-use crate::common::files::files;
-use crate::common::shipped::parsed;
+use crate::common::prelude::*;
 use proptest::prelude::*;
-use stampflow::case::files::{Disk, Files, Memory};
-use stampflow::case::{self, Case};
-use stampflow::geometry::Point;
-use stampflow::model::{Edge, Extent, Grading, Mode, Motion, Press, ReleaseStiffness, Role, Theory, ThicknessRule};
-use std::fs::{self, File};
+use stampflow::model::ReleaseStiffness;
+use std::fs::File;
 use std::io::{self, ErrorKind};
-use std::path::Path;
 
 fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();

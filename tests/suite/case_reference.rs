@@ -1,8 +1,6 @@
 //! Reference of case files as Markdown, generated from the JSON schema.
 
-use serde_json::Value;
-use stampflow::case;
-use std::collections::BTreeMap;
+use crate::common::prelude::*;
 use std::fmt::Write;
 
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");

@@ -1,11 +1,8 @@
 //! The check of a case before it is run: its numbers by hand, its doubts, its text.
 
-use crate::common::files::files;
-use crate::common::shipped::shipped_case;
-use approx::assert_relative_eq;
+use crate::common::prelude::*;
 use stampflow::assess::check::{Check, report};
 use stampflow::assess::{SIZE_CHECKS, before};
-use stampflow::case::{self, Case};
 
 fn quickstart(overrides: &[&str]) -> Case {
     shipped_case("quickstart", overrides)

@@ -1,10 +1,6 @@
 //! The command line as a user meets it: exit codes, files, and what is left behind.
 
-use crate::common::cli::{COMPARE, CUP, STAGES, folder, read_json, stampflow, text};
-use crate::common::files::files;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use crate::common::prelude::*;
 use std::time::SystemTime;
 
 /// Arguments, the exit code, and what stands on the error stream: nothing at all if empty.

@@ -1,11 +1,8 @@
 //! Comparisons of synthetic curves whose answer is known.
 
+use crate::common::prelude::*;
 use stampflow::case::comparison::{ComparedQuantity, Source, Spec};
-use stampflow::forming_limit::{Instant, Paths};
-use stampflow::model::Extent;
-use stampflow::results::comparison::{Comparison, Computed, Verdict, compare};
-use stampflow::solver::solution::{ElementRecord, StepRecord};
-use stampflow::table::Csv;
+use stampflow::results::comparison::{Comparison, Verdict, compare};
 
 const PROVENANCE: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\
                        scatter = \"5 %\"\n";

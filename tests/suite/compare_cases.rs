@@ -1,8 +1,6 @@
 //! Cases, variants and measurements side by side: differences against their errors, pictures, misfits, wrong input.
 
-use crate::common::cli::{CUP, folder, stampflow, text};
-use serde_json::Value;
-use stampflow::case;
+use crate::common::prelude::*;
 use stampflow::study::Cell;
 use stampflow::study::compare::{Candidate, SideBySide, variant};
 

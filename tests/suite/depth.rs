@@ -1,8 +1,7 @@
 //! What forces and works of a plane section are of: both halves, and over a depth that is given the whole part; and which times
 //! are told.
 
-use crate::common::shipped::parsed;
-use stampflow::case::Solution;
+use crate::common::prelude::*;
 
 const STRIP: &str = include_str!("../../cases/strip_draw.toml");
 

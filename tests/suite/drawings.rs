@@ -1,16 +1,9 @@
 //! Drawings by other programs: each gives the profile that was drawn, a faulty one says what is wrong and where.
 
-use crate::common::cli::{stampflow, text};
-use crate::common::files::files;
-use regex::Regex;
-use stampflow::case::{self, Case};
-use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
-use stampflow::import::{DrawingUnit, Options, Sections, read};
-use stampflow::model::Role;
+use crate::common::prelude::*;
+use stampflow::import::{DrawingUnit, Sections, read};
 use stampflow::model::tool_sizes::extent;
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
 fn sections(drawing: &str, options: &Options) -> Sections {
     let bytes = fs::read(Path::new("tests/drawings").join(drawing)).unwrap();

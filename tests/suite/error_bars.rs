@@ -1,14 +1,8 @@
 //! Error bars beside whatever is told of a run: numbers, lights, JSON, reports and pictures.
 
-use crate::common::cli::{CUP, folder, stampflow, text};
-use crate::common::shipped::{shipped_case, solved};
-use serde_json::Value;
-use stampflow::assess::error_bars::{ErrorBars, Origin, answered};
-use stampflow::assess::{Answer, Finding, Light};
-use stampflow::case::Solution;
-use stampflow::study::Watch;
+use crate::common::prelude::*;
+use stampflow::assess::error_bars::answered;
 use stampflow::study::verify::verify;
-use std::path::Path;
 
 /// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
 #[test]

@@ -1,10 +1,8 @@
 //! The events of a stage, and whether they explain what its load curve does.
 
-use crate::common::shipped;
+use crate::common::prelude::*;
+use stampflow::Solution;
 use stampflow::measure::{Event, EventKind, events};
-use stampflow::model::Role;
-use stampflow::solver::solution::{StageSolution, StopKind};
-use stampflow::{Solution, case};
 
 fn solved(template: &str, overrides: &[&str]) -> Solution {
     shipped::made(template, &[], overrides).solve(&mut ())

@@ -1,18 +1,9 @@
 //! Fits: perfect data give their parameters back, noisy data within their standard errors.
 
-use fastrand::Rng;
-use stampflow::case::{self, Case};
-use stampflow::material::Hardening;
+use crate::common::prelude::*;
 use stampflow::numerics::least_squares::Ended;
-use stampflow::study::BaseCase;
-use stampflow::study::Watch;
-use stampflow::study::fit::{
-    CaseFit, CaseFitRequest, Estimate, FlowCurve, HardeningKind, LawFits, Reduction, fit_case, fit_laws, material_text,
-};
+use stampflow::study::fit::{CaseFit, CaseFitRequest, Estimate, LawFits, fit_case, material_text};
 use std::fmt::Write;
-use std::fs;
-use std::path::{Path, PathBuf};
-use temp_dir::TempDir;
 
 /// Laws as they are common for sheet, with the parameters in the order of their estimates.
 fn truths() -> [(HardeningKind, Vec<f64>); 4] {

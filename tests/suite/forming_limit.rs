@@ -1,10 +1,6 @@
-use approx::assert_relative_eq;
-use stampflow::forming_limit::{
-    Hill, Instant, KeelerBrazier, Kind, MarciniakKuczynski, Paths, Points, Sheet, Strain, Swift, assess, uniform_strain,
-};
-use stampflow::material::hardening::{Hollomon, Swift as SwiftLaw, Voce};
-use stampflow::material::rate::PowerRate;
-use stampflow::material::{Elastic, Hardening, Hill48, Hosford, Material, Rate, YieldCriterion};
+use crate::common::prelude::*;
+use stampflow::forming_limit::{Kind, Swift, assess, uniform_strain};
+use stampflow::material::hardening::{Swift as SwiftLaw, Voce};
 
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {

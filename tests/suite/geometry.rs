@@ -1,11 +1,9 @@
 //! Sections of tools: distances, corners, offsets, and where they meet.
 
-use approx::assert_relative_eq;
+use crate::common::prelude::*;
 use proptest::prelude::*;
-use stampflow::geometry::{
-    Arc, CavityError, Closest, Fold, Nearest, OffsetError, Piece, Point, Profile, Segment, fillet,
-};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use stampflow::geometry::{CavityError, Closest, Fold, Nearest, OffsetError, fillet};
+use std::f64::consts::FRAC_PI_4;
 
 fn all() -> Vec<Profile> {
     vec![

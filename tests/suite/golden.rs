@@ -1,9 +1,6 @@
 //! Curves, profiles and summaries of every shipped case against `tests/golden/digests.csv`.
 
-use crate::common::shipped::solved;
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
+use crate::common::prelude::*;
 
 /// Number of values, their sum, the sum with the weights 1 … 7 in turn, and the sum of their magnitudes.
 type Digest = [f64; 4];

@@ -1,9 +1,6 @@
 //! Budgets of lines: growth of a room is a decision.
 
-use crate::common::files::below;
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::PathBuf;
+use crate::common::prelude::*;
 
 /// Lines of the rooms of `src/`; any other may have 300.
 const ROOMS: [(&str, usize); 19] = [

@@ -1,9 +1,6 @@
 //! Parts whose outcome on the press is known, against the program's lights; `UPDATE=1` writes the page's two tables anew.
 
-use crate::common::files::files;
-use stampflow::assess::{self, FailureMode, Light};
-use stampflow::{case, solver};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::common::prelude::*;
 use std::fmt::Write;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/known_outcomes");

@@ -1,11 +1,7 @@
 //! Forming limits by the sheet's yield condition: Hill's of 1948 and Hosford's.
 
-use approx::assert_relative_eq;
-use stampflow::forming_limit::{
-    Hill, Instant, KeelerBrazier, Kind, MarciniakKuczynski, Paths, Points, Sheet, Strain, Swift, assess,
-};
-use stampflow::material::hardening::Hollomon;
-use stampflow::material::{Hardening, Hill48, Hosford, Material, YieldCriterion};
+use crate::common::prelude::*;
+use stampflow::forming_limit::{Kind, Swift, assess};
 
 /// A power law of n = 0.2; the offset of 1e-6 shifts limits by as much.
 fn sheet_of(criterion: impl Into<YieldCriterion>) -> Material {

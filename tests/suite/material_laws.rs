@@ -1,8 +1,6 @@
 //! Laws of hardening, rate and temperature over the whole list of examples, and Hill's yield condition.
 
-use approx::assert_relative_eq;
-use stampflow::material::flow::YieldCondition;
-use stampflow::material::{Hardening, Hill48, Rate, ThermalLaw};
+use crate::common::prelude::*;
 
 /// Trust: central differences, h = 1e-4 ε: truncation near 1e-8 of the slope, cancellation below 1e-6.
 #[test]

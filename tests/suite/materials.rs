@@ -1,9 +1,6 @@
 //! The built-in materials, and the forming limits that cases can ask for.
 
-use crate::common::cup::{LAW, MINIMAL};
-use crate::common::shipped::shipped_case;
-use stampflow::case::{self, Case, library};
-use stampflow::material::YieldCriterion;
+use crate::common::prelude::*;
 
 fn parsed(material: &str, more: &str) -> Result<Case, String> {
     let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n")) + more;

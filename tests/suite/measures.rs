@@ -1,9 +1,7 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
-use crate::common::shipped;
-use stampflow::measure::{Band, Shape, Stretch, bands, part_places};
-use stampflow::model::Model;
-use stampflow::solver::solution::Frame;
+use crate::common::prelude::*;
+use stampflow::measure::{Band, Stretch, bands};
 
 /// The quickstart's cup and its last frame.
 fn cup() -> (Model, Frame) {

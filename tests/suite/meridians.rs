@@ -1,8 +1,7 @@
 //! Meridians made of known lines and arcs, and profiles of stress whose moment is known.
 
-use stampflow::measure::{Shape, moment_error, part_height, part_places};
-use stampflow::numerics::quadrature::lobatto;
-use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
+use crate::common::prelude::*;
+use stampflow::measure::moment_error;
 
 /// A piece of a meridian: length \[mm\], turn \[°\], elements, and the last element's length over the first's.
 #[derive(Clone, Copy)]

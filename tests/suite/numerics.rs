@@ -1,9 +1,10 @@
 //! Bracketing, interpolation, grids, quadrature and the linear solve.
 
+use crate::common::prelude::*;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use stampflow::numerics::Grid;
 use stampflow::numerics::block_tridiagonal::{MAX_SHARED, System};
 use stampflow::numerics::quadrature::lobatto as rule;
-use stampflow::numerics::{Grid, PiecewiseLinear, bisect};
 
 /// Trust: √2 to the last digits, from either side; a bracket is 2^−n of the first.
 #[test]

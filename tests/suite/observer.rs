@@ -1,10 +1,8 @@
 //! What an observer sees of a run and can do to it, and that the solver allocates nothing while it iterates.
 
-use stampflow::case;
-use stampflow::material::Elastic;
-use stampflow::model::{ContactMethod, Iteration, Mode, Model, Theory};
-use stampflow::solver::solution::{IterationRecord, StageSolution, StepRecord, StopKind};
-use stampflow::solver::{self, Observer};
+use crate::common::prelude::*;
+use stampflow::model::ContactMethod;
+use stampflow::solver::Observer;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 

@@ -1,18 +1,11 @@
 //! What is made from a run: tables, files and pictures, over the whole list of outputs.
 
-use crate::common::shipped::{self, solved};
-use stampflow::assess;
-use stampflow::author::templates::find;
+use crate::common::prelude::*;
 use stampflow::case::files::sha256;
-use stampflow::case::{Solution, parse};
-use stampflow::measure::{Shape, changes};
-use stampflow::model::Role;
 use stampflow::plot::StageView;
 use stampflow::report::Report;
-use stampflow::results::{Make, OUTPUTS, Summary, tables};
+use stampflow::results::Summary;
 use stampflow::table::Table;
-use std::fs;
-use std::path::PathBuf;
 
 /// Cases, their stage, and the outputs that not every run has.
 const SPECIAL: [(&str, usize, &str); 7] = [

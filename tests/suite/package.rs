@@ -1,8 +1,6 @@
 //! What the package says of itself: the Rust it needs, its features, what is in it.
 
-use serde_json::Value;
-use std::collections::BTreeSet;
-use std::process::Command;
+use crate::common::prelude::*;
 
 /// What the code itself asks of Rust: 1.89 brought `File::try_lock`.
 const CODE: (u32, u32) = (1, 89);

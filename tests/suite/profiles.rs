@@ -1,13 +1,7 @@
 //! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
 
-use crate::common::cup::{LAW, MINIMAL};
-use stampflow::assess::check;
-use stampflow::case::{self, Case};
-use stampflow::geometry::{Point, Profile};
-use stampflow::model::{Model, Role};
-use stampflow::solver;
+use crate::common::prelude::*;
 use std::fmt::Write;
-use std::path::Path;
 
 const FLAT: &str = r#"flat = { radius = "30 mm", nose = "6 mm" }"#;
 const DIE: &str = r#"throat = "31.25 mm", shoulder = "6 mm""#;

@@ -1,9 +1,7 @@
 //! Reports: whole, self-contained, and with no number that the JSON has not.
 
-use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
-use roxmltree::{Document, Node};
-use serde_json::Value;
-use std::fs;
+use crate::common::prelude::*;
+use roxmltree::Node;
 
 const PARTS: [&str; 8] = ["Case", "Verdict", "Section", "Inputs", "Assumptions", "Warnings", "Solver", "Results"];
 

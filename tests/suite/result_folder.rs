@@ -1,15 +1,11 @@
 //! Promises on written files: one whole set or the other, whatever ends a verb, and nothing of another origin is touched.
 
-use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, stampflow, text};
+use crate::common::cli::endless;
+use crate::common::prelude::*;
 use rayon::prelude::*;
-use regex::Regex;
 use stampflow::results::{can_write, write};
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::process::Child;
+use std::time::Instant;
 
 /// Files below a folder without wall times, which no two runs share.
 type Tree = BTreeMap<PathBuf, Vec<u8>>;

@@ -1,7 +1,8 @@
 //! Scatter: the sample, the distributions, probabilities and influences.
 
+use crate::common::prelude::*;
 use crate::study::run;
-use stampflow::study::{BaseCase, Evaluation, Scatter, Shard, Study, StudyError, begin};
+use stampflow::study::Scatter;
 
 fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
     scatter_of(&[], vary, runs, seed)

@@ -1,10 +1,6 @@
 //! What programs and shells read: JSON, the schema, completions, manual pages.
 
-use crate::common::cli::{CUP, STAGES, folder, read_json, stampflow, text};
-use crate::common::files::files;
-use serde_json::Value;
-use std::fs;
-use std::path::Path;
+use crate::common::prelude::*;
 
 /// What a successful call prints as JSON, with nothing on the error stream.
 fn json(dir: &Path, line: &str) -> Value {

@@ -1,11 +1,8 @@
 //! Searches against what is known: limits of a condition, wanted values, named goals, bad requests.
 
-use crate::common::page::agreement;
+use crate::common::prelude::*;
 use crate::study::run;
-use stampflow::author::templates::find;
-use stampflow::study::{
-    BaseCase, Bracket, Condition, LimitSearch, Run, RunTable, SearchRequest, Side, Study, StudyError,
-};
+use stampflow::study::{Condition, Run, Side};
 
 fn base(set: &[&str]) -> BaseCase {
     let coarse = ["blank.elements=30", "solver.max_step=0.05"];

@@ -1,10 +1,7 @@
 //! The sheets of the library: fits against the points they are of, back-stresses, and every sheet on every template.
 
-use stampflow::author::templates::TEMPLATES;
-use stampflow::case::{self, library};
-use stampflow::material::hardening::Ludwik;
+use crate::common::prelude::*;
 use stampflow::material::rate::JohnsonCook;
-use stampflow::material::{Hardening, Rate};
 use stampflow::solve;
 
 fn entry(name: &str) -> library::Entry {

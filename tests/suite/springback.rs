@@ -1,10 +1,7 @@
 //! Spring-back held against the part's tolerance.
 
-use crate::common::shipped::parsed;
-use stampflow::assess::{self, Finding, Light};
-use stampflow::author::templates::find;
-use stampflow::case::{Case, Solution};
-use stampflow::measure::{Change, Shape, changes};
+use crate::common::prelude::*;
+use stampflow::measure::Change;
 
 /// The steel strip of the template, bent to this angle under the tools \[°\], with more at the end of its case.
 fn v_bend(angle: f64, more: &str) -> Case {

@@ -1,8 +1,6 @@
 //! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
 
-use crate::common::shipped::{parsed, shipped_case};
-use stampflow::assess::{self, Light};
-use stampflow::solver::solution::{StageSolution, StopKind};
+use crate::common::prelude::*;
 use stampflow::solver::solve;
 
 const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;

@@ -1,20 +1,9 @@
 //! The study engine: designs in order, rows whole and the same on any machine, resumed and merged tables.
 
-use crate::common::cli::{CUP, folder, stampflow, text};
-use serde_json::Value;
-use stampflow::study::Watch;
-use stampflow::study::{
-    BaseCase, EarlierRuns, Evaluated, Evaluation, FailureMode, RunTable, Shard, Study, StudyError, Sweep, begin,
-    evaluate,
-};
-use std::collections::BTreeMap;
-use std::fs;
+use crate::common::prelude::*;
+use stampflow::study::{EarlierRuns, Evaluated, FailureMode, Sweep, evaluate};
 use std::ops::ControlFlow;
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::sleep;
-use std::time::Duration;
 
 fn base() -> BaseCase {
     let set = vec!["blank.elements=30".into(), "solver.max_step=0.05".into()];

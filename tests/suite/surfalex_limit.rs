@@ -1,11 +1,6 @@
 //! The measured forming limit of a sheet of the library, and grooves that are fitted to it.
 
-use crate::common::page::{plain, told};
-use stampflow::assess::{self, Light};
-use stampflow::author::templates;
-use stampflow::case::{self, library};
-use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
-use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
+use crate::common::prelude::*;
 
 const DATA: &str = include_str!("../../reference_data/surfalex_aa6016_flc_points.csv");
 const SHEET: &str = "aa6016a-surfalex";

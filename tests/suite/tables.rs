@@ -1,6 +1,7 @@
 //! Tables in memory, and CSV files that are read.
 
-use stampflow::table::{Column, Csv, CsvError, Unit};
+use crate::common::prelude::*;
+use stampflow::table::{Column, CsvError, Unit};
 
 fn column(key: &'static str, label: &'static str, unit: Unit) -> Column {
     Column::new(key, label, unit, vec![1.0, 2.0])

@@ -1,13 +1,8 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
-use crate::common::shipped::solved_once;
-use stampflow::assess::{self, Light, check};
-use stampflow::author::templates::{TEMPLATES, find, rules};
-use stampflow::case::{Case, parse};
-use stampflow::measure::part_height;
-use stampflow::model::{Motion, Role};
-use stampflow::solver::solution::StopKind;
-use stampflow::{StageSolution, solve};
+use crate::common::prelude::*;
+use stampflow::author::templates::rules;
+use stampflow::solver::solve;
 
 /// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
 const OTHERS: &[(&str, &[(&str, &str)])] = &[

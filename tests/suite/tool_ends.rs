@@ -1,13 +1,6 @@
 //! Tools whose line ends where the sheet passes it: they act only where they are drawn.
 
-use crate::common::random_die;
-use fastrand::Rng;
-use stampflow::geometry::{Arc, Piece, Point, Profile};
-use stampflow::material::hardening::Swift;
-use stampflow::material::{Elastic, Hardening, Material};
-use stampflow::model::{Edge, Geometry, Mode, Model, Motion, Role, Theory, Tool};
-use stampflow::solver;
-use std::f64::consts::FRAC_PI_2;
+use crate::common::prelude::*;
 
 fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * rng.f64()

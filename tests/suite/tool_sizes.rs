@@ -1,10 +1,7 @@
 //! Sizes read off the section of a tool.
 
-use approx::assert_relative_eq;
-use stampflow::geometry::{Arc, Piece, Profile, Segment};
+use crate::common::prelude::*;
 use stampflow::model::tool_sizes::{mouth, widens};
-use stampflow::model::{Motion, Role, Tool};
-use std::f64::consts::FRAC_PI_2;
 
 fn punch(pieces: Vec<Piece>) -> Tool {
     let profile = Profile::new(pieces).unwrap();

@@ -1,12 +1,8 @@
 //! One step repeated: its iterations are those of the run, matrices start from the same state and come to the same answer,
 //! each at its own rate; and the verb `trace`.
 
-use crate::common::shipped::shipped_case;
-use stampflow::Observer;
-use stampflow::element::Node;
-use stampflow::model::Iteration;
+use crate::common::prelude::*;
 use stampflow::solver::Start;
-use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{ConvergenceRate, Trace, TraceRequest, trace};
 
 /// The iterations of a step, and the end of the run behind it.

@@ -1,6 +1,6 @@
 //! Quantities, headers and numbers as they are read and written.
 
-use approx::assert_relative_eq;
+use crate::common::prelude::*;
 use proptest::prelude::*;
 use stampflow::units::{
     Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, PerKelvin, Positive,

@@ -1,8 +1,6 @@
 //! Every shipped case against its references, and what those without a reference are held to.
 
-use crate::common::cli::{stampflow, text};
-use serde_json::Value;
-use std::path::Path;
+use crate::common::prelude::*;
 
 /// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (docs/agreement.md).
 ///

@@ -1,9 +1,6 @@
 //! The verdict on a run: lights, limits and advice.
 
-use crate::common::shipped::{shipped_case, solved};
-use stampflow::assess::{self, Answer, FailureMode, Finding, Kind, Light};
-use stampflow::case::{self, Case};
-use stampflow::solver::solution::StageSolution;
+use crate::common::prelude::*;
 use stampflow::solver::solve;
 
 /// The findings on a shipped case with overrides.

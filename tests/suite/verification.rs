@@ -1,12 +1,9 @@
 //! Error bars: that the truth lies inside them, and how they are told.
 
-use crate::common::cli::{stampflow, text};
 use crate::common::coverage::{case_of, check, last_digits};
+use crate::common::prelude::*;
 use crate::common::random_die::random_die;
-use crate::common::shipped::shipped_case;
-use stampflow::assess::error_bars::{ErrorBars, Number, Origin};
-use std::fs;
-use std::path::Path;
+use stampflow::assess::error_bars::Number;
 
 fn half(bars: &ErrorBars, origin: Origin, key: &str) -> f64 {
     bars.number(origin, key).and_then(Number::half).unwrap_or_else(|| panic!("{key} has a bar"))

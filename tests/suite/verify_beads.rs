@@ -1,11 +1,7 @@
 //! Draw beads that are drawn in holder and die: the holder closes over the sheet before the punch comes, and the bead holds
 //! the sheet back.
 
-use crate::common::files::files;
-use crate::common::shipped::parsed;
-use stampflow::assess::{self, Finding, Kind, Light};
-use stampflow::case;
-use stampflow::solver::solution::StageSolution;
+use crate::common::prelude::*;
 use stampflow::solver::{closing_way, solve};
 
 /// Radii of the bead's tip and of its foot, and its height \[mm\].

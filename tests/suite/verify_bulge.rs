@@ -1,14 +1,7 @@
 //! The hydraulic bulge of a clamped disc against Hill's special solution, and its largest pressure found in two ways.
 
-use crate::common::convergence::{orders, orders_of_changes};
-use crate::common::page::{agreement, percent};
-use crate::common::shipped::{self, solve};
-use crate::common::simple;
-use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
-use stampflow::model::{Edge, Face, Gas, Geometry, Model, Pressure, RateControl, Theory};
-use stampflow::numerics::PiecewiseLinear;
-use stampflow::solver;
-use stampflow::solver::solution::{Frame, StepRecord, StopKind};
+use crate::common::prelude::*;
+use stampflow::material::hardening::Hardening;
 
 /// Radius of the disc \[mm\].
 const A: f64 = 50.0;

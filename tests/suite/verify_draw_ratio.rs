@@ -6,11 +6,9 @@
 //! Forming handbook, "Punch radius". That the friction of the punch helps it and n hardly moves it is in every textbook;
 //! none could be read.
 
-use crate::common::page::{self, agreement, listed, plain};
+use crate::common::page::{self, listed};
+use crate::common::prelude::*;
 use crate::common::shipped::shipped;
-use stampflow::numerics::bisect;
-use stampflow::solver;
-use stampflow::solver::solution::StopKind;
 
 /// Punch radius of the quickstart's cup \[mm\].
 const PUNCH: f64 = 30.0;

@@ -1,22 +1,10 @@
 //! The elastoplastic law against closed forms, other programs and the flow law.
 
-use crate::common::convergence::{orders, orders_of_changes};
-use crate::common::page::{agreement, at_most, percent, plain, signed, told};
-use crate::common::shipped::{shipped, shipped_case, solve};
-use crate::common::simple;
+use crate::common::prelude::*;
+use crate::common::shipped::shipped;
 use stampflow::element::kinematics::Reference;
 use stampflow::element::section::Section;
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
-use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
-use stampflow::material::hardening::Ludwik;
-use stampflow::material::{Elastic, Hardening, YieldCriterion};
-use stampflow::measure::{CutRing, Shape};
-use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
-use stampflow::numerics::PiecewiseLinear;
-use stampflow::numerics::quadrature::{ThicknessPoint, lobatto};
-use stampflow::solver::solution::StageSolution;
-use stampflow::solver::{self, run};
-use std::f64::consts::TAU;
 
 /// Incompressible in its elasticity too: only then does plane strain yield at (2/√3) Y and stay there, as the closed forms
 /// of an elastic-perfectly plastic strip assume.

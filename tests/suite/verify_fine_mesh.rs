@@ -6,11 +6,7 @@
 //! [`NEIGHBOURHOOD`](stampflow::solver::state::neighbourhood::NEIGHBOURHOOD) elements below a third of the thickness thin in turn, by 5
 //! to 10 % of it, and the run ends at a tear that no sheet has.
 
-use crate::common::cup::{LAW, MINIMAL};
-use crate::common::shipped::parsed;
-use stampflow::model::{Mode, Model};
-use stampflow::solver;
-use stampflow::solver::solution::StageSolution;
+use crate::common::prelude::*;
 
 /// Thickness \[mm\].
 const T: f64 = 2.0;

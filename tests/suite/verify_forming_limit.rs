@@ -1,10 +1,7 @@
 //! A whole run held against a forming limit, and what it leaves behind.
 
-use crate::common::shipped::shipped_case;
-use stampflow::case::Case;
+use crate::common::prelude::*;
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
-use stampflow::solver;
-use stampflow::solver::solution::StageSolution;
 
 fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
     let case = shipped_case("stretch_limit", overrides);

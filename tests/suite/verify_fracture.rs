@@ -1,16 +1,9 @@
 //! Ductile fracture: damage against closed forms, from stage to stage, and its light.
 
-use crate::common::convergence::orders_of_changes;
-use crate::common::shipped::{last, made, shipped, shipped_case, solve};
-use crate::common::simple;
-use stampflow::assess::{self, Answer, FailureMode, Light};
-use stampflow::material::fracture::{Brozzo, CockcroftLatham, FractureStress, Oyane, RiceTracey};
-use stampflow::material::{Elastic, Fracture, Hill48, YieldCriterion};
-use stampflow::model::stage::{Beginning, Stage};
-use stampflow::model::{Geometry, Mode, Model, Theory};
-use stampflow::results::{OUTPUTS, tables};
+use crate::common::prelude::*;
+use crate::common::shipped::shipped;
+use stampflow::material::fracture::{CockcroftLatham, FractureStress, Oyane, RiceTracey};
 use stampflow::solver::state::State;
-use stampflow::solver::{self, enter};
 
 const A: f64 = 0.424;
 const GROWTH: f64 = 0.283;

@@ -1,18 +1,8 @@
 //! Temperature and voids in whole runs: closed forms, balances, and the plain result where neither is there.
 
-use crate::common::convergence::{orders, orders_of_changes};
-use crate::common::page::{plain, signed, told};
-use crate::common::shipped::solve;
-use crate::common::simple;
+use crate::common::prelude::*;
 use crate::voids::rates;
-use stampflow::geometry::Profile;
-use stampflow::material::flow::ROOM_TEMPERATURE;
 use stampflow::material::thermal::Exponential;
-use stampflow::material::{Gtn, ThermalLaw};
-use stampflow::model::{Edge, Geometry, Heat, HeatFlow, Model, Motion, Press, Role, Settings, Theory, Tool, ToolHeat};
-use stampflow::numerics::PiecewiseLinear;
-use stampflow::solver;
-use stampflow::solver::solution::StopKind;
 
 /// ρ c of aluminium, 2700 kg/m³ × 900 J/(kg K) [MPa/K].
 const CAPACITY: f64 = 2.43;

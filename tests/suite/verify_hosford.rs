@@ -1,11 +1,8 @@
 //! Whole runs with Hosford's yield condition: closed forms, Hill's as its limit, and the elastic mode beside the flow mode.
 
+use crate::common::prelude::*;
 use crate::common::shipped::shipped_case as case;
-use crate::common::simple;
-use stampflow::material::flow::YieldCondition;
-use stampflow::material::{Hill48, Hosford, Rate, YieldCriterion};
-use stampflow::model::{Geometry, Theory};
-use stampflow::{Model, StageSolution, solver};
+use stampflow::{Model, StageSolution};
 
 fn solve(model: &Model) -> StageSolution {
     solver::run(model, &mut ())

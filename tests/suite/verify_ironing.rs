@@ -26,15 +26,8 @@
 //! The slab method for ironing, with friction on both faces: W. F. Hosford, R. M. Caddell, Metal Forming, chapter on
 //! cupping, redrawing and ironing; K. Lange, Handbook of Metal Forming (both not read; the balance above is derived here).
 
-use crate::common::cup::{LAW, MINIMAL};
-use crate::common::shipped::parsed;
-use stampflow::assess::Light;
+use crate::common::prelude::*;
 use stampflow::contact::penalty::Penalty;
-use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
-use stampflow::model::{Geometry, Model};
-use stampflow::solver::solution::{ElementRecord, StageSolution, StepRecord};
-use stampflow::{assess, solver};
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Half width, or radius, of the punch \[mm\].
 const PUNCH: f64 = 30.0;

@@ -1,20 +1,11 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
-use crate::common::convergence::orders;
-use crate::common::page::{at_most, signed, told};
-use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
-use crate::common::simple;
+use crate::common::prelude::*;
+use crate::common::shipped::shipped;
 use crate::observer::Stopper;
 use stampflow::contact::friction::Sliding;
-use stampflow::geometry::Profile;
-use stampflow::material::hardening::{Hardening, Swift};
-use stampflow::model::{
-    Bead, Edge, Face, Friction, Gas, Geometry, Model, Motion, Press, Pressure, PressureCap, Role, Settings, Theory,
-};
-use stampflow::numerics::PiecewiseLinear;
-use stampflow::solver::solution::{StageSolution, StepRecord, StopKind};
-use stampflow::{case, solver};
-use std::f64::consts::PI;
+use stampflow::material::hardening::Hardening;
+use stampflow::model::PressureCap;
 
 /// Shear yield stress of the rope's material, Y = 150 MPa [MPa].
 const K: f64 = 86.602_540_378_443_86;

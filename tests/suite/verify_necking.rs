@@ -15,15 +15,7 @@
 //! The long-wavelength analysis: J. W. Hutchinson, K. W. Neale, Acta Metallurgica 25 (1977) 839–846; that rate sensitivity
 //! delays necking: E. W. Hart, Acta Metallurgica 15 (1967) 351–355 (both not read; the analysis is derived here).
 
-use crate::common::convergence::orders;
-use crate::common::page::agreement;
-use crate::common::simple;
-use stampflow::material::hardening::Swift;
-use stampflow::material::rate::PowerRate;
-use stampflow::material::{Hardening, Material, Rate};
-use stampflow::model::mesh;
-use stampflow::model::{Geometry, Model, Theory};
-use stampflow::{State, solver};
+use crate::common::prelude::*;
 
 const N: f64 = 0.2;
 const OFFSET: f64 = 1e-3;

@@ -1,10 +1,6 @@
 //! The split-ring test: rings of known moments, the mean of their curling, and where a ring is cut from a wall.
 
-use stampflow::material::Elastic;
-use stampflow::measure::{CutRing, Ring};
-use stampflow::numerics::quadrature::{ThicknessPoint, lobatto};
-use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
-use std::f64::consts::TAU;
+use crate::common::prelude::*;
 
 const METAL: Elastic = Elastic { young: 70e3, poisson: 0.33 };
 const R: f64 = 17.0;

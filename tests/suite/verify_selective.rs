@@ -1,11 +1,7 @@
 //! Verification of selective bending: against bending everywhere, and against membrane theory where nothing bends.
 
-use crate::common::page::{at_most, plain, signed, told};
-use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
-use stampflow::model::mesh;
-use stampflow::model::{Model, Theory};
-use stampflow::solver::solution::StageSolution;
-use stampflow::{State, solver};
+use crate::common::prelude::*;
+use crate::common::shipped::shipped;
 
 fn with(theory: Theory, model: &Model) -> Model {
     let mut model = model.clone();

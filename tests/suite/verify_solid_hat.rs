@@ -1,7 +1,6 @@
 //! Loads of a hat section against continuum solids.
 
-use crate::common::page::{signed, told};
-use stampflow::{case, solver};
+use crate::common::prelude::*;
 
 /// Trust: solids refined until they change by less than a percent; the moment of the contact pressure is left out.
 #[test]

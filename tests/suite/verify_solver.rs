@@ -1,14 +1,6 @@
 //! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
 
-use crate::common::convergence::orders_of_changes;
-use crate::common::page::{at_most, plain, signed, told};
-use crate::common::shipped::{self, DRAWN, last, peak, solve};
-use stampflow::material::Hardening;
-use stampflow::material::hardening::{Extrapolation, Swift, Table};
-use stampflow::model::mesh;
-use stampflow::model::{Geometry, Iteration, Settings};
-use stampflow::solver::solution::StageSolution;
-use stampflow::{State, solver};
+use crate::common::prelude::*;
 
 /// Largest departure of the load from a smooth curve, over its maximum: each point against the cubic through its
 /// neighbours two and four steps away on either side.

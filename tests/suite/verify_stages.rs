@@ -1,14 +1,7 @@
 //! Operations after one another: what a stage takes over from the one before, and what its tools do to the sheet.
 
-use crate::common::shipped;
-use stampflow::assess;
-use stampflow::element::Node;
-use stampflow::geometry::Point;
-use stampflow::model::stage::{Beginning, Stage};
-use stampflow::model::{Model, Motion, Role};
-use stampflow::solver::solution::StageSolution;
-use stampflow::solver::{enter, solve};
-use std::f64::consts::PI;
+use crate::common::prelude::*;
+use stampflow::solver::solve;
 
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
 fn cup(travel: f64) -> Model {

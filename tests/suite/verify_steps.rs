@@ -1,8 +1,7 @@
 //! Verification of the steps in time: what is read off a run does not hang on their length.
 
-use crate::common::convergence::orders_of_changes;
-use crate::common::shipped::{last, peak, shipped};
-use stampflow::solver;
+use crate::common::prelude::*;
+use crate::common::shipped::shipped;
 
 /// Overrides that divide the usual steps.
 fn divided(by: f64) -> [String; 2] {

@@ -1,7 +1,6 @@
 //! The strain path of a full circle over a hemispherical punch, measured on AA6016A Surfalex, with what friction does to it.
 
-use crate::common::page::agreement;
-use crate::common::shipped::shipped_case;
+use crate::common::prelude::*;
 
 /// Hosford's condition as a case has it.
 const FCC: &str = "{ hosford = { crystal = \"fcc\" } }";

@@ -17,9 +17,8 @@
 //! E. Siebel's formula, as textbooks have it (W. F. Hosford, R. M. Caddell, Metal Forming) (not read). The terms are derived
 //! above and can be checked there.
 
+use crate::common::prelude::*;
 use crate::study::run;
-use stampflow::study::{BaseCase, Bracket, LimitSearch, SearchRequest};
-use std::f64::consts::{FRAC_PI_2, PI};
 
 const CASE: &str = "cases/studies/swift_cup.toml";
 

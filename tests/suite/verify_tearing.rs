@@ -1,13 +1,7 @@
 //! Tearing index: closed form of a pulled strip, and cups that a toolmaker would draw or not.
 
-use crate::common::shipped::shipped_case;
-use crate::common::simple;
-use stampflow::assess::{self, Light};
-use stampflow::author::templates;
-use stampflow::case::{self, Case};
-use stampflow::model::{Geometry, Theory};
-use stampflow::solver::{run, solve};
-use std::fs;
+use crate::common::prelude::*;
+use stampflow::solver::solve;
 
 /// Trust: of σ = K (ε₀ + ε̄)^n, ε̄ = c ε and c = 2/√3, the force of a wide strip is (ε₀ + c ε)^n e^(−ε) over its maximum at
 /// ε = n − ε₀/c. Its strains are exact at any step; what is left is the corrector's tolerance.

@@ -2,15 +2,7 @@
 //!
 //! Trust: no reference, but what a page says is what comes out; each test has a tendency that is known besides.
 
-use crate::common::page::{plain, told};
-use crate::common::shipped::{self, last, shipped_case};
-use stampflow::case::{self, Case, Solution};
-use stampflow::material::Hardening;
-use stampflow::measure::{Ring, Shape};
-use stampflow::model::Mode;
-use stampflow::solver::solution::StopKind;
-use stampflow::study::fit::{FlowCurve, HardeningKind, Reduction, fit_laws};
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::common::prelude::*;
 
 const AGREEMENT: &str = "docs/agreement.md";
 

@@ -1,12 +1,9 @@
 //! The voided law against closed forms, differences and an integration of its own.
 
-use approx::assert_relative_eq;
+use crate::common::prelude::*;
 use stampflow::material::PointLaw;
-use stampflow::material::flow::{FlowLaw, Iterate, Iteration, PointState, StressUpdate, Symmetric, YieldCondition};
+use stampflow::material::flow::{Iterate, Iteration, PointState, Symmetric};
 use stampflow::material::gtn::{Evolution, Gtn};
-use stampflow::material::hardening::Swift;
-use stampflow::material::{Hardening, Hill48, Rate};
-use std::f64::consts::TAU;
 
 /// Of strain or stress: s, θ and shear.
 type Triple = [f64; 3];

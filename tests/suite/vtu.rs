@@ -1,11 +1,7 @@
 //! Files for ParaView, read back and measured; `tests/foreign` holds other readers against them.
 
-use crate::common::cli::{CUP, folder, stampflow, text};
-use roxmltree::{Document, Node};
-use std::collections::BTreeMap;
-use std::f64::consts::TAU;
-use std::fs;
-use std::path::Path;
+use crate::common::prelude::*;
+use roxmltree::Node;
 
 struct Grid {
     points: Vec<[f64; 2]>,

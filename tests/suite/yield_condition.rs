@@ -1,9 +1,7 @@
 //! Yield conditions: lights where Hill's is known to be wrong, and the order of metals on a dome.
 
-use crate::common::shipped::made;
-use stampflow::assess::{self, Answer, Finding, Light};
-use stampflow::case::{Case, Solution};
-use stampflow::{forming_limit, solver};
+use crate::common::prelude::*;
+use stampflow::forming_limit;
 
 /// A hemispherical cup of AA6016-T4, its dome stretched both ways.
 fn cup(overrides: &[&str]) -> Case {

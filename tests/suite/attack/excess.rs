@@ -1,6 +1,6 @@
 //! Nests as deep, and lists as long, as nobody writes in a case file.
 
-use fastrand::Rng;
+use crate::common::prelude::*;
 
 fn many(entry: &str, times: usize) -> String {
     vec![entry; times].join(", ")

@@ -9,23 +9,16 @@ mod excess;
 mod mutate;
 mod promises;
 
-use crate::common::files::files;
-use fastrand::Rng;
+use crate::common::prelude::*;
 use mutate::mutated;
 use stampflow::author::Import;
-use stampflow::case::files::{Disk, Files, Memory};
-use stampflow::case::{self, Case, CaseError};
-use stampflow::import::Options;
-use stampflow::model::{Geometry, Model};
+use stampflow::case::CaseError;
 use stampflow::plot::svg;
-use stampflow::results::comparison::{Computed, comparisons};
-use stampflow::results::{Make, OUTPUTS, Results, csv};
-use stampflow::{Observer, State};
+use stampflow::results::comparison::comparisons;
+use stampflow::results::{Results, csv};
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 use std::sync::mpsc::channel;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// A cup without its punch's section, and what is read beside it.
 const CUP: &str = r#"

@@ -1,7 +1,7 @@
 //! Inputs made wrong, whatever their format: numbers, words, lines and bytes.
 
 use super::excess::excess;
-use fastrand::Rng;
+use crate::common::prelude::*;
 
 /// Numbers, separated by spaces.
 const NUMBERS: &str =

@@ -1,8 +1,6 @@
 //! What is promised of whatever is not refused.
 
-use roxmltree::Document;
-use stampflow::case::Case;
-use stampflow::model::mesh;
+use crate::common::prelude::*;
 
 /// Of every model that is accepted, and of what can be said without solving it.
 pub fn of_model(case: &Case) {

@@ -1,8 +1,6 @@
 //! The program as a user calls it, and a small case for it.
 
-use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
+use crate::common::prelude::*;
 
 pub const CUP: &str = r#"
 title = "Cup"

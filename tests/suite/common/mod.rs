@@ -6,6 +6,7 @@ pub mod coverage;
 pub mod cup;
 pub mod files;
 pub mod page;
+pub mod prelude;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the kind")]

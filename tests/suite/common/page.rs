@@ -1,8 +1,6 @@
 //! Figures of the book, and of comments of cases, that a test computes. `UPDATE=1` writes them.
 
-use regex::Regex;
-use std::fs;
-use std::sync::Mutex;
+use crate::common::prelude::*;
 
 /// Tests run side by side, and a page is one file.
 static WRITING: Mutex<()> = Mutex::new(());

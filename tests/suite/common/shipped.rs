@@ -1,11 +1,7 @@
 //! The shipped cases as models, and whole runs of them.
 
-use stampflow::case::{Case, Solution};
-use stampflow::model::Model;
-use stampflow::solver::solution::{StageSolution, StepRecord};
-use stampflow::{case, solver};
-use std::collections::BTreeMap;
-use std::sync::{Mutex, OnceLock};
+use crate::common::prelude::*;
+use std::sync::OnceLock;
 
 /// Every shipped case that a punch drives.
 pub const DRAWN: [&str; 9] = [

@@ -1,12 +1,7 @@
 //! Small models built in code, for tests against closed forms.
 
-use stampflow::geometry::Profile;
-use stampflow::material::hardening::{Ludwik, Swift};
-use stampflow::material::{Hardening, Material};
-use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory,
-    ThicknessRule, Tool,
-};
+use crate::common::prelude::*;
+use stampflow::model::{Blank, StopRules};
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
 pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
