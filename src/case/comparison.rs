@@ -1,15 +1,12 @@
 //! `[[compare]]`: comparisons with reference curves, point by point, and with bands that values without places span.
 
-use super::file::{CaseFile, Named};
-use super::files;
-use super::{CaseError, source};
+use super::file::Named;
+use super::*;
 use crate::table::Csv;
 use crate::units::{Dimensioned, Number, Positive, Ratio};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use std::fmt;
-use std::path::{Path, PathBuf};
 
 /// File of a folder that names the sources of the others, one table per file name.
 pub const SOURCES: &str = "sources.toml";

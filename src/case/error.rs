@@ -2,12 +2,11 @@
 
 use super::files::{remedy, visible};
 use super::schema::{example, is_index};
-use super::source::Source;
+use super::*;
 use crate::units::{self, QuantityError, did_you_mean};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
-use std::io::{self, ErrorKind};
+use std::io::ErrorKind;
 use std::ops::Range;
-use std::path::Path;
 use std::sync::Arc;
 use toml::de::Error;
 

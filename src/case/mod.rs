@@ -19,8 +19,11 @@ use crate::material::RValues;
 use crate::model::{Model, Stage};
 use crate::solver::solution::StageSolution;
 use crate::solver::{Observer, solve};
+use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
+use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

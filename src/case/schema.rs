@@ -1,8 +1,7 @@
 //! JSON schema of case files, for editors, the key reference and the examples in messages.
 
-use super::file::CaseFile;
+use super::*;
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Examples of keys by the schema's definition of their table.

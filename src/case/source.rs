@@ -1,15 +1,12 @@
 //! Text of a case with the place of every key: reads it, words its errors, collects notes.
 
-use super::files::Folder;
 use super::schema::example;
-use super::{CaseError, error, file::CaseFile};
+use super::*;
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::Deserialize;
 use std::cell::RefCell;
-use std::io;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};

@@ -1,7 +1,6 @@
 //! Sources of the numbers of a case.
 
-use super::file::{self, CaseFile};
-use super::{CaseError, source::Source};
+use super::*;
 use crate::units::parse;
 
 /// Sources of the numbers of a case: how they were measured, or author and year; the run does not depend on them.

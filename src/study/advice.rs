@@ -1,13 +1,12 @@
 //! Advice: changes of one size, each solved before it is given.
 
-use super::variable::{Variable, split_number, written};
+use super::variable::split_number;
 use super::verdict::is_known;
-use super::{BaseCase, Watch};
+use super::*;
 use crate::assess::advice::{self, Tried, is_open};
 use crate::assess::{Finding, after, judgements};
-use crate::case::{self, Case, Solution};
+use crate::case::{self};
 use crate::solver::solution::StageSolution;
-use crate::units::significant;
 use rayon::prelude::*;
 
 /// Most runs, and the work of all of them \[iterations × elements × points\]: some 5 s of two cores.

@@ -1,11 +1,9 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
-use super::error::ensure;
-use super::{StudyError, Watch};
-use crate::case::files::{self, CSV, Disk, Files, sha256};
-use crate::case::{self, Case, CaseError, Solution};
+use super::*;
+use crate::case::files::{self, CSV, sha256};
+use crate::case::{self, CaseError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
 
 /// Hex digits of a hash that identifies inputs.
 const DIGITS: usize = 16;

@@ -1,12 +1,11 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
 use super::run::response_key;
-use super::{FailureMode, Run, RunTable, Spread, Sweep};
-use crate::assess::error_bars::Origin;
+use super::*;
 use crate::plot::Axis;
-use crate::plot::chart::{Annotation, AnnotationKind, Chart, Color, Panel, Scale, Series, Style, bounds};
+use crate::plot::chart::{Annotation, AnnotationKind, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
-use crate::units::{Sense, Unit};
+use crate::units::Sense;
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
 

@@ -1,20 +1,17 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
-use super::error::ensure;
 use super::run::Silent;
-use super::variable::split_pair;
-use super::verify::{Outcome, Watch, verify};
-use super::{BaseCase, Cell, ReportTable, StudyError, StudyReport, fail, parallel_map};
-use crate::assess::error_bars::{ErrorBars, Number, Origin, answered};
-use crate::assess::{self, Light};
+use super::verify::{Outcome, verify};
+use super::*;
+use crate::assess::error_bars::{ErrorBars, answered};
+use crate::assess::{self};
 use crate::case::comparison::{ComparedQuantity, Spec};
-use crate::case::{Case, Solution};
-use crate::plot::chart::{Chart, Panel, Series, Style};
+use crate::plot::chart::{Panel, Series, Style};
 use crate::plot::palette::color;
 use crate::plot::sections;
 use crate::results::comparison::Computed;
 use crate::results::summary::section_of;
-use crate::units::{Amount, Digits};
+use crate::units::Digits;
 
 /// A case to compare.
 #[derive(Clone, Debug)]

@@ -11,11 +11,8 @@
 //!
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
-use super::error::ensure;
-use super::variable::{in_unit, split_pair};
-use super::{FailureMode, Run, RunTable, StudyError};
-use crate::assess::Light;
-use crate::units::{Unit, did_you_mean, parse};
+use super::*;
+use crate::units::did_you_mean;
 
 /// A condition on a run, or the target of a search.
 #[derive(Clone, Debug)]

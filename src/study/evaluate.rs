@@ -1,9 +1,7 @@
 //! The engine: evaluates the designs that a study asks for, on all cores, until it asks for no more.
 
-use super::error::ensure;
 use super::run::{evaluate_design, evaluated, responses};
-use super::{BaseCase, Design, Evaluated, Run, RunTable, Shard, StudyError, StudyReport, Watch, short_hash};
-use std::collections::BTreeMap;
+use super::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;

@@ -1,12 +1,10 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
-use super::{Side, StudyError, fail};
+use super::*;
 use crate::assess::design::holder_pressure;
 use crate::assess::estimate::{flange_strength, held_from};
-use crate::case::Case;
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
-use crate::units::significant;
 use std::f64::consts::PI;
 
 #[derive(Default)]

@@ -1,11 +1,10 @@
 //! Measured curves: a CSV file whose columns name their quantities and end with their units.
 
-use super::{StudyError, fail};
+use super::*;
 use crate::case::comparison::{ComparedQuantity, Spec};
-use crate::case::files::{self, Disk, Files};
+use crate::case::files::{self};
 use crate::results::comparison::Computed;
 use crate::table::{Csv, CsvError};
-use std::path::Path;
 
 const TRAVEL: &[&str] = &["travel", "stroke"];
 /// Quantities, words of their abscissae and of their ordinates.

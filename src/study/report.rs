@@ -1,9 +1,8 @@
 //! Results of a study: a headline, notes, tables and charts, for every kind of study.
 
-use crate::assess::Light;
-use crate::plot::chart::Chart;
+use super::*;
 use crate::results::csv::records;
-use crate::units::{Amount, rounded};
+use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Results of a study.

@@ -1,11 +1,8 @@
 //! One evaluation: a design and the responses of its run.
 
-use super::variable::number;
-use super::verify::{Outcome, Watch};
-use super::{BaseCase, FailureMode};
-use crate::assess::error_bars::{Number, Origin};
-use crate::assess::{self, Light};
-use crate::case::Solution;
+use super::verify::Outcome;
+use super::*;
+use crate::assess::{self};
 use crate::units::rounded;
 
 /// A point of a study: values of its variables and the overrides that set them.

@@ -5,12 +5,9 @@
 //! ```
 
 use super::run::column;
-use super::{FailureMode, Plan, Run, StudyError};
-use crate::assess::Light;
-use crate::assess::error_bars::Number;
+use super::*;
 use crate::results::csv::records;
-use crate::units::{did_you_mean, joined};
-use std::collections::BTreeMap;
+use crate::units::did_you_mean;
 
 pub(super) const BEGINNING: &str = "study,designs,index,";
 const FIRST: [&str; 4] = ["study", "designs", "index", "inputs_sha256"];

@@ -2,17 +2,10 @@
 //!
 //! The sample is a scrambled Sobol sequence. Wilson's intervals take its points as independent, which is on the safe side.
 
-use super::charts;
-use super::error::ensure;
 use super::uncertain_variable::UncertainVariable;
-use super::{
-    BaseCase, Cell, Design, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport, fail,
-};
-use crate::assess::Light;
-use crate::numerics::statistics::{quantile, rank_correlation, wilson};
-use crate::units::{Amount, joined};
+use super::*;
+use crate::numerics::statistics::{rank_correlation, wilson};
 use sobol_burley::sample;
-use std::path::Path;
 
 /// Default sample size; a Sobol sequence is most even at a power of two.
 const RUNS: u64 = 1024;

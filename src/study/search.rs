@@ -1,16 +1,13 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
 use super::bracket::{Search, Trial};
-use super::charts::{self, Charts};
+use super::charts::Charts;
 use super::goals::{Goal, HolderRule};
-use super::variable::{SearchRange, check_distinct, in_unit, written};
-use super::{
-    BaseCase, Bracket, Condition, Design, Plan, Run, RunTable, Side, Study, StudyError, StudyReport, Variable, fail,
-};
+use super::variable::{SearchRange, check_distinct};
+use super::*;
 use crate::assess::estimate;
 use crate::plot::Axis;
 use crate::plot::chart::bounds;
-use crate::units::{Amount, Unit, significant};
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]

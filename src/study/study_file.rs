@@ -14,11 +14,8 @@
 //! ```
 
 use super::base_case::read_text;
-use super::error::ensure;
-use super::{StudyError, fail};
-use crate::units::joined;
+use super::*;
 use serde::Deserialize;
-use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
 /// Keys of every case, by which one is recognised.

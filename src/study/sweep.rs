@@ -1,16 +1,8 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
-use super::charts;
-use super::error::ensure;
-use super::variable::{check_distinct, in_unit, number, with_unit};
-use super::{
-    BaseCase, Cell, Design, FailureMode, Plan, ReportTable, Run, RunTable, Study, StudyError, StudyFile, StudyReport,
-    Variable,
-};
-use crate::assess::Light;
+use super::variable::{check_distinct, with_unit};
+use super::*;
 use crate::plot;
-use crate::units::joined;
-use std::path::Path;
 
 /// A full factorial design, or one key at a time.
 #[derive(Clone, Debug)]

@@ -4,15 +4,11 @@
 //! A killed run may leave one incomplete last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n,
 //! k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
 
-use super::error::ensure;
 use super::run_table::{BEGINNING, record};
-use super::{EarlierRuns, Evaluated, RunTable, StudyError, Watch, fail};
-use crate::case::files::{Disk, Files};
+use super::*;
 use crate::results::file::{Lock, NewFolders, WriteError, folder_of, hidden, write};
-use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::thread;
 use std::time::Duration;

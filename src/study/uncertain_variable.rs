@@ -8,11 +8,10 @@
 //! ```
 //! Without MIDDLE or MEAN it is the case's own value; a HALF or DEVIATION in % is of the middle. `+-` and `+/-` are ±.
 
-use super::variable::{NumberReader, in_unit, number, split_number, split_pair, written};
-use super::{BaseCase, StudyError, Variable};
-use crate::case::Case;
+use super::variable::{NumberReader, split_number};
+use super::*;
 use crate::material::chaboche;
-use crate::units::{Dimensioned, Stress, parse, significant};
+use crate::units::{Dimensioned, Stress};
 use statrs::distribution::{ContinuousCDF, Normal};
 use toml_edit::Value;
 

@@ -8,10 +8,8 @@
 //! KEY=A,B,C UNIT                these values                       friction=0.04,0.08,0.12
 //! ```
 
-use super::StudyError;
-use super::error::ensure;
+use super::*;
 use crate::plot::Spacing;
-use crate::units::{Unit, parse, significant};
 use std::collections::BTreeSet;
 
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;

@@ -1,10 +1,9 @@
 //! Verdict for the user of one case: findings, what hangs on friction, and advice that was tried.
 
 use super::advice::advise;
-use super::{BaseCase, Watch};
+use super::*;
 use crate::assess::error_bars::{ErrorBars, weighed};
-use crate::assess::{Answer, FailureMode, Finding, after, friction};
-use crate::case::Solution;
+use crate::assess::{Answer, Finding, after, friction};
 use rayon::prelude::*;
 
 /// Judges a solution: friction is solved at ± 0.02, advice on red and amber rows if it is wanted.

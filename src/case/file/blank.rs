@@ -1,10 +1,7 @@
 //! `[blank]`.
 
-use super::values::{count, radius_of};
-use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
-use crate::model::{self, Edge, Extent, Geometry, Grading, Mode, Theory, ThicknessRule};
-use crate::units::{Dimensioned, Length, Positive, rounded};
-use std::ops::RangeInclusive;
+use super::*;
+use crate::model::{Grading, ThicknessRule};
 
 /// Flat sheet before forming.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

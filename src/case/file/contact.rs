@@ -1,17 +1,13 @@
 //! Contact with the tools: the holder's force, draw beads, and `friction` of a tool or of its side of the sheet.
 
 use super::material::only;
-use super::tools::{Holder, ToolContext, ToolKeys};
-use super::values::{HolderForce, Stiffness, radius_of, untagged};
-use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
+use super::tools::{Holder, ToolKeys};
+use super::values::Stiffness;
+use super::*;
 use crate::contact::friction::FrictionTable;
-use crate::geometry::Profile;
 use crate::material::law::Family;
-use crate::model::tool_sizes::shoulder_end;
-use crate::model::{self, Extent, Motion, Press, Role, Tool};
-use crate::numerics::PiecewiseLinear;
-use crate::units::{Amount, Digits, Dimensioned, Fraction, Length, LineForce, NonNegative, Positive, Unit};
-use serde::de::IntoDeserializer;
+use crate::model::Press;
+use crate::units::{Digits, LineForce, Unit};
 
 /// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,11 +1,8 @@
 //! Tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
-use super::CaseError;
 use super::section::{Drawn, Origin, Section, SectionTable};
-use super::tools::ToolContext;
-use crate::geometry::{CavityError, Profile};
-use crate::model::Role;
-use crate::units::{Amount, Dimensioned};
+use super::*;
+use crate::geometry::CavityError;
 
 /// Length of the die's face over the blank's length \[–\].
 const REACH: f64 = 20.0;

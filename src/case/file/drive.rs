@@ -1,15 +1,11 @@
 //! Drive and duration of the run, its kept instants, `[solver]` and `[stop]`; limits on the size of a case.
 
-use super::values::count;
-use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
+use super::*;
 use crate::forming_limit::Paths;
-use crate::geometry::Piece;
+use crate::model::Stage;
 use crate::model::tool_sizes::throat;
-use crate::model::{Model, Role, Settings, Stage, StopRules, Tool};
-use crate::numerics::PiecewiseLinear;
 use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
 use crate::solver::state::MaterialPoint;
-use crate::units::{Dimensioned, Length, NonNegative, Positive, Time, rounded};
 use std::f64::consts::FRAC_PI_2;
 
 /// Distance of frames over the travel below which they are one \[–\].

@@ -1,12 +1,8 @@
 //! Checks that blank and tools fit together and do not collide.
 
 use super::drive::travel_key;
-use super::values::place_of;
-use crate::case::{CaseError, source::Source};
-use crate::geometry::Point;
-use crate::model::tool_sizes::{extent, gap, room, shoulder_end, throat, widens};
-use crate::model::{Edge, Geometry, Model, Role, Tool};
-use crate::units::rounded;
+use super::*;
+use crate::model::tool_sizes::{extent, gap, room, throat, widens};
 
 /// Rounding error of sums of decimals \[–\].
 const ROUNDED: f64 = 1e-6;

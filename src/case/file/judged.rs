@@ -1,12 +1,10 @@
 //! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`.
 
-use super::values::HolderForce;
-use super::{CaseError, CaseFile, JsonSchema, Source};
+use super::*;
 use crate::measure::Ring;
-use crate::model::{Extent, Geometry};
-use crate::units::{Angle, As, Dimensioned, Energy, Length, NonNegative, Positive};
+use crate::units::{Angle, As, Energy};
+use serde::Deserializer;
 use serde::de::Error;
-use serde::{Deserialize, Deserializer};
 
 /// Rating of the press, as on its data sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]

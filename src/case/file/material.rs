@@ -1,7 +1,6 @@
 //! `[material]`: elastic constants and exactly one law of each kind.
 
-use super::values::untagged;
-use super::{CaseError, Deserialize, JsonSchema, Source};
+use super::*;
 use crate::material::fracture::FractureTable;
 use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
@@ -11,10 +10,7 @@ use crate::material::{
     self, BackStress, BackStresses, Elastic, Fracture, Gtn, Hardening, Hill48, RValues, Rate, ThermalLaw,
     YieldCriterion,
 };
-use crate::model::Mode;
-use crate::units::{Amount, Digits, Dimensioned, Fraction, Number, Positive, Stress};
-use serde::de::IntoDeserializer;
-use std::ops::RangeInclusive;
+use crate::units::Digits;
 
 /// The sheet's material, isotropic in its plane.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

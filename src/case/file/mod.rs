@@ -24,8 +24,13 @@ pub use material::{Crystal, YieldCondition};
 pub(super) use points::Named;
 
 use super::{CaseError, comparison::Compare, source::Source};
-use crate::model::{self, Friction, Geometry, Mode, Model, Settings, StopRules, Theory, Tool};
-use crate::units::Dimensioned;
+use crate::geometry::{Piece, Point, Profile};
+use crate::model::tool_sizes::shoulder_end;
+use crate::model::{
+    self, Edge, Extent, Friction, Geometry, Mode, Model, Motion, Role, Settings, StopRules, Theory, Tool,
+};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Amount, Dimensioned, Fraction, Length, NonNegative, Number, Positive, Stress, Time, rounded};
 use blank::Blank;
 use contact::{Frictions, Sides};
 use drive::Output;
@@ -33,9 +38,12 @@ use judged::WrittenPress;
 use material::checked_mode;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde::de::IntoDeserializer;
 use stages::{FirstStage, Stage};
+use std::ops::RangeInclusive;
 use surroundings::{Gas, Heat};
 use tools::{ToolContext, Tools};
+use values::{History, HolderForce, count, place_of, radius_of, untagged};
 
 /// Forming case: blank, material, tools.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,12 +1,9 @@
 //! CSV files that a case names: their lines, and the section of a tool by points.
 
-use super::tools::ToolContext;
-use super::values::place_of;
-use crate::case::{CaseError, files, source::Source};
-use crate::geometry::{FilletTooLarge, Piece, Point, Profile, fillet};
-use crate::model::{Geometry, Role};
+use super::*;
+use crate::case::files;
+use crate::geometry::{FilletTooLarge, fillet};
 use crate::table::{Csv, CsvError, Record, Unit};
-use crate::units::{Amount, Dimensioned, Length};
 use miette::NamedSource;
 use std::io::ErrorKind;
 use std::path::Path;

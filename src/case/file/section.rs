@@ -1,13 +1,9 @@
 //! `profile`: section of a tool, drawn in steps, read from a file or made from another tool; then placed.
 
 use super::counter::Counter;
-use super::points::{self, Points};
-use super::tools::ToolContext;
-use super::values::{place_of, untagged};
-use super::{CaseError, Deserialize, JsonSchema, Source};
-use crate::geometry::{Arc, Fold, Piece, Point, Profile};
-use crate::model::Role;
-use crate::units::{Amount, Dimensioned, Length, NonNegative, Positive};
+use super::points::Points;
+use super::*;
+use crate::geometry::{Arc, Fold};
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.01;

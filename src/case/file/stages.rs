@@ -1,16 +1,10 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
-use super::contact::Frictions;
-use super::drive::{self, equally_spaced};
-use super::material::checked_mode;
-use super::tools::{Die, Holder, Punch, ToolContext, ToolKeys, Tools};
-use super::values::{History, count, radius_of, untagged};
-use super::{CaseError, CaseFile, Deserialize, JsonSchema, Source};
-use crate::geometry::Point;
-use crate::model::{self, Beginning, Edge, Mode, Model, Motion, Press, ReleaseStiffness, Role, StopRules, Tool};
-use crate::numerics::PiecewiseLinear;
-use crate::units::{Dimensioned, Length, Positive, Speed, Time, rounded};
-use serde::de::IntoDeserializer;
+use super::drive::equally_spaced;
+use super::tools::{Die, Holder, Punch, ToolKeys};
+use super::*;
+use crate::model::{Beginning, Press, ReleaseStiffness};
+use crate::units::Speed;
 
 const FIRST: &str = "forming";
 /// Most letters of a stage's name.

@@ -1,17 +1,12 @@
 //! `[heat]`: initial temperature of the flat sheet, and heat flow; `[gas]`: pressure on the faces of the sheet.
 
-use super::points::Named;
-use super::values::{History, untagged};
-use super::{CaseError, Deserialize, JsonSchema, Source};
-use crate::model::tool_sizes::{extent, shoulder_end};
-use crate::model::{self, Face, HeatFlow, Pressure, RateControl, Role, Tool};
-use crate::numerics::PiecewiseLinear;
+use super::*;
+use crate::model::tool_sizes::extent;
+use crate::model::{Face, HeatFlow, Pressure, RateControl};
 use crate::table::Unit;
 use crate::units::{
-    Amount, Conductivity, Density, Dimensioned, Fraction, HeatTransfer, Length, NonNegative, Number, Positive,
-    SpecificHeat, StrainRate, Stress, StressRate, Temperature, Time, ZERO_CELSIUS,
+    Conductivity, Density, HeatTransfer, SpecificHeat, StrainRate, StressRate, Temperature, ZERO_CELSIUS,
 };
-use serde::de::IntoDeserializer;
 
 /// Share of the plastic work that becomes heat, in common use for metals \[–\].
 const PLASTIC_SHARE: f64 = 0.9;

@@ -1,12 +1,9 @@
 //! `[tools]` and the tools of `[[stages]]`: shapes placed where they touch the flat sheet.
 
-use super::contact::{Bead, Friction, Frictions, Spring};
+use super::contact::{Bead, Friction, Spring};
 use super::section::Section;
-use super::values::{History, HolderForce, radius_of};
-use super::{CaseError, Deserialize, JsonSchema, Source};
-use crate::geometry::Profile;
-use crate::model::{self, Extent, Motion, Role};
-use crate::units::{Dimensioned, Length, NonNegative, Positive, Speed, Stress, Time, rounded};
+use super::*;
+use crate::units::Speed;
 
 /// Least radius of a tool, and least opening \[mm\].
 const SMALLEST: f64 = 1e-3;

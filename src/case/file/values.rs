@@ -1,14 +1,10 @@
 //! Values that several tables share: histories, forces in all or per depth, lengths from the axis; enums by the kind of TOML value.
 
-use super::{CaseError, Deserialize, Source};
-use crate::geometry::Point;
-use crate::model::{Extent, Geometry};
-use crate::numerics::PiecewiseLinear;
-use crate::units::{Dimensioned, Force, Kind, Length, LineForce, NonNegative, Positive, Stress, parse, rounded};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{Error, IntoDeserializer};
+use super::*;
+use crate::units::{Force, Kind, LineForce, parse};
+use schemars::{Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
 use std::borrow::Cow;
-use std::ops::RangeInclusive;
 
 /// Least force that differs from round-off \[N or N/mm\].
 const LEAST: f64 = 1e-6;
