@@ -122,7 +122,8 @@ impl CaseError {
     }
 }
 
-fn shortened(text: &str) -> String {
+/// Text with a gap in its middle where it is far too long for a message.
+pub(crate) fn shortened(text: &str) -> String {
     let length = text.chars().count();
     if length <= 2 * LONGEST {
         return text.to_owned();

@@ -11,6 +11,8 @@ mod source;
 mod sources;
 
 pub use error::CaseError;
+#[cfg(feature = "app")]
+pub(crate) use error::shortened;
 pub use file::{Press, Springback, TitleBlock};
 pub use schema::schema;
 pub use sources::{Sheets, Sources, Thickness};

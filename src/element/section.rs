@@ -30,22 +30,6 @@ type Matrix5 = SMatrix<f64, 5, 5>;
 /// Rule of a membrane.
 const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
 
-/// Forces of an element's nodes that balance given stresses of its points \[N, N mm\].
-pub fn forces(
-    current: &Current,
-    volume: f64,
-    thickness: f64,
-    rule: &[ThicknessPoint],
-    stress: impl Fn(usize) -> Triple,
-) -> Vector6 {
-    let mut s = Generalised::zeros();
-    let rule = if current.bends() { rule } else { &MIDDLE };
-    for (i, at) in rule.iter().enumerate() {
-        s += resultants(0.5 * thickness * at.xi, volume * at.weight, stress(i));
-    }
-    current.nodal_forces(&s)
-}
-
 /// Resultants of a stress at ζ that acts on the volume `v`.
 #[inline]
 fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {

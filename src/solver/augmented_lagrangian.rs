@@ -4,10 +4,8 @@
 //! M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
 //! T. A. Laursen, Computers & Structures 42 (1992) 97–116.
 
-use super::evaluation::{Evaluation, mean_gap};
-use super::trial::Trial;
-use crate::element::surface::STATIONS;
-use crate::model::Settings;
+use super::evaluation::mean_gap;
+use super::*;
 
 /// Most rounds that one extrapolated shift stands for.
 const LONGEST_SERIES: f64 = 20.0;

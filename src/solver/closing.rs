@@ -2,11 +2,9 @@
 //!
 //! The holder closes before the punch moves, up to the force of the start of the draw or to the fixed gap.
 
-use super::{Observer, run_from};
-use crate::geometry::Point;
-use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
-use crate::solver::solution::{Closing, StageSolution};
-use crate::solver::state::State;
+use super::*;
+use crate::model::{StopRules, mesh};
+use crate::solver::solution::Closing;
 
 /// Closing travel over the thickness up to which holder and die lie on the flat sheet \[–\].
 const LIES: f64 = 0.1;

@@ -1,18 +1,10 @@
 //! Converged steps and the states after them.
 
-use super::corrector::Outcome;
-use super::damage;
-use super::evaluation::Evaluation;
-use super::step::Step;
 use super::terms::contact;
-use super::trial::Trial;
-use crate::element::Node;
-use crate::element::kinematics::Reference;
+use super::*;
 use crate::material::flow::YieldCondition;
 use crate::material::{Elastic, Gtn};
-use crate::model::{Edge, Mode, Theory};
-use crate::numerics::Grid;
-use crate::solver::state::{MaterialPoint, State};
+use crate::solver::state::MaterialPoint;
 
 /// Largest relative change of the strain rate in steady flow \[–\].
 const STEADY: f64 = 0.6;

@@ -1,12 +1,9 @@
 //! Implicit corrector: iterates with H until equilibrium (Sosnowski 1994, equation 9).
 
 use super::equilibrium::evaluate;
-use super::evaluation::{Evaluation, Linearisation};
-use super::run_context::RunContext;
-use super::step::Step;
-use super::trial::Trial;
-use super::{Iterate, Observer, Start};
-use crate::model::{Iteration, Mode, Model, Norm};
+use super::evaluation::Linearisation;
+use super::*;
+use crate::model::Norm;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 pub(super) const LARGEST_MOVE: f64 = 0.5;

@@ -1,16 +1,11 @@
 //! Course of a run: steps from a state on, up to a reason to end.
 
-use super::evaluation::Evaluation;
+use super::advance;
 use super::no_equilibrium::{creeping, interrupted, no_equilibrium, squeezed, unheld};
-use super::run_context::RunContext;
-use super::step::Step;
 use super::termination::Termination;
 use super::time_step::{Budget, StepControl};
-use super::trial::Trial;
-use super::{Observer, advance, retry};
-use crate::model::Model;
-use crate::solver::solution::{Effort, Frame, StageSolution, StepRecord, Stop, StopKind, ThroughThickness};
-use crate::solver::state::State;
+use super::*;
+use crate::solver::solution::{Effort, Frame, ThroughThickness};
 use std::mem::swap;
 
 /// Least progress of a run between two checkpoints \[–\]: twice the usual largest step.

@@ -12,11 +12,9 @@
 //! On the faces, which the middles of equal parts miss, D grows by what the increments of the two outermost points extrapolate to:
 //! exact in pure bending.
 
-use super::converged::Converged;
-use crate::element::surface::STATIONS;
+use super::*;
 use crate::material::Fracture;
 use crate::material::fracture::FractureStress;
-use crate::solver::state::State;
 
 /// Adds the damage of a step to the points and faces of the next state.
 pub(super) fn add(fracture: &Fracture, converged: &Converged, next: &mut State) {

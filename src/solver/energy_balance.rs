@@ -3,15 +3,11 @@
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends along the computed path,
 //! each force in its own direction. The corrector never uses these sums, so their imbalance measures the step length.
 
-use super::converged::Converged;
-use super::evaluation::{Contact, Evaluation};
+use super::evaluation::Contact;
 use super::step::CUT_OFF_ZONE;
-use crate::element::Node;
-use crate::element::surface::STATIONS;
-use crate::geometry::{Point, turned};
-use crate::model::{Edge, Mode};
+use super::*;
+use crate::geometry::turned;
 use crate::solver::solution::Energy;
-use nalgebra::Vector3;
 
 /// Work of a converged step, and the plastic work of each element, of what is solved \[mJ, or per mm of depth\]; `before` is the
 /// evaluation of the step before.

@@ -1,14 +1,10 @@
 //! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9), the sum of
 //! the [`terms`](super::terms).
 
-use super::evaluation::{Evaluation, Linearisation, largest};
-use super::run_context::RunContext;
-use super::step::Step;
+use super::evaluation::{Linearisation, largest};
 use super::terms::{bead, contact, gas, holder, sheet};
-use super::trial::Trial;
-use crate::model::{Edge, Model};
-use crate::solver::state::State;
-use nalgebra::Vector3;
+use super::*;
+use std::sync::Arc;
 
 /// Duration of a step at rest over that of the run \[–\].
 const AT_REST: f64 = 1e-9;
@@ -44,21 +40,25 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
 /// Adds the fading forces of removed tools; returns the largest initial one of a node.
 fn unload(step: &Step, out: &mut Evaluation) -> f64 {
     let left = step.unloading_left(step.end());
-    for (rhs, force) in out.system.rhs.iter_mut().zip(&step.state.unloading) {
+    for (rhs, force) in out.system.rhs.iter_mut().zip(step.state.unloading.iter()) {
         *rhs += force * left;
     }
     largest(&step.state.unloading)
 }
 
 /// Nodal forces that keep an elastic sheet at rest in equilibrium at the beginning of a run: those of removed tools \[N, N mm\].
-pub(super) fn unloading(model: &Model, state: &State) -> Vec<Vector3<f64>> {
+pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
     let context = RunContext::new(model);
     let (mut trial, mut out) = (Trial::new(&context, state), Evaluation::new(&context, state));
     let step = Step::new(&context, state, AT_REST * model.duration, 1);
     trial.predict(&step, true);
     let matrix = model.settings.iteration;
     let at = Linearisation { matrix, residual_alone: true, iteration: 0, velocity_norm: f64::INFINITY };
-    if evaluate(&step, &mut trial, &at, &mut out) { out.system.rhs.iter().map(|f| -f).collect() } else { Vec::new() }
+    if evaluate(&step, &mut trial, &at, &mut out) {
+        out.system.rhs.iter().map(|f| -f).collect()
+    } else {
+        Arc::default()
+    }
 }
 
 /// Symmetry on the axis, the held edge, and no rotations where no element resists them.

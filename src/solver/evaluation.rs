@@ -1,20 +1,16 @@
 //! Evaluation of a trial: residual, matrix, stress, contacts.
 
-use super::run_context::{RunContext, references};
+use super::run_context::references;
 use super::step::half_thickness_difference;
+use super::*;
 use crate::contact::penalty::Penalty;
-use crate::element::Node;
 use crate::element::Vector6;
-use crate::element::kinematics::Reference;
-use crate::element::surface::{STATIONS, Station, stations};
-use crate::geometry::Point;
+use crate::element::surface::{Station, stations};
 use crate::material::flow::StressUpdate;
-use crate::model::{Iteration, PressureCap};
-use crate::numerics::Grid;
+use crate::model::PressureCap;
 use crate::numerics::ValueAndSlope;
 use crate::numerics::block_tridiagonal::System;
-use crate::solver::state::State;
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{Matrix3, SMatrix};
 
 /// Least pressure of a point in contact, over that of touching \[–\].
 const LIGHT: f64 = 0.01;

@@ -10,11 +10,8 @@
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
-use super::converged::Converged;
-use crate::element::surface::STATIONS;
+use super::*;
 use crate::model::Geometry;
-use crate::solver::solution::Heat;
-use crate::solver::state::State;
 use std::f64::consts::TAU;
 
 /// Advances the temperatures of `state` by the plastic work of each element; `None` at constant temperature.

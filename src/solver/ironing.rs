@@ -1,13 +1,7 @@
 //! Ironing of a wall between two tools.
 
-use super::converged::Converged;
-use super::evaluation::Evaluation;
-use super::step::Step;
-use crate::element::surface::STATIONS;
+use super::*;
 use crate::geometry::turned;
-use crate::model::Role;
-use crate::solver::solution::StepRecord;
-use crate::solver::state::State;
 
 /// Least pressure on each face over the yield stress \[–\]: that of a holder or over a radius stays below.
 const PRESSED: f64 = 0.1;

@@ -32,10 +32,22 @@ mod time_step;
 pub mod trace;
 mod trial;
 
+use crate::element::Node;
+use crate::element::kinematics::Reference;
+use crate::element::surface::STATIONS;
+use crate::geometry::Point;
+use crate::model::{Edge, Iteration, Mode, Model, Motion, Role, Settings, Theory, Tool};
+use crate::numerics::Grid;
 use crate::solver::solution::{Heat, StepRecord};
 use crate::solver::state::State;
 use converged::Converged;
+use corrector::Outcome;
 use evaluation::Evaluation;
+use nalgebra::Vector3;
+use run_context::RunContext;
+use solution::{StageSolution, Stop, StopKind};
+use step::Step;
+use trial::Trial;
 
 pub use closing::closing_way;
 pub use observer::{Iterate, IterateContact, IterateSnapshot, Observer};

@@ -1,15 +1,9 @@
 //! Diagnosis of a step without equilibrium: often there is none, and the sheet shows why.
 
-use super::corrector::Outcome;
-use super::evaluation::Evaluation;
 use super::ironing::is_between_walls;
-use super::run_context::RunContext;
-use super::step::Step;
-use crate::element::surface::STATIONS;
-use crate::model::{Edge, Geometry, Mode, Motion, Role, Theory, Tool};
+use super::*;
+use crate::model::Geometry;
 use crate::solver::solution::neck::neck;
-use crate::solver::solution::{StepRecord, Stop, StopKind};
-use crate::solver::state::State;
 use crate::units::{Amount, joined};
 
 /// Motion of a place, or work on the sheet, in the last step over its mean so far, beyond which it runs away \[–\].

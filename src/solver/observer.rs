@@ -1,16 +1,13 @@
 //! Callbacks of a run, and the view of an evaluation that they get.
 
-use super::corrector::{Outcome, Pass};
-use super::evaluation::Evaluation;
-use super::step::{CUT_OFF_ZONE, Step, elastoplastic_law};
-use super::trial::Trial;
-use crate::element::Node;
+use super::corrector::Pass;
+use super::step::{CUT_OFF_ZONE, elastoplastic_law};
+use super::*;
 use crate::geometry::turned;
 use crate::material::PointLaw;
 use crate::material::flow::{PointSnapshot, StressUpdate};
-use crate::model::{Mode, Model, Stage};
-use crate::solver::solution::{IterationRecord, StepRecord};
-use crate::solver::state::State;
+use crate::model::Stage;
+use crate::solver::solution::IterationRecord;
 
 /// Receives the progress of a run and may end it; the solver itself never prints.
 pub trait Observer {

@@ -3,10 +3,8 @@
 use super::closing::Unseen;
 use super::course::Course;
 use super::no_equilibrium::reached;
-use super::observer::Observer;
-use crate::model::{Model, Remedy};
-use crate::solver::solution::{StageSolution, StopKind};
-use crate::solver::state::State;
+use super::*;
+use crate::model::Remedy;
 use crate::units::joined;
 
 /// Progress beyond the place without equilibrium at which the model's own settings come back \[–\]: the usual largest step; twice

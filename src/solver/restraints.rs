@@ -1,11 +1,9 @@
 //! Positions of beads, pressed tools and seals on the sheet.
 
-use crate::element::Node;
+use super::*;
 use crate::element::surface::stations;
-use crate::geometry::Point;
-use crate::model::{Bead, Model};
+use crate::model::Bead;
 use crate::numerics::ValueAndSlope;
-use crate::solver::state::State;
 use std::cmp::Ordering;
 
 /// Length over which a restraint fades as the edge passes, over the thickness \[–\].

@@ -1,16 +1,9 @@
 //! Starts from which a step is tried before it is halved.
 
-use super::augmented_lagrangian;
-use super::converged::Converged;
-use super::corrector::{Outcome, Pass, correct, patience};
-use super::evaluation::Evaluation;
-use super::observer::Observer;
-use super::run_context::RunContext;
-use super::step::Step;
-use super::trial::Trial;
-use crate::model::{ContactMethod, Iteration, Model};
+use super::corrector::{Pass, correct, patience};
+use super::*;
+use crate::model::ContactMethod;
 use crate::solver::solution::Effort;
-use crate::solver::state::State;
 
 /// Starting point of the corrector; when one fails the next is tried before the step is halved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,15 +4,14 @@ use super::closing::block_height;
 use super::restraints::Grip;
 use super::selective_bending::Selection;
 use super::tearing_index::PlaneStrainStrength;
+use super::*;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
 use crate::element::Theory;
-use crate::element::kinematics::Reference;
 use crate::geometry::Profile;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::{Model, Motion, Pressure, Role};
+use crate::model::Pressure;
 use crate::numerics::quadrature::ThicknessPoint;
-use crate::solver::state::State;
 
 /// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;

@@ -7,10 +7,9 @@
 //! # References
 //! E. Oñate, C. Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
-use crate::geometry::{Arc, Point};
-use crate::model::{Edge, Model, Theory, Tool};
+use super::*;
+use crate::geometry::Arc;
 use crate::numerics::quadrature::ThicknessPoint;
-use crate::solver::state::State;
 
 /// Distance from a curved node within which elements bend, over the thickness \[–\]: some lengths √(t R). With 2 the load of
 /// the shipped cups is up to 2.5 % off that of full bending, with 4 1.3 %, with 8 0.6 %.

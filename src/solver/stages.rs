@@ -1,16 +1,15 @@
 //! Sequences of stages: the sheet and the tools that stay carry over.
 
-use super::closing::{close, closed, closing_way};
+use super::closing::{close, closed};
 use super::equilibrium::unloading;
 use super::step::FADING;
-use super::{Observer, run_from};
-use crate::element::surface::STATIONS;
-use crate::geometry::Point;
+use super::*;
+use crate::model::mesh;
 use crate::model::stage::{Beginning, Stage};
-use crate::model::{Mode, Model, Motion, Role, Tool, mesh};
-use crate::numerics::{Grid, bisect};
-use crate::solver::solution::{StageSolution, Stop, StopKind, Trimmed};
-use crate::solver::state::{MaterialPoint, State, waiting, waiting_displacement};
+use crate::numerics::bisect;
+use crate::solver::solution::Trimmed;
+use crate::solver::state::{MaterialPoint, waiting, waiting_displacement};
+use std::sync::Arc;
 
 const LEAST_ELEMENTS: usize = 2;
 
@@ -133,7 +132,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     }
     let has_gone = |old: &Tool| !model.tools.iter().any(|tool| is_same(tool, old));
     let is_unheld = model.release.is_some() || begin.trim.is_some() || before.tools.iter().any(has_gone);
-    state.unloading = if is_unheld && model.mode != Mode::Flow { unloading(model, &state) } else { Vec::new() };
+    state.unloading = if is_unheld && model.mode != Mode::Flow { unloading(model, &state) } else { Arc::default() };
     state
 }
 

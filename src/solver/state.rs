@@ -2,17 +2,12 @@
 
 pub mod nonlocal_average;
 
+use super::*;
 use crate::contact::penalty::Penalty;
-use crate::element::Node;
-use crate::element::kinematics::Reference;
-use crate::element::surface::STATIONS;
 use crate::forming_limit::{Instant, Paths};
-use crate::geometry::Point;
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
-use crate::model::{Model, Motion, Role, Theory, Tool};
-use crate::numerics::Grid;
 use crate::numerics::quadrature::ThicknessPoint;
-use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// Thickness point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -93,7 +88,7 @@ pub struct State {
     /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
     /// Nodal forces before tools were taken away from an elastic sheet, which fade \[N, N mm\]; empty without any.
-    pub unloading: Vec<Vector3<f64>>,
+    pub unloading: Arc<[Vector3<f64>]>,
 }
 
 /// Gap at which a tool waits before the first step: a few smoothing lengths \[mm\].

@@ -1,18 +1,16 @@
 //! Start of a step: what all its iterations share.
 
 use super::restraints::{BeadPosition, Seal};
-use super::run_context::{RunContext, references};
+use super::run_context::references;
 use super::selective_bending::rotating;
-use crate::element::kinematics::Reference;
-use crate::element::surface::{STATIONS, Station, stations};
+use super::*;
+use crate::element::surface::{Station, stations};
 use crate::material::Surroundings;
 use crate::material::chaboche;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::flow::{PointState, Triple};
-use crate::model::{Iteration, Mode, Model, Settings};
-use crate::numerics::Grid;
+use crate::solver::state::MaterialPoint;
 use crate::solver::state::nonlocal_average::NonlocalAverage;
-use crate::solver::state::{MaterialPoint, State};
 
 /// Exponent m of the resistance to flowing faster than the surroundings \[–\]: half of it lets sheets with n = 0.02 alternate.
 const EXPONENT: f64 = 0.005;

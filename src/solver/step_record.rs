@@ -1,12 +1,7 @@
 //! Record of a converged step.
 
-use super::converged::Converged;
-use super::evaluation::Evaluation;
 use super::restraints::Seal;
-use crate::element::surface::STATIONS;
-use crate::model::{Edge, Role};
-use crate::solver::solution::StepRecord;
-use crate::solver::state::State;
+use super::*;
 
 /// Record of a step to the state `next` after the rejected tries before it, without work; `before` is the last evaluation.
 pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, rejected: usize) -> StepRecord {

@@ -25,14 +25,10 @@
 //! Places that two tools iron are left out, because half of both pressures is in their stress. Superplastic sheets are held
 //! together by their rate and have no index. Voids weaken a sheet besides: they are judged by themselves.
 
-use super::converged::Converged;
 use super::ironing::is_between_walls;
-use crate::element::surface::STATIONS;
+use super::*;
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::{Edge, Model, Role};
-use crate::solver::solution::StepRecord;
-use crate::solver::state::State;
 
 /// Least radius over the thickness, on a corner without one \[–\].
 const LEAST_RADIUS: f64 = 0.1;

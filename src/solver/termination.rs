@@ -3,12 +3,10 @@
 //! Each rule gives a state's excess over it as a number that is continuous in time; its root is the instant of the end.
 
 use super::no_equilibrium::reached;
-use crate::geometry::Point;
-use crate::model::{Edge, Model, Motion, Role};
+use super::*;
 use crate::numerics::bisect;
 use crate::solver::solution::neck::{Neck, Necked, neck};
-use crate::solver::solution::{StepRecord, Stop, StopKind};
-use crate::solver::state::{State, waiting_displacement};
+use crate::solver::state::waiting_displacement;
 use crate::units::Amount;
 
 /// Thickness left at which the sheet has failed, whatever its surroundings do \[–\].

@@ -2,15 +2,9 @@
 //!
 //! Iterations, contact changes, strain increment and closing gaps of a step decide the length of the next, in process time.
 
-use super::converged::Converged;
 use super::corrector::patience;
 use super::end_search::EndSearch;
-use super::evaluation::Evaluation;
-use super::step::Step;
-use crate::element::surface::STATIONS;
-use crate::model::{Model, Settings};
-use crate::solver::solution::StepRecord;
-use crate::solver::state::State;
+use super::*;
 
 /// Iterations up to which the next step may grow, and above which it shrinks.
 const EASY: usize = 8;

@@ -5,10 +5,9 @@
 //! e_k+1 = C e_k^p                    p = ln(e_k+1/e_k)/ln(e_k/e_k−1): 1 linear, 2 quadratic
 //! ```
 
-use crate::model::{Iteration, Model, Settings, Stage};
-use crate::solver::solution::{IterationRecord, StepRecord, StopKind};
-use crate::solver::state::State;
-use crate::solver::{Iterate, IterateSnapshot, Observer, solve, try_step};
+use super::*;
+use crate::model::Stage;
+use crate::solver::solution::IterationRecord;
 
 /// Step to trace and matrices to iterate with.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,17 +1,13 @@
 //! Unknowns of a step, and memory between its iterations.
 
 use super::line_search::LineSearch;
-use super::run_context::RunContext;
-use super::step::Step;
-use crate::element::Node;
-use crate::geometry::{Nearest, Point};
+use super::*;
+use crate::geometry::Nearest;
 use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::{Iterate, Triple};
-use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
-use crate::numerics::Grid;
+use crate::model::ReleaseStiffness;
 use crate::numerics::ValueAndSlope;
 use crate::numerics::block_tridiagonal::System;
-use crate::solver::state::State;
 
 /// Memory of a pair of tool and contact point between evaluations.
 #[derive(Clone, Copy, Debug, Default)]

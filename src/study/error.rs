@@ -1,6 +1,6 @@
 //! Errors of a study, found before anything is run.
 
-use crate::case::CaseError;
+use crate::case::{CaseError, shortened};
 
 /// A study that cannot be run.
 #[derive(Debug, thiserror::Error)]
@@ -20,7 +20,7 @@ pub enum StudyError {
 
 impl StudyError {
     pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self::Request { what: what.into(), help: help.into() }
+        Self::Request { what: shortened(&what.into()), help: shortened(&help.into()) }
     }
 
     pub(super) fn within(self, place: impl std::fmt::Display) -> Self {

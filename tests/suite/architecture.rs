@@ -1,50 +1,15 @@
 //! Who may know whom: rooms use only what lies below them, and each outside crate has its room.
 
 use crate::common::prelude::*;
+use crate::house::rooms;
 
-/// Rooms of `src/` from the top down; a room may use those on its own line (itself) and on lines below.
-const FLOORS: &[&[&str]] = &[
-    &["main", "cli", "author", "import"],
-    &["study", "report"],
-    &["results", "plot"],
-    &["assess"],
-    &["case"],
-    &["solver", "measure", "table"],
-    &["model"],
-    &["element", "contact"],
-    &["geometry", "material", "forming_limit"],
-    &["numerics", "units"],
-];
-
-/// Uses on one floor, each in one direction only.
-const SIDEWAYS: &[(&str, &str)] = &[
-    ("main", "cli"),
-    ("cli", "author"),
-    ("cli", "import"),
-    ("author", "import"),
-    ("report", "study"),
-    ("results", "plot"),
-    ("measure", "solver"),
-    ("forming_limit", "material"),
-];
-
-/// Rooms, and the outside crates that they alone may name.
-const CRATES: &[(&str, &str)] = &[
-    ("author case cli material plot report results study", "serde_json"),
-    ("author case study", "toml_edit"),
-    ("case", "miette sha2"),
-    ("author case study", "toml"),
-    ("cli", "comfy_table indicatif signal_hook"),
-    ("cli main", "anyhow clap"),
-    ("cli results study", "rayon"),
-    ("cli plot", "textwrap"),
-    ("plot", "ab_glyph fontdb gif kurbo plotters png resvg tiny_skia usvg"),
-    ("report", "maud"),
-    ("results", "rustix"),
-    ("results study table", "csv"),
-    ("study", "contour sobol_burley"),
-    ("numerics study", "statrs"),
-];
+/// Rooms of `src/` from the top down, as the developer's guide has them; a room may use those on its own line (itself) and on
+/// lines below.
+fn floors() -> Vec<Vec<&'static str>> {
+    let rows = include_str!("../../docs/developer.md").lines();
+    let rows = rows.filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
+    rows.map(|(rooms, _)| rooms.split("`, `").collect()).collect()
+}
 
 /// A file of `src/`: its path, its modules, and its text without tests, comments and strings.
 struct File {
@@ -87,13 +52,12 @@ fn code(text: &str) -> String {
     lines.map(|line| line.split('"').step_by(2).collect::<String>() + "\n").collect()
 }
 
-fn floor(room: &str) -> usize {
-    FLOORS.iter().position(|f| f.contains(&room)).unwrap_or_else(|| panic!("room {room} is on no floor"))
-}
-
 #[test]
 fn rooms_use_only_what_lies_below() {
-    let files = sources();
+    let (files, floors, sideways) = (sources(), floors(), rooms().sideways);
+    let floor = |room: &str| {
+        floors.iter().position(|f| f.contains(&room)).unwrap_or_else(|| panic!("room {room} is on no floor"))
+    };
     let library = &files.iter().find(|file| file.room() == "lib").expect("lib.rs").code;
     let handed_on = |name: &str| library.lines().find(|line| line.starts_with("pub use") && line.contains(name));
     let (mut wrong, mut seen) = (BTreeSet::new(), 0);
@@ -106,7 +70,7 @@ fn rooms_use_only_what_lies_below() {
             } else {
                 handed_on(name).and_then(|line| line["pub use ".len()..].split("::").next()).unwrap_or(name)
             };
-            if from == room || SIDEWAYS.contains(&(from, room)) {
+            if from == room || sideways.get(from).is_some_and(|rooms| rooms.iter().any(|one| one == room)) {
                 continue;
             }
             seen += 1;
@@ -120,10 +84,9 @@ fn rooms_use_only_what_lies_below() {
 
 #[test]
 fn outside_crates_have_their_rooms() {
-    let mut wrong = Vec::new();
+    let (mut wrong, crates) = (Vec::new(), rooms().crates);
     for file in sources() {
-        let others = CRATES.iter().filter(|(rooms, _)| !rooms.split(' ').any(|room| room == file.room()));
-        for name in others.flat_map(|(_, crates)| crates.split(' ')) {
+        for (name, _) in crates.iter().filter(|(_, rooms)| !rooms.split(' ').any(|room| room == file.room())) {
             let named = Regex::new(&format!(r"(^|[^:.\w]){name}::")).expect("a pattern");
             if named.is_match(&file.code) {
                 wrong.push(format!("{} knows {name}", file.path.display()));
@@ -131,15 +94,6 @@ fn outside_crates_have_their_rooms() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
-}
-
-/// Trust: [`FLOORS`], from the top down.
-#[test]
-fn the_developers_guide_has_the_map() {
-    let page = include_str!("../../docs/developer.md");
-    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
-    let map: Vec<Vec<&str>> = rows.map(|(rooms, _)| rooms.split("`, `").collect()).collect();
-    assert_eq!(map, FLOORS);
 }
 
 /// Trust: written out by hand; so that the other tests see what they judge.

@@ -68,8 +68,8 @@ const VERBS: [[&str; 3]; 11] = [
     ["new cup -o new.toml --force", "--height 20mm", "new.toml"],
 ];
 
-/// Kills of each verb: 154 in all.
-const KILLS: u32 = 14;
+/// Kills of each verb: 88 in all.
+const KILLS: u32 = 8;
 
 fn arguments(args: &'static str) -> Vec<&'static str> {
     args.split(' ').collect()
@@ -120,7 +120,7 @@ fn a_verb_that_is_ended_at_any_moment_leaves_one_whole_set() {
         let whole = begin.elapsed();
         let mut last = written(root, output);
         for kill in 0..KILLS {
-            let signal = if kill % 7 == 5 { ["-INT", "-TERM"][(kill / 7 % 2) as usize] } else { "-KILL" };
+            let signal = if kill % 5 == 2 { ["-INT", "-TERM"][(kill / 5 % 2) as usize] } else { "-KILL" };
             let mut run = spawn(root, &line(verb, kill % 4 < 2));
             let (is_late, done) = (kill % 2 == 1, f64::from(kill) / f64::from(KILLS));
             let share = if is_late { 0.75 + 0.35 * done } else { 0.75 * done };
