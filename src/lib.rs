@@ -96,6 +96,7 @@ pub mod contact;
 pub mod element;
 pub mod forming_limit;
 pub mod geometry;
+pub mod grade;
 pub mod import;
 pub mod material;
 pub mod measure;

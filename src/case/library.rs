@@ -5,28 +5,27 @@ use super::files::{Disk, Folder};
 use super::sources::{Sheets, Sources, Thickness};
 use super::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Sheet, uniform_strain};
+use crate::grade::{self, Band, Coil, PROOF, SheetText};
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::material::hardening::HardeningTable;
 use crate::material::{BackStress, Material};
 use crate::model::Mode;
-use crate::units::{Dimensioned, Stress, did_you_mean};
+use crate::units::{Dimensioned, Number, Positive, did_you_mean};
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, IgnoredAny};
+use serde::de::IgnoredAny;
 use std::path::Path;
 
-/// Plastic strain of the proof stress \[–\].
-const PROOF: f64 = 0.002;
-
-macro_rules! texts {
-    ($($name:literal)*) => {
-        /// Name and text of every entry, by name.
-        const TEXTS: [(&str, &str); [$($name),*].len()] =
-            [$(($name, include_str!(concat!("library/", $name, ".toml")))),*];
-    };
+fn source(text: SheetText) -> Result<Source<'static>, CaseError> {
+    Source::parse(text.path, text.text, Folder { files: &Disk, path: Path::new("") })
 }
-texts! {
-    "aa5754-o" "aa6016-t4" "aa6016a-surfalex" "aa6022-t4" "aisi304l-bar" "ap04xr" "chalmers-steel" "draw-die-steel"
-    "drawing-steel" "if-steel" "osu-steel" "radioss-steel" "stainless-304" "stainless-430" "trip690" "woo-1968"
+
+/// Takes the shop's own sheets from a folder instead of that of `STAMPFLOW_SHEETS`; before the first look-up.
+pub fn use_folder(folder: &Path) -> Result<(), CaseError> {
+    grade::use_folder(folder).map_err(|[what, help]| CaseError::bare(what, help))
+}
+
+fn texts() -> Result<impl Iterator<Item = SheetText>, CaseError> {
+    grade::texts().map_err(|[what, help]| CaseError::bare(what, help))
 }
 
 /// Description of a sheet, its source and its numbers: a file of the library.
@@ -44,14 +43,16 @@ pub struct Description {
     pub thickness: Option<String>,
     /// Grades that it stands for.
     pub stands_for: Option<StandsFor>,
-    /// Scatter of its class by a standard.
-    #[serde(rename = "scatter")]
-    pub class: Option<Class>,
+    /// Limits of its grade.
+    pub band: Option<Band>,
     /// Remarks on the numbers.
     pub notes: Vec<String>,
     /// Points of the fits, for the tests.
     #[serde(default, rename = "measured")]
     _measured: IgnoredAny,
+    /// Keys of its `[material]` that its band makes.
+    #[serde(skip)]
+    made: Option<String>,
     elastoplastic: Option<Shifting>,
     material: file::Material,
     forming_limit: Option<file::FormingLimit>,
@@ -66,6 +67,11 @@ struct Shifting {
 }
 
 impl Description {
+    /// True if the law is made from the band of a grade, false if it was fitted.
+    pub fn is_made(&self) -> bool {
+        self.made.is_some()
+    }
+
     /// Author, year and place of the numbers.
     pub fn source(&self) -> &str {
         self.material.source.as_deref().unwrap_or_default()
@@ -79,22 +85,6 @@ impl Description {
     }
 }
 
-/// Scatter of a class of sheets by its delivery standard: declared, never measured on a coil.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Class {
-    strength: Option<[Stress; 2]>,
-    /// Source of the range of its strength.
-    pub source: String,
-}
-
-impl Class {
-    /// Least and largest tensile strength that the standard allows \[MPa\].
-    pub fn strength(&self) -> Option<[f64; 2]> {
-        self.strength.map(|ends| ends.map(Stress::value))
-    }
-}
-
 /// Grades of standards that a sheet may be taken for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -105,35 +95,54 @@ pub struct StandsFor {
     pub because: String,
 }
 
-fn read<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, CaseError> {
-    let wrong = |what: &str| CaseError::bare(format!("{name}: {what}"), "mend the library".into());
-    toml::from_str(text).map_err(|error: toml::de::Error| wrong(error.message()))
+/// Keys that a law made from a band adds to `[material]`.
+#[derive(Deserialize)]
+struct MadeKeys {
+    fitted_up_to: Positive<Number>,
+    hardening: HardeningTable,
+}
+
+/// Reads a sheet; without a law of its own it has the one that its band makes.
+fn read(text: SheetText, coil: Option<Coil>) -> Result<Description, CaseError> {
+    let source = source(text)?;
+    let mut sheet: Description = source.deserialised()?;
+    if sheet.material.hardening.is_none() {
+        let help = "give rp02, rm and one of ag, n and a, or write a law such as [material.hardening.swift]";
+        let missing = || source.error("band", "the sheet has no law, and no band that makes one", help);
+        let band = sheet.band.as_ref().ok_or_else(missing)?;
+        let law = band.law(coil).ok_or_else(missing)?.to_string();
+        let made: MadeKeys = toml::from_str(&law).map_err(|_| missing())?;
+        let r = band.r_value().unwrap_or(1.0);
+        sheet.made = Some(format!("source = {:?}\nanisotropy = {r}\n{law}", band.origin(coil)));
+        let material = &mut sheet.material;
+        material.source = Some(band.origin(coil));
+        material.anisotropy = Positive::checked(r, "r").ok().map(file::Anisotropy::Mean);
+        (material.fitted_up_to, material.hardening) = (Some(made.fitted_up_to), Some(made.hardening));
+    }
+    Ok(sheet)
 }
 
 struct LibrarySheet {
-    name: &'static str,
-    /// Its file, as text and as read.
-    text: &'static str,
+    text: SheetText,
     file: Description,
     /// Reason of the choice, if the word is not its name.
     note: Option<String>,
 }
 
-/// The sheet of a name; else the one that stands for a grade; else the only one whose name or grade begins so.
-/// The error is a message and a remedy.
-fn find(word: &str) -> Result<LibrarySheet, [String; 2]> {
+/// The sheet of a name; else the one that stands for a grade, first one made from its band; else the only one whose name or
+/// grade begins so.
+fn find(word: &str) -> Result<LibrarySheet, CaseError> {
     // `EN AW-6016` is `enaw6016`.
     let plain = |word: &str| -> String {
         word.chars().filter(|c| c.is_alphanumeric() || *c == '.').flat_map(char::to_lowercase).collect()
     };
     let wanted = plain(word);
     let (mut exact, mut begins) = (Vec::new(), Vec::new());
-    let texts = TEXTS.iter().position(|(name, _)| *name == word).map_or(&TEXTS[..], |i| &TEXTS[i..=i]);
-    for &(name, text) in texts {
-        let file: Description = read(name, text).map_err(|error| [error.to_string(), String::new()])?;
-        if name == word {
-            return Ok(LibrarySheet { name, text, file, note: None });
-        }
+    if let Some(text) = texts()?.find(|text| text.name == word) {
+        return Ok(LibrarySheet { text, file: read(text, None)?, note: None });
+    }
+    for text in texts()? {
+        let (name, file) = (text.name, read(text, None)?);
         let grades = file.stands_for.iter().flat_map(|stands| &stands.grades);
         let known: Vec<String> = grades.map(|grade| plain(grade)).chain([plain(name)]).collect();
         let note = match plain(name).starts_with(&wanted) || file.stands_for.is_none() {
@@ -141,25 +150,28 @@ fn find(word: &str) -> Result<LibrarySheet, [String; 2]> {
             true => format!("material {word} read as {name}"),
         };
         let is_begin = !wanted.is_empty() && known.iter().any(|known| known.starts_with(&wanted));
-        let sheet = LibrarySheet { name, text, file, note: Some(note) };
+        let sheet = LibrarySheet { text, file, note: Some(note) };
         if known.contains(&wanted) {
             exact.push(sheet);
         } else if is_begin {
             begins.push(sheet);
         }
     }
+    if exact.iter().any(|sheet| sheet.file.is_made()) {
+        exact.retain(|sheet| sheet.file.is_made());
+    }
     let mut candidates = if exact.is_empty() { begins } else { exact };
-    let names: Vec<&str> = candidates.iter().map(|sheet| sheet.name).collect();
+    let names: Vec<&str> = candidates.iter().map(|sheet| sheet.text.name).collect();
     match names[..] {
         [_] => Ok(candidates.remove(0)),
         [] => {
-            let names = TEXTS.map(|(name, _)| name);
+            let names: Vec<&str> = texts()?.map(|text| text.name).collect();
             let (near, names) = (did_you_mean(word, names.iter().copied()), names.join(", "));
             let help =
                 format!("{near}known materials: {names}; `stampflow materials` says which grades they stand for");
-            Err([format!("the library has no material \"{word}\""), help])
+            Err(CaseError::bare(format!("the library has no material \"{word}\""), help))
         }
-        _ => Err([format!("\"{word}\" may be {}", names.join(" or ")), "write the whole name".into()]),
+        _ => Err(CaseError::bare(format!("\"{word}\" may be {}", names.join(" or ")), "write the whole name".into())),
     }
 }
 
@@ -177,7 +189,7 @@ pub struct Entry {
     /// Measured forming limit.
     pub measured_limit: Option<Curve>,
     /// `[material]` table, to paste into a case.
-    pub text: &'static str,
+    pub text: String,
 }
 
 impl Entry {
@@ -204,33 +216,51 @@ impl Entry {
     }
 }
 
-/// Returns every material, by name.
+/// Returns every material: the fitted ones, those made from a band, then the shop's own.
 ///
 /// # Errors
-/// Never with the shipped library, whose entries are tested.
+/// Those of a sheet in the shop's folder.
 pub fn materials() -> Result<Vec<Entry>, CaseError> {
-    TEXTS.iter().map(|(name, text)| entry(name, text)).collect()
+    texts()?.map(|text| entry(text, None)).collect()
 }
 
 /// Returns the names of all materials.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    TEXTS.iter().map(|(name, _)| *name)
+    texts().into_iter().flatten().map(|text| text.name)
 }
 
 /// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
 /// Fails when there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
-    let sheet = find(name).map_err(|[what, help]| CaseError::bare(what, help))?;
-    entry(sheet.name, sheet.text)
+    entry(find(name)?.text, None)
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, CaseError> {
-    let Some(written) = file.material.name.clone() else { return Ok(Sources::default()) };
-    let known = find(&written).map_err(|[what, help]| source.error("material.name", what, help))?;
-    let (name, elastoplastic) = (known.name, known.file.elastoplastic());
-    let Description { material: sheet, thickness, forming_limit, .. } = known.file;
-    let origin = sheet.source.clone().unwrap_or_default();
+    let Some(written) = file.material.name.clone() else {
+        let help = "write name = \"dc04\", or strength = 1.08 in its place";
+        source.require(file.material.coil.is_none(), "material.coil", "`coil` is of a sheet of the library", help)?;
+        return Ok(Sources::default());
+    };
+    let here = |error: CaseError| match error.file() {
+        Some(_) => error,
+        None => source.error("material.name", error.to_string(), error.remedy().unwrap_or_default()),
+    };
+    let known = find(&written).map_err(here)?;
+    let name = known.text.name;
+    let entry = entry(known.text, file.material.coil)?;
+    let Description { material: sheet, thickness, forming_limit, .. } = entry.about.clone();
+    let elastoplastic = entry.about.elastoplastic();
+    let mut origin = entry.about.source().to_owned();
+    if let Some((coil, false)) = file.material.coil.map(|coil| (coil, entry.about.is_made())) {
+        let end = entry.about.band.as_ref().and_then(|band| band.strength(Some(coil))).zip(entry.tensile_strength());
+        let what = format!("the library has no band of strength of {name}");
+        let help = "write strength = 1.08, the factor of its flow stress";
+        let (end, own) = end.ok_or_else(|| source.error("material.coil", what, help))?;
+        let factor = file.material.strength.map_or(1.0, Dimensioned::value) * end / own;
+        file.material.strength = Positive::checked(factor, "strength").ok();
+        origin += &format!("; {coil} coil {:+.0} %", 100.0 * (end / own - 1.0));
+    }
     known.note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
     let keys = ["young", "poisson", "anisotropy", "yield_condition", "rate", "softening", "hardening"];
     let replaced = source.written("material", &keys);
@@ -278,15 +308,18 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
     Ok(Sources { sheets, thickness, ..Sources::default() })
 }
 
-fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let mut about: Description = read(name, text)?;
-    let source = Source::parse(name, text, Folder { files: &Disk, path: Path::new("") })?;
+fn entry(text: SheetText, coil: Option<Coil>) -> Result<Entry, CaseError> {
+    let mut about = read(text, coil)?;
+    let source = source(text)?;
+    let SheetText { name, text, .. } = text;
     let material = about.material.model(&source)?;
     let elastoplastic = about.elastoplastic().map(|shifting| shifting.model(&source)).transpose()?;
     let limit = about.forming_limit.as_ref().map(|limit| limit.curve(&material, 1.0, None, &source));
     let measured_limit = limit.transpose()?.flatten();
     about.material.r_values(&source);
     about.notes.extend(source.take_notes());
-    let text = text.find("[material").map_or("", |at| &text[at..]);
+    let table = text.find("[material").map_or("", |at| &text[at..]);
+    let made = about.made.iter().map(|made| format!("[material]\n{made}"));
+    let text = made.fold(table.to_owned(), |table, made| table.replacen("[material]\n", &made, 1));
     Ok(Entry { name, about, material, elastoplastic, measured_limit, text })
 }

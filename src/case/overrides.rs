@@ -133,7 +133,7 @@ impl Case {
             let case = text.parse::<toml::Table>().ok()?;
             case.get("material")?.get("hardening")?.to_string().parse().ok()
         };
-        law(&self.text).or_else(|| law(self.sheet()?.text))
+        law(&self.text).or_else(|| law(&self.sheet()?.text))
     }
 
     /// The sheet of the library that it names.

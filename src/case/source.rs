@@ -4,7 +4,7 @@ use super::schema::example;
 use super::*;
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::Arc;
@@ -50,17 +50,20 @@ impl<'t> Source<'t> {
         self.folder.files.text(path, limit).inspect(|_| self.read.borrow_mut().push(path.to_owned()))
     }
 
-    pub fn read(&self) -> Result<CaseFile, CaseError> {
+    pub fn case(&self) -> Result<CaseFile, CaseError> {
         if self.tree.get_ref().is_empty() {
             let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
             let help = "a case needs title, geometry, [blank], a law such as [material.hardening.swift], [tools.punch] \
                         and mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
             return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
         }
-        let file = CaseFile::deserialize(Deserializer::from(self.tree.clone()));
-        let file = file.map_err(|error| error::wrong_key(&error, self))?;
+        let file = self.deserialised()?;
         self.check_lengths("", &self.root)?;
         Ok(file)
+    }
+
+    pub fn deserialised<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+        T::deserialize(Deserializer::from(self.tree.clone())).map_err(|error| error::wrong_key(&error, self))
     }
 
     fn check_lengths(&self, path: &str, value: &DeValue) -> Result<(), CaseError> {

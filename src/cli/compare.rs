@@ -4,6 +4,7 @@ use super::study::StudyOptions;
 use super::*;
 use rayon::prelude::*;
 use stampflow::case::comparison::{KINDS, Spec};
+use stampflow::grade::toml_files;
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
@@ -64,7 +65,8 @@ pub fn is_curve(path: &Path) -> bool {
 
 /// Compares every case of a folder, or one case, with its references.
 fn references(args: &Args, path: &Path) -> Result<Code> {
-    let files = if path.is_dir() { case_files(path)? } else { vec![path.to_owned()] };
+    let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", path.display()));
+    let files = if path.is_dir() { toml_files(path).map_err(unreadable)? } else { vec![path.to_owned()] };
     let (mut cases, mut failed) = args.options.common.load_all(&files);
     cases.retain(|case| !case.compare.is_empty());
     let what = format!("no case in {} has a [[compare]] table", path.display());
@@ -150,12 +152,4 @@ fn counts(all: &[(String, Comparison)]) -> String {
         (known > 0).then(|| format!("{name}: {inside} of {known} inside"))
     };
     KINDS.iter().filter_map(line).collect::<Vec<_>>().join("\n")
-}
-
-fn case_files(dir: &Path) -> Result<Vec<PathBuf>> {
-    let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", dir.display()));
-    let files = std::fs::read_dir(dir).map_err(unreadable)?.flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
-    files.sort();
-    Ok(files)
 }

@@ -1,16 +1,15 @@
 //! `stampflow materials`: the built-in library.
 
 use super::*;
-use stampflow::case::library::{self, Description, Entry};
+use stampflow::case::library::{Description, Entry};
 
 const NOTES: &str = "
 Computed from each law: Rp0.2 at a plastic strain of 0.2 %; Rm, Ag (uniform
-elongation) and n (uniform true strain) at Considère's load maximum.
-stampflow materials NAME shows one: notes, source, and a table to paste.
+elongation) and n (uniform true strain) at Considère's load maximum; MPa, %, GPa.
+stampflow materials NAME shows one: band, law, source, and a table to paste.
 ";
 
 const HEADERS: [&str; 9] = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
-const UNITS: [&str; 9] = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""];
 
 options! {
     /// List the built-in materials, or show one
@@ -22,16 +21,27 @@ options! {
 pub fn materials(args: &Args) -> Result<Code> {
     let Some(name) = &args.name else {
         let all = library::materials()?;
-        let rows = [UNITS.map(str::to_owned)].into_iter().chain(all.iter().map(row));
-        return emit(args.json.json, all.iter().map(as_json).collect(), || table(&HEADERS, rows) + NOTES);
+        let group = |is_made, title: &str| {
+            wrapped(title) + table(&HEADERS, all.iter().filter(|entry| entry.about.is_made() == is_made).map(row))
+        };
+        return emit(args.json.json, all.iter().map(as_json).collect(), || {
+            let fitted = group(false, "Fitted to a measured curve, or a law as printed:\n\n");
+            fitted + group(true, "\nMade from the band of a standard, not fitted:\n\n") + NOTES
+        });
     };
     let entry = library::material(name)?;
-    let Entry { name, text, about, .. } = &entry;
-    let Description { title, notes, licence, stands_for, .. } = about;
+    let Entry { name, text, about, material, .. } = &entry;
+    let Description { title, notes, licence, stands_for, band, .. } = about;
     let stands_for = stands_for.iter().map(|s| format!("stands for {}; {}", s.grades.join(", "), s.because));
     let notes = stands_for.chain(notes.iter().cloned()).chain([format!("licence: {licence}")]);
+    let law = format!("\nLaw: {}; {}\n", material.hardening, about.source());
+    let band = band.iter().fold(wrapped(law), |text, band| {
+        let (rows, sources) = band.rows();
+        let title = format!("\nBand of {}\n\n", band.standard);
+        text + wrapped(title) + table(&["", "least", "largest", "kind", "grade", "source"], rows) + "\n" + list(sources)
+    });
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}");
-    emit(args.json.json, as_json(&entry), || wrapped(format!("{name}: {title}\n\n")) + list(notes) + paste)
+    emit(args.json.json, as_json(&entry), || wrapped(format!("{name}: {title}\n\n")) + list(notes) + band + paste)
 }
 
 /// Row of the table, within 80 columns.
@@ -55,7 +65,8 @@ fn row(entry: &Entry) -> [String; 9] {
 fn as_json(entry: &Entry) -> Value {
     let Entry { about, text, .. } = entry;
     let (Description { title, notes, licence, .. }, source) = (about, about.source());
-    let mut value = json!({ "title": title, "notes": notes, "source": source, "licence": licence, "case": text });
+    let band = about.band.as_ref().map(|band| band.rows());
+    let mut value = json!({ "made": about.is_made(), "band": band, "title": title, "notes": notes, "source": source, "licence": licence, "case": text });
     HEADERS.into_iter().zip(row(entry)).for_each(|(key, cell)| value[key] = cell.into());
     value
 }

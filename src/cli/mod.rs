@@ -44,7 +44,7 @@ use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn,
 use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
 use stampflow::case::files::visible;
-use stampflow::case::{self, Case};
+use stampflow::case::{self, Case, library};
 use stampflow::results::write;
 use stampflow::units::DisplaySettings;
 use std::borrow::Cow;
@@ -67,6 +67,9 @@ pub struct Args {
     #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", ignore_case = true,
           value_parser = options::one_of(options::UNITS))]
     units: DisplaySettings,
+    /// Folder of the shop's own sheets, one TOML each [default: that of STAMPFLOW_SHEETS]
+    #[arg(long, global = true, display_order = 900, value_name = "DIR")]
+    sheets: Option<PathBuf>,
     /// Print what is used most
     #[arg(short, long, global = true, display_order = 900, action = ArgAction::HelpShort)]
     help: (),
@@ -136,6 +139,7 @@ fn command() -> Result<Code> {
     let args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     error::listen()?;
     args.units.set();
+    args.sheets.iter().try_for_each(|folder| library::use_folder(folder))?;
     let code = match args.verb {
         Verb::New => new::new(matches.subcommand_matches("new").expect("the verb")),
         Verb::Import(args) => import::import(args),

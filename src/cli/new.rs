@@ -47,16 +47,12 @@ fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item 
 
 fn subcommand(template: &'static Template) -> Command {
     let output = Arg::new("output").short('o').long("output").alias("out").value_name("FILE");
-    let own = template.own.len();
+    let heading = |i: usize| if i < template.own.len() { "Sizes" } else { "Sheet" };
+    let args = template.options().enumerate().flat_map(|(i, choice)| option(choice, heading(i)));
     Command::new(template.name)
         .about(template.about.as_str())
         .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
-        .args(
-            template
-                .options()
-                .enumerate()
-                .flat_map(|(i, choice)| option(choice, if i < own { "Sizes" } else { "Sheet" })),
-        )
+        .args(args)
         .arg(output.value_parser(value_parser!(PathBuf)).help("Write the case there instead of printing it"))
         .arg(flag("force", "Replace an existing file"))
         .arg(flag("json", "Print JSON, errors too"))

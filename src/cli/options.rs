@@ -28,6 +28,8 @@ options! {
         set: Vec<String> = "KEY=VALUE" [long] "Replace a value of the case, as often as needed: tools.die.friction=0.1",
         material: Option<String> = "NAME" [long]
             "Take another sheet of the library, by name or grade, in place of the [material] table",
+        coil: Option<String> = "COIL" [long, value_parser = ["strong", "weak"]]
+            "Take the end of its grade's band of strength: strong or weak [default: the middle]",
     };
     /// Options of verbs that solve.
     Common {
@@ -61,7 +63,8 @@ impl Overrides {
     /// All overrides as `KEY=VALUE`, in the order in which they are applied.
     pub fn all(&self) -> Vec<String> {
         let sheet = self.material.iter().map(|name| format!("material={name:?}"));
-        sheet.chain(self.set.iter().cloned()).collect()
+        let coil = self.coil.iter().map(|coil| format!("material.coil={coil:?}"));
+        sheet.chain(coil).chain(self.set.iter().cloned()).collect()
     }
 
     pub fn load(&self, path: &Path) -> Result<Case> {

@@ -43,14 +43,12 @@ impl Progress {
         Self(bars)
     }
 
-    /// An observer of the run of a case.
     pub fn watch(&self, case: &Case) -> Watch {
         let names: Vec<String> = (0..).map_while(|i| Some(format!("{}/{}", case.name, case.stage_label(i)?))).collect();
         let (names, model, bar) = (names.into_iter(), case.model().clone(), self.bar(&case.name));
         Watch { trace: None, recorder: FrameRecorder::default(), names, model, bar }
     }
 
-    /// A count of many runs.
     pub fn count(&self, name: String) -> Count {
         Count(self.bar(&name))
     }

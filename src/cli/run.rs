@@ -24,10 +24,8 @@ options! {
     } common: Common, pictures: PictureOptions, threads: Threads;
 }
 
-/// Page that --report writes.
 const PAGE: &str = "report.html";
 
-/// List of outputs.
 pub fn written_files() -> String {
     let files = OUTPUTS.iter().map(|output| format!("  {:<18} {}\n", output.file, output.about));
     format!("Written files:\n{}", files.collect::<String>())

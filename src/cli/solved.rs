@@ -71,7 +71,6 @@ impl Solved {
         screen::highlighted(&format!("{}: {word}: {sentence}. {more}", self.solution.case.name), &word, *light)
     }
 
-    /// The whole answer.
     pub fn screen(&self) -> ScreenText {
         let Self { solution, verification, answer, findings } = self;
         let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);

@@ -144,7 +144,7 @@ impl TableOptions {
         let wall_s = start.elapsed().as_secs_f64();
         let extra = json!({ "designs": designs, "lights": runs.lights(), "file": path, "wall_s": wall_s });
         let code = self.study.present(&study.report(&runs), (&dir, folder), files, &table.curve_files(), extra)?;
-        // Rows are written from memory, curves are not.
+        // Rows are kept in memory, curves are not.
         failed.filter(|_| with_curves).map_or(Ok(code), |error| Err(error.into()))
     }
 }

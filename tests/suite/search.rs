@@ -141,7 +141,7 @@ fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
         ("nose of 3 thicknesses", 60.0, &["tools.punch.flat.nose=3 mm"]),
         ("Ø 100 mm", 100.0, &[]),
     ] {
-        let sizes = [("material", "DC04"), ("punch-diameter", &format!("{diameter} mm"))];
+        let sizes = [("material", "drawing-steel"), ("punch-diameter", &format!("{diameter} mm"))];
         let text = find("cup").and_then(|cup| cup.fill(&sizes)).unwrap_or_else(|error| panic!("{error}"));
         let set = set.iter().map(|key| (*key).to_owned()).collect();
         let base = BaseCase::from_text(text, "cup.toml", set).unwrap_or_else(|error| panic!("{error}"));

@@ -72,3 +72,56 @@ fn every_sheet_comes_to_an_end_that_is_told_and_so_does_every_template() {
         }
     }
 }
+
+/// Trust: the graded rows that were read, `reference_data/shop_sheets.csv`: each limit of a made sheet stands in one of its source.
+#[test]
+fn limits_of_a_band_are_those_of_their_sources() {
+    let read = std::fs::read_to_string("reference_data/shop_sheets.csv").expect("rows");
+    let (mut checked, number) = (0, regex::Regex::new(r"\d+(\.\d+)?").expect("a pattern"));
+    for entry in library::materials().expect("sheets").iter().filter(|entry| entry.about.is_made()) {
+        let (rows, sources) = entry.about.band.as_ref().expect("a band").rows();
+        for row in rows.iter().filter(|row| row[3] == "limit") {
+            let place: usize = row[5].parse().expect("a number");
+            let name = sources[place - 1].split_once(": ").expect("a number").1.split(" (").next().expect("a name");
+            for end in row[1..3].iter().filter_map(|end| number.find(end)) {
+                let value = |text: regex::Match| text.as_str().parse::<f64>().expect("digits");
+                let has = |line: &str| number.find_iter(line).any(|other| value(other) == value(end));
+                let is_there = read.lines().any(|line| line.contains(name) && has(line));
+                assert!(is_there, "{}: {} {} of {name}", entry.name, row[0], end.as_str());
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 60, "{checked}");
+}
+
+/// Trust: the band itself: Rm and the uniform strain of the middle, the upper and the lower end; Rp0.2 where Swift's law can have it.
+#[test]
+fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
+    for (name, coil, strengths) in
+        [("dc04", "", [175.0, 310.0]), ("dc04", "strong", [210.0, 350.0]), ("en-aw-1050", "weak", [24.0, 65.0])]
+    {
+        let coil = if coil.is_empty() { Vec::new() } else { vec![format!("material.coil={coil}")] };
+        let text = include_str!("../../cases/quickstart.toml");
+        let set = [vec![format!("material={name}")], coil.clone()].concat();
+        let case = case::parse(text, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
+        let [_, strength] = case.model().material.load_maximum(1.0, 293.15);
+        let proof = case.model().material.hardening.at(0.002).stress;
+        assert!((strength - strengths[1]).abs() < 0.01 && (proof - strengths[0]).abs() < 0.5, "{proof} {strength}");
+        assert_eq!(case.sources.material.is_some_and(|s| s.contains(" coil ")), !coil.is_empty(), "{name}");
+    }
+}
+
+/// Trust: the factor itself, on a law with back-stresses and one without.
+#[test]
+fn strength_scales_the_flow_stress_of_a_sheet() {
+    let text = include_str!("../../cases/quickstart.toml");
+    for set in [&["material=dc04"][..], &["material=aa5754-o", "material.mode=elasto_viscoplastic"]] {
+        let stress = |more: &[&str]| {
+            let set: Vec<String> = set.iter().chain(more).map(|set| set.to_string()).collect();
+            let case = case::parse(text, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
+            case.model().material.monotonic(0.1, 0.0).stress
+        };
+        assert!((stress(&["material.strength=1.08"]) / stress(&[]) - 1.08).abs() < 1e-12);
+    }
+}

@@ -53,7 +53,7 @@ fn a_low_r_by_hill_is_doubted() {
 #[test]
 fn a_high_r_by_hill_is_doubted() {
     for (overrides, light) in [(&[][..], Light::Green), (&[HILL], Light::Amber)] {
-        let solution = made("cup", &[("material", "DC04")], overrides).solve(&mut ());
+        let solution = made("cup", &[("material", "drawing-steel")], overrides).solve(&mut ());
         let found = assess::after(&solution.case, &solution.stages);
         assert_eq!(row(&found, "yield_condition").light, light, "{:?}", row(&found, "yield_condition"));
     }
@@ -73,13 +73,13 @@ fn travels(template: &str, material: &str, sizes: &[(&str, &str)], overrides: &[
 /// Trust: DC04 of 1 mm has an Erichsen index of 10 to 11.5 mm, and more than AA6016 on any dome.
 #[test]
 fn dc04_is_stretched_further_than_aluminium() {
-    let index = travels("erichsen", "DC04", &[], &[]);
+    let index = travels("erichsen", "drawing-steel", &[], &[]);
     assert!(index.iter().all(|travel| (10.0..11.5).contains(travel)), "{index:?}");
     let dome = |material: &str| {
         let set = ["tools.punch.travel=35 mm", "stop.localised=false", "stop.load_drop=2 %"];
         travels("stretch-dome", material, &[("punch-radius", "25 mm"), ("height", "25 mm")], &set)
     };
-    let [steel, aluminium] = ["DC04", "AA6016"].map(dome);
+    let [steel, aluminium] = ["drawing-steel", "AA6016"].map(dome);
     assert!(steel[0] > aluminium[0] && steel[1] > aluminium[1], "{steel:?} {aluminium:?}");
 }
 
@@ -87,7 +87,7 @@ fn dc04_is_stretched_further_than_aluminium() {
 /// Keeler and Brazier's curve by about as much.
 #[test]
 fn a_thicker_sheet_is_cupped_further() {
-    let at = |thickness: &str| travels("erichsen", "DC04", &[("thickness", thickness)], &[]);
+    let at = |thickness: &str| travels("erichsen", "drawing-steel", &[("thickness", thickness)], &[]);
     let [thin, thick] = ["0.5 mm", "2 mm"].map(at);
     assert!((1.5..3.5).contains(&(thick[0] - thin[0])) && thick[1] > thin[1] + 1.0, "{thin:?} {thick:?}");
 }

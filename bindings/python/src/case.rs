@@ -135,7 +135,8 @@ pub fn materials(py: Python<'_>) -> PyResult<String> {
             "law": material.hardening.to_string(), "r": material.yield_criterion.ratio(), "n": entry.n(),
             "proof_stress_MPa": entry.proof_stress(), "tensile_strength_MPa": entry.tensile_strength(),
             "uniform_elongation": entry.uniform_elongation(), "young_MPa": material.elastic.map(|elastic| elastic.young),
-            "notes": about.notes, "case": text,
+            "notes": about.notes, "case": text, "made": about.is_made(),
+            "band": about.band.as_ref().map(|band| band.rows()),
         });
         (name.to_string(), about)
     });

@@ -1,6 +1,7 @@
 //! `[material]`: elastic constants and exactly one law of each kind.
 
 use super::*;
+use crate::grade::Coil;
 use crate::material::fracture::FractureTable;
 use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
@@ -19,6 +20,10 @@ use crate::units::Digits;
 pub struct Material {
     /// Sheet of the built-in library (`stampflow materials` lists them); other keys written here replace the library's.
     pub name: Option<String>,
+    /// Coil within the band of the library's sheet; default its middle.
+    pub coil: Option<Coil>,
+    /// Factor of the flow stress; default 1.
+    pub strength: Option<Positive<Number>>,
     /// Source of the numbers: author and year, or how they were measured; left out if they are assumed.
     pub source: Option<String>,
     /// Young's modulus; given together with `poisson`.
@@ -210,7 +215,8 @@ impl Material {
         }
         let help = format!("write one of [{HARDENING}.…]: {}", Hardening::NAMES.join(", "));
         source.require(!laws.is_empty(), HARDENING, "the material has no hardening law", help)?;
-        only(laws, elastic.map(|elastic| elastic.young), HARDENING, source)
+        let law = only(laws, elastic.map(|elastic| elastic.young), HARDENING, source)?;
+        Ok(self.strength.map_or(law.clone(), |factor| law.scaled(factor.value())))
     }
 
     fn yield_criterion(&self, source: &Source) -> Result<YieldCriterion, CaseError> {
@@ -240,6 +246,7 @@ impl Material {
         let help = "write mode = \"elasto_viscoplastic\", or drop it";
         source.require(known, "material.kinematic.0", "the flow law has no back-stresses", help)?;
         chaboche[..count].copy_from_slice(&self.kinematic);
+        chaboche.iter_mut().for_each(|law| law.modulus *= self.strength.map_or(1.0, Dimensioned::value));
         Ok(chaboche)
     }
 }

@@ -1,5 +1,4 @@
-use super::{FractureCriterion, FractureStress};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// ∫ 2 σ₁/(3 (σ₁ − σ_m)) dε̄ = critical: Brozzo's criterion, which adds the mean stress to that of Cockcroft and Latham.

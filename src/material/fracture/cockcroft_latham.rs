@@ -1,5 +1,4 @@
-use super::{FractureCriterion, FractureStress};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// ∫ max(σ₁, 0)/σ̄ dε̄ = critical: the normalised criterion of Cockcroft and Latham.

@@ -15,7 +15,7 @@ mod rice_tracey;
 
 use crate::material::YieldCriterion;
 use crate::material::flow::Triple;
-use crate::material::law::family;
+use crate::material::law::prelude::*;
 
 family! {
     /// Criterion of ductile fracture: exactly one.

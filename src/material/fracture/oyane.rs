@@ -1,5 +1,4 @@
-use super::{FractureCriterion, FractureStress};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// ∫ (1 + σ_m/(a σ̄)) dε̄ = critical: Oyane's criterion, from the volume of voids at which a metal breaks.

@@ -1,5 +1,4 @@
-use super::{FractureCriterion, FractureStress};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// ∫ 0.283 exp(3 σ_m/2σ̄) dε̄ = critical: growth of a round void by Rice and Tracey, ln(R/R₀) at fracture.

@@ -1,6 +1,4 @@
-use super::flow_stress::{check_saturating, power, saturating};
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).

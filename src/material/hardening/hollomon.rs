@@ -1,8 +1,6 @@
 //! σ_y = K (ε₀ + ε̄)^n with a declared offset ε₀, or that of the elastic line, K ε₀^n = E ε₀.
 
-use super::flow_stress::offset_power;
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///

@@ -1,6 +1,5 @@
 use super::table::{Extrapolation, Monotone, Points, curve};
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 
 /// Measured points at several temperatures, interpolated straight over the temperature.
 ///

@@ -1,6 +1,4 @@
-use super::flow_stress::power;
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// σ = initial + k ε^n.

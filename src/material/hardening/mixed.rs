@@ -1,5 +1,4 @@
-use super::{FlowStress, HardeningLaw, Swift, Voce};
-use crate::material::law::prelude::*;
+use super::*;
 
 /// σ = weight σ_swift + (1 − weight) σ_voce.
 ///

@@ -9,6 +9,7 @@ mod isotherms;
 mod ludwik;
 mod mixed;
 mod piecewise_power;
+mod scaled;
 mod swift;
 mod table;
 mod voce;
@@ -18,13 +19,16 @@ pub use flow_stress::FlowStress;
 pub use piecewise_power::Branch;
 pub use table::Extrapolation;
 
-use crate::material::law::family;
+use crate::material::law::prelude::*;
+use flow_stress::{check_saturating, offset_power, power, saturating};
+use table::few;
 
 family! {
     /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
     pub enum Hardening: HardeningLaw, named in HardeningTable as "Hardening";
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
     fn at_temperature(strain: f64, temperature: f64) -> FlowStress;
+    [scaled: Scaled]
     swift: Swift,
     hollomon: Hollomon,
     ludwik: Ludwik,
@@ -47,12 +51,17 @@ impl Hardening {
         match self {
             Self::Table(law) => Some(law.curve.last_strain()),
             Self::Isotherms(law) => Some(law.valid_up_to()),
+            Self::Scaled(scaled) => scaled.law.valid_up_to(),
             _ => None,
         }
     }
 
     /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
     pub fn temperatures(&self) -> Option<[f64; 2]> {
-        if let Self::Isotherms(law) = self { Some(law.temperatures()) } else { None }
+        match self {
+            Self::Isotherms(law) => Some(law.temperatures()),
+            Self::Scaled(scaled) => scaled.law.temperatures(),
+            _ => None,
+        }
     }
 }

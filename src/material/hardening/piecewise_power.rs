@@ -1,10 +1,7 @@
 //! Offset power law in branches, as Woo (1968) gives it: a gap that rounded constants leave is closed by shifting the later
 //! branch. Sosnowski (1994), equations 14 and 15, misprints the second exponent.
 
-use super::flow_stress::power;
-use super::table::few;
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 
 /// σ = initial + k ε^n with other constants on each range of strain.
 ///

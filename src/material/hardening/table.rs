@@ -7,8 +7,7 @@
 //! F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
 //! slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
 
-use super::{FlowStress, HardeningLaw};
-use crate::material::law::prelude::*;
+use super::*;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 

@@ -34,7 +34,7 @@ pub(crate) trait Example {
 
 pub(crate) mod prelude {
     pub use super::LawError;
-    pub(crate) use super::{Example, parameters, require, require_or, require_range};
+    pub(crate) use super::{Example, family, parameters, require, require_or, require_range};
     pub use crate::numerics::ValueAndSlope;
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{Dimensioned, NonNegative, Number, Positive, Stress, ZERO_CELSIUS, rounded};

@@ -1,5 +1,4 @@
-use super::RateLaw;
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.

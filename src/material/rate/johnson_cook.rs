@@ -1,7 +1,6 @@
 //! g = 1 + C ln(ε̄̇/ε̇₀) above the reference rate, below it smoothly down to 1: g = 1 + ½ C ln(1 + (ε̄̇/ε̇₀)²).
 
-use super::RateLaw;
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.

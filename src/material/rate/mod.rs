@@ -5,8 +5,7 @@ mod cowper_symonds;
 mod johnson_cook;
 mod power;
 
-use crate::material::law::family;
-use crate::numerics::ValueAndSlope;
+use crate::material::law::prelude::*;
 
 family! {
     /// A factor on the hardening law: exactly one.

@@ -1,5 +1,4 @@
-use super::RateLaw;
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.

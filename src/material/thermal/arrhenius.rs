@@ -1,5 +1,4 @@
-use super::TemperatureLaw;
-use crate::material::law::prelude::*;
+use super::*;
 
 /// R \[N mm/(mol K)\].
 const GAS_CONSTANT: f64 = 8_314.462_618;

@@ -1,5 +1,4 @@
-use super::{TemperatureLaw, celsius};
-use crate::material::law::prelude::*;
+use super::*;
 
 parameters! {
     /// exp(−coefficient (T − reference)).

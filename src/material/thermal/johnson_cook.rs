@@ -1,5 +1,4 @@
-use super::{TemperatureLaw, celsius};
-use crate::material::law::prelude::*;
+use super::*;
 
 /// Least factor, near the melting point \[–\].
 const LEAST: f64 = 1e-3;

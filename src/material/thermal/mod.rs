@@ -5,8 +5,7 @@ mod arrhenius;
 mod exponential;
 mod johnson_cook;
 
-use crate::material::law::family;
-use crate::units::{ZERO_CELSIUS, rounded};
+use crate::material::law::prelude::*;
 
 family! {
     /// A factor on the hardening law: exactly one. A table of curves by temperature is `[material.hardening.isotherms]`.

@@ -41,6 +41,7 @@ pub const THIRD_SERIES: u64 = 2 << 40;
 fn sheet(rng: &mut Rng, seed: u64) -> (Material, String) {
     if seed >= THIRD_SERIES {
         let mut sheets = library::materials().expect("the shipped library");
+        sheets.retain(|sheet| !sheet.about.is_made());
         let entry = sheets.swap_remove(rng.usize(0..sheets.len()));
         return (entry.material, entry.name.to_owned());
     }
@@ -54,6 +55,7 @@ fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
     let n = between(rng, 0.02, 0.5);
     if seed >= SECOND_SERIES {
         let mut laws = Hardening::examples();
+        laws.retain(|(name, _)| *name != "scaled");
         let (_, law) = laws.swap_remove(rng.usize(0..laws.len()));
         let text = law.to_string();
         return (law, text);
