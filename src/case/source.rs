@@ -222,9 +222,10 @@ fn path_at(value: &DeValue, span: &Range<usize>) -> Option<String> {
 }
 
 /// Keys of lengths from the axis, each with the key of its diameter.
-const DIAMETERS: [(&str, &str); 5] = [
+const DIAMETERS: [(&str, &str); 6] = [
     ("radius", "diameter"),
     ("throat", "throat_diameter"),
+    ("mouth", "mouth_diameter"),
     ("inner_radius", "inner_diameter"),
     ("at", "diameter"),
     ("trim", "trim_diameter"),

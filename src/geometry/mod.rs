@@ -22,6 +22,7 @@ pub use piece::{Arc, Piece, Segment};
 pub use profile::{Closest, Nearest, Profile, ProfileError};
 pub use queries::Vertex;
 pub use rounding::{CORNER, biarc};
+pub use shapes::{Entry, Opening, OpeningError};
 
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;

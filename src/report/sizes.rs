@@ -33,7 +33,13 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
         let across = |name: &'static str, r: f64| wide(model, name, Amount::drawn, Point::new(r, 0.0));
         match tool.role {
             Role::Punch => found.push(across("Punch", extent(tool).1)),
-            Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
+            Role::Die => {
+                found.extend(throat(tool).map(|r| across("Die throat", r)));
+                let land = tool.profile.land().zip(tool.profile.pieces().iter().rev().nth(1));
+                found.extend(land.map(|([land, _], piece)| {
+                    plain("Die land", Amount::drawn(land), 0.5 * (piece.first() + piece.last()) + moved)
+                }));
+            }
             Role::Holder => found.push(across("Holder inner", extent(tool).0)),
         }
         found.extend(roundings(tool, moved));

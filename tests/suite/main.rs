@@ -38,6 +38,7 @@ mod meridians;
 mod model_check;
 mod numerics;
 mod observer;
+mod openings;
 mod outputs;
 mod package;
 mod profiles;

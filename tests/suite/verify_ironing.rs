@@ -28,6 +28,7 @@
 
 use crate::common::prelude::*;
 use stampflow::contact::penalty::Penalty;
+use stampflow::geometry::{Entry, Opening};
 
 /// Half width, or radius, of the punch \[mm\].
 const PUNCH: f64 = 30.0;
@@ -44,6 +45,10 @@ const EXIT: f64 = 0.5 + SHOULDER + LAND;
 
 /// A channel or a cup of 1 mm sheet through a gap of `clearance` \[mm\], whose die falls back behind its land.
 fn drawn(geometry: Geometry, clearance: f64, elements: usize) -> Model {
+    with_land(geometry, clearance, elements, LAND)
+}
+
+fn with_land(geometry: Geometry, clearance: f64, elements: usize, land: f64) -> Model {
     let [name, blank, length, punch, holder, force] = match geometry {
         Geometry::PlaneStrain => ["plane_strain", "half_length", "90", "half_width", "inner_half_width", "40 N/mm"],
         Geometry::Axisymmetric => ["axisymmetric", "radius", "65", "radius", "inner_radius", "6 kN"],
@@ -76,15 +81,9 @@ friction = {FRICTION}
         PUNCH + clearance
     );
     let mut model = parsed(&text, &[]).model().clone();
-    let (throat, end) = (PUNCH + clearance, PUNCH + clearance + SHOULDER);
-    let line = |from: [f64; 2], to: [f64; 2]| Piece::Segment(Segment::new(Point::from(from), Point::from(to)));
-    model.tools[1].profile = Profile::new(vec![
-        line([end + 60.0, 0.5], [end, 0.5]),
-        Piece::Arc(Arc::new(Point::new(end, EXIT - LAND), SHOULDER, -FRAC_PI_2, -FRAC_PI_2)),
-        line([throat, EXIT - LAND], [throat, EXIT]),
-        line([throat, EXIT], [throat + 6.0, EXIT + 80.0]),
-    ])
-    .expect("a die");
+    let land = Some([land, 0.075]);
+    let opening = Opening { throat: PUNCH + clearance, shoulder: SHOULDER, entry: Entry::Shoulder, land };
+    model.tools[1].profile = Profile::die_with(&opening, 1.0);
     model.frames = (1..=120).map(|i| model.duration * f64::from(i) / 120.0).collect();
     model
 }
@@ -117,7 +116,8 @@ fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> 
     let flow = |h: f64| C * model.material.yield_stress(enters.strain_equivalent + C * (h0 / h).ln(), 293.0);
     let x0 = (SHOULDER * SHOULDER - (SHOULDER - (h0 - clearance)).powi(2)).sqrt();
     let parts = 2000;
-    let dx = (x0 + LAND) / f64::from(parts);
+    let [land, _] = model.tools[1].profile.land().expect("a land");
+    let dx = (x0 + land) / f64::from(parts);
     let moment = 0.25 * flow(h0) * h0 * h0 * (1.0 - (tension / flow(h0)).powi(2));
     let unbending = moment / (SHOULDER + 0.5 * h0);
     let (mut pull, mut force, mut h) = (tension * h0 + unbending, unbending, h0);
@@ -216,6 +216,24 @@ fn a_channel_is_ironed_as_the_slab_method_says() {
         let last = run.steps.last().expect("steps");
         assert!((last.ironing - (1.0 - thickness[0])).abs() < 0.01, "{clearance}: {}", last.ironing);
     }
+}
+
+/// Trust: the slab method, and the balance of forces: 5 mm more of land rub with μ times the pressure on them, on both walls.
+#[test]
+fn a_longer_land_rubs_by_its_length() {
+    let runs = [1.0, 6.0].map(|land| solved(&with_land(Geometry::PlaneStrain, 0.8, 240, land)));
+    let [short, long] = runs.each_ref().map(|run| compare(&run.model, run, 0.8)[0]);
+    // As of the channel, −7.5 %; on a long land the pressure counts for more: −11 %.
+    assert!((long[0] / long[1] - 1.0).abs() < 0.13, "{long:?} N/mm");
+    let end = runs[1].frames.last().expect("the end");
+    let on_land = end.elements.iter().filter(|e| e.r > PUNCH && (EXIT..EXIT + 4.0).contains(&e.z));
+    let pressed = 0.5 * mean(on_land.map(|e| pressure(&runs[1], e)));
+    // Trust: a tenth, as the mean is of one instant and of nodes at the land's ends.
+    let rubbed = 2.0 * FRICTION * pressed * 5.0;
+    assert!(((long[0] - short[0]) / rubbed - 1.0).abs() < 0.1, "{} {rubbed} N/mm", long[0] - short[0]);
+    let share = |run: &StageSolution| mean(steady(run).map(|s| s.ironing_friction / s.ironing_force));
+    let shares = [0, 1].map(|i| share(&runs[i]));
+    assert!(shares[1] > 1.2 * shares[0], "{shares:?}");
 }
 
 /// The same of a cup, whose wall comes in thicker and thicker and under a tension near its strength.

@@ -3,11 +3,14 @@
 use super::{Line, line, number, size_of};
 use crate::assess::{design::LIMITING_RATIO, estimate};
 use crate::contact::friction::Friction;
+use crate::geometry::Piece;
 use crate::model::stage::Stage;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool};
 use crate::units::{Amount, Digits, Unit, joined};
 
+/// Number of arcs above which a die's entry is a curve.
+const MANY: usize = 8;
 /// Number of radii above which only their range is given.
 const FEW: usize = 4;
 
@@ -47,8 +50,20 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
         law => format!("friction {law}"),
     };
-    let meaning = joined([of, mouth, corners(tool, model.blank.thickness), friction], ", ");
+    let meaning = joined([of, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
     line(tool.role.name(), size, meaning)
+}
+
+/// Entry cone, land and relief of a die, as far as it has them.
+fn opening(tool: &Tool) -> String {
+    let die = Some(&tool.profile).filter(|_| tool.role == Role::Die);
+    let angle = |angle: f64| format!("{}°", Amount::number(angle.to_degrees()));
+    let cone = die.and_then(|die| die.cone()).map(|cone| format!("cone {}", angle(cone)));
+    let arcs = die.map_or(0, |die| die.pieces().iter().filter(|piece| matches!(piece, Piece::Arc(_))).count());
+    let entry = cone.or((arcs > MANY).then(|| format!("entry of {arcs} arcs"))).unwrap_or_default();
+    let land = die.and_then(|die| die.land());
+    let land = land.map(|[land, relief]| format!("land {}, relief {}", Amount::drawn(land), angle(relief)));
+    joined([entry, land.unwrap_or_default()], ", ")
 }
 
 fn corners(tool: &Tool, thickness: f64) -> String {

@@ -10,6 +10,7 @@ mod fit;
 mod forming_limit;
 mod judged;
 mod material;
+mod opening;
 mod points;
 mod section;
 mod stages;
@@ -30,7 +31,9 @@ use crate::model::{
     self, Edge, Extent, Friction, Geometry, Mode, Model, Motion, Role, Settings, StopRules, Theory, Tool,
 };
 use crate::numerics::PiecewiseLinear;
-use crate::units::{Amount, Dimensioned, Fraction, Length, NonNegative, Number, Positive, Stress, Time, rounded};
+use crate::units::{
+    Amount, Angle, Dimensioned, Fraction, Length, NonNegative, Number, Positive, Stress, Time, rounded,
+};
 use blank::Blank;
 use contact::{Frictions, Sides};
 use drive::Output;

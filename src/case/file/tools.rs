@@ -104,13 +104,25 @@ tool! {
     /// Die, standing still above the sheet: `throat` and `shoulder`, or a `profile`. In a later stage a shape makes it a new
     /// one, which is brought down from above until it touches the sheet.
     #[schemars(extend("dependentRequired" = { "throat": ["shoulder"], "throat_diameter": ["shoulder"] }))]
-    Die, shapes throat throat_diameter shoulder;
+    Die, shapes throat throat_diameter shoulder land relief cone tractrix mouth mouth_diameter;
     /// Radius of the opening (plane strain: half width).
     throat: Option<Positive<Length>>,
     /// Diameter of the opening, instead of `throat`, of a round die.
     throat_diameter: Option<Positive<Length>>,
-    /// Radius of the corner over which the sheet is drawn.
-    shoulder: Option<Positive<Length>>,
+    /// Radius of the corner over which the sheet is drawn; with `cone` or `tractrix` that of the mouth's edge.
+    pub shoulder: Option<Positive<Length>>,
+    /// Length of the cylindrical part behind the shoulder; without end when not given.
+    pub land: Option<Positive<Length>>,
+    /// Angle to the axis by which the die opens behind its land, 0.5° to 60°; 3° when not given.
+    pub relief: Option<Angle>,
+    /// Conical entry: its angle to the axis, 5° to 80°.
+    pub cone: Option<Angle>,
+    /// Tractrix as the entry, for a draw without a holder.
+    pub tractrix: Option<bool>,
+    /// Where the die's face ends and a cone or a tractrix begins (plane strain: half width); the blank's edge when not given.
+    pub mouth: Option<Positive<Length>>,
+    /// Diameter of the mouth, instead of `mouth`, of a round die.
+    pub mouth_diameter: Option<Positive<Length>>,
 }
 
 tool! {
@@ -213,11 +225,12 @@ impl ToolContext<'_> {
         let thickness = self.blank.thickness;
         match (role, &self.written.punch, &self.written.die, &self.written.holder) {
             (Role::Punch, Some(punch), ..) => self.punch(punch, thickness),
-            (Role::Die, _, Some(Die { throat, throat_diameter, shoulder, .. }), _) => {
+            (Role::Die, _, Some(die), _) => {
                 let keys = ["throat", "throat_diameter", "throat"];
-                let throat = self.radius("tools.die", keys, [*throat, *throat_diameter, *throat])?;
-                let shoulder = shoulder.ok_or_else(|| self.source.missing("tools.die", "shoulder"))?;
-                Ok(Profile::die(throat, self.size("tools.die.shoulder", shoulder.value())?, thickness))
+                let throat = self.radius("tools.die", keys, [die.throat, die.throat_diameter, die.throat])?;
+                let shoulder = die.shoulder.ok_or_else(|| self.source.missing("tools.die", "shoulder"))?;
+                let shoulder = self.size("tools.die.shoulder", shoulder.value())?;
+                Ok(Profile::die_with(&self.opening(die, throat, shoulder)?, thickness))
             }
             (Role::Holder, .., Some(holder)) => {
                 let keys = ["inner_radius", "inner_diameter", "inner_half_width"];
@@ -256,7 +269,7 @@ impl ToolContext<'_> {
     }
 
     /// Radius or half-width of a shape \[mm\].
-    fn radius(
+    pub(super) fn radius(
         &self,
         table: &str,
         keys: [&'static str; 3],
