@@ -94,6 +94,7 @@ pub mod author;
 pub mod case;
 pub mod contact;
 pub mod element;
+pub mod files;
 pub mod forming_limit;
 pub mod geometry;
 pub mod grade;

@@ -3,13 +3,13 @@
 pub mod comparison;
 mod error;
 pub(crate) mod file;
-pub mod files;
 pub mod library;
 mod overrides;
 mod schema;
 mod source;
 mod sources;
 
+pub use crate::files;
 pub use error::CaseError;
 #[cfg(feature = "app")]
 pub(crate) use error::shortened;

@@ -1,4 +1,4 @@
-//! Files that a case needs: on the disk, or in memory.
+//! Files that a case or a drawing needs: on the disk, or in memory.
 //!
 //! Larger files than [`CASE`] and [`CSV`] are refused before they are read, and so are pipes and devices.
 
@@ -43,7 +43,7 @@ pub fn remedy(error: &io::Error, otherwise: &str) -> String {
     if error.kind() == ErrorKind::InvalidData { utf8 } else { otherwise }.to_owned()
 }
 
-pub(super) fn too_large(limit: usize) -> io::Error {
+pub(crate) fn too_large(limit: usize) -> io::Error {
     io::Error::new(ErrorKind::FileTooLarge, format!("it is larger than {} MB", limit / 1_000_000))
 }
 
