@@ -17,6 +17,7 @@
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ study::verify              an error bar for every number, from runs that are refined
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
+//!    │ export::Drawing            tools, formed sheet, blank and trim line for CAD
 //!    └ Solution::write            every table, plot and comparison of results::OUTPUTS
 //! ```
 //!
@@ -94,6 +95,8 @@ pub mod author;
 pub mod case;
 pub mod contact;
 pub mod element;
+#[cfg(feature = "app")]
+pub mod export;
 pub mod files;
 pub mod forming_limit;
 pub mod geometry;

@@ -2,7 +2,6 @@
 
 use super::*;
 use stampflow::assess::check::{self, Check};
-use stampflow::assess::{Finding, Kind, Light, by_advice, headline, judgements, sentences};
 
 options! {
     /// Explain a case; with --run solve it and give a verdict

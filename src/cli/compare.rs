@@ -1,15 +1,10 @@
 //! `stampflow compare`: runs and measured curves side by side; cases against their references.
 
-use super::study::StudyOptions;
 use super::*;
-use rayon::prelude::*;
 use stampflow::case::comparison::{KINDS, Spec};
 use stampflow::grade::toml_files;
 use stampflow::results::comparison::{Comparison, Verdict};
-use stampflow::results::{Results, comparison_folder};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
-use stampflow::study::{measured_curve, study_folder};
-use stampflow::units::rounded;
 
 options! {
     /// Compare cases, variants and measured curves, or cases with their references
@@ -32,7 +27,7 @@ pub fn compare(args: &Args) -> Result<Code> {
     let first = args.files.iter().find(|file| !is_curve(file)).unwrap_or(first);
     let dir = args.options.folder(first, "compare")?;
     place::file(&dir.join("differences.csv"), &args.files, "--out")?;
-    let folder = study_folder("compare", &dir).map_err(error::unusable("--out"))?;
+    let folder = study_folder("compare", &dir).map_err(unusable("--out"))?;
     let threads = args.options.threads.count();
     let all = SideBySide::solve(&candidates, curves, None, threads, &args.options.count(first, "compared"))?;
     if all.members.len() < candidates.len() {
@@ -76,7 +71,7 @@ fn references(args: &Args, path: &Path) -> Result<Code> {
     let one = |case: &Case| {
         let dir = place::folder(&dir, case)?;
         place::results(case, &dir)?;
-        let folder = comparison_folder(&dir).map_err(error::unusable("--out"))?;
+        let folder = comparison_folder(&dir).map_err(unusable("--out"))?;
         let solution = progress.watch(case).solve(case.clone());
         let results = Results::of(&solution)?.with_pictures(&args.options.pictures.pictures()?);
         let unwritten = results.write_comparisons(folder).err().map(anyhow::Error::from);

@@ -1,13 +1,7 @@
 //! Exit codes, the errors that end the program, and its signals.
 
 use super::*;
-use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
-use stampflow::case::CaseError;
-use stampflow::import::ImportError;
-use stampflow::results::{WriteError, comparison::CompareError};
-use stampflow::study::StudyError;
-use std::io::IsTerminal;
+use signal_hook::{consts::SIGINT, consts::SIGTERM, flag};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 

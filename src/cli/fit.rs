@@ -1,12 +1,8 @@
 //! `stampflow fit`.
 
 use super::compare::is_curve;
-use super::study::StudyOptions;
 use super::*;
-use stampflow::results::ResultFolder;
 use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, fit_laws, flow_curves, material_text};
-use stampflow::study::{StudyError, study_folder};
-use stampflow::units::parse;
 
 const STRAIN: &str = "a plain number";
 
@@ -39,7 +35,7 @@ options! {
 pub fn fit(args: &Args) -> Result<Code> {
     let dir = args.options.folder(&args.files[0], "fit")?;
     place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
-    let folder = || study_folder("fit", &dir).map_err(error::unusable("--out"));
+    let folder = || study_folder("fit", &dir).map_err(unusable("--out"));
     let fitted = match args.files.as_slice() {
         tests if tests.iter().all(|path| is_curve(path)) => laws(args, (&dir, folder()?)),
         [file] => keys(args, file, (&dir, folder()?)),

@@ -1,14 +1,8 @@
 //! `stampflow import`: from a drawing to a case file.
 
 use super::*;
-use anyhow::Context;
-use options::length;
 use stampflow::author::{Import, Imported};
-use stampflow::case::files::{Disk, Files};
-use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
-use stampflow::model::{Geometry, Role};
-use stampflow::plot::png;
-use stampflow::units::{Dimensioned, Length};
+use stampflow::import::{self, Heading, Operation, Options, Section, Sections};
 
 options! {
     /// Read the tools from a drawing (DXF) and write a case file with them
@@ -53,15 +47,13 @@ pub fn import(args: Args) -> Result<Code> {
     let picture = out.with_extension("png");
     ensure!(out != picture, bad_path(&out, "would be both the case and its picture", "write -o NAME.toml"));
     for path in [&out, &picture] {
-        let is_free = path.symlink_metadata().is_err() || force;
-        ensure!(is_free, bad_path(path, "is there already", "choose another name with -o, or --force"));
-        place::file(path, std::slice::from_ref(&drawing), "-o")?;
+        place::free(path, force, std::slice::from_ref(&drawing), "-o")?;
     }
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
     let import = Import { options, geometry, material, thickness, blank, travel };
     let imported = import.read(&bytes, &drawing).with_context(|| drawing.display().to_string())?;
-    write(&out, imported.text.as_bytes()).map_err(error::unusable("-o"))?;
-    write(&picture, &png(&imported.picture(&drawing))).map_err(error::unusable("-o"))?;
+    write(&out, imported.text.as_bytes()).map_err(unusable("-o"))?;
+    write(&picture, &png(&imported.picture(&drawing))).map_err(unusable("-o"))?;
     let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();

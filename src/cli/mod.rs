@@ -18,6 +18,7 @@ mod bug;
 mod check;
 mod compare;
 mod error;
+mod export;
 mod fit;
 mod import;
 mod materials;
@@ -33,23 +34,35 @@ mod study;
 mod trace;
 mod verify;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use bug::caught;
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
-use clap_complete::Shell;
-use error::{Code, bad_path, bad_request, complained, is_interrupted, sound};
-use options::{Common, Json, Overrides, PictureOptions, Threads};
+use error::{Code, bad_path, bad_request, complained, is_interrupted, sound, unusable};
+use options::{Common, Json, Overrides, PictureOptions, Threads, length, one_of};
 use progress::Progress;
+use rayon::prelude::*;
 use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn, with, wrapped};
 use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
-use stampflow::case::files::visible;
-use stampflow::case::{self, Case, library};
-use stampflow::results::write;
-use stampflow::units::DisplaySettings;
+use stampflow::assess::error_bars::{Contribution, ErrorBars, Number, Origin};
+use stampflow::assess::{self, Answer, Finding, Kind, Light, by_advice, headline, judgements, sentences, size_doubts};
+use stampflow::case::files::{Disk, Files, visible};
+use stampflow::case::{self, Case, CaseError, Solution, library};
+use stampflow::import::{DrawingUnit, ImportError};
+use stampflow::model::{Geometry, Model, Role};
+use stampflow::plot::{Extra, FrameRecorder, png};
+use stampflow::report::Report;
+use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, WriteError, comparison::CompareError, tables};
+use stampflow::results::{can_write, comparison_folder, csv, is_report, is_result, result_folder, write};
+use stampflow::solver::solution::{IterationRecord, StepRecord};
+use stampflow::study::{StudyError, compare::SideBySide, judge, measured_curve, study_folder};
+use stampflow::units::{Amount, Dimensioned, DisplaySettings, Length, Positive, QuantityError, joined, parse, rounded};
 use std::borrow::Cow;
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
+use study::StudyOptions;
 
 /// Examples and exit codes in help texts, a section for each verb.
 const HELP: &str = include_str!("help.txt");
@@ -65,7 +78,7 @@ fn help(section: &str) -> &'static str {
 pub struct Args {
     /// Units of texts, us: in, US tonf, ksi; files for programs stay in si
     #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", ignore_case = true,
-          value_parser = options::one_of(options::UNITS))]
+          value_parser = one_of(options::UNITS))]
     units: DisplaySettings,
     /// Folder of the shop's own sheets, one TOML each [default: that of STAMPFLOW_SHEETS]
     #[arg(long, global = true, display_order = 900, value_name = "DIR")]
@@ -88,6 +101,7 @@ enum Verb {
     Check(check::Args),
     Run(run::Args),
     Report(report::Args),
+    Export(export::Args),
     Sweep(study::SweepArgs),
     Search(study::SearchArgs),
     Scatter(study::ScatterArgs),
@@ -103,7 +117,7 @@ enum Verb {
     Schema,
     #[command(about = "Print the completions of a shell", hide = true)]
     Completions {
-        shell: Shell,
+        shell: clap_complete::Shell,
     },
     #[command(about = "Print the manual page of the program or of a verb", hide = true)]
     Man {
@@ -146,6 +160,7 @@ fn command() -> Result<Code> {
         Verb::Check(args) => check::check(&args),
         Verb::Run(args) => run::run(&args),
         Verb::Report(args) => report::report(&args),
+        Verb::Export(args) => export::export(&args),
         Verb::Sweep(args) => study::sweep(&args),
         Verb::Search(args) => study::search(args),
         Verb::Scatter(args) => study::scatter(&args),

@@ -2,7 +2,6 @@
 
 use super::*;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use stampflow::assess::size_doubts;
 use stampflow::author::templates::{self, Choice, TEMPLATES, Template};
 
 /// Writes a case, or lists all templates without a subcommand.
@@ -20,10 +19,8 @@ pub fn new(matches: &ArgMatches) -> Result<Code> {
     let Some(path) = matches.get_one::<PathBuf>("output") else {
         return emit(is_json, json!({ "template": template.name, "case": text }), || text.into());
     };
-    let help = "choose another name, or replace it with --force";
-    let is_free = matches.get_flag("force") || path.symlink_metadata().is_err();
-    ensure!(is_free, bad_path(path, "is there already and was left as it is", help));
-    write(path, text.as_bytes()).map_err(error::unusable("--output"))?;
+    place::free(path, matches.get_flag("force"), &[], "-o")?;
+    write(path, text.as_bytes()).map_err(unusable("--output"))?;
     let next = || format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display()).into();
     emit(is_json, json!({ "template": template.name, "file": path }), next)
 }

@@ -4,7 +4,6 @@ use super::*;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use stampflow::plot::{Captions, Format, Pictures, WIDEST};
 use stampflow::results::comparison::{Computed, comparisons};
-use stampflow::units::{Dimensioned, Length, Positive, QuantityError};
 use std::thread::available_parallelism;
 
 /// Parser of one word of a list.

@@ -1,8 +1,6 @@
 //! Places that a verb may write to: never over what it reads.
 
 use super::*;
-use error::unusable;
-use stampflow::results::{can_write, is_result};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Component;
@@ -30,6 +28,13 @@ pub fn results(case: &Case, dir: &Path) -> Result<()> {
         ensure!(!is_inside || !is_named_as_result(&input_path), refused(input, what, "--out"));
     }
     Ok(())
+}
+
+/// Refuses a file that is an input, or there and not to be replaced.
+pub fn free(path: &Path, force: bool, inputs: &[PathBuf], option: &str) -> Result<()> {
+    let help = format!("choose another name with {option}, or replace it with --force");
+    ensure!(force || path.symlink_metadata().is_err(), bad_path(path, "is there already", help));
+    file(path, inputs, option)
 }
 
 /// Refuses a file that is an input.

@@ -2,13 +2,7 @@
 
 use super::*;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
-use stampflow::case::Solution;
-use stampflow::model::Model;
-use stampflow::plot::FrameRecorder;
-use stampflow::solver::Iterate;
-use stampflow::solver::solution::{IterationRecord, StepRecord};
-use stampflow::{Observer, Stage, State};
-use std::time::{Duration, Instant};
+use stampflow::{Observer, Stage, State, solver::Iterate};
 
 /// Ticks of a full bar.
 const FULL: f64 = 1000.0;

@@ -2,9 +2,6 @@
 
 use super::compare::{Variants, to_compare};
 use super::*;
-use stampflow::report::Report;
-use stampflow::results::{can_write, is_report};
-use stampflow::study::compare::SideBySide;
 use stampflow::study::verify::verify;
 
 options! {
@@ -25,7 +22,7 @@ pub fn report(args: &Args) -> Result<Code> {
     let case = args.common.overrides.load(&args.case)?;
     let path = args.page(&case)?;
     place::file(&path, &case.inputs, "--output")?;
-    can_write(&path).map_err(error::unusable("--output"))?;
+    can_write(&path).map_err(unusable("--output"))?;
     let files: Vec<PathBuf> = std::iter::once(&args.case).chain(&args.against).cloned().collect();
     let is_compared = files.len() > 1 || !args.variants.also.is_empty();
     let compared = is_compared.then(|| to_compare(&files, &args.variants, &args.common.overrides.all())).transpose()?;

@@ -1,10 +1,6 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::*;
-use rayon::prelude::*;
-use stampflow::plot::{Extra, FrameRecorder};
-use stampflow::report::Report;
-use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, csv, is_report, result_folder, tables};
 
 options! {
     /// Solve cases and write their tables and plots
@@ -68,7 +64,7 @@ impl Args {
         let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
         ensure!(!self.report || page.symlink_metadata().is_err() || is_report(&page), bad_request(what));
         place::results(case, &dir)?;
-        let folder = result_folder(case, &dir).map_err(error::unusable("--out"))?;
+        let folder = result_folder(case, &dir).map_err(unusable("--out"))?;
         Ok((dir, folder))
     }
 

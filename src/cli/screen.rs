@@ -3,7 +3,6 @@
 use super::*;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use serde::Serialize;
-use stampflow::assess::Light;
 pub use stampflow::study::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Add;

@@ -1,12 +1,7 @@
 //! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::*;
-use stampflow::assess::error_bars::ErrorBars;
-use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
-use stampflow::case::Solution;
-use stampflow::study::judge;
 use stampflow::study::verify::verify;
-use stampflow::units::joined;
 
 /// Output of one case of several: text or JSON, and errors that are no reason to give less of it.
 #[derive(Default)]

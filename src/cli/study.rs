@@ -2,15 +2,11 @@
 
 use super::progress::Count;
 use super::*;
-use anyhow::Context;
-use error::unusable;
-use stampflow::results::ResultFolder;
 use stampflow::study::{
     self, BaseCase, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep, TableFile,
     begin, evaluate, study_folder,
 };
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 /// Designs that are begun without --yes.
 const MANY: u64 = 100_000;

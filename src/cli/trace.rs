@@ -1,10 +1,7 @@
 //! `stampflow trace`: one step of the solver, iteration by iteration.
 
 use super::*;
-use options::one_of;
 use stampflow::model::Iteration::{self, Newton, PrimalDual, Secant};
-use stampflow::results::tables::step_iterations;
-use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace as trace_step};
 
 const METHODS: [(&str, &[Iteration]); 4] =
@@ -33,7 +30,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 pub fn trace(Args { case, step, stage, methods, tolerance, out, quiet, overrides }: Args) -> Result<Code> {
     let case = overrides.load(&case)?;
-    out.iter().try_for_each(|path| place::replaced(path, &step_iterations(&[]), &case.inputs, "--out"))?;
+    out.iter().try_for_each(|path| place::replaced(path, &tables::step_iterations(&[]), &case.inputs, "--out"))?;
     let request = TraceRequest { stage, step, matrices: methods.concat(), tolerance };
     let trace = match trace_step(&case.stages, &request, &mut Progress::new(quiet).watch(&case)) {
         Ok(trace) => trace,
@@ -47,7 +44,7 @@ pub fn trace(Args { case, step, stage, methods, tolerance, out, quiet, overrides
         case.name, record.step, before.travel, record.travel, trace.tolerance
     );
     let printed = print(trace.histories.iter().fold(wrapped(head), |text, history| text + iterations(history)));
-    out.iter().try_for_each(|path| write(path, &step_iterations(&trace.histories)))?;
+    out.iter().try_for_each(|path| write(path, &tables::step_iterations(&trace.histories)))?;
     printed
 }
 

@@ -1,11 +1,7 @@
 //! `stampflow verify`: how much of every number is mesh, step, points and contact.
 
 use super::*;
-use stampflow::assess;
-use stampflow::assess::error_bars::{Contribution, Number, Origin};
 use stampflow::study::verify::{self, BEGINNING, FILE, Outcome, Verification};
-use stampflow::units::{Amount, rounded};
-use std::time::Instant;
 
 options! {
     /// Refine mesh, steps, points and contact for an error bar of every number

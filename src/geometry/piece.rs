@@ -305,7 +305,8 @@ impl Bounds {
         pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
     }
 
-    fn with(self, p: Point) -> Self {
+    /// Box that also holds a point.
+    pub fn with(self, p: Point) -> Self {
         Self { low: self.low.inf(&p), high: self.high.sup(&p) }
     }
 

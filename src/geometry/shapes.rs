@@ -1,7 +1,7 @@
 //! Standard tool shapes, placed so that they touch a flat sheet of thickness t whose mid-surface is z = 0:
 //! punch and holder below (their faces at z = −t/2), the die above (its face at z = +t/2).
 
-use super::{Piece, Point, Profile};
+use super::{Bounds, Piece, Point, Profile};
 use crate::numerics::bisect;
 use crate::units::rounded;
 use std::f64::consts::FRAC_PI_2;
@@ -146,6 +146,8 @@ fn tractrix(edge: f64, width: f64) -> Vec<[f64; 2]> {
 
 /// Straight walls go on for this multiple of the tool's largest radius [–]: past any travel that makes sense.
 const REACH: f64 = 20.0;
+/// Shortest end that is taken for such a wall, over the distance of its corner from the axis [–]: no tool is drawn so long.
+const ENDLESS: f64 = 10.0;
 
 fn line(from: (f64, f64), to: (f64, f64)) -> Piece {
     Piece::line(Point::new(from.0, from.1), Point::new(to.0, to.1))
@@ -247,4 +249,23 @@ impl Profile {
             line((inner, face), (inner + REACH * inner, face)),
         ])
     }
+
+    /// Profile whose walls that go on without end are cut `margin` beyond a box \[mm\].
+    pub(crate) fn cut_to(&self, around: &Bounds, margin: f64) -> Self {
+        let mut pieces = self.pieces().to_vec();
+        let last = pieces.len() - 1;
+        pieces[last] = cut_wall(&pieces[last], around, margin);
+        pieces[0] = cut_wall(&pieces[0].reversed(), around, margin).reversed();
+        Self::connected(pieces)
+    }
+}
+
+/// Wall from its corner outward, cut beyond a box if it goes on without end.
+fn cut_wall(piece: &Piece, around: &Bounds, margin: f64) -> Piece {
+    let (corner, direction) = (piece.first(), piece.tangent(true));
+    let corners =
+        [around.low, around.high, Point::new(around.low.x, around.high.y), Point::new(around.high.x, around.low.y)];
+    let reach = corners.map(|p| (p - corner).dot(&direction)).into_iter().fold(0.0, f64::max) + margin;
+    let is_endless = matches!(piece, Piece::Segment(_)) && piece.length() > ENDLESS * corner.x.max(margin);
+    if is_endless && reach < piece.length() { Piece::line(corner, corner + reach * direction) } else { *piece }
 }

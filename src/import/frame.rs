@@ -15,6 +15,13 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
 /// Largest size of tools whose header names another unit than mm \[mm\]; declared: most headers that are wrong say inch.
 const LARGEST: f64 = 500.0;
 
+impl DrawingUnit {
+    /// $INSUNITS.
+    pub(crate) fn code(self) -> usize {
+        UNITS.split(", ").position(|name| name == self.0).map_or(0, |i| i + 1)
+    }
+}
+
 /// Unit and axis, which turn a drawing's coordinates into a section's, and notes of how the drawing is understood.
 #[derive(Clone)]
 pub(super) struct Frame {

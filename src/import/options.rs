@@ -34,6 +34,8 @@ pub struct DrawingUnit(pub &'static str, pub f64);
 impl DrawingUnit {
     /// Millimetre.
     pub const MM: Self = Self("mm", 1.0);
+    /// Inch.
+    pub const INCH: Self = Self("in", 25.4);
     /// Symbols of every unit, the likeliest first.
     pub const ALL: [&str; 7] = ["mm", "cm", "m", "in", "ft", "mil", "um"];
 }

@@ -5,6 +5,7 @@ pub(crate) mod axis;
 mod bands;
 pub mod chart;
 mod dimensions;
+pub mod drawing;
 pub(crate) mod fields;
 pub mod forming_diagram;
 mod frame_recorder;

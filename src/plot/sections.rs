@@ -101,7 +101,7 @@ pub(crate) fn sheet(frame: &Frame, elements: Range<usize>, times: f64) -> Vec<(f
     part.clone().map(|i| surface(frame, i, times)).chain(part.rev().map(|i| surface(frame, i, -times))).collect()
 }
 
-pub(super) fn whole_sheet(frame: &Frame, times: f64) -> Vec<(f64, f64)> {
+pub(crate) fn whole_sheet(frame: &Frame, times: f64) -> Vec<(f64, f64)> {
     sheet(frame, 0..frame.elements.len(), times)
 }
 

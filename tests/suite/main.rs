@@ -24,6 +24,7 @@ mod depth;
 mod drawings;
 mod error_bars;
 mod events;
+mod export;
 mod fit;
 mod forming_limit;
 mod geometry;

@@ -1,0 +1,151 @@
+//! Drawings of a solved case for CAD: tools, formed sheet, blank and trim line, each on a layer of its own.
+//!
+//! ```text
+//! PUNCH DIE HOLDER   tools where they stand at the end of their stage, with the names that import reads
+//! SHEET MIDLINE      faces and middle of the formed sheet
+//! BLANK TRIM AXIS    flat blank, place of a cut, axis or symmetry plane
+//! ```
+//!
+//! Several stages have numbers before the names: `OP10_PUNCH`, `OP20_PUNCH`. A stage without a new tool draws its sheet alone.
+//!
+//! # Frame
+//! x = r is the distance from the axis, and y = z goes the way the punch moves: a punch is below the sheet. Lengths are in mm
+//! until they are written.
+
+mod dxf;
+
+use crate::case::Solution;
+use crate::geometry::{Bounds, Piece, Point};
+use crate::import::DrawingUnit;
+use crate::model::{Geometry, Stage, Tool};
+use crate::plot::drawing::{Color, Layer, extent, layers_csv, true_size_svg};
+use crate::plot::sections::{tool_displacement, whole_sheet};
+use crate::solver::solution::{Frame, StageSolution};
+use crate::units::trimmed;
+use std::path::Path;
+
+/// Reach of endless walls beyond the sheet, over its size, of the axis beyond the drawing, over its height, and of a trim line
+/// beyond the sheet, over its thickness \[–\].
+const MARGIN: f64 = 0.2;
+const BEYOND: f64 = 0.05;
+const ACROSS: f64 = 5.0;
+/// Number of a stage's layers over its place in the case.
+const STEP: usize = 10;
+
+/// Format of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// DXF of AutoCAD R12, which every program reads.
+    DxfR12,
+    /// DXF of AutoCAD 2000.
+    Dxf2000,
+    /// Picture in true size, a group for each layer.
+    Svg,
+    /// Table of lines and arcs.
+    Csv,
+}
+
+impl Format {
+    /// Format by the ending of a file's name, DXF of this version; `None` for any other ending.
+    pub fn of(path: &Path, dxf: Self) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        let formats = [("dxf", dxf), ("svg", Self::Svg), ("csv", Self::Csv)];
+        formats.into_iter().find(|(name, _)| *name == ending).map(|(_, format)| format)
+    }
+}
+
+/// Drawing of a case.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    unit: DrawingUnit,
+    /// Layers in the order of the stages.
+    pub layers: Vec<Layer>,
+}
+
+impl Drawing {
+    /// Draws a solved case; DXF and labels have this unit.
+    pub fn new(solution: &Solution, unit: DrawingUnit) -> Self {
+        let stages = &solution.case.stages;
+        let mut drawing = Self { unit, layers: Vec::new() };
+        drawing.blank(&stages[0]);
+        for (i, stage) in stages.iter().enumerate() {
+            let prefix = if stages.len() > 1 { format!("OP{}_", STEP * (i + 1)) } else { String::new() };
+            let before = i.checked_sub(1).map_or(&[][..], |before| &stages[before].model.tools);
+            let stood = |tool: &Tool| before.iter().any(|old| old.role == tool.role && old.profile == tool.profile);
+            let solved = solution.stages.get(i);
+            let end = solved.and_then(|solved| solved.frames.last());
+            if !stage.model.tools.iter().all(stood) {
+                stage.model.tools.iter().enumerate().for_each(|tool| drawing.tool(&prefix, tool, stage, solved));
+            }
+            end.into_iter().for_each(|frame| drawing.sheet(&prefix, frame));
+            stage.begin.trim.into_iter().for_each(|r| drawing.trim(&prefix, r, solved));
+        }
+        let (low, high) = extent(&drawing.layers);
+        let [from, to] = [(low.y, -BEYOND), (high.y, BEYOND)].map(|(y, by)| Point::new(0.0, y + by * (high.y - low.y)));
+        drawing.add("AXIS".to_owned(), (8, "#808080"), vec![Piece::line(from, to)], None);
+        drawing
+    }
+
+    /// Text of a file.
+    pub fn text(&self, format: Format) -> String {
+        match format {
+            Format::DxfR12 => dxf::write(&self.layers, self.unit, false),
+            Format::Dxf2000 => dxf::write(&self.layers, self.unit, true),
+            Format::Svg => true_size_svg(&self.layers),
+            Format::Csv => layers_csv(&self.layers),
+        }
+    }
+
+    fn add(&mut self, name: String, color: Color, pieces: Vec<Piece>, label: Option<(Point, String)>) {
+        self.layers.push(Layer { name, color, pieces, is_joined: false, label });
+    }
+
+    fn polyline(&mut self, name: String, color: Color, points: &[Point], label: Option<(Point, String)>) {
+        let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
+        self.layers.push(Layer { name, color, pieces, is_joined: true, label });
+    }
+
+    fn blank(&mut self, stage: &Stage) {
+        let (length, half) = (stage.model.blank.length, 0.5 * stage.model.blank.thickness);
+        let sign = if stage.model.geometry == Geometry::Axisymmetric { "Ø " } else { "L = " };
+        let text = format!("blank {sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
+        let corners = [(0.0, -half), (length, -half), (length, half), (0.0, half), (0.0, -half)];
+        let outline = corners.map(|(x, y)| Point::new(x, y));
+        self.polyline("BLANK".to_owned(), (30, "#ff7f00"), &outline, Some((outline[2], text)));
+    }
+
+    /// Tool where it stands at the end of its stage, with the part of endless walls that the sheet passes.
+    fn tool(&mut self, prefix: &str, (index, tool): (usize, &Tool), stage: &Stage, solved: Option<&StageSolution>) {
+        let frames = || solved.into_iter().flat_map(|solved| solved.start.iter().chain(&solved.frames));
+        let up = |frame: &Frame| tool_displacement(frame, index).y;
+        let passed =
+            frames().flat_map(|frame| frame.nodes.iter().map(move |node| Point::new(node.r, node.z - up(frame))));
+        let flat = Bounds { low: Point::zeros(), high: Point::new(stage.model.blank.length, 0.0) };
+        let around = passed.fold(flat, Bounds::with);
+        let profile = tool.profile.cut_to(&around, MARGIN * (around.high - around.low).max());
+        let profile = profile.shifted(frames().last().map_or(0.0, up));
+        let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000")][tool.role as usize];
+        self.add(format!("{prefix}{}", tool.role.name().to_uppercase()), color, profile.pieces().to_vec(), None);
+    }
+
+    fn sheet(&mut self, prefix: &str, frame: &Frame) {
+        let outline = whole_sheet(frame, 1.0);
+        let outline: Vec<Point> = outline.iter().chain(outline.first()).map(|(x, y)| Point::new(*x, *y)).collect();
+        self.polyline(format!("{prefix}SHEET"), (7, "#000000"), &outline, None);
+        let middle: Vec<Point> = frame.nodes.iter().map(|node| Point::new(node.r, node.z)).collect();
+        self.polyline(format!("{prefix}MIDLINE"), (9, "#909090"), &middle, None);
+    }
+
+    /// Line across the sheet where it was cut before a stage.
+    fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {
+        let edge = solved.and_then(|solved| solved.start.as_ref()?.nodes.last());
+        let (z, reach) = edge.map_or((0.0, ACROSS), |edge| (edge.z, ACROSS * edge.thickness));
+        let [low, high] = [z - reach, z + reach].map(|z| Point::new(r, z));
+        let text = format!("trim at r = {}", self.label(r));
+        self.add(format!("{prefix}TRIM"), (6, "#c000c0"), vec![Piece::line(low, high)], Some((high, text)));
+    }
+
+    fn label(&self, mm: f64) -> String {
+        format!("{} {}", trimmed(mm / self.unit.1, 4), self.unit.0)
+    }
+}

@@ -1,0 +1,98 @@
+//! Layers of lines and arcs in true size, for CAD: as a picture with a group for each layer, and as a table.
+
+use crate::geometry::{Bounds, Piece, Point};
+use crate::units::trimmed;
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+/// Margin over the larger side, and height of labels over the width \[–\].
+const MARGIN: f64 = 0.05;
+const LABEL: f64 = 0.02;
+/// Width of lines \[mm\].
+const LINE: f64 = 0.25;
+
+/// Index in the palette of CAD programs, and red, green and blue.
+pub type Color = (u8, &'static str);
+
+/// One connected line of a drawing \[mm\], x to the right and y upward.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// Name: `PUNCH`, `OP20_SHEET`.
+    pub name: String,
+    /// Colour of its lines.
+    pub color: Color,
+    /// Lines and arcs in order.
+    pub pieces: Vec<Piece>,
+    /// True for one polyline, false for an entity of each line and arc.
+    pub is_joined: bool,
+    /// Text and its place.
+    pub label: Option<(Point, String)>,
+}
+
+/// Corners of the box around all layers \[mm\].
+pub(crate) fn extent(layers: &[Layer]) -> (Point, Point) {
+    let all: Vec<Piece> = layers.iter().flat_map(|layer| layer.pieces.iter().copied()).collect();
+    Bounds::around(&all).map_or((Point::zeros(), Point::zeros()), |around| (around.low, around.high))
+}
+
+/// Coordinate without binary noise: at most 12 decimals.
+pub(crate) fn coordinate(value: f64) -> String {
+    trimmed(value, 12)
+}
+
+/// SVG of layers, sizes in mm.
+pub(crate) fn true_size_svg(layers: &[Layer]) -> String {
+    let (low, high) = extent(layers);
+    let margin = MARGIN * (high - low).max();
+    // The label of the blank stands at its edge.
+    let (width, height) = (high.x - low.x + 5.0 * margin, high.y - low.y + 2.0 * margin);
+    let [x, y, w, h] = [low.x - margin, -high.y - margin, width, height].map(coordinate);
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{x} {y} {w} {h}\">\n\
+         <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n"
+    );
+    for Layer { name, color: (_, color), pieces, label, .. } in layers {
+        let _ = writeln!(text, "<g id=\"{name}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{LINE}\">");
+        let first = pieces.first().map_or_else(Point::zeros, Piece::first);
+        let path: String = pieces.iter().map(along).collect();
+        let _ = writeln!(text, "<path d=\"M{}{path}\"/>", place(first));
+        if let Some((at, label)) = label {
+            let ([x, y], size) = ([at.x, -at.y].map(coordinate), coordinate(LABEL * width));
+            let style = format!("font-family=\"sans-serif\" fill=\"{color}\" stroke=\"none\"");
+            let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" {style}>{label}</text>");
+        }
+        text.push_str("</g>\n");
+    }
+    text + "</svg>\n"
+}
+
+/// Point with y downward, as pictures have it.
+fn place(p: Point) -> String {
+    format!("{} {}", coordinate(p.x), coordinate(-p.y))
+}
+
+fn along(piece: &Piece) -> String {
+    let end = place(piece.last());
+    match piece {
+        Piece::Segment(_) => format!(" L{end}"),
+        Piece::Arc(arc) => {
+            let (radius, flags) = (coordinate(arc.radius), [arc.sweep.abs() > PI, arc.sweep < 0.0].map(u8::from));
+            format!(" A{radius} {radius} 0 {} {} {end}", flags[0], flags[1])
+        }
+    }
+}
+
+/// One row a line or arc \[mm\]: ends, and of an arc the radius, positive counter-clockwise, and the centre.
+pub(crate) fn layers_csv(layers: &[Layer]) -> String {
+    let mut text = "layer,r0_mm,z0_mm,r1_mm,z1_mm,radius_mm,centre_r_mm,centre_z_mm\n".to_owned();
+    let rows = layers.iter().flat_map(|layer| layer.pieces.iter().map(move |piece| (&layer.name, piece)));
+    for (layer, piece) in rows {
+        let (a, b) = (piece.first(), piece.last());
+        let arc = match piece {
+            Piece::Segment(_) => [const { String::new() }; 3],
+            Piece::Arc(arc) => [arc.radius.copysign(arc.sweep), arc.center.x, arc.center.y].map(coordinate),
+        };
+        let _ = writeln!(text, "{layer},{},{}", [a.x, a.y, b.x, b.y].map(coordinate).join(","), arc.join(","));
+    }
+    text
+}

@@ -1,0 +1,146 @@
+//! Drawings that are exported: what import reads of them is the case again.
+
+use crate::common::prelude::*;
+use stampflow::export::{Drawing, Format};
+use stampflow::import::{self, DrawingUnit, Operation};
+
+fn unsolved(case: Case) -> Solution {
+    Solution { case, stages: vec![], wall: None }
+}
+
+/// Stages with a tool that the stage before has not.
+fn drawn(case: &Case) -> Vec<&Stage> {
+    let stood = |i: usize, tool: &Tool| {
+        let before = i.checked_sub(1).map_or(&[][..], |before| &case.stages[before].model.tools);
+        before.iter().any(|old| old.role == tool.role && old.profile == tool.profile)
+    };
+    let is_drawn = |(i, stage): &(usize, &Stage)| !stage.model.tools.iter().all(|tool| stood(*i, tool));
+    case.stages.iter().enumerate().filter(is_drawn).map(|(_, stage)| stage).collect()
+}
+
+/// Every corner, radius and centre is that of the case but for one shift along z. An endless wall is shorter, on its own line.
+/// Trust: 1e-6 mm is that of the acceptance; a file has 12 decimals.
+fn assert_same(operation: &Operation, stage: &Stage, name: &str) {
+    assert_eq!(operation.tools.len(), stage.model.tools.len(), "{name}");
+    for tool in &stage.model.tools {
+        let read = &operation.tool(tool.role).unwrap_or_else(|| panic!("{name}: {:?}", tool.role)).profile;
+        let (a, b) = (read.pieces(), tool.profile.pieces());
+        assert_eq!(a.len(), b.len(), "{name}");
+        let shift = if b.len() > 1 { b[0].last() - a[0].last() } else { b[0].first() - a[0].first() };
+        assert!(shift.x.abs() < 1e-6, "{name}: {shift}");
+        for (i, (a, b)) in a.iter().zip(b).enumerate() {
+            let ends = [(a.first(), b.first(), i == 0), (a.last(), b.last(), i + 1 == read.pieces().len())];
+            for (a, b, is_end) in ends {
+                let off = a + shift - b;
+                let along = if is_end { tool.profile.pieces()[i].tangent(i > 0) } else { Point::zeros() };
+                assert!((off - off.dot(&along) * along).norm() < 1e-6, "{name}: {:?} {a} {b}", tool.role);
+            }
+            match (a, b) {
+                (Piece::Segment(_), Piece::Segment(_)) => {}
+                (Piece::Arc(a), Piece::Arc(b)) => {
+                    assert!(
+                        (a.radius - b.radius).abs() < 1e-6 && (a.center + shift - b.center).norm() < 1e-6,
+                        "{name}"
+                    );
+                }
+                _ => panic!("{name}: {a:?} instead of {b:?}"),
+            }
+        }
+    }
+}
+
+fn assert_comes_back(solution: &Solution, name: &str) {
+    // A ring for a punch is meant: the axis is at x = 0.
+    for (format, unit) in [(Format::DxfR12, DrawingUnit::MM), (Format::Dxf2000, DrawingUnit::INCH)] {
+        // Of wide tools in inches import asks for the unit.
+        let known = name.starts_with("cases").then_some(unit);
+        let options = Options { axis: Some(0.0), unit: known, ..Options::default() };
+        let text = Drawing::new(solution, unit).text(format);
+        let read = import::read(text.as_bytes(), &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (stages, operations) = (drawn(&solution.case), std::iter::once(&read.first).chain(&read.later));
+        let operations: Vec<_> = operations.collect();
+        assert_eq!(operations.len(), stages.len(), "{name}");
+        operations.iter().zip(stages).for_each(|(operation, stage)| assert_same(operation, stage, name));
+    }
+}
+
+#[test]
+fn every_template_and_case_with_a_punch_comes_back_from_its_export() {
+    let templates = TEMPLATES.iter().map(|one| (one.name.to_owned(), parse(&one.fill(&[]).unwrap(), "new.toml", &[])));
+    let cases =
+        files("cases", "toml").into_iter().map(|path| (format!("cases: {}", path.display()), case::load(path, &[])));
+    let mut count = 0;
+    for (name, case) in templates.chain(cases) {
+        let case = case.unwrap();
+        let has_punch = |stage: &&Stage| stage.model.tools.iter().any(|tool| tool.role == Role::Punch);
+        if !drawn(&case).is_empty() && drawn(&case).iter().all(has_punch) {
+            assert_comes_back(&unsolved(case), &name);
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count}");
+}
+
+/// Trust: the case's own sizes.
+#[test]
+fn a_solved_case_comes_back_with_its_sheet_beside_it() {
+    for (template, layers) in [
+        ("cup", "BLANK PUNCH DIE HOLDER SHEET MIDLINE AXIS"),
+        (
+            "redraw",
+            "BLANK OP10_PUNCH OP10_DIE OP10_HOLDER OP10_SHEET OP10_MIDLINE OP20_PUNCH OP20_DIE OP20_HOLDER OP20_SHEET OP20_MIDLINE AXIS",
+        ),
+    ] {
+        let solution = parse(&find(template).unwrap().fill(&[]).unwrap(), "new.toml", &[]).unwrap().solve(&mut ());
+        let drawing = Drawing::new(&solution, DrawingUnit::MM);
+        let names: Vec<&str> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
+        assert_eq!(names.join(" "), layers);
+        assert_comes_back(&solution, template);
+        let sheet = drawing.layers.iter().find(|layer| layer.name.ends_with("SHEET")).unwrap();
+        let rim = solution.stages[0].frames.last().unwrap().nodes.last().unwrap();
+        let to_rim = |piece: &Piece| (piece.first() - Point::new(rim.r, rim.z)).norm();
+        let nearest = sheet.pieces.iter().map(to_rim).fold(f64::INFINITY, f64::min);
+        // Half the thickness is between the middle and a face.
+        assert!((nearest - 0.5 * rim.thickness).abs() < 1e-9, "{nearest}");
+        let svg = drawing.text(Format::Svg);
+        assert_eq!(
+            Document::parse(&svg).unwrap().descendants().filter(|node| node.has_tag_name("g")).count(),
+            names.len()
+        );
+        let pieces: usize = drawing.layers.iter().map(|layer| layer.pieces.len()).sum();
+        assert_eq!(drawing.text(Format::Csv).lines().count(), pieces + 1);
+    }
+}
+
+#[test]
+fn the_round_of_the_verbs_gives_the_same_case() {
+    let dir = TempDir::new().unwrap();
+    let run = |line: &str| {
+        let out = stampflow(dir.path(), &line.split(' ').collect::<Vec<_>>());
+        (out.status.code(), text(&out.stderr).to_owned())
+    };
+    let sizes = "--thickness 1mm --punch-diameter 80mm --height 30mm";
+    assert_eq!(run(&format!("new cup {sizes} -o cup.toml")).0, Some(0));
+    assert_eq!(run("export cup.toml -o tools.dxf -q").0, Some(0));
+    let case = Case::load(dir.path().join("cup.toml")).unwrap();
+    let (radius, travel) = (case.model().blank.length, case.model().travel);
+    let known = format!("--thickness 1mm --blank-radius {radius}mm --travel {travel}mm");
+    assert_eq!(run(&format!("import tools.dxf {known} -o again.toml")).0, Some(0));
+    let again = Case::load(dir.path().join("again.toml")).unwrap();
+    let (a, b) = (&case.model(), &again.model());
+    assert_eq!((a.blank.length, a.blank.thickness, a.travel), (b.blank.length, b.blank.thickness, b.travel));
+    for (a, b) in a.tools.iter().zip(&b.tools) {
+        for (a, b) in a.profile.pieces().iter().zip(b.profile.pieces()) {
+            let (off, x) = (b.first() - a.first(), a.tangent(false));
+            assert!((off - off.dot(&x) * x).norm() < 1e-6, "{a:?} {b:?}");
+        }
+    }
+    for (line, what) in [
+        ("export cup.toml -o tools.dxf", "is there already"),
+        ("export cup.toml -o tools.stp", "no drawing by its ending"),
+        ("export none.toml -o other.dxf", "none.toml"),
+    ] {
+        let (code, error) = run(line);
+        assert!(code == Some(2) && error.contains(what), "{line}: {error}");
+    }
+}
