@@ -54,8 +54,8 @@ fn the_package_holds_what_building_needs_and_no_more() {
     assert!(wanted.split(' ').all(|file| files.contains(file)), "{files:?}");
     assert_eq!(roots, known.split(' ').filter(|name| !name.starts_with('.') || roots.contains(name)).collect());
     let read = [
-        ".rs", ".toml", ".csv", ".ttf", ".txt", ".md", ".cff", ".lock", ".json", ".css", ".js", ".orig", "-MIT",
-        "-APACHE",
+        ".rs", ".toml", ".csv", ".dxf", ".ttf", ".txt", ".md", ".cff", ".lock", ".json", ".css", ".js", ".orig",
+        "-MIT", "-APACHE",
     ];
     for file in &files {
         assert!(!file.ends_with("/tests.rs"), "{file} is a test");
