@@ -2,7 +2,6 @@
 
 use super::*;
 use stampflow::case::comparison::{KINDS, Spec};
-use stampflow::grade::toml_files;
 use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 
@@ -61,7 +60,8 @@ pub fn is_curve(path: &Path) -> bool {
 /// Compares every case of a folder, or one case, with its references.
 fn references(args: &Args, path: &Path) -> Result<Code> {
     let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", path.display()));
-    let files = if path.is_dir() { toml_files(path).map_err(unreadable)? } else { vec![path.to_owned()] };
+    let files =
+        if path.is_dir() { stampflow::grade::toml_files(path).map_err(unreadable)? } else { vec![path.to_owned()] };
     let (mut cases, mut failed) = args.options.common.load_all(&files);
     cases.retain(|case| !case.compare.is_empty());
     let what = format!("no case in {} has a [[compare]] table", path.display());

@@ -1,6 +1,5 @@
 //! `stampflow fit`.
 
-use super::compare::is_curve;
 use super::*;
 use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, fit_laws, flow_curves, material_text};
 
@@ -37,7 +36,7 @@ pub fn fit(args: &Args) -> Result<Code> {
     place::file(&dir.join("fit.csv"), &[args.files.as_slice(), &args.to].concat(), "--out")?;
     let folder = || study_folder("fit", &dir).map_err(unusable("--out"));
     let fitted = match args.files.as_slice() {
-        tests if tests.iter().all(|path| is_curve(path)) => laws(args, (&dir, folder()?)),
+        tests if tests.iter().all(|path| compare::is_curve(path)) => laws(args, (&dir, folder()?)),
         [file] => keys(args, file, (&dir, folder()?)),
         _ => Err(bad_request("give tension tests, or one case or study file")),
     };

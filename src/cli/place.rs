@@ -3,12 +3,11 @@
 use super::*;
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::Component;
 
 /// Folder of a case among others.
 pub fn folder(others: &Path, case: &Case) -> Result<PathBuf> {
     let (path, name) = (case.path.display(), &case.name);
-    let is_folder = Path::new(name).components().map(|part| matches!(part, Component::Normal(_))).eq([true]);
+    let is_folder = Path::new(name).components().map(|part| matches!(part, std::path::Component::Normal(_))).eq([true]);
     let what = || format!("the results of {path} would go to \"{name}\", which is no folder of their own: rename it");
     ensure!(is_folder, bad_request(what()));
     Ok(others.join(name))

@@ -1,6 +1,5 @@
 //! `stampflow sweep`, `search`, `scatter` and `merge`, and the options and output that all studies share.
 
-use super::progress::Count;
 use super::*;
 use stampflow::study::{
     self, BaseCase, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep, TableFile,
@@ -153,7 +152,7 @@ impl StudyOptions {
     }
 
     /// Progress of the runs of a file.
-    pub fn count(&self, file: &Path, what: &str) -> Count {
+    pub fn count(&self, file: &Path, what: &str) -> progress::Count {
         self.common.progress().count(format!("{}, {what}", stem(file)))
     }
 
