@@ -80,8 +80,8 @@ impl ResultFolder {
             return Ok(());
         }
         fs::create_dir_all(&self.part)?;
-        let synced = self.written.par_iter().try_for_each(|name| File::open(self.part.join(name))?.sync_all());
-        synced.map_err(|error| unchanged(&error))?;
+        let flush = |name: &PathBuf| File::options().append(true).open(self.part.join(name))?.sync_all(); // as Windows asks
+        self.written.par_iter().try_for_each(flush).map_err(|error| unchanged(&error))?;
         sync(&self.part);
         if !self.path.exists() {
             fs::rename(&self.part, &self.path)?;
