@@ -122,7 +122,7 @@ impl Drawing {
             frames().flat_map(|frame| frame.nodes.iter().map(move |node| Point::new(node.r, node.z - up(frame))));
         let flat = Bounds { low: Point::zeros(), high: Point::new(stage.model.blank.length, 0.0) };
         let around = passed.fold(flat, Bounds::with);
-        let profile = tool.profile.cut_to(&around, MARGIN * (around.high - around.low).max());
+        let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
         let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000")][tool.role as usize];
         self.add(format!("{prefix}{}", tool.role.name().to_uppercase()), color, profile.pieces().to_vec(), None);

@@ -1,7 +1,7 @@
 //! Standard tool shapes, placed so that they touch a flat sheet of thickness t whose mid-surface is z = 0:
 //! punch and holder below (their faces at z = −t/2), the die above (its face at z = +t/2).
 
-use super::{Bounds, Piece, Point, Profile};
+use super::{Piece, Point, Profile};
 use crate::numerics::bisect;
 use crate::units::rounded;
 use std::f64::consts::FRAC_PI_2;
@@ -250,8 +250,8 @@ impl Profile {
         ])
     }
 
-    /// Profile whose walls that go on without end are cut `margin` beyond a box \[mm\].
-    pub(crate) fn cut_to(&self, around: &Bounds, margin: f64) -> Self {
+    /// Profile whose endless walls are cut `margin` beyond a box, by its lower and upper corner \[mm\].
+    pub fn cut_to(&self, around: [Point; 2], margin: f64) -> Self {
         let mut pieces = self.pieces().to_vec();
         let last = pieces.len() - 1;
         pieces[last] = cut_wall(&pieces[last], around, margin);
@@ -261,10 +261,9 @@ impl Profile {
 }
 
 /// Wall from its corner outward, cut beyond a box if it goes on without end.
-fn cut_wall(piece: &Piece, around: &Bounds, margin: f64) -> Piece {
+fn cut_wall(piece: &Piece, [low, high]: [Point; 2], margin: f64) -> Piece {
     let (corner, direction) = (piece.first(), piece.tangent(true));
-    let corners =
-        [around.low, around.high, Point::new(around.low.x, around.high.y), Point::new(around.high.x, around.low.y)];
+    let corners = [low, high, Point::new(low.x, high.y), Point::new(high.x, low.y)];
     let reach = corners.map(|p| (p - corner).dot(&direction)).into_iter().fold(0.0, f64::max) + margin;
     let is_endless = matches!(piece, Piece::Segment(_)) && piece.length() > ENDLESS * corner.x.max(margin);
     if is_endless && reach < piece.length() { Piece::line(corner, corner + reach * direction) } else { *piece }

@@ -16,8 +16,8 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
 const LARGEST: f64 = 500.0;
 
 impl DrawingUnit {
-    /// $INSUNITS.
-    pub(crate) fn code(self) -> usize {
+    /// Number in the header of a DXF file, $INSUNITS.
+    pub fn code(self) -> usize {
         UNITS.split(", ").position(|name| name == self.0).map_or(0, |i| i + 1)
     }
 }
