@@ -116,6 +116,8 @@ pub mod solver;
 #[cfg(feature = "app")]
 pub mod study;
 pub mod table;
+#[cfg(feature = "app")]
+pub mod tester;
 pub mod units;
 
 pub use case::{Case, Solution};

@@ -17,9 +17,9 @@ options! {
             "Plastic strain where the fit begins [default: the offset]",
         until: Option<f64> = "STRAIN" [long, value_parser = strain]
             "Plastic strain where the fit ends [default: at the largest force]",
-        section: Option<f64> = "AREA" [long, value_parser = |text: &str| measured(text, "an area", "20 mm^2")]
+        section: Option<f64> = "AREA" [long, visible_alias = "area", value_parser = |text: &str| measured(text, "an area", "20 mm^2")]
             "Section of the specimen, for forces: \"20 mm^2\"",
-        gauge: Option<f64> = "LENGTH" [long, value_parser = |text: &str| measured(text, "a length", "80 mm")]
+        gauge: Option<f64> = "LENGTH" [long, visible_alias = "gauge-length", value_parser = |text: &str| measured(text, "a length", "80 mm")]
             "Gauge length, for elongations: \"80 mm\"",
         rate: Vec<f64> = "A,B,C" [long, value_delimiter = ',']
             "Strain rate of each test in 1/s, in their order: 0.001,1; fits a power of it",

@@ -58,16 +58,18 @@ pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> 
 
 pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {
     let name = path.display().to_string();
-    let text = Disk.text(path, files::CSV).map_err(|error| {
-        let help = files::remedy(&error, "give the path of a CSV file");
-        StudyError::new(format!("cannot read {name}: {error}"), help)
-    })?;
+    let text = Disk.text(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
     Csv::read(&text, "the file", example).map_err(|error| csv_error(&name, error))
 }
 
 pub(super) fn csv_error(name: &str, error: CsvError) -> StudyError {
     let line = error.line.map_or_else(String::new, |line| format!(", line {line}"));
     StudyError::new(format!("{name}{line}: {}", error.what), error.help)
+}
+
+pub(super) fn unreadable(name: &str, error: &std::io::Error) -> StudyError {
+    let help = files::remedy(error, "give the path of a CSV file");
+    StudyError::new(format!("cannot read {name}: {error}"), help)
 }
 
 pub(super) fn has_word(header: &str, any: &[&str]) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::common::prelude::*;
 use stampflow::numerics::least_squares::Ended;
-use stampflow::study::fit::{CaseFit, CaseFitRequest, Estimate, LawFits, fit_case, material_text};
+use stampflow::study::fit::{CaseFit, CaseFitRequest, Estimate, LawFits, fit_case, flow_curves, material_text};
 use std::fmt::Write;
 
 /// Laws as they are common for sheet, with the parameters in the order of their estimates.
@@ -259,4 +259,21 @@ fn the_osu_curve_gives_its_own_friction_and_strength_back() {
     }
     let k = &fit.estimates[1];
     assert!((k.value / 589.0 - 1.0).abs() < 0.05, "{k:?}");
+}
+
+/// Trust: the law that the files were written of, rounded as testing machines round; 20 mm² and 80 mm are the specimen's.
+#[test]
+fn exports_of_testing_machines_are_read_in_three_languages() {
+    let reduction = Reduction { section: Some(20.0), gauge: Some(80.0), ..Reduction::default() };
+    for (name, reduction) in [("german", reduction), ("french", Reduction::default()), ("english", reduction)] {
+        let path = PathBuf::from(format!("tests/foreign/tension/{name}.csv"));
+        let curves = flow_curves(&[path], &reduction, &[], &[], &()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let fits = fit_laws(curves, Some(HardeningKind::Swift), &()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        for (estimate, truth) in fits.best().estimates.iter().zip([520.0, 0.22, 0.005]) {
+            assert!((estimate.value / truth - 1.0).abs() < 0.02, "{name}: {} {truth}", estimate.value);
+        }
+    }
+    let error =
+        FlowCurve::read("Kraft;Weg\n1,0;0,1\n2,0;0,2\n", "test.csv", &reduction).expect_err("no unit").to_string();
+    assert!(error.contains("must end in a unit"), "{error}");
 }

@@ -1,11 +1,13 @@
 //! Reduction of tension tests: elastic line, yield stress, uniform elongation, flow curve.
 
 use super::tension::{EXAMPLE, FlowPoint, rows};
+use crate::case::files::{self, Disk, Files};
 use crate::numerics::statistics::block_means;
 use crate::study::error::ensure;
-use crate::study::measured_curve::{csv_error, read_csv};
+use crate::study::measured_curve::{csv_error, unreadable};
 use crate::study::{StudyError, Watch, fail};
 use crate::table::Csv;
+use crate::tester;
 use crate::units::{Amount, joined, significant};
 use std::path::PathBuf;
 
@@ -71,7 +73,7 @@ impl Default for Reduction {
 impl FlowCurve {
     /// Reads and reduces a test from a text.
     pub fn read(text: &str, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
-        Self::new(&Csv::read(text, "the test", EXAMPLE).map_err(|error| csv_error(name, error))?, name, reduction)
+        Self::new(&tester::read(text, EXAMPLE).map_err(|error| csv_error(name, error))?, name, reduction)
     }
 
     fn new(csv: &Csv, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
@@ -179,7 +181,9 @@ pub fn flow_curves(
     let mut curves: Vec<FlowCurve> = Vec::new();
     for (i, path) in tests.iter().enumerate() {
         ensure(!watch.wants_to_stop(), "interrupted", "begin again")?;
-        let csv = read_csv(path, EXAMPLE)?;
+        let name = path.display().to_string();
+        let bytes = Disk.read(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
+        let csv = tester::read(&tester::text(bytes), EXAMPLE).map_err(|error| csv_error(&name, error))?;
         let (rate, direction) = (rates.get(i).copied(), directions.get(i).copied());
         let curve = FlowCurve { rate, direction, ..FlowCurve::new(&csv, &path.to_string_lossy(), reduction)? };
         // Equal numbers are no second measurement, and would make every interval narrower.

@@ -34,7 +34,7 @@ const RATIO: [Unit; 2] = [Unit::None, Unit::Percent];
 pub(super) const EXAMPLE: &str =
     "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
 const NAMES: &str = "name them as in `engineering_strain_percent,engineering_stress_MPa`, `true_strain,true_stress_MPa`, \
-                     `plastic_strain,true_stress_MPa` or `elongation_mm,force_kN`";
+                     `plastic_strain,true_stress_MPa` or `elongation_mm,force_kN`, or as your tester does: `Kraft [kN];Weg [mm]`";
 const FEWEST: usize = 5;
 /// Fall of the strain from one row to the next that is noise of an extensometer \[–\].
 const BACK: f64 = 1e-3;
