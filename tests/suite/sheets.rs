@@ -95,6 +95,7 @@ fn limits_of_a_band_are_those_of_their_sources() {
     assert!(checked > 60, "{checked}");
 }
 
+const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 /// Trust: the band itself: Rm and the uniform strain of the middle, the upper and the lower end; Rp0.2 where Swift's law can have it.
 #[test]
 fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
@@ -102,9 +103,8 @@ fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
         [("dc04", "", [175.0, 310.0]), ("dc04", "strong", [210.0, 350.0]), ("en-aw-1050", "weak", [24.0, 65.0])]
     {
         let coil = if coil.is_empty() { Vec::new() } else { vec![format!("material.coil={coil}")] };
-        let text = include_str!("../../cases/quickstart.toml");
         let set = [vec![format!("material={name}")], coil.clone()].concat();
-        let case = case::parse(text, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
+        let case = case::parse(QUICKSTART, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
         let [_, strength] = case.model().material.load_maximum(1.0, 293.15);
         let proof = case.model().material.hardening.at(0.002).stress;
         assert!((strength - strengths[1]).abs() < 0.01 && (proof - strengths[0]).abs() < 0.5, "{proof} {strength}");
@@ -115,11 +115,10 @@ fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
 /// Trust: the factor itself, on a law with back-stresses and one without.
 #[test]
 fn strength_scales_the_flow_stress_of_a_sheet() {
-    let text = include_str!("../../cases/quickstart.toml");
     for set in [&["material=dc04"][..], &["material=aa5754-o", "material.mode=elasto_viscoplastic"]] {
         let stress = |more: &[&str]| {
             let set: Vec<String> = set.iter().chain(more).map(|set| set.to_string()).collect();
-            let case = case::parse(text, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
+            let case = case::parse(QUICKSTART, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
             case.model().material.monotonic(0.1, 0.0).stress
         };
         assert!((stress(&["material.strength=1.08"]) / stress(&[]) - 1.08).abs() < 1e-12);
