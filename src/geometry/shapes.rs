@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Angle of a tractrix to the axis at which it is left for an arc into the throat \[rad\]; declared: 20°.
 const TAIL: f64 = 20.0 * std::f64::consts::PI / 180.0;
 /// Arcs of a tractrix: with a throat of 30 mm and a mouth of 60 mm they are within 0.02 mm.
-const ARCS: usize = 32;
+const ARCS: usize = 40;
 /// Coordinates that are one \[mm\].
 const SAME: f64 = 1e-6;
 
