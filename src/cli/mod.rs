@@ -126,9 +126,9 @@ enum Verb {
 }
 
 /// Reads the command line and does what it asks for; a panic is an error.
-pub fn main() -> ExitCode {
+pub fn main(words: &[std::ffi::OsString]) -> ExitCode {
     bug::listen();
-    let code = caught("the program", command).unwrap_or_else(|error| complained(&[error], Code::Done));
+    let code = caught("the program", || command(words)).unwrap_or_else(|error| complained(&[error], Code::Done));
     ExitCode::from(code as u8)
 }
 
@@ -141,8 +141,8 @@ fn program() -> clap::Command {
     Args::command().mut_subcommands(with_help).mut_subcommand("new", new::command)
 }
 
-fn command() -> Result<Code> {
-    let matches = program().try_get_matches().or_else(|error| {
+fn command(words: &[std::ffi::OsString]) -> Result<Code> {
+    let matches = program().try_get_matches_from(words).or_else(|error| {
         // The message quotes the command line, whose control characters are printed as codes.
         let has_codes = std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)));
         if error.use_stderr() && (Json::is_requested() || has_codes) {

@@ -41,9 +41,17 @@ pub fn can_write(path: &Path) -> Result<(), WriteError> {
         }
         let part = hidden(path, "part")?;
         let _folders = NewFolders::make(folder_of(path))?;
+        can_replace(path)?;
         Lock::wait(&part).map(drop)
     };
     probe().map_err(|source| WriteError::new(path, source))
+}
+
+/// Refuses a file that is write-protected or, on Windows, held by another program; opening it for writing changes nothing.
+pub(super) fn can_replace(path: &Path) -> io::Result<()> {
+    let opened = if path.is_file() { File::options().append(true).open(path).map(drop) } else { Ok(()) };
+    let remedy = "it is write-protected or open in another program: close it and run again; nothing was changed";
+    opened.map_err(|error| io::Error::new(error.kind(), format!("{}: {error}; {remedy}", path.display())))
 }
 
 /// Replaces the content of an open file; a failure says how much was to be written.

@@ -4,9 +4,10 @@
 //!
 //! Files of other origin are hard-linked into the new set before the exchange. The set goes in file by file if folders cannot be
 //! exchanged: no support by the system, a program standing in the folder (`--out .`), more than [`MOST_CARRIED`] other files.
+//! Nothing goes in while another program holds one of the files that would change.
 //! If nothing can be made beside the folder (a protected parent), the names stand inside it.
 
-use super::file::{Lock, NewFolders, WriteError, can_write, fill, folder_of, hidden};
+use super::file::{Lock, NewFolders, WriteError, can_replace, can_write, fill, folder_of, hidden};
 use rayon::prelude::*;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind};
@@ -84,9 +85,7 @@ impl ResultFolder {
         self.written.par_iter().try_for_each(flush).map_err(|error| unchanged(&error))?;
         sync(&self.part);
         if !self.path.exists() {
-            fs::rename(&self.part, &self.path)?;
-            sync(folder_of(&self.path));
-            return Ok(());
+            return fs::rename(&self.part, &self.path).map(|()| sync(folder_of(&self.path)));
         }
         fs::set_permissions(&self.part, fs::metadata(&self.path)?.permissions())?;
         let stands_in = std::env::current_dir().is_ok_and(|here| here.starts_with(&self.path));
@@ -109,6 +108,7 @@ impl ResultFolder {
     fn replace_each(&self) -> io::Result<()> {
         let is_stale = |name: &PathBuf| (self.is_ours)(&self.path, name) && !self.written.contains(name);
         let stale: Vec<_> = entries(&self.path)?.into_iter().filter(is_stale).collect();
+        self.written.iter().chain(&stale).try_for_each(|name| can_replace(&self.path.join(name)))?;
         for name in &self.written {
             let (from, to) = (self.part.join(name), self.path.join(name));
             fs::create_dir_all(folder_of(&to))?;

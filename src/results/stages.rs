@@ -16,10 +16,7 @@ pub(super) const HEADERS: &str = "stage,name,stop,";
 
 /// Folders of the stages in a table: `1-draw`.
 pub(super) fn folders(list: &str) -> Vec<String> {
-    let label = |line: &str| {
-        line.split_once(',').map(|(i, rest)| format!("{i}-{}", rest.split(',').next().unwrap_or_default()))
-    };
-    list.lines().skip(1).filter_map(label).collect()
+    list.lines().skip(1).map(|line| line.split(',').take(2).collect::<Vec<_>>().join("-")).collect()
 }
 
 /// Names of all stages, how they ended, and the solutions of those that were run; none of a case with one stage.

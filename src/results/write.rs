@@ -73,17 +73,11 @@ fn refuse_others(dir: &Path) -> Result<(), WriteError> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
         entries => entries.map_err(|source| WriteError { path: dir.to_owned(), source })?,
     };
-    for path in entries.flatten().map(|entry| entry.path()) {
-        if !path.file_name().and_then(|name| name.to_str()).is_some_and(is_result) {
-            continue;
-        }
-        if !is_of_a_run || path.is_symlink() || path.is_dir() {
-            let source =
-                io::Error::new(ErrorKind::AlreadyExists, "it is there, and nothing says that a run has written it");
-            return Err(WriteError { path, source });
-        }
-    }
-    Ok(())
+    let has_its_name = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).is_some_and(is_result);
+    let is_other = |path: &PathBuf| !is_of_a_run || path.is_symlink() || path.is_dir();
+    let what = "it is there, and nothing says that a run has written it";
+    let refused = |path| Err(WriteError::new(path, io::Error::new(ErrorKind::AlreadyExists, what)));
+    entries.flatten().map(|entry| entry.path()).filter(has_its_name).find(is_other).map_or(Ok(()), refused)
 }
 
 /// Solution with its views, comparisons and error bars.
