@@ -1,7 +1,7 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
 use super::finding::labels;
-use super::press::{Load, RESERVE};
+use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::{Finding, Light, formed, forming_limit, judgements};
 use crate::case::Case;
@@ -201,9 +201,9 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let (press, reserve) = match case.press.force {
         Some(rating) => {
             let share = Amount::share(pressed.force() / rating);
-            (format!("{share} of the press's {}", amount(rating).to(Digits::Given(3))), String::new())
+            (format!("{share} of the press's {}", with_tonnes(amount(rating).to(Digits::Given(3)))), String::new())
         }
-        None => (format!("a press of at least {}", pressed.rating()), format!("({RESERVE} times the load)")),
+        None => (format!("press of at least {}", pressed.rating()), format!("({RESERVE} × the load)")),
     };
     let with_holder = if pressed.holder() > 0.0 { "with the holder" } else { "" };
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");

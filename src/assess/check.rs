@@ -152,14 +152,63 @@ fn details(model: &Model) -> Vec<Line> {
     lines.into_iter().flatten().collect()
 }
 
+/// Lines of the full text alone.
+const DETAILS: [&str; 6] = ["volume", "theory", "material source", "friction source", "elements", "compare"];
+/// Lines that stand in the row of the line before if they fit.
+const APPENDED: [&str; 5] = ["thickness", "clearance", "draw ratio", "holder pressure", "advised pressure"];
+/// Rows of the brief text, and columns of its texts.
+const ROWS: usize = 24;
+const COLUMNS: usize = 60;
+
+impl Check {
+    /// Rows with their labels: all, or the brief ones.
+    fn rows(&self, is_full: bool) -> Vec<(&str, String)> {
+        let mut rows: Vec<(&str, String)> = Vec::new();
+        for Line { label, value, meaning, .. } in &self.lines {
+            let text = joined([value.clone(), meaning.clone()], " ");
+            let appended = rows.last().map(|(_, row)| format!("{row}, {label} {value}"));
+            let appended = appended.filter(|row| APPENDED.contains(&label.as_str()) && row.chars().count() <= COLUMNS);
+            match (rows.last_mut(), appended) {
+                _ if is_full => rows.push((label, text)),
+                (Some((_, row)), Some(appended)) => *row = appended,
+                _ if DETAILS.contains(&label.as_str()) => {}
+                _ => rows.push((label, shortened(&text, COLUMNS))),
+            }
+        }
+        rows
+    }
+
+    /// Notes: all, or the beginning of as many as there is room for.
+    fn notes(&self, is_full: bool, rows: usize) -> Vec<String> {
+        let headings = if self.warnings.is_empty() { 6 } else { 8 };
+        let room = ROWS.saturating_sub(rows + headings + 2 * self.warnings.len()).max(1);
+        let room = if self.notes.len() > room { (room - 1).max(1) } else { room };
+        let left = self.notes.len().saturating_sub(room);
+        if is_full {
+            return self.notes.clone();
+        }
+        let notes =
+            self.notes.iter().take(room).map(|note| shortened(note.trim_start_matches("declared: "), COLUMNS + 14));
+        notes.chain((left > 0).then(|| format!("{left} more: --verbose prints all"))).collect()
+    }
+}
+
+/// Text cut between words to a number of letters.
+fn shortened(text: &str, most: usize) -> String {
+    let Some((end, _)) = text.char_indices().nth(most - 1) else { return text.to_owned() };
+    let words = text[..end].rfind(' ').map_or(&text[..end], |end| &text[..end]);
+    format!("{} …", words.trim_end_matches([',', ';', ':']))
+}
+
+/// Brief text of one screen; with `{:#}` everything.
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}\n", self.title)?;
-        let width = self.lines.iter().map(|line| line.label.chars().count()).max().unwrap_or(0);
-        for Line { label, value, meaning, .. } in &self.lines {
-            writeln!(f, "  {label:<width$}  {}", joined([value.clone(), meaning.clone()], " "))?;
-        }
-        for (heading, entries) in [("notes", &self.notes), ("warnings", &self.warnings)] {
+        let rows = self.rows(f.alternate());
+        let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
+        rows.iter().try_for_each(|(label, text)| writeln!(f, "  {label:<width$}  {text}"))?;
+        let notes = self.notes(f.alternate(), rows.len());
+        for (heading, entries) in [("assumed", &notes), ("warnings", &self.warnings)] {
             if !entries.is_empty() {
                 writeln!(f, "\n{heading}")?;
             }

@@ -46,7 +46,7 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let total = run.stages[0].model.blank.length / run.stages.iter().rev().find_map(radius)?;
     // The template's own radii are rounded.
     let needed = 1 + ((total / CAREFUL_RATIO - 1e-3).ln() / REDRAW_RATIO.ln()).ceil().max(0.0) as usize;
-    let (text, is_deep) = (format!("{{}} from punch to punch, {total:.2} in all"), needed > draws);
+    let (text, is_deep) = (format!("{{}} from punch to punch; {total:.2} in all"), needed > draws);
     let text = if is_deep { format!("{text}, which takes {needed} draws of mild steel, not {draws}") } else { text };
     Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
         .number(Amount::ratio(ratio))
@@ -74,10 +74,10 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             let pressure = (press.force.smallest() - beads).max(0.0) / area;
             let advised = siebel_pressure(model)?;
             let [wanted, least] = [advised, pressure].map(Amount::stress);
-            judged("Wrinkle index", format!("{{}}: {wanted} advised over {least}; {itself}"))
+            judged("Wrinkle index", format!("{{}}; {wanted} advised over {least}; {itself}"))
                 .number(Amount::ratio(advised / pressure))
                 .at_most(LIMITS[0], LIMITS[1])
-                .limit(format!("1, red above {}", LIMITS[1]))
+                .limit(format!("1 at most, red above {}", LIMITS[1]))
                 .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
         }
         Some(Motion::Gap(gap)) => judged("Wrinkle room", format!("holder fixed {{}} from the die; {itself}"))
@@ -85,7 +85,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             .at_most(GAP, None),
         _ => {
             let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
-            let text = format!("nothing holds the flange: blank less punch diameter is {{}}; {itself}");
+            let text = format!("blank less punch diameter {{}}; nothing holds the flange; {itself}");
             judged("Wrinkle index", text).number(Amount::thicknesses(beyond / t)).at_most(FREE[0], FREE[1])
         }
     })
@@ -118,13 +118,13 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);
     let [along, diagonal, across] = ears.map(Amount::place);
     let text = format!(
-        "ears of {{}}: at 0, 45 and 90° to rolling the rim lies {along}, {diagonal} and {across} beyond the computed mean \
+        "ears of {{}}; at 0, 45 and 90° to rolling the rim lies {along}, {diagonal} and {across} beyond the computed mean \
          (Δr = {})",
         Amount::ratio(r.planar())
     );
     Finding::judged("ears", "Ears", text)
         .number(Amount::place(height))
-        .limit("not judged: more is trimmed off")
+        .limit("none: more is trimmed off")
         .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011, abstract read)")
         .into()
 }

@@ -225,7 +225,7 @@ impl ErrorBars {
             let notes = self.notes.iter().filter(|note| *note != why).cloned();
             return [format!("no error bars: {why}")].into_iter().chain(notes).collect();
         }
-        let what = "what mesh, steps and contact leave open; laws and friction are no part of them";
+        let what = "mesh, steps and contact, not laws and friction";
         let without = without.into_iter().map(|(label, why)| format!("{label}: no error bar, {why}"));
         [format!("{}: {what}", self.method())].into_iter().chain(without).chain(self.notes.iter().cloned()).collect()
     }

@@ -192,6 +192,20 @@ impl Finding {
         }
     }
 
+    /// Label, first clause, and limit of a green row.
+    pub fn brief(&self) -> [String; 3] {
+        let limit = first_clause(&self.limit).split(", red").next().unwrap_or_default();
+        [self.label.into(), first_clause(&self.statement()).into(), limit.into()]
+    }
+
+    /// Limit with its source; of a grey row what to give.
+    pub fn sourced_limit(&self) -> String {
+        match self.light {
+            Light::Grey if !self.advice.is_empty() => self.advice.clone(),
+            _ => format!("{} ({})", self.limit, self.source),
+        }
+    }
+
     /// Number that is judged, in its unit.
     pub fn value(&self) -> Option<f64> {
         self.quantity.as_ref().map(|quantity| quantity.amount.value)
@@ -206,6 +220,11 @@ impl Finding {
     pub fn sentence(&self) -> String {
         joined([self.statement(), self.advice.clone()], ": ")
     }
+}
+
+/// First clause of a text, up to a semicolon.
+pub fn first_clause(text: &str) -> &str {
+    text.split("; ").next().unwrap_or(text)
 }
 
 /// Rows of the verdict.
@@ -235,6 +254,16 @@ pub fn headline(findings: &[Finding]) -> String {
         }
     };
     joined([Light::Red, Light::Amber, Light::Grey, Light::Green].map(part), ", ")
+}
+
+/// Rows that are not judged, with the key to give: `Press force, Energy ([press]), Hardening law (fitted_up_to)`.
+pub fn unchecked(findings: &[Finding]) -> String {
+    let group = |group: Vec<&Finding>| {
+        let labels = joined(group.iter().map(|finding| finding.label.into()), ", ");
+        let key = group[0].advice.split('`').nth(1);
+        key.map_or(labels.clone(), |key| format!("{labels} ({key})"))
+    };
+    joined(by_advice(findings, Light::Grey).into_iter().map(group), ", ")
 }
 
 /// Rows of the verdict of a light, grouped by advice.

@@ -1,6 +1,7 @@
 //! Distance to the forming limit.
 
 use super::design::THIN;
+use super::tear::place;
 use super::{Finding, Light, Run};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, Curve, Judged, assess};
@@ -60,18 +61,18 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let Some(Nearest { curve, stage, assessment, .. }) = &run.nearest else { return Some(missing()) };
     let name = if curve.is_usual { format!("{}, computed, not measured", curve.name) } else { curve.name.to_owned() };
     if let (Some(open), None) = (assessment.open(), assessment.reached) {
-        return Some(unjudged(&name, open));
+        return Some(unjudged(&name, open, &place(run.stages, open.s0)));
     }
     let worst = assessment.worst();
-    let (s0, margin) = (Amount::place(worst.s0), Amount::ratio(worst.margin().abs()));
+    let (at, margin) = (place(run.stages, worst.s0), Amount::ratio(worst.margin().abs()));
     let side = if worst.margin() < 0.0 { "beyond it" } else { "left" };
-    let uses = format!("uses {{}} of the limit at s0 = {s0}, {margin} of major true strain {side}");
+    let uses = format!("uses {{}} of the limit; {at}, {margin} of major true strain {side}");
     let reached = assessment.reached.map_or_else(String::new, |reached| {
         let when = match stage.model.travel > 0.0 {
             true => format!("{} of travel", Amount::place(reached.travel)),
             false => Amount::time(reached.time).to_string(),
         };
-        format!("first reached at {when}, s0 = {}", Amount::place(reached.s0))
+        format!("first reached at {when}, {}", place(run.stages, reached.s0))
     });
     // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
@@ -89,7 +90,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     };
     judged
         .light(light)
-        .limit(format!("{name}: not reached, below {} of it", Amount::given_share(CAREFUL)))
+        .limit(format!("below {}; of {name}, not reached", Amount::given_share(CAREFUL)))
         .source(match curve.is_usual {
             true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
             false => "the case's curve; the share is a declared rule of thumb",
@@ -98,11 +99,10 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
 }
 
 /// Place strained beyond the end of the curve, where nothing is judged.
-fn unjudged(name: &str, open: &Judged) -> Finding {
+fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
     let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::ratio);
-    let s0 = Amount::place(open.s0);
     let text = format!(
-        "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"
+        "not judged {at}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"
     );
     judged(text)
         .light(Light::Amber)
@@ -120,5 +120,5 @@ fn missing() -> Finding {
     judged("no forming limit")
         .light(Light::Grey)
         .limit("a forming limit, which this case has not")
-        .advice("write [forming_limit] with the measured points of the coil, or a computed curve such as hill = true")
+        .advice("write `[forming_limit]` with the measured points of the coil, or a computed curve such as hill = true")
 }

@@ -15,9 +15,9 @@ pub(super) fn row(run: &Run) -> Option<Finding> {
     Finding::judged("friction", "Friction", "{} at most; less and more were not solved")
         .number(Amount::number(most))
         .light(Light::Grey)
-        .limit(format!("± {CHANGE} changes no line of the verdict"))
+        .limit("changes no other line")
         .source("declared: lubrication varies by so much")
-        .advice("`run`, `report` and `check --run` solve it with less and more")
+        .advice("without `--no-advice` it is solved with less and more")
         .into()
 }
 
@@ -55,7 +55,7 @@ pub fn judge(solution: &Solution, others: &[Solution], findings: &mut [Finding])
     }
     let row = &mut findings[place];
     row.text = match changes.is_empty() {
-        true => format!("{{}} ± {CHANGE} changes no line of the verdict"),
+        true => format!("{{}} ± {CHANGE}; changes no line of the verdict"),
         false => format!("{{}}; {}", joined(changes, ", ")),
     };
     row.light = light;

@@ -65,14 +65,14 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
     let (pressure, most) = (holder_pressure(model).unwrap_or(0.0), PRESSURE * flange_strength(model));
-    let mut text = format!("lifted by {{}} at most; presses with {} at first", Amount::stress(pressure));
+    let mut text = format!("lifted by {{}}; presses with {} at first", Amount::stress(pressure));
     if last.rim_share > RIM_SHARE {
         text += &format!("; at the end it sits on the outer {} only", Amount::size(StepRecord::RIM * thickness));
     }
     let [lifted, off] = LIFTED.map(|times| Amount::thickness(times * thickness));
     let judged = judged(run.of_stage(text, 0)).number(Amount::thickness(lift)).at_most(lifted.value, off.value);
     let light = if pressure > most { judged.light.max(Light::Amber) } else { judged.light };
-    let limit = format!("lifted by {lifted}, red above {off}; {}", Amount::stress(most));
+    let limit = format!("{lifted} at most, red above {off}; at most {}", Amount::stress(most));
     Some(judged.limit(limit).light(light))
 }
 
@@ -95,7 +95,7 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
-    let text = format!("the sheet left the {tool} at {{}} of travel; the {tool} stands still from there on");
+    let text = format!("the sheet left the {tool} at {{}} of travel; it stands still from there on");
     let warning = Finding::warning("holder_lost", "Holder", text).number(Amount::place(travel));
     Some(warning.at_least(stage.model.travel, None))
 }

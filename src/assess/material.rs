@@ -125,7 +125,7 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
         None => judged
             .light(Light::Grey)
             .limit("a formula: the range of its fit is not in the case")
-            .advice("write the range of the fit as [material] fitted_up_to"),
+            .advice("write the range of the fit as `fitted_up_to` in [material]"),
         Some(end) => judged
             .at_most(end, None)
             .limit(format!("{ends} {}", Amount::number(end)))

@@ -4,12 +4,14 @@ use super::{Finding, Light, Run, at_event, formed};
 use crate::model::{Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
-use crate::units::{Amount, Digits, joined};
+use crate::units::{Amount, Digits, DisplaySettings, joined};
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
 /// Rating over the largest load \[–\]: a declared rule of thumb.
 pub(super) const RESERVE: f64 = 1.2;
+/// Metric tonne-force \[N\].
+const TONNE: f64 = 9806.65;
 
 /// Largest load of a press: its ram bears the punch, and with it the cushion that presses the holder.
 pub(super) struct Load<'a> {
@@ -38,12 +40,22 @@ impl<'a> Load<'a> {
         self.step.punch_force + self.holder()
     }
 
-    /// Least rating of a press for it, rounded up.
-    pub fn rating(&self) -> Amount {
+    /// Least rating of a press for it, rounded up: `67 kN (6.8 t)`.
+    pub fn rating(&self) -> String {
         let least = RESERVE * self.force();
         let second_digit = 10f64.powi(least.log10().floor() as i32 - 1);
         let rating = (least / second_digit - 1e-9).ceil() * second_digit;
-        Amount::force(rating, self.on.model.extent().force_unit()).to(Digits::Given(3))
+        with_tonnes(Amount::force(rating, self.on.model.extent().force_unit()))
+    }
+}
+
+/// Force as the data sheet of a press has it, in metric tonnes-force too: `812 kN (83 t)`.
+pub(super) fn with_tonnes(force: Amount) -> String {
+    match force.unit {
+        Unit::N if DisplaySettings::current() == DisplaySettings::Si => {
+            format!("{force} ({} t)", Amount::new(force.value / TONNE, Unit::None, Digits::Significant(2)))
+        }
+        _ => force.to_string(),
     }
 }
 
@@ -79,8 +91,10 @@ fn rated(judged: Finding, load: Amount, rating: Option<f64>) -> Finding {
     let (judged, depth) = (judged.number(load).source("the press's data sheet"), per_depth(load));
     let Some(rating) = rating else {
         let depth = if depth.is_empty() { "" } else { "blank.depth, and " };
-        let advice = format!("give {depth}[press] force and energy: the ratings on its data sheet");
+        let advice = format!("give {depth}`[press]` force and energy: the ratings on its data sheet");
         return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
     };
-    judged.at_most(NEAR * rating, rating).limit(format!("{}{depth}", load.with_value(rating).to(Digits::Given(3))))
+    judged
+        .at_most(NEAR * rating, rating)
+        .limit(format!("{}{depth}", with_tonnes(load.with_value(rating).to(Digits::Given(3)))))
 }

@@ -18,7 +18,7 @@ struct Check {
 }
 
 const WORK: Check = Check {
-    text: "{} of the tools' work is missing in the balance",
+    text: "{} of the work is missing; in the balance of what the tools do",
     advice: "take smaller steps (solver.max_step)",
     limit: 0.01,
     red: None,
@@ -27,21 +27,21 @@ const WORK: Check = Check {
 
 const CHECKS: [Check; 5] = [
     Check {
-        text: "{} of the plastic work is done in nearly rigid zones, where stresses are not the true ones",
+        text: "{} of the work is in rigid zones; there stresses are not the true ones",
         advice: "take a smaller solver.cutoff_strain",
         limit: 0.05,
         red: None,
         of: |stage| formed(stage).filter(|end| end.work.plastic > 0.0).map(|end| end.work.cutoff / end.work.plastic),
     },
     Check {
-        text: "tools sink into the sheet by {} of its thickness",
+        text: "tools sink in by {} of the thickness",
         advice: "take a larger solver.contact_stiffness, or contact by the augmented Lagrangian",
         limit: 0.05,
         red: Some(0.1),
         of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.penetration)),
     },
     Check {
-        text: "{} of the largest bending moment is missed",
+        text: "{} of the bending moment is missed; where it is largest",
         advice: "take more layers (blank.layers)",
         limit: 0.05,
         red: None,
@@ -52,7 +52,7 @@ const CHECKS: [Check; 5] = [
     },
     // Cups over noses of 2 t to 3 t agree with continuum solids within 2 % of force: middle radius 2.5 t.
     Check {
-        text: "the thickness is {} of the radius of the sharpest bend, more than thin-shell theory follows closely",
+        text: "t is {} of the sharpest radius; more than thin-shell theory follows closely",
         advice: "take strains and spring-back there as rough, or take a larger radius",
         limit: 0.4,
         red: None,
@@ -60,7 +60,7 @@ const CHECKS: [Check; 5] = [
     },
     // Limit curves are measured on straight paths; one that the program chose is a guess anyway.
     Check {
-        text: "strain paths that are not straight use {} of the forming limit, which holds for straight ones",
+        text: "crooked strain paths use {}; of the forming limit, which holds for straight ones",
         advice: "keep more margin there (strain_paths.csv of `run`)",
         limit: 0.5,
         red: None,

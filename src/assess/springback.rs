@@ -37,7 +37,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             false => return None,
         };
         let advice =
-            "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
+            "a stage with `release = true`, and [material] mode = \"elasto_viscoplastic\" with young and poisson";
         return Some(grey(why, advice));
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));
@@ -63,7 +63,7 @@ fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
     let text = joined(angles.map(|change| format!("{} {change}", change.quantity.label)), ", ");
-    (!text.is_empty()).then(|| grey(text, "[springback] with the part's tolerance"))
+    (!text.is_empty()).then(|| grey(text, "`[springback]` with the part's tolerance"))
 }
 
 fn grey(text: impl Into<String>, advice: &str) -> Finding {

@@ -10,7 +10,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
     let text = match stop.kind {
-        StopKind::FullTravel if model.release.is_some() => "the tools are taken away".into(),
+        StopKind::FullTravel if model.release.is_some() => "tools taken away".into(),
         StopKind::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
         _ => stop.to_string(),
     };

@@ -25,16 +25,16 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
         [_, true] => "a superplastic metal bears more than any rule of thumb: compare with your drawing",
         _ => "",
     };
-    let text = joined([format!("{{}} at s0 = {}", Amount::place(last.thinnest_s0)), judge.into()], "; ");
+    let text = joined(["{}".into(), place(run.stages, last.thinnest_s0), judge.into()], "; ");
     let finding = Finding::judged("thinning", "Thinning", text).number(Amount::share(thinning));
     let [careful, refused] = [CAREFUL, REFUSED];
     Some(match judge {
         "" => finding.at_most(100.0 * careful, 100.0 * refused).limit(format!(
-            "below {}, at most {} without a forming limit",
+            "below {}; at most {} without a forming limit",
             Amount::share(careful),
             Amount::share(refused)
         )),
-        _ => finding.limit("none of its own"),
+        _ => finding.limit("none but the forming limit"),
     })
 }
 
@@ -49,13 +49,17 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
             judged(format!("it ended the run: {}", kind.name())).light(Light::Red)
         }
         (_, Some(neck)) => {
-            let [s0, travel] = [neck.s0, neck.travel].map(Amount::place);
-            let text = format!("it necks at s0 = {s0}, after {travel} of travel; what follows depends on the mesh");
+            let (at, travel) = (place(run.stages, neck.s0), Amount::place(neck.travel));
+            let text = format!("it necks {at}, after {travel} of travel; what follows depends on the mesh");
             judged(text).light(Light::Red)
         }
         (_, None) => judged("none".into()),
     };
-    Some(finding.limit("no place goes on thinning alone").source("the solver's watch for necks; declared thresholds"))
+    Some(
+        finding
+            .limit("no neck")
+            .source("one place goes on thinning where its neighbours have stopped; declared thresholds"),
+    )
 }
 
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].
@@ -75,14 +79,14 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let place = on_part(stage, step.tearing_s0);
     let instant =
         if model.travel > 0.0 { format!(", after {} of travel", Amount::place(step.travel)) } else { String::new() };
-    let text = format!("{{}} of the force that it bears {place}{instant}: {carries} of {bears}");
+    let text = format!("{{}} of what it bears; {place}{instant}: {carries} of {bears}");
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
     (index > 0.0).then(|| {
         Finding::judged("tearing", "Tearing", run.of_stage(text, i))
             .number(Amount::share(index))
             .at_most(near, tears)
-            .source("Considère in plane strain, bent over the punch (src/solver/tearing_index.rs); 90 %: declared")
+            .source("Considère in plane strain, bent over the punch; 90 %: declared")
     })
 }
 

@@ -1,7 +1,7 @@
 //! Friction, clearance between punch and die, and ironing.
 
 use super::design::IRONING_LIMIT;
-use super::tear::is_upright;
+use super::tear::{is_upright, place};
 use super::{Finding, Light, Run, estimate};
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
@@ -39,7 +39,7 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
     let upright = run.stages.first().and_then(is_upright).unwrap_or(false);
-    let most = format!(", {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
+    let most = format!("; {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
     let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
         .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
@@ -47,16 +47,16 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         true => judged.at_most(if upright { WIDE } else { f64::INFINITY }, None),
         false => judged.at_least(1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
     };
-    Some(judged.limit(format!("one thickness at least{}", if upright { most.as_str() } else { "" })))
+    Some(judged.limit(format!("1 t at least{}", if upright { most.as_str() } else { "" })))
 }
 
 pub(super) fn ironing(run: &Run) -> Option<Finding> {
     let most = run.steps().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
     let text = match run.steps().find(|step| step.ironing > IRONED) {
-        None => "no wall is ironed between two tools".into(),
+        None => "no wall is ironed".into(),
         Some(first) => format!(
-            "wall ironed by {{}} between two tools at s0 = {}, from {} of travel, with up to {}",
-            Amount::place(most.ironing_s0),
+            "wall ironed by {{}}; {}, from {} of travel, with up to {}",
+            place(run.stages, most.ironing_s0),
             Amount::place(first.travel),
             Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),

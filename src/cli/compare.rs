@@ -6,7 +6,7 @@ use stampflow::results::comparison::{Comparison, Verdict};
 use stampflow::study::compare::{Candidate, SideBySide, check, variant};
 
 options! {
-    /// Compare cases, variants and measured curves, or cases with their references
+    /// Compare cases, variants and measured curves
     Args {
         files: Vec<PathBuf> = "CASE.toml|CURVE.csv|DIR" [default_value = "cases"]
             "Case files and CSV files of measured curves; or one case or folder, to compare with its references",

@@ -6,16 +6,16 @@ use stampflow::study::fit::{CaseFitRequest, HardeningKind, Reduction, fit_case, 
 const STRAIN: &str = "a plain number";
 
 options! {
-    /// Fit a hardening law to tension tests, or keys of a case to measured curves
+    /// Fit a law to tension tests, or a case to measured curves
     Args {
         files: Vec<PathBuf> = "TEST.csv|CASE.toml" [required = true] "Tension tests, or one case or study file",
         law: Option<HardeningKind> = "LAW" [long] "Fit only this law to tension tests",
         young: Option<f64> = "STRESS" [long, value_parser = |text: &str| measured(text, "a stress", "210 GPa")]
             "Young's modulus [default: the slope at the beginning]",
-        offset: f64 = "STRAIN" [long, default_value = "0.2 %", value_parser = strain] "Plastic strain at yield",
-        from: Option<f64> = "STRAIN" [long, value_parser = strain]
+        offset: f64 = "STRAIN" [long, hide_short_help = true, default_value = "0.2 %", value_parser = strain] "Plastic strain at yield",
+        from: Option<f64> = "STRAIN" [long, hide_short_help = true, value_parser = strain]
             "Plastic strain where the fit begins [default: the offset]",
-        until: Option<f64> = "STRAIN" [long, value_parser = strain]
+        until: Option<f64> = "STRAIN" [long, hide_short_help = true, value_parser = strain]
             "Plastic strain where the fit ends [default: at the largest force]",
         section: Option<f64> = "AREA" [long, visible_alias = "area", value_parser = |text: &str| measured(text, "an area", "20 mm^2")]
             "Section of the specimen, for forces: \"20 mm^2\"",

@@ -5,7 +5,7 @@ use stampflow::author::{Import, Imported};
 use stampflow::import::{self, Heading, Operation, Options, Section, Sections};
 
 options! {
-    /// Read the tools from a drawing (DXF) and write a case file with them
+    /// Write a case file with the tools of a drawing (DXF)
     Args {
         drawing: PathBuf = "DRAWING.dxf" [] "Drawing, DXF in text form",
         out: Option<PathBuf> = "CASE.toml" [long, short, alias = "output"]
@@ -17,13 +17,13 @@ options! {
             "Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]",
         axis: Option<Length> = "LENGTH" [long, allow_hyphen_values = true]
             "x of the axis or symmetry plane in the drawing [default: 0]",
-        punch_moves: Option<Heading> = "DIRECTION" [long]
+        punch_moves: Option<Heading> = "DIRECTION" [long, hide_short_help = true]
             "Direction of the punch in the drawing: down or up [default: from the tools' walls]",
-        join: f64 = "LENGTH" [long, default_value = "0.01 mm", allow_hyphen_values = true, value_parser = length]
+        join: f64 = "LENGTH" [long, hide_short_help = true, default_value = "0.01 mm", allow_hyphen_values = true, value_parser = length]
             "Largest gap between ends that meet",
-        tolerance: f64 = "LENGTH" [long, default_value = "0.001 mm", allow_hyphen_values = true, value_parser = length]
+        tolerance: f64 = "LENGTH" [long, hide_short_help = true, default_value = "0.001 mm", allow_hyphen_values = true, value_parser = length]
             "Largest distance of a spline from the arcs that replace it",
-        geometry: Geometry [long, default_value = "axisymmetric"] "axisymmetric or plane_strain",
+        geometry: Geometry [long, hide_short_help = true, default_value = "axisymmetric"] "axisymmetric or plane_strain",
         material: Option<String> = "NAME" [long]
             "Sheet of the library or a grade such as DC04 [default: a placeholder]",
         thickness: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
@@ -50,8 +50,20 @@ pub fn import(args: Args) -> Result<Code> {
         place::free(path, force, std::slice::from_ref(&drawing), "-o")?;
     }
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
-    let import = Import { options, geometry, material, thickness, blank, travel };
-    let imported = import.read(&bytes, &drawing).with_context(|| drawing.display().to_string())?;
+    let mut import = Import { options, geometry, material, thickness, blank, travel };
+    let mut imported = import.read(&bytes, &drawing);
+    if let Err(error) = &imported
+        && error.help.contains("--unit")
+        && unit.is_none()
+        && !json
+        && stdin().is_terminal()
+    {
+        warn(format!("{}\nUnit of the drawing ({}):", error.what, DrawingUnit::ALL.join(", ")));
+        let line = stdin().lines().next().transpose()?.unwrap_or_default();
+        import.options.unit = Some(line.trim().parse().map_err(|help: String| bad_request(help))?);
+        imported = import.read(&bytes, &drawing);
+    }
+    let imported = imported.with_context(|| drawing.display().to_string())?;
     write(&out, imported.text.as_bytes()).map_err(unusable("-o"))?;
     write(&picture, &png(&imported.picture(&drawing))).map_err(unusable("-o"))?;
     let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;

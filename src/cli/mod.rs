@@ -45,7 +45,9 @@ use screen::{Cell, ScreenText, emit, list, print, print_json, rows, table, warn,
 use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
 use stampflow::assess::error_bars::{Contribution, ErrorBars, Number, Origin};
-use stampflow::assess::{self, Answer, Finding, Kind, Light, by_advice, headline, judgements, sentences, size_doubts};
+use stampflow::assess::{
+    self, Answer, Finding, Kind, Light, by_advice, headline, judgements, sentences, size_doubts, unchecked,
+};
 use stampflow::case::{self, Case, CaseError, Solution, library};
 use stampflow::files::{Disk, Files, visible};
 use stampflow::import::{DrawingUnit, ImportError};
@@ -58,7 +60,7 @@ use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::study::{StudyError, compare::SideBySide, judge, measured_curve, study_folder};
 use stampflow::units::{Amount, Dimensioned, DisplaySettings, Length, Positive, QuantityError, joined, parse, rounded};
 use std::borrow::Cow;
-use std::io::IsTerminal;
+use std::io::{IsTerminal, stdin};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -72,21 +74,26 @@ fn help(section: &str) -> &'static str {
     text.unwrap_or_default().trim_end()
 }
 
-/// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
+/// Verbs of a die's design, in the order of use; the list of verbs begins with them.
+const DESIGN: [&str; 7] = ["new", "import", "check", "run", "report", "export", "materials"];
+
+const TEMPLATE: &str = "{about}\n\n{usage-heading} {usage}\n{after-help}\n\nOptions:\n{options}";
+
+/// Deep drawing, stretching and bending of sheet metal: the section of a round part or a strip.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, disable_help_flag = true, max_term_width = 80, after_help = help("program"))]
+#[command(version, arg_required_else_help = true, disable_help_flag = true, max_term_width = 80, help_template = TEMPLATE)]
 pub struct Args {
-    /// Units of texts, us: in, US tonf, ksi; files for programs stay in si
+    /// Units of texts: si, or us (in, US tonf, ksi); files stay in si
     #[arg(long, global = true, display_order = 900, value_name = "SYSTEM", default_value = "si", ignore_case = true,
-          value_parser = one_of(options::UNITS))]
+          hide_default_value = true, hide_possible_values = true, value_parser = one_of(options::UNITS))]
     units: DisplaySettings,
     /// Folder of the shop's own sheets, one TOML each [default: that of STAMPFLOW_SHEETS]
     #[arg(long, global = true, display_order = 900, value_name = "DIR")]
     sheets: Option<PathBuf>,
-    /// Print what is used most
+    /// Print what is used most, with examples
     #[arg(short, long, global = true, display_order = 900, action = ArgAction::HelpShort)]
     help: (),
-    /// Print every option
+    /// Print every option and what it is for
     #[arg(long, global = true, display_order = 900, action = ArgAction::HelpLong)]
     help_all: (),
     #[command(subcommand)]
@@ -133,12 +140,23 @@ pub fn main(words: &[std::ffi::OsString]) -> ExitCode {
 }
 
 fn program() -> clap::Command {
-    let with_help = |verb: clap::Command| match help(verb.get_name()) {
-        "" => verb,
-        text if verb.get_name() == "run" => verb.after_long_help(run::written_files() + text),
-        text => verb.after_long_help(text),
+    let examples = |text: &'static str| text.find("Example").map_or("", |at| &text[at..]);
+    let with_help = |verb: clap::Command| match (verb.get_name(), help(verb.get_name())) {
+        ("run", text) => verb.after_help(examples(text)).after_long_help(run::written_files() + "\n" + text),
+        (_, text) => verb.after_help(examples(text)).after_long_help(text),
     };
-    Args::command().mut_subcommands(with_help).mut_subcommand("new", new::command)
+    let program = Args::command().mut_subcommands(with_help).mut_subcommand("new", new::command);
+    let list = verbs(&program);
+    program.after_help(list.clone() + "\n" + examples(help("program"))).after_long_help(list + "\n" + help("program"))
+}
+
+/// List of verbs under two headings.
+fn verbs(program: &clap::Command) -> String {
+    let design = DESIGN.iter().filter_map(|name| program.find_subcommand(name));
+    let rest = program.get_subcommands().filter(|verb| !verb.is_hide_set() && !DESIGN.contains(&verb.get_name()));
+    let line = |verb: &clap::Command| format!("  {:<10} {}\n", verb.get_name(), verb.get_about().unwrap_or_default());
+    let [design, rest]: [String; 2] = [design.map(line).collect(), rest.map(line).collect()];
+    format!("Design:\n{design}\nStudies, tests and accuracy:\n{rest}")
 }
 
 fn command(words: &[std::ffi::OsString]) -> Result<Code> {

@@ -21,7 +21,7 @@ const CAPTIONS: [(&str, Captions); 3] =
 
 options! {
     Json {
-        json: bool [long] "Print JSON, errors too; show no progress",
+        json: bool [long, hide_short_help = true] "Print JSON, errors too; show no progress",
     };
     Overrides {
         set: Vec<String> = "KEY=VALUE" [long] "Replace a value of the case, as often as needed: tools.die.friction=0.1",
@@ -32,14 +32,14 @@ options! {
     };
     /// Options of verbs that solve.
     Common {
-        quiet: bool [long, short] "Show no progress",
+        quiet: bool [long, short, hide_short_help = true] "Show no progress",
     } overrides: Overrides, json: Json;
     Threads {
-        threads: Option<u16> = "N" [long, value_parser = clap::value_parser!(u16).range(1..=256)]
+        threads: Option<u16> = "N" [long, hide_short_help = true, value_parser = clap::value_parser!(u16).range(1..=256)]
             "Threads for runs side by side [default: one per core]",
     };
     PictureOptions {
-        format: Vec<Format> = "FORMAT" [long, value_delimiter = ',', default_value = "png", value_parser = one_of(FORMATS)]
+        format: Vec<Format> = "FORMAT" [long, value_delimiter = ',', default_value = "png", value_parser = one_of(FORMATS), hide_short_help = true]
             "Formats of pictures",
         width: Option<f64> = "LENGTH" [long, value_parser = width, allow_hyphen_values = true, hide_short_help = true]
             "Width of pictures on paper, 50 to 400 mm [default: 170 mm]",

@@ -2,7 +2,7 @@
 
 use super::compare::{Variants, to_compare};
 use super::*;
-use stampflow::study::verify::verify;
+use time::OffsetDateTime;
 
 options! {
     /// Solve a case and write a report, one HTML page
@@ -12,9 +12,10 @@ options! {
             "The file to write [default: out/<case>/report.html]",
         against: Vec<PathBuf> = "CASE.toml|CURVE.csv" [long]
             "Compare with another case or with measured curves; as often as needed",
-        no_error_bars: bool [long] "Skip the finer runs for error bars",
-        no_advice: bool [long] "Give no advice: try no changes of a red or amber design",
-        force: bool [long] "Replace a file that is no report, too",
+        date: Option<String> = "DATE" [long] "Date in the title block, or none [default: the case's, else today]",
+        no_error_bars: bool [long, hide_short_help = true] "Skip the finer runs for error bars",
+        no_advice: bool [long, hide_short_help = true] "Give no advice: try no changes of a red or amber design",
+        force: bool [long, hide_short_help = true] "Replace a file that is no report, too",
     } variants: Variants, common: Common;
 }
 
@@ -31,19 +32,32 @@ pub fn report(args: &Args) -> Result<Code> {
     let Solved { solution, verification, answer, findings } = &solved;
     let versus = compared.map(|(candidates, curves)| {
         let count = progress.count(format!("{}, compared", solution.case.name));
-        let bars = verification.clone().unwrap_or_else(|| verify(solution, &count).bars);
+        let bars = verification.clone().unwrap_or_else(|| stampflow::study::verify::verify(solution, &count).bars);
         let (first, threads) = (Some((solution.clone(), bars)), Threads { threads: None }.count());
         SideBySide::solve(&candidates, curves, first, threads, &count)
     });
     let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
+    let report = report.dated(date(args.date.clone().or(solution.case.title_block.date.clone())));
     let versus = versus.transpose()?;
     let report = versus.iter().fold(report, Report::against);
     let written = write(&path, report.html().as_bytes());
     let value = with(report.json(), json!({ "files": written.iter().map(|()| &path).collect::<Vec<_>>() }));
     let is_written = || solved.sentence(&format!("{} is written", path.display()));
-    emit(args.common.json(), value, || if written.is_ok() { is_written() } else { solved.screen() })?;
+    emit(
+        args.common.json(),
+        value,
+        || if written.is_ok() { is_written() } else { solved.screen(ScreenText::default()) },
+    )?;
     written?;
     Ok(solved.code(false))
+}
+
+/// Given date, or today in UTC: by `SOURCE_DATE_EPOCH` where it is set (<https://reproducible-builds.org>).
+pub fn date(given: Option<String>) -> Option<String> {
+    let epoch = || std::env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok();
+    let now = || OffsetDateTime::from_unix_timestamp(epoch()?).ok();
+    let today = || now().unwrap_or_else(OffsetDateTime::now_utc).date().to_string();
+    given.or_else(|| Some(today())).filter(|date| date != "none")
 }
 
 impl Args {

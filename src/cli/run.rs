@@ -10,13 +10,13 @@ options! {
             "Folder for the results, of several cases in a folder of each [default: out/<case>]",
         trace: Option<PathBuf> = "FILE.csv" [long, hide_short_help = true]
             "Also write every iteration of the solver there",
-        vtu: bool [long] "Also write the moving section for ParaView",
+        vtu: bool [long, hide_short_help = true] "Also write the moving section for ParaView",
         animate: bool [long] "Also write shapes.gif, the moving section",
         report: bool [long] "Also write report.html",
         verbose: bool [long, short] "Also print mesh, steps, norms and works",
         error_bars: bool [long] "Compute error bars from finer runs, as `stampflow verify`",
-        no_advice: bool [long] "Give no advice: try no changes of a red or amber design",
-        strict: bool [long] "End with exit code 4 if the verdict is red",
+        no_advice: bool [long, hide_short_help = true] "Give no advice: try no changes of a red or amber design",
+        strict: bool [long, hide_short_help = true] "End with exit code 4 if the verdict is red",
     } common: Common, pictures: PictureOptions, threads: Threads;
 }
 
@@ -79,7 +79,8 @@ impl Args {
         let verification = verification.as_ref();
         let results = Results::of(solution)?.verified(verification).answered(answer, findings);
         let results = results.with_pictures(&self.pictures.pictures()?);
-        let page = || Report::answered(solution, verification, (answer.clone(), findings.clone())).html();
+        let date = report::date(solution.case.title_block.date.clone());
+        let page = || Report::answered(solution, verification, (answer.clone(), findings.clone())).dated(date).html();
         // Each is tried whatever became of the other.
         let written = results.write(&watch.recorder, self.report.then(|| (PAGE, page())), folder);
         let traced = self.trace.iter().zip(&watch.trace);
@@ -95,7 +96,7 @@ impl Args {
             let files: String =
                 written.iter().map(|files| format!("{} files in {}", files.len(), dir.display())).collect();
             let is_short = self.cases.len() > 1 && !self.verbose;
-            let whole = || solved.screen() + self.rest(&results, &files);
+            let whole = || solved.screen(ScreenText::default()) + self.rest(&results, &files);
             output.screen = if is_short { solved.sentence(&files) } else { whole() };
         }
         output.failed = written.err().into_iter().chain(traced.filter_map(Result::err)).map(Into::into).collect();

@@ -1,7 +1,6 @@
 //! A solved case on screen: the verdict's sentence, red and amber findings with what to change, key numbers.
 
 use super::*;
-use stampflow::study::verify::verify;
 
 /// Output of one case of several: text or JSON, and errors that are no reason to give less of it.
 #[derive(Default)]
@@ -41,7 +40,7 @@ impl Solved {
     /// Judges a solution, with error bars from finer runs and advice if they are wanted.
     pub fn new(solution: Solution, progress: &Progress, has_bars: bool, has_advice: bool) -> Self {
         let count = |what| progress.count(format!("{}, {what}", solution.case.name));
-        let verification = has_bars.then(|| verify(&solution, &count("finer")).bars);
+        let verification = has_bars.then(|| stampflow::study::verify::verify(&solution, &count("finer")).bars);
         let (answer, findings) = judge(&solution, verification.as_ref(), has_advice, &count("advice"));
         Self { solution, verification, answer, findings }
     }
@@ -66,16 +65,16 @@ impl Solved {
         screen::highlighted(&format!("{}: {word}: {sentence}. {more}", self.solution.case.name), &word, *light)
     }
 
-    pub fn screen(&self) -> ScreenText {
+    /// The whole answer, with rows of the verdict in it.
+    pub fn screen(&self, verdict: ScreenText) -> ScreenText {
         let Self { solution, verification, answer, findings } = self;
         let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);
         let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
         let bars = verification.as_ref().map_or_else(Vec::new, ErrorBars::sentences);
         let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
-        let gap = if warnings.is_empty() { "" } else { "\n" };
         let text = self.sentence("") + list(size_doubts(&solution.case)) + "\n" + judged(findings);
-        let text = text + rows(numbers) + gap + list(warnings);
-        let unchecked = joined(judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into()), ", ");
+        let text = text + rows(numbers) + list(warnings) + verdict;
+        let unchecked = unchecked(findings);
         if unchecked.is_empty() { text } else { text + wrapped(format!("\nNot checked: {unchecked}.")) }
     }
 }
@@ -91,6 +90,8 @@ fn judged(findings: &[Finding]) -> ScreenText {
         }));
         let advice = Some(&alike[0].advice).filter(|advice| !advice.is_empty());
         lines.extend(advice.map(|advice| ["", "→ change", advice].map(Cell::from)));
+    }
+    if !lines.is_empty() {
         lines.push([""; 3].map(Cell::from));
     }
     rows(lines)

@@ -3,7 +3,7 @@
 use super::*;
 use stampflow::study::{
     self, BaseCase, Evaluation, LimitSearch, Scatter, SearchRequest, Shard, Side, Study, StudyReport, Sweep, TableFile,
-    begin, evaluate, study_folder,
+    begin, evaluate,
 };
 use std::ops::ControlFlow;
 
@@ -17,27 +17,27 @@ options! {
     TableOptions {
         file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file; for sweep and scatter also a study file",
         resume: bool [long] "Keep the rows of the study that is there, and run what is missing",
-        restart: bool [long, conflicts_with = "resume"] "Replace the study that is there, complete or not",
+        restart: bool [long, hide_short_help = true, conflicts_with = "resume"] "Replace the study that is there, complete or not",
     } study: StudyOptions;
     ShardOptions {
-        shard: Option<Shard> = "K/N" [long] "Run one share of so many, such as 7/64, into a table of its own",
-        yes: bool [long] "Begin more than 100 000 runs without asking",
+        shard: Option<Shard> = "K/N" [long, hide_short_help = true] "Run one share of so many, such as 7/64, into a table of its own",
+        yes: bool [long, hide_short_help = true] "Begin more than 100 000 runs without asking",
     } table: TableOptions;
-    /// Run a case with many settings: ranges and lists of any keys, one row a run
+    /// Run a case with many settings, one row a run
     SweepArgs {
         vary: Vec<String> = "KEY=VALUES" [long]
             "A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed",
         one_at_a_time: bool [long] "Each key by itself at each of its values, instead of every combination",
-        keep: Option<String> = "curves" [long, value_parser = ["curves"]]
+        keep: Option<String> = "curves" [long, hide_short_help = true, value_parser = ["curves"]]
             "Also write load and thickness of each design, two CSV files in DIR/curves",
     } options: ShardOptions;
-    /// Run a case with scattering inputs: how sure the verdict is, and what decides
+    /// Run a case with scattering inputs: how sure the verdict is
     ScatterArgs {
         vary: Vec<String> = "KEY=DISTRIBUTION" [long] "A key and its distribution, as often as needed",
         runs: Option<u64> = "N" [long] "Sample size; best a power of two [default: 1024]",
-        seed: Option<u32> = "N" [long] "Seed of the sample [default: 1]",
+        seed: Option<u32> = "N" [long, hide_short_help = true] "Seed of the sample [default: 1]",
     } options: ShardOptions;
-    /// Find the limit of a condition, or the value at which a quantity is as wanted
+    /// Find the limit of a condition, or the value that meets a target
     SearchArgs {
         vary: Option<String> = "KEY=RANGE" [long]
             "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios",

@@ -18,7 +18,7 @@ options! {
         tolerance: Option<f64> = "NORM" [long, value_parser = tolerance]
             "Tolerance of the norm in this step, 1e-12 to 0.1 [default: the case's own]",
         out: Option<PathBuf> = "FILE.csv" [long] "Also write every iteration there",
-        quiet: bool [long, short] "Show no progress",
+        quiet: bool [long, short, hide_short_help = true] "Show no progress",
     } overrides: Overrides;
 }
 

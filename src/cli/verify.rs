@@ -4,7 +4,7 @@ use super::*;
 use stampflow::study::verify::{self, BEGINNING, FILE, Outcome, Verification};
 
 options! {
-    /// Refine mesh, steps, points and contact for an error bar of every number
+    /// Refine mesh, steps and contact for an error bar of every number
     Args {
         cases: Vec<PathBuf> = "CASE.toml" [required = true] "Case files",
         out: Option<PathBuf> = "DIR" [long, alias = "output"]

@@ -30,7 +30,7 @@ pub use axis::{Axis, Spacing};
 pub use chart::Chart;
 pub use dimensions::{Dimension, dimensioned};
 pub use frame_recorder::{Extra, FrameRecorder};
-pub use settings::{Captions, Format, PAPER, Pictures, WIDEST, png};
+pub use settings::{Captions, Format, PAPER, Pictures, WIDEST, png, svg_on_paper};
 pub use sketch::{SketchedTool, sketch};
 pub use stage_view::StageView;
 pub(crate) use stage_view::stop_text;

@@ -61,6 +61,16 @@ pub fn png(chart: &Chart) -> Vec<u8> {
     raster::png(&sized(chart, WIDTH, None), PIXELS, None)
 }
 
+/// Standalone SVG laid out for a width on paper \[mm\]: its smallest letters keep their size.
+pub fn svg_on_paper(chart: &Chart, mm: f64) -> String {
+    sized(chart, layout_width(mm), None)
+}
+
+/// Width of the layout for a width on paper \[px of mm\]: narrow paper holds fewer px.
+fn layout_width(mm: f64) -> f64 {
+    WIDTH.min(mm / INCH * POINTS * SMALLEST / LEAST_LETTER)
+}
+
 impl Default for Pictures {
     fn default() -> Self {
         let captions = Captions::default();
@@ -106,8 +116,7 @@ impl Pictures {
             chart.title.clear();
             chart.notes.clear();
         }
-        // Narrow paper holds fewer px, so that fonts keep their size.
-        let svg = sized(&chart, WIDTH.min(self.inches() * POINTS * SMALLEST / LEAST_LETTER), self.width);
+        let svg = sized(&chart, layout_width(self.inches() * INCH), self.width);
         let file = |format: &Format| {
             let bytes = match format {
                 Format::Svg => svg.clone().into_bytes(),

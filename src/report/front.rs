@@ -3,7 +3,7 @@
 use super::Report;
 use super::page::{figure, word};
 use super::results::{PART, plot};
-use crate::assess::{Finding, Light, judgements, tears_at};
+use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
 use crate::plot::Chart;
 use crate::plot::axis::capitalised;
 use crate::plot::chart::{Scale, bounds};
@@ -55,7 +55,7 @@ pub(super) fn content(report: &Report) -> Markup {
 
 fn issue_of(issue: &Finding) -> Markup {
     let found = issue.statement();
-    let (found, limit) = (brief(&found), brief(&issue.limit));
+    let limit = first_clause(&issue.limit);
     html! {
         li {
             p {
@@ -65,11 +65,6 @@ fn issue_of(issue: &Finding) -> Markup {
             @if !issue.advice.is_empty() { p.advice { "What to change: " (issue.advice) } }
         }
     }
-}
-
-/// Text up to the first semicolon: the full verdict has the rest.
-fn brief(text: &str) -> &str {
-    text.split_once("; ").map_or(text, |(first, _)| first)
 }
 
 /// The part at the end, and the load of the stage that tears or takes most of it.

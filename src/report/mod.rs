@@ -1,9 +1,11 @@
 //! Report on a solved case: one HTML page for people, and the same numbers as JSON.
 //!
-//! It holds nothing of the clock but the wall time of the solution, so that two reports of one case can be compared.
+//! Printed it has three pages: the answer; sections, stages, thickness and forming limit; inputs and sources. Details are
+//! folded. It holds nothing of the clock but the wall time of the solution, so that two reports of one case can be compared.
 
 mod front;
 mod page;
+mod part;
 mod results;
 mod sections;
 mod sizes;
@@ -69,9 +71,10 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// Replaces entries of the case's title block.
-    pub fn titled(self, given: TitleBlock) -> Self {
-        Self { title_block: self.title_block.clone().replaced_by(given), ..self }
+    /// Replaces the date of the title block.
+    pub fn dated(mut self, date: Option<String>) -> Self {
+        self.title_block.date = date;
+        self
     }
 
     /// Adds a comparison with other runs and measurements.

@@ -1,8 +1,8 @@
 //! HTML of the report: pictures and style inside, nothing fetched from elsewhere; a browser prints it on A4 pages.
 
-use super::{PROGRAM, Report, front, results, sections, sizes};
+use super::{PROGRAM, Report, front, part, results, sections};
 use crate::assess::Light;
-use crate::plot::{Chart, svg};
+use crate::plot::{Chart, svg, svg_on_paper};
 use crate::results::REPORT_MARKER;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -10,6 +10,9 @@ const STYLE: &str = include_str!("style.css");
 
 /// Longest cell that has room beside others on a phone \[letters\].
 const SHORT: usize = 24;
+
+/// Half the width between the margins of A4 \[mm\].
+const COLUMN: f64 = 88.0;
 
 /// Heading with its content.
 pub(super) struct Section {
@@ -44,18 +47,11 @@ impl Report<'_> {
     pub fn html(&self) -> String {
         let title = &self.solution.case.model().title;
         let block = self.title_block.entries().chain([("Case", self.solution.case.name.as_str())]);
-        let mut sections = vec![sections::verdict(self)];
-        sections.extend(sections::error_bars(self));
-        sections.extend(sizes::sections(self));
-        sections.push(sections::inputs(self));
-        sections.extend(results::sections(self));
-        sections.extend(self.versus.map(sections::versus));
-        sections.extend([
-            Section::new("Assumptions", list(&self.check.notes, "None are declared.")),
-            sections::warnings(self),
-            sections::solver(self),
-            sections::case(self),
-        ]);
+        let mut folded = vec![sections::verdict(self)];
+        folded.extend(sections::error_bars(self));
+        folded.extend(part::sections(self));
+        folded.extend(results::sections(self));
+        folded.push(sections::solver(self));
         let page = html! {
             (DOCTYPE)
             html lang="en" {
@@ -73,14 +69,13 @@ impl Report<'_> {
                             h1 { (title) }
                             dl.title-block { @for (name, value) in block { div { dt { (name) } dd { (value) } } } }
                         }
-                        section.front { (front::content(self)) }
-                        nav {
-                            h2 { "Contents" }
-                            ol { @for (i, s) in sections.iter().enumerate() { li { a href={ "#s" (i + 1) } { (s.heading) } } } }
+                        section.page.front { (front::content(self)) }
+                        section.page { h2 { "Part and stages" } (part::content(self)) }
+                        section.page { h2 { "Inputs and sources" } (sections::inputs(self)) }
+                        @for section in self.versus.map(sections::versus).iter() {
+                            section { h2 { (section.heading) } (section.content) }
                         }
-                        @for (i, section) in sections.iter().enumerate() {
-                            section id={ "s" (i + 1) } { h2 { (section.heading) } (section.content) }
-                        }
+                        @for section in &folded { details { summary { h2 { (section.heading) } } (section.content) } }
                     }
                     footer { "Written by " (PROGRAM) "." }
                 }
@@ -92,8 +87,17 @@ impl Report<'_> {
 
 /// Picture with its caption; the style counts the figures.
 pub(super) fn figure(chart: &Chart, caption: &str) -> Markup {
+    drawn(&svg(chart), caption)
+}
+
+/// Picture for half the width of a page.
+pub(super) fn figure_in_column(chart: &Chart, caption: &str) -> Markup {
+    drawn(&svg_on_paper(chart, COLUMN), caption)
+}
+
+fn drawn(svg: &str, caption: &str) -> Markup {
     // Inside HTML an SVG needs no namespace.
-    let picture = svg(chart).replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    let picture = svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
     html! {
         figure {
             div.picture role="img" aria-label=(caption) { (PreEscaped(picture)) }

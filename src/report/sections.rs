@@ -5,13 +5,14 @@ use super::results::figures;
 use super::{PROGRAM, Report};
 use crate::assess::check::Line;
 use crate::assess::error_bars::{Number, Origin};
-use crate::assess::{Kind, Light, judgements};
+use crate::assess::{Finding, Kind, Light, judgements};
 use crate::case::files::sha256;
 use crate::plot::Chart;
 use crate::results::summary::{Group, section_of};
 use crate::study::Cell;
 use crate::study::compare::SideBySide;
-use maud::html;
+use crate::units::joined;
+use maud::{Markup, html};
 
 const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
 
@@ -47,27 +48,41 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
     Some(Section::new("Error bars", content))
 }
 
-/// Inputs and what follows from them, as the check of a case has them.
-pub(super) fn inputs(report: &Report) -> Section {
-    let row = |line: &Line| [line.label.to_string(), line.value.to_string(), line.meaning.to_string()];
-    let content = html! {
-        (table(&["Input", "Value", "Meaning"], report.check.lines.iter().map(row)))
-        (table(&["Sheet, mesh and solver", "Value", "Meaning"], report.check.details.iter().map(row)))
+/// Bytes that fill the third page in the largest letters, and the sizes of letters \[pt\].
+const PAGE: f64 = 10500.0;
+const SIZES: [f64; 2] = [5.5, 8.0];
+
+/// Third page in two columns: inputs, limits of the verdict with their sources, assumptions, warnings, case.
+pub(super) fn inputs(report: &Report) -> Markup {
+    let inputs = report
+        .check
+        .lines
+        .iter()
+        .map(|line| [line.label.clone(), joined([line.value.clone(), line.meaning.clone()], " ")]);
+    let limit = |finding: &Finding| [finding.label.to_owned(), finding.sourced_limit()];
+    let parts = html! {
+        h3 { "Inputs" } (table(&["Input", "Value"], inputs))
+        h3 { "Assumptions" } (list(&report.check.notes, "None are declared."))
+        h3 { "Warnings" } (list(&warnings(report), "None."))
+        h3 { "Limits" } (table(&["Question", "Limit (source)"], judgements(&report.findings).map(limit)))
+        h3 { "Case" } (case(report))
     };
-    Section::new("Inputs", content)
+    let letters = parts.0.len() as f64;
+    html! { div.columns style=(format!("font-size: {size:.2}pt", size = (SIZES[1] * (PAGE / letters).sqrt()).clamp(SIZES[0], SIZES[1]))) { (parts) } }
 }
 
 /// Warnings of the check and of the solver.
-pub(super) fn warnings(report: &Report) -> Section {
+fn warnings(report: &Report) -> Vec<String> {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or_else(String::new, |i| report.stage(i));
-    let sentences: Vec<String> = warnings.map(|f| format!("{}{}", stage(f.stage), f.sentence())).collect();
-    Section::new("Warnings", list(&sentences, "None."))
+    warnings.map(|f| format!("{}{}", stage(f.stage), f.sentence())).collect()
 }
 
-/// Mesh, steps and norms of every stage.
+/// Constants of the sheet and the solver, and mesh, steps and norms of every stage.
 pub(super) fn solver(report: &Report) -> Section {
+    let row = |line: &Line| [line.label.clone(), line.value.clone(), line.meaning.clone()];
     let content = html! {
+        (table(&["Sheet, mesh and solver", "Value", "Meaning"], report.check.details.iter().map(row)))
         @for (i, (_, summary)) in report.stages.iter().enumerate() {
             @if let Some(name) = report.stage(i).strip_suffix(": ") { p { "Stage " (name) } }
             (figures(summary, Group::Solution))
@@ -77,7 +92,7 @@ pub(super) fn solver(report: &Report) -> Section {
 }
 
 /// Case, its file and checksum, and the program.
-pub(super) fn case(report: &Report) -> Section {
+fn case(report: &Report) -> Markup {
     let case = &report.solution.case;
     let stages = case.stage_names().collect::<Vec<_>>().join(", ");
     let ended = match report.solution.stages.last() {
@@ -95,7 +110,7 @@ pub(super) fn case(report: &Report) -> Section {
         ("SHA-256 of the case, settings applied", sha256([&case.text])),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
-    Section::new("Case", table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value])))
+    table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value]))
 }
 
 /// Comparison with other runs and measurements.

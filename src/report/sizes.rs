@@ -1,6 +1,5 @@
 //! Section at the start with its dimensions, of every stage that brings tools of its own.
 
-use super::Report;
 use super::page::{Section, figure, table};
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
@@ -130,23 +129,8 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     Some(plain(of, amount, under + moved))
 }
 
-/// One section per stage with tools that no stage before it had.
-pub(super) fn sections(report: &Report) -> Vec<Section> {
-    let (case, stages) = (&report.solution.case, &report.solution.stages);
-    let mut sections = vec![section("Section".to_owned(), case.model(), None, &report.dimensions)];
-    for (i, stage) in stages.iter().enumerate().skip(1) {
-        let earlier = stages[..i].iter().flat_map(|stage| &stage.model.tools);
-        let is_known = |tool: &Tool| earlier.clone().any(|other| other.profile == tool.profile);
-        if stage.model.release.is_none() && !stage.model.tools.iter().all(is_known) {
-            let start = stage.start.as_ref();
-            let heading = report.stage(i) + "section";
-            sections.push(section(heading, &stage.model, start, &dimensions(&stage.model, start)));
-        }
-    }
-    sections
-}
-
-fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
+/// Section with a table of its dimensions.
+pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
     let rows = dimensions.iter().map(|dimension| {
         let (value, unit) = dimension.amount.parts();
         [dimension.name.clone(), value, unit.to_owned()]

@@ -4,6 +4,8 @@ use super::dimension::{self, CELSIUS, Dimension, INCH, ZERO_CELSIUS};
 
 /// Symbol of sheet thicknesses: "6 t".
 const THICKNESSES: &str = "t";
+/// Metric tonnes-force, which a shop writes "100 t" too.
+const TONNES: &str = "tonf";
 
 /// Number in solver units, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,13 +58,8 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     if rest == CELSIUS {
         return Ok(whole(value + ZERO_CELSIUS, dimension::TEMPERATURE));
     }
-    if rest == THICKNESSES {
-        let help = format!(
-            "write a length, such as \"6 mm\", or a force: write {value} tonf (tonnes-force) or {:.0} kN; t is thicknesses of the sheet",
-            9.806_65 * value
-        );
-        return Err(QuantityError::new(format!("{text:?} are thicknesses of the sheet"), help));
-    }
+    // Lengths in thicknesses of the sheet are replaced before they are read.
+    rest = if rest == THICKNESSES { TONNES } else { rest };
     let mut parsed = Parsed { value, dimension: dimension::NONE, has_unit: !rest.is_empty() };
     while !rest.is_empty() {
         let malformed = |at: &str| {

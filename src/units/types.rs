@@ -1,7 +1,7 @@
 //! Numbers of known dimension and range: as text, in case files, and in their JSON schema.
 
 use super::dimension::Dimension;
-use super::{QuantityError, parse};
+use super::{QuantityError, parse, thicknesses};
 use schemars::JsonSchema;
 use serde::Serializer;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
@@ -77,7 +77,8 @@ fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
     if !parsed.has_unit {
         return Err(kind.missing_unit(found));
     }
-    let what = format!("{found:?} is {}, wanted {}", parsed.dimension.describe(), kind.name);
+    let is = thicknesses(found).map_or_else(|| parsed.dimension.describe(), |_| "a force or thicknesses of the sheet");
+    let what = format!("{found:?} is {is}, wanted {}", kind.name);
     Err(QuantityError::new(what, format!("write for example {}", kind.written())))
 }
 

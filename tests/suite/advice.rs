@@ -25,7 +25,7 @@ fn friction_is_amber_if_a_line_hangs_on_it() {
     assert!(more > 1.01 * own, "{own} {more}");
     for (rating, light, text) in [
         (0.5 * (own + more) / 0.8, Light::Amber, "0.08; at 0.1 Press force is amber"),
-        (2.0 * more, Light::Green, "0.08 ± 0.02 changes no line of the verdict"),
+        (2.0 * more, Light::Green, "0.08 ± 0.02; changes no line of the verdict"),
     ] {
         let friction = row(&solved(&[&format!("press.force={rating} N")]), false, "friction");
         assert_eq!((friction.light, friction.statement().as_str()), (light, text));

@@ -20,7 +20,7 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
     for path in cases {
         let case = load(&path, &[]);
         assert!(!case.model().notes.is_empty(), "{}: no notes", case.name);
-        let report = stampflow::assess::check::report(&case).to_string();
+        let report = format!("{:#}", stampflow::assess::check::report(&case));
         assert!(case.model().notes.iter().all(|note| report.contains(note)), "{report}");
         assert_eq!(case.model().frames.last(), Some(&case.model().duration), "{}", case.name);
         for spec in case.compare.iter().filter(|spec| !spec.optional) {

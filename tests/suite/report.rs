@@ -72,12 +72,12 @@ fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
         for outside in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xlink"] {
             assert!(!html.contains(outside), "{outside}");
         }
-        let headings: Vec<String> = elements(&page, "h2").map(text_of).collect();
+        let headings: Vec<String> = ["h2", "h3"].into_iter().flat_map(|h| elements(&page, h).map(text_of)).collect();
         for part in PARTS {
             assert!(headings.iter().any(|h| h.ends_with(part)), "{part} in {headings:?}");
         }
-        let pictures = elements(&page, "svg").count();
-        assert!(pictures >= 5 && html.contains(extra), "{pictures} {extra}");
+        let (pictures, pages) = (elements(&page, "svg").count(), html.matches("class=\"page").count());
+        assert!(pictures >= 5 && html.contains(extra) && pages == 3, "{pictures} {extra} {pages}");
         let mut known = Vec::new();
         collect(&json, &mut known);
         // The first column has names: SHA-256.

@@ -28,7 +28,7 @@ fn units_convert_to_solver_units() {
         (value::<Length>("60 inches"), 1524.0),
         (value::<Force>("80 kN"), 80_000.0),
         (value::<Force>("1e3 N"), 1000.0),
-        (value::<Force>("1 tonf"), 9806.65),
+        (value::<Force>("100 t"), 980_665.0),
         (value::<Force>("1 tonf_us"), 2000.0 * pound),
         (value::<Force>("1 tonf_uk"), 2240.0 * pound),
         (value::<LineForce>("1300 kN/m"), 1300.0),

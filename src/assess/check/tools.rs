@@ -17,8 +17,6 @@ const FEW: usize = 4;
 pub(super) fn lines(model: &Model) -> Vec<Line> {
     let mut lines: Vec<Line> = model.tools.iter().map(|tool| of_tool(model, tool)).collect();
     lines.extend((model.travel > 0.0).then(|| number("travel", Amount::set(model.travel), pace(model))));
-    lines.extend(model.beads.iter().map(|bead| of_bead(model, bead)));
-    lines.extend(model.gas.iter().map(|gas| of_gas(model, gas)));
     lines.extend(estimate::clearance(model).map(|clearance| {
         let over_t = format!("or {}", Amount::thicknesses(clearance / model.blank.thickness));
         number("clearance", Amount::drawn(clearance), over_t)
@@ -27,6 +25,8 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
         let meaning = format!("blank over punch; about {LIMITING_RATIO} is the limit of one draw for mild steel");
         number("draw ratio", Amount::ratio(ratio), meaning)
     }));
+    lines.extend(model.beads.iter().map(|bead| of_bead(model, bead)));
+    lines.extend(model.gas.iter().map(|gas| of_gas(model, gas)));
     lines
 }
 

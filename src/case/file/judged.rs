@@ -40,7 +40,7 @@ pub struct TitleBlock {
     pub author: Option<String>,
     /// Company of the author.
     pub company: Option<String>,
-    /// Day of the report; the program looks at no clock.
+    /// Day of the report; `stampflow report` takes today without it.
     #[serde(default, deserialize_with = "text_or_date")]
     pub date: Option<String>,
 }
@@ -60,18 +60,6 @@ impl TitleBlock {
         let values = [&self.part, &self.number, &self.revision, &self.author, &self.company, &self.date];
         let written = names.into_iter().zip(values).filter_map(|(name, value)| Some((name, value.as_deref()?.trim())));
         written.filter(|(_, value)| !value.is_empty())
-    }
-
-    /// Entries of `other`, and of this one where `other` has none.
-    pub fn replaced_by(self, other: Self) -> Self {
-        Self {
-            part: other.part.or(self.part),
-            number: other.number.or(self.number),
-            revision: other.revision.or(self.revision),
-            author: other.author.or(self.author),
-            company: other.company.or(self.company),
-            date: other.date.or(self.date),
-        }
     }
 }
 

@@ -1,0 +1,112 @@
+//! Second page: stages with their peaks, sections at the start, thickness and forming limit.
+
+use super::Report;
+use super::page::{Row, Section, figure_in_column, table};
+use super::results::plot;
+use super::sizes::{dimensions, section};
+use crate::model::{Model, Tool};
+use crate::plot::chart::Scale;
+use crate::plot::dimensioned;
+use crate::solver::solution::Frame;
+use maud::{Markup, html};
+
+/// Columns of the table of stages, by the keys of the summary.
+const COLUMNS: [(&str, &str); 7] = [
+    ("Travel", "travel"),
+    ("Punch, peak", "peak_punch_force"),
+    ("Holder, peak", "peak_holder_force"),
+    ("Gas, peak", "peak_pressure"),
+    ("Thinnest", "thinnest"),
+    ("Draw-in", "draw_in"),
+    ("Limit used", "forming_ratio"),
+];
+
+/// Pictures of results, by their files.
+const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_limit.png", "forming limit")];
+
+/// Sections that leave room for them.
+const SECTIONS: usize = 4;
+
+/// Height of curves \[px\] in two rows of pictures, and in three.
+const HEIGHTS: [f64; 2] = [330.0, 210.0];
+
+pub(super) fn content(report: &Report) -> Markup {
+    let sections: Vec<usize> = with_new_tools(report).take(SECTIONS).collect();
+    let is_full = sections.len() + RESULTS.len() > 4;
+    let height = HEIGHTS[usize::from(is_full)];
+    let views = report.stages.iter().enumerate().rev();
+    let results = RESULTS.iter().filter_map(|(file, about)| {
+        let (i, mut chart) = views.clone().find_map(|(i, (view, _))| Some((i, plot(view, file)?.0)))?;
+        chart.panels.truncate(1);
+        chart.notes.clear();
+        for panel in &mut chart.panels {
+            if let Scale::Fit { height: own, .. } = &mut panel.scale {
+                *own = own.min(height);
+            }
+        }
+        Some(figure_in_column(&chart, &format!("{}{about}", report.stage(i))))
+    });
+    html! {
+        (stages(report))
+        div.pictures.small[is_full] {
+            @for i in &sections { (start(report, *i)) }
+            @for picture in results { (picture) }
+        }
+    }
+}
+
+/// Peaks of every stage; columns without a value are left out.
+fn stages(report: &Report) -> Markup {
+    let value = |i: usize, key: &str| {
+        let (_, summary) = report.stages.get(i)?;
+        summary.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
+    };
+    let all = 0..report.stages.len();
+    let columns = COLUMNS.iter().filter(|(_, key)| all.clone().any(|i| value(i, key).is_some()));
+    let columns: Vec<_> = columns.collect();
+    let head: Vec<&str> = std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect();
+    let rows = all.map(|i| {
+        let label = report.stage(i);
+        let label = if label.is_empty() { "1".to_owned() } else { label.trim_end_matches(": ").to_owned() };
+        let values = columns.iter().map(|(_, key)| value(i, key).unwrap_or_else(|| "–".to_owned()));
+        Row { cells: std::iter::once(label).chain(values).collect(), ..Row::default() }
+    });
+    table(&head, rows)
+}
+
+/// Stages that bring tools of their own, counted from 0.
+fn with_new_tools<'a>(report: &'a Report) -> impl Iterator<Item = usize> + 'a {
+    let stages = &report.solution.stages;
+    (0..report.stages.len()).filter(|i| {
+        let earlier = stages[..*i].iter().flat_map(|stage| &stage.model.tools);
+        let is_known = |tool: &Tool| earlier.clone().any(|other| other.profile == tool.profile);
+        *i == 0 || stages[*i].model.release.is_none() && !stages[*i].model.tools.iter().all(is_known)
+    })
+}
+
+/// Section at the start of a stage with its dimensions.
+fn start(report: &Report, i: usize) -> Markup {
+    let (model, start) = begun(report, i);
+    let mut sizes = dimensions(model, start);
+    // The table of stages has it, and the end of it is far below.
+    sizes.retain(|size| size.name != "Travel");
+    let mut chart = dimensioned(String::new(), model, start, &sizes);
+    chart.notes.clear();
+    let sheet = if i == 0 { "blank" } else { "sheet" };
+    figure_in_column(&chart, &format!("{}section at the start: {sheet} blue, tools grey", report.stage(i)))
+}
+
+/// A stage with the sheet that it begins with, the flat blank left out.
+fn begun<'a>(report: &'a Report, i: usize) -> (&'a Model, Option<&'a Frame>) {
+    let stage = &report.solution.stages[i];
+    (&stage.model, stage.start.as_ref().filter(|_| i > 0))
+}
+
+/// Sections with tables of their dimensions.
+pub(super) fn sections<'a>(report: &'a Report) -> impl Iterator<Item = Section> + 'a {
+    with_new_tools(report).map(|i| {
+        let (model, start) = begun(report, i);
+        let heading = if i == 0 { "Section".to_owned() } else { report.stage(i) + "section" };
+        section(heading, model, start, &dimensions(model, start))
+    })
+}
