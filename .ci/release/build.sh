@@ -8,8 +8,8 @@
 # Python 3.10 or later with venv and PyPI for the wheel.
 #
 # Other platforms are built there, for the program itself prints its manual pages and completions: on Linux of another
-# processor by this script; on macOS and Windows (not tried) by `cargo build --locked --profile dist` and, in bindings/python/,
-# `maturin build --locked --release`. The program needs nothing but the C library; with `--target x86_64-unknown-linux-musl`
+# processor by this script; for Windows by `.ci/release/windows.sh`; on macOS (not tried) by `cargo build --locked --profile dist`
+# and, in bindings/python/, `maturin build --locked --release`. The program needs nothing but the C library; with `--target x86_64-unknown-linux-musl`
 # (not tried) not even that.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -56,32 +56,10 @@ completion zsh share/zsh/site-functions _stampflow
 completion fish share/fish/vendor_completions.d stampflow.fish
 completion powershell share/stampflow stampflow.ps1
 
-# Every crate in the program with its licence, and the texts that come with it, each text once.
-licences_of_crates() {
-    local sources=${CARGO_HOME:-$HOME/.cargo}/registry/src texts=$work/texts crate version licence text sum
-    mkdir -p "$texts"
-    echo "Crates in this program, and their licences."
-    echo
-    cargo tree --locked --edges normal --prefix none --format '{p} {l}' --target "$platform" |
-        sed 's/ (\*)$//; s/ (proc-macro)//' | grep -v '^stampflow ' | sort -u |
-        while read -r crate version licence; do
-            echo "$crate ${version#v}: $licence"
-            for text in "$sources"/*/"$crate-${version#v}"/{LICEN[CS]E,COPYING,NOTICE}*; do
-                [ -f "$text" ] || continue
-                sum=$(tr -d '\r' <"$text" | cksum | tr ' ' -)
-                tr -d '\r' <"$text" >"$texts/$sum.text"
-                echo "$crate" >>"$texts/$sum.crates"
-            done
-        done
-    for text in "$texts"/*.text; do
-        printf '\n\n==== %s\n\n' "$(sort -u "${text%.text}.crates" | paste -sd ' ')"
-        cat "$text"
-    done
-}
 doc=$root/share/doc/stampflow
 mkdir -p "$doc"
 cp -r README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/DejaVuSans-LICENSE.txt cases reference_data "$doc"
-licences_of_crates >"$doc/LICENSES-crates.txt"
+.ci/release/licences.sh "$platform" >"$doc/LICENSES-crates.txt"
 
 rm -f "$out"/stampflow*
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -C "$work" -cf - "$name" |
