@@ -1,5 +1,6 @@
 //! The command line. A case file that is dropped on the program, its only argument, gets a report beside it.
 
+mod bug;
 mod cli;
 
 use std::ffi::OsString;

@@ -14,7 +14,6 @@ macro_rules! options {
     )+};
 }
 
-mod bug;
 mod check;
 mod compare;
 mod error;
@@ -34,8 +33,8 @@ mod study;
 mod trace;
 mod verify;
 
+use crate::bug::{self, caught};
 use anyhow::{Context, Result, ensure};
-use bug::caught;
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::{Code, bad_path, bad_request, complained, is_interrupted, sound, unusable};
 use options::{Common, Json, Overrides, PictureOptions, Threads, length, one_of};
@@ -53,7 +52,7 @@ use stampflow::files::{Disk, Files, visible};
 use stampflow::import::{DrawingUnit, ImportError};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::plot::{Extra, FrameRecorder, png};
-use stampflow::report::Report;
+use stampflow::report::{self as page, Report};
 use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, WriteError, comparison::CompareError, tables};
 use stampflow::results::{can_write, comparison_folder, csv, is_report, is_result, result_folder, write};
 use stampflow::solver::solution::{IterationRecord, StepRecord};

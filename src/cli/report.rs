@@ -2,7 +2,6 @@
 
 use super::compare::{Variants, to_compare};
 use super::*;
-use time::OffsetDateTime;
 
 options! {
     /// Solve a case and write a report, one HTML page
@@ -37,27 +36,17 @@ pub fn report(args: &Args) -> Result<Code> {
         SideBySide::solve(&candidates, curves, first, threads, &count)
     });
     let report = Report::answered(solution, verification.as_ref(), (answer.clone(), findings.clone()));
-    let report = report.dated(date(args.date.clone().or(solution.case.title_block.date.clone())));
+    let report = report.dated(page::date(args.date.clone().or(solution.case.title_block.date.clone())));
     let versus = versus.transpose()?;
     let report = versus.iter().fold(report, Report::against);
     let written = write(&path, report.html().as_bytes());
     let value = with(report.json(), json!({ "files": written.iter().map(|()| &path).collect::<Vec<_>>() }));
-    let is_written = || solved.sentence(&format!("{} is written", path.display()));
-    emit(
-        args.common.json(),
-        value,
-        || if written.is_ok() { is_written() } else { solved.screen(ScreenText::default()) },
-    )?;
+    emit(args.common.json(), value, || match &written {
+        Ok(()) => solved.sentence(&format!("{} is written", path.display())),
+        Err(_) => solved.screen(ScreenText::default()),
+    })?;
     written?;
     Ok(solved.code(false))
-}
-
-/// Given date, or today in UTC: by `SOURCE_DATE_EPOCH` where it is set (<https://reproducible-builds.org>).
-pub fn date(given: Option<String>) -> Option<String> {
-    let epoch = || std::env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok();
-    let now = || OffsetDateTime::from_unix_timestamp(epoch()?).ok();
-    let today = || now().unwrap_or_else(OffsetDateTime::now_utc).date().to_string();
-    given.or_else(|| Some(today())).filter(|date| date != "none")
 }
 
 impl Args {

@@ -42,10 +42,9 @@ pub fn run(args: &Args) -> Result<Code> {
     args.threads.apply()?;
     let progress = args.common.progress();
     // After an interrupt no other case begins.
-    let runs = jobs.into_par_iter().filter(|_| !is_interrupted());
-    let runs =
-        runs.map(|(case, folder)| caught(&format!("case {}", case.name), || args.solve(case, folder, &progress)));
-    finish(runs.collect(), failed, several)
+    let solve =
+        |(case, folder): (Case, _)| caught(&format!("case {}", case.name), || args.solve(case, folder, &progress));
+    finish(jobs.into_par_iter().filter(|_| !is_interrupted()).map(solve).collect(), failed, several)
 }
 
 impl Args {
@@ -79,7 +78,7 @@ impl Args {
         let verification = verification.as_ref();
         let results = Results::of(solution)?.verified(verification).answered(answer, findings);
         let results = results.with_pictures(&self.pictures.pictures()?);
-        let date = report::date(solution.case.title_block.date.clone());
+        let date = page::date(solution.case.title_block.date.clone());
         let page = || Report::answered(solution, verification, (answer.clone(), findings.clone())).dated(date).html();
         // Each is tried whatever became of the other.
         let written = results.write(&watch.recorder, self.report.then(|| (PAGE, page())), folder);
@@ -93,8 +92,7 @@ impl Args {
             let summary = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
             output.json = Some(with(summary, own));
         } else {
-            let files: String =
-                written.iter().map(|files| format!("{} files in {}", files.len(), dir.display())).collect();
+            let files: String = written.iter().map(|f| format!("{} files in {}", f.len(), dir.display())).collect();
             let is_short = self.cases.len() > 1 && !self.verbose;
             let whole = || solved.screen(ScreenText::default()) + self.rest(&results, &files);
             output.screen = if is_short { solved.sentence(&files) } else { whole() };

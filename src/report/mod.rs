@@ -1,7 +1,8 @@
 //! Report on a solved case: one HTML page for people, and the same numbers as JSON.
 //!
 //! Printed it has three pages: the answer; sections, stages, thickness and forming limit; inputs and sources. Details are
-//! folded. It holds nothing of the clock but the wall time of the solution, so that two reports of one case can be compared.
+//! folded. It holds nothing of the clock but its date and the wall time of the solution, so that two reports of one case can
+//! be compared.
 
 mod front;
 mod page;
@@ -21,6 +22,15 @@ use crate::results::Summary;
 use crate::study::compare::SideBySide;
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
+use time::OffsetDateTime;
+
+/// Given date, or today in UTC: by `SOURCE_DATE_EPOCH` where it is set (<https://reproducible-builds.org>).
+pub fn date(given: Option<String>) -> Option<String> {
+    let epoch = || std::env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok();
+    let now = || OffsetDateTime::from_unix_timestamp(epoch()?).ok();
+    let today = || now().unwrap_or_else(OffsetDateTime::now_utc).date().to_string();
+    given.or_else(|| Some(today())).filter(|date| date != "none")
+}
 
 /// Program and version.
 const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));

@@ -1,7 +1,7 @@
 //! What becomes of a panic: an error that names it, while others go on.
 
 #[allow(dead_code, reason = "the hook is the program's: tests share a process")]
-#[path = "../../src/cli/bug.rs"]
+#[path = "../../src/bug.rs"]
 mod caught;
 
 use caught::caught;
