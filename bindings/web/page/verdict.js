@@ -5,7 +5,7 @@ const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
 /** Advice that names a command of the command line, and what the page has in its place. */
 const OURS = [
-  ["`run`, `report` and `check --run` solve it with less and more", "move the slider Friction down and up, and look at what changes"],
+  ["without `--no-advice` it is solved with less and more", "move the slider Friction down and up, and look at what changes"],
   ["`stampflow search --for over-bend`", "give the tools a sharper angle, and look at the next result"],
   ["--material NAME", "choose it under Sheet"],
   ["(strain_paths.csv of `run`)", "(chart Forming limit)"],
