@@ -119,7 +119,7 @@ tool! {
     pub cone: Option<Angle>,
     /// Tractrix as the entry, for a draw without a holder.
     pub tractrix: Option<bool>,
-    /// Where the die's face ends and a cone or a tractrix begins (plane strain: half width); the blank's edge when not given.
+    /// Place where the die's face ends and a cone or a tractrix begins (plane strain: half width); the blank's edge when not given.
     pub mouth: Option<Positive<Length>>,
     /// Diameter of the mouth, instead of `mouth`, of a round die.
     pub mouth_diameter: Option<Positive<Length>>,
