@@ -2,11 +2,10 @@
 //!
 //! Larger files than [`CASE`] and [`CSV`] are refused before they are read, and so are pipes and devices.
 
-use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
+use std::{borrow::Cow, collections::BTreeMap};
 
 /// The largest case file \[bytes\]; a thousand times the size of a long one.
 pub const CASE: usize = 2_000_000;

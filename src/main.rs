@@ -3,10 +3,8 @@
 mod bug;
 mod cli;
 
-use std::ffi::OsString;
 use std::io::{IsTerminal, stdin};
-use std::path::Path;
-use std::process::ExitCode;
+use std::{ffi::OsString, path::Path, process::ExitCode};
 
 fn main() -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();

@@ -1,9 +1,8 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
-use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
-use super::{Finding, Light, formed, forming_limit, judgements};
+use super::{Finding, Light, finding::labels, formed, forming_limit, judgements};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::model::{Geometry, Model, Motion, Role};

@@ -1,10 +1,8 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
-use super::Finding;
-use super::design::THIN;
+use super::{Finding, design::THIN};
 use crate::geometry::{CORNER, Point};
-use crate::model::tool_sizes::extent;
-use crate::model::{Model, Role, Theory, Tool};
+use crate::model::{Model, Role, Theory, Tool, tool_sizes::extent};
 use crate::units::{Amount, Digits};
 
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {

@@ -5,8 +5,7 @@
 //! radius", "Die clearance" and "Clearance according to Oehler/Kaiser" with its table of draw ratios; the books that it
 //! quotes were not read. *Amada*: Bending procedures, table "Die V-width selection" (amada.de).
 
-use crate::material::Material;
-use crate::material::flow::ROOM_TEMPERATURE;
+use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.

@@ -2,12 +2,9 @@
 
 use super::design::{CAREFUL_RATIO, LIMITING_RATIO, REDRAW_RATIO};
 use super::estimate::{self, draw_ratio, held_area, siebel_pressure};
-use super::holder::if_open;
-use super::tear::is_upright;
-use super::{Finding, Light, Run};
+use super::{Finding, Light, Run, holder::if_open, tear::is_upright};
 use crate::material::RValues;
-use crate::model::tool_sizes::extent;
-use crate::model::{Edge, Geometry, Model, Motion, Role};
+use crate::model::{Edge, Geometry, Model, Motion, Role, tool_sizes::extent};
 use crate::solver::solution::StageSolution;
 use crate::units::Amount;
 

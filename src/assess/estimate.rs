@@ -3,9 +3,8 @@
 pub(crate) use super::design::{siebel, tensile_strength};
 use crate::geometry::Point;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::mesh;
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
-use crate::model::{Edge, Geometry, Model, Motion, Role};
+use crate::model::{Edge, Geometry, Model, Motion, Role, mesh};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.

@@ -1,8 +1,6 @@
 //! Distance to the forming limit.
 
-use super::design::THIN;
-use super::tear::place;
-use super::{Finding, Light, Run};
+use super::{Finding, Light, Run, design::THIN, tear::place};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, Curve, Judged, assess};
 use crate::solver::solution::StageSolution;

@@ -1,7 +1,6 @@
 //! Friction: which lines of the verdict hang on it.
 
-use super::advice::NO_DESIGN;
-use super::{FailureMode, Finding, Light, Run, after, judgements};
+use super::{FailureMode, Finding, Light, Run, advice::NO_DESIGN, after, judgements};
 use crate::case::{Case, Solution};
 use crate::model::Model;
 use crate::units::{Amount, joined};

@@ -1,8 +1,6 @@
 //! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
-use super::estimate::tensile_strength;
-use super::forming_limit::other_condition;
-use super::{Finding, Light, Run, largest};
+use super::{Finding, Light, Run, estimate::tensile_strength, forming_limit::other_condition, largest};
 use crate::case::Case;
 use crate::forming_limit::SHORTEST;
 use crate::material::YieldCriterion;

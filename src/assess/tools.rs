@@ -1,8 +1,7 @@
 //! Friction, clearance between punch and die, and ironing.
 
-use super::design::IRONING_LIMIT;
 use super::tear::{is_upright, place};
-use super::{Finding, Light, Run, estimate};
+use super::{Finding, Light, Run, design::IRONING_LIMIT, estimate};
 use crate::model::{Friction, Model, Tool};
 use crate::units::{Amount, Digits};
 

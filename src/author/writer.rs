@@ -3,11 +3,9 @@
 use crate::assess::design::Picked;
 use crate::forming_limit::{Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
-use crate::material::Material;
-use crate::material::flow::ROOM_TEMPERATURE;
+use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use crate::units::trimmed;
-use std::collections::BTreeMap;
-use std::fmt::Display;
+use std::{collections::BTreeMap, fmt::Display};
 
 /// Longest line \[characters\]; a comment that does not fit stands above its line.
 const WIDTH: usize = 100;

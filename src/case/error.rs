@@ -5,9 +5,7 @@ use super::schema::{example, is_index};
 use super::*;
 use crate::units::{self, QuantityError, did_you_mean};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
-use std::io::ErrorKind;
-use std::ops::Range;
-use std::sync::Arc;
+use std::{io::ErrorKind, ops::Range, sync::Arc};
 use toml::de::Error;
 
 /// Longest quote in a message \[characters\].

@@ -6,13 +6,10 @@ use super::sources::{Sheets, Sources, Thickness};
 use super::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Sheet, uniform_strain};
 use crate::grade::{self, Band, Coil, PROOF, SheetText};
-use crate::material::flow::ROOM_TEMPERATURE;
-use crate::material::hardening::HardeningTable;
-use crate::material::{BackStress, Material};
+use crate::material::{BackStress, Material, flow::ROOM_TEMPERATURE, hardening::HardeningTable};
 use crate::model::Mode;
 use crate::units::{Dimensioned, Number, Positive, did_you_mean};
-use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::{Deserialize, de::IgnoredAny};
 use std::path::Path;
 
 fn source(text: SheetText) -> Result<Source<'static>, CaseError> {

@@ -19,15 +19,13 @@ pub use sources::{Sheets, Sources, Thickness};
 
 use crate::material::RValues;
 use crate::model::{Model, Stage};
-use crate::solver::solution::StageSolution;
-use crate::solver::{Observer, solve};
+use crate::solver::{Observer, solution::StageSolution, solve};
 use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
-use std::collections::BTreeMap;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use std::{collections::BTreeMap, io};
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 //! Values in the text of a case: `KEY=VALUE` of the command line is written into it before it is read, studies read them.
 
-use super::source::is_radius_and_diameter;
-use super::{Case, CaseError, library};
+use super::{Case, CaseError, library, source::is_radius_and_diameter};
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 

@@ -5,9 +5,7 @@ use super::*;
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::de::DeserializeOwned;
-use std::cell::RefCell;
-use std::ops::Range;
-use std::sync::Arc;
+use std::{cell::RefCell, ops::Range, sync::Arc};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 

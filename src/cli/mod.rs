@@ -58,11 +58,10 @@ use stampflow::results::{can_write, comparison_folder, csv, is_report, is_result
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::study::{StudyError, compare::SideBySide, judge, measured_curve, study_folder};
 use stampflow::units::{Amount, Dimensioned, DisplaySettings, Length, Positive, QuantityError, joined, parse, rounded};
-use std::borrow::Cow;
 use std::io::{IsTerminal, stdin};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use std::{borrow::Cow, process::ExitCode};
 use study::StudyOptions;
 
 /// Examples and exit codes in help texts, a section for each verb.

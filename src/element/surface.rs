@@ -10,8 +10,7 @@
 //! # References
 //! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
 
-use super::kinematics::Matrix6;
-use super::{Node, Vector6};
+use super::{Node, Vector6, kinematics::Matrix6};
 use crate::geometry::Point;
 
 /// A place on an element.

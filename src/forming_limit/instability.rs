@@ -9,9 +9,7 @@
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
 use super::{Curve, Sheet, overrates_biaxial};
-use crate::material::YieldCriterion;
-use crate::material::flow::YieldCondition;
-use crate::material::law::LawError;
+use crate::material::{YieldCriterion, flow::YieldCondition, law::LawError};
 use crate::numerics::bisect;
 use crate::units::{Amount, Digits};
 

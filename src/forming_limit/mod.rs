@@ -25,8 +25,7 @@ pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};
 pub use paths::{Instant, Paths};
 pub use points::{Points, Strain};
 
-use crate::material::law::LawError;
-use crate::material::{Material, YieldCriterion};
+use crate::material::{Material, YieldCriterion, law::LawError};
 use crate::units::Amount;
 
 /// The sheet that a curve is for.

@@ -3,8 +3,7 @@
 //! Keeler and Brazier for mild steel, Hill and Swift for every other metal.
 
 use super::{Curve, Hill, KeelerBrazier, Kind, Sheet, uniform_strain};
-use crate::material::YieldCriterion;
-use crate::material::law::LawError;
+use crate::material::{YieldCriterion, law::LawError};
 use std::ops::RangeInclusive;
 
 /// Young's modulus of steel \[MPa\], and largest n of ferritic sheet \[–\]: declared. They count where no crystal is given.

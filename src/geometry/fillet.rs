@@ -1,7 +1,6 @@
 //! Corners rounded by an arc that is tangent to both sides.
 
-use super::crossing::common;
-use super::{Arc, Piece, Point, turn};
+use super::{Arc, Piece, Point, crossing::common, turn};
 
 /// Turn below which a vertex has no corner \[rad\].
 const STRAIGHT: f64 = 1e-9;

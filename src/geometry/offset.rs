@@ -1,8 +1,6 @@
 //! Counter-tools: the offset of a profile on the sheet's side, and the die around a cavity.
 
-use super::crossing::common;
-use super::fillet::parallel_arc;
-use super::{Fold, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
+use super::{Fold, Piece, Point, Profile, crossing::common, fillet::parallel_arc, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
 /// Largest turn of a hollow vertex that counts as rounding of a drawing \[rad\].

@@ -1,7 +1,6 @@
 //! Corners, vertices, ends, extreme points and distances of profiles.
 
-use super::crossing::common;
-use super::{Arc, Piece, Point, Profile, turn};
+use super::{Arc, Piece, Point, Profile, crossing::common, turn};
 use std::f64::consts::FRAC_PI_2;
 
 /// Largest turn between two arcs of one corner \[rad\].

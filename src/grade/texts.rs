@@ -1,6 +1,5 @@
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::{env, fs, io};
+use std::{env, fs, io, sync::OnceLock};
 
 macro_rules! texts {
     ($($name:literal)*) => {

@@ -1,9 +1,6 @@
 //! Check that the axis is at x = 0: tools that are drawn elsewhere would be read as rings.
 
-use super::ImportError;
-use super::chain::Chain;
-use super::frame::Frame;
-use super::layers::ToolId;
+use super::{ImportError, chain::Chain, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 use crate::model::Role;
 

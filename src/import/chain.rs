@@ -1,9 +1,6 @@
 //! Strokes of a tool joined end to end into one chain.
 
-use super::ImportError;
-use super::dxf::Source;
-use super::frame::Frame;
-use super::layers::ToolId;
+use super::{ImportError, dxf::Source, frame::Frame, layers::ToolId};
 use crate::geometry::{Arc, Bounds, Piece, Point, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};

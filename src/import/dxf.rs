@@ -5,8 +5,7 @@
 
 use super::ImportError;
 use crate::geometry::Point;
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// Largest file \[bytes\].
 pub const LARGEST: usize = 50_000_000;

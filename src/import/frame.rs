@@ -1,8 +1,7 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
-use super::ImportError;
-use super::dxf::Drawing;
 use super::options::{DrawingUnit, Options};
+use super::{ImportError, dxf::Drawing};
 use crate::geometry::Point;
 use crate::units::rounded;
 use std::cell::RefCell;

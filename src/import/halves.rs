@@ -1,9 +1,7 @@
 //! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
 
-use super::ImportError;
 use super::chain::{Chain, join, with_ends};
-use super::frame::Frame;
-use super::layers::ToolId;
+use super::{ImportError, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 
 /// Chain at x ≥ 0.

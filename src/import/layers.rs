@@ -1,10 +1,6 @@
 //! Tool and operation of each layer.
 
-use super::ImportError;
-use super::blocks::Placed;
-use super::dxf::cut;
-use super::frame::Frame;
-use super::options::Options;
+use super::{ImportError, blocks::Placed, dxf::cut, frame::Frame, options::Options};
 use crate::model::Role;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;

@@ -13,16 +13,12 @@
 //!
 //! Of a body that is drawn as far as the axis, the inner end is where its face meets the axis.
 
-use super::chain::Chain;
 use super::dxf::{Source, cut};
-use super::frame::Frame;
 use super::layers::{ToolId, count_entities, list};
-use super::options::Heading;
-use super::{ImportError, Section};
+use super::{ImportError, Section, chain::Chain, frame::Frame, options::Heading};
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
-use std::collections::BTreeSet;
-use std::rc::Rc;
+use std::{collections::BTreeSet, rc::Rc};
 
 /// Least height of a wall \[mm\].
 const WALL: f64 = 1e-3;

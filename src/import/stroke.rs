@@ -1,17 +1,12 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
-use super::ImportError;
-use super::blocks::Placed;
-use super::chain::Chain;
 use super::dxf::{MOST, Place};
-use super::frame::Frame;
 use super::layers::{Layers, ToolId, list};
-use super::spline;
+use super::{ImportError, blocks::Placed, chain::Chain, frame::Frame, spline};
 use crate::geometry::{Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
-use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
-use std::fmt;
+use std::{collections::BTreeMap, fmt};
 
 const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER TOLERANCE HATCH POINT ATTDEF XLINE RAY VIEWPORT \
                            IMAGE WIPEOUT";

@@ -26,12 +26,10 @@
 //! J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670 (plane-stress return mapping and its tangent);
 //! P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377 (not read).
 
-use super::chaboche::BackStresses;
-use super::hill48::SHEAR_INVERSE;
-use super::hosford::ordered;
 use super::point_law::{PointSnapshot, StressUpdate, Tangent};
 use super::yield_condition::{Symmetric, Triple, dot};
 use super::{Elastic, FlowStress, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
+use super::{chaboche::BackStresses, hill48::SHEAR_INVERSE, hosford::ordered};
 
 /// Most iterations: bisection alone needs fifty.
 const MOST: usize = 80;

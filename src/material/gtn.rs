@@ -34,8 +34,7 @@
 use super::hill48::{Hill48, SHEAR};
 use super::yield_condition::{Metric, Triple, YieldCondition, dot};
 use crate::material::law::prelude::*;
-use std::f64::consts::TAU;
-use std::fmt;
+use std::{f64::consts::TAU, fmt};
 
 /// Largest strain step of the integration of f \[–\]: its fourth-order error is near 1e-10.
 const STRAIN_STEP: f64 = 0.005;

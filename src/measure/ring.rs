@@ -21,8 +21,7 @@
 //! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
 //! derived here); shell equation: S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114.
 
-use super::moment::moment;
-use super::part_height;
+use super::{moment::moment, part_height};
 use crate::material::Elastic;
 use crate::model::Geometry;
 use crate::solver::solution::{Frame, PointRecord, StageSolution};

@@ -31,8 +31,7 @@ pub use crate::element::{Geometry, Theory};
 pub use crate::material::flow::Iteration;
 
 use crate::forming_limit::Curve;
-use crate::material::flow::Triple;
-use crate::material::{Elastic, Material};
+use crate::material::{Elastic, Material, flow::Triple};
 use crate::numerics::PiecewiseLinear;
 
 /// A validated forming problem in solver units.

@@ -1,8 +1,7 @@
 //! Animation: the section coloured by thinning, its tools, and the load.
 
 use super::chart::{Chart, Panel, Series};
-use super::thinning::Thinning;
-use super::{StageView, load_travel, raster, sections, svg};
+use super::{StageView, load_travel, raster, sections, svg, thinning::Thinning};
 use crate::solver::solution::Frame;
 use crate::units::{Amount, Digits};
 

@@ -1,11 +1,9 @@
 //! Thickness along the formed sheet, with the names of its bands: bottom, punch radius, wall, die radius, flange.
 
-use super::StageView;
 use super::chart::{Annotation, Panel, Series, Style, bounds};
-use super::palette::GREY;
+use super::{StageView, palette::GREY};
 use crate::measure::{along, bands};
-use crate::plot::Axis;
-use crate::plot::fields::element::THICKNESS;
+use crate::plot::{Axis, fields::element::THICKNESS};
 use crate::table::Unit;
 
 const HEIGHT: f64 = 270.0;

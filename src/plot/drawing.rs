@@ -2,8 +2,7 @@
 
 use crate::geometry::{Bounds, Piece, Point};
 use crate::units::trimmed;
-use std::f64::consts::PI;
-use std::fmt::Write;
+use std::{f64::consts::PI, fmt::Write};
 
 /// Margin over the larger side, and height of labels over the width \[–\].
 const MARGIN: f64 = 0.05;

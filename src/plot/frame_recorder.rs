@@ -2,9 +2,8 @@
 
 use super::animation::PICTURES;
 use crate::model::Model;
-use crate::solver::Observer;
 use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
-use crate::solver::state::State;
+use crate::solver::{Observer, state::State};
 
 /// Files that are written on request only, from the frames of a [`FrameRecorder`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,7 @@
 //! Forces over the punch travel, or the gas pressure over the height of the dome.
 
 use super::chart::{Annotation, Chart, Panel, Series, Style};
-use super::palette::BLACK;
-use super::{Axis, StageView};
+use super::{Axis, StageView, palette::BLACK};
 use crate::measure;
 use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 use crate::solver::solution::StepRecord;

@@ -1,9 +1,8 @@
 //! The part: its whole section coloured by thinning, its thinnest place and the place of a tear.
 
-use super::StageView;
 use super::chart::{Annotation, Chart};
 use super::sections::{panel, whole_tools, whole_window};
-use super::thinning::Thinning;
+use super::{StageView, thinning::Thinning};
 use crate::assess::tears_at;
 use crate::solver::solution::ElementRecord;
 use crate::units::Amount;

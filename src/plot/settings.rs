@@ -1,8 +1,7 @@
 //! Picture settings: formats, width on paper, captions.
 
-use super::chart::Chart;
-use super::raster;
 use super::svg::{WIDTH, sized};
+use super::{chart::Chart, raster};
 
 /// Picture file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

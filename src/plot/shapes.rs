@@ -1,11 +1,8 @@
 //! Section over the travel, coloured by thinning, with the tools where they were then.
 
-use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
-use super::palette::color;
 use super::sections::{flat, panel, tools, window};
-use super::stage_view::spread;
-use super::thinning::Thinning;
+use super::{StageView, palette::color, stage_view::spread, thinning::Thinning};
 use crate::plot::axis::capitalised;
 use crate::solver::solution::Frame;
 use crate::units::Amount;

@@ -1,9 +1,7 @@
 //! Solved stage with what its pictures and tables need of its case.
 
 use super::chart::{Chart, Panel};
-use super::palette::COLORS;
-use super::svg::text;
-use super::{Captions, Pictures};
+use super::{Captions, Pictures, palette::COLORS, svg::text};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};

@@ -4,9 +4,8 @@ use super::Report;
 use super::page::{figure, word};
 use super::results::{PART, plot};
 use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
-use crate::plot::Chart;
-use crate::plot::axis::capitalised;
 use crate::plot::chart::{Scale, bounds};
+use crate::plot::{Chart, axis::capitalised};
 use crate::solver::solution::StepRecord;
 use maud::{Markup, html};
 

@@ -1,12 +1,10 @@
 //! Second page: stages with their peaks, sections at the start, thickness and forming limit.
 
-use super::Report;
 use super::page::{Row, Section, figure_in_column, table};
-use super::results::plot;
 use super::sizes::{dimensions, section};
+use super::{Report, results::plot};
 use crate::model::{Model, Tool};
-use crate::plot::chart::Scale;
-use crate::plot::dimensioned;
+use crate::plot::{chart::Scale, dimensioned};
 use crate::solver::solution::Frame;
 use maud::{Markup, html};
 

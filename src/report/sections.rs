@@ -1,16 +1,13 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
 use super::page::{Row, Section, figure, list, table, word};
-use super::results::figures;
-use super::{PROGRAM, Report};
-use crate::assess::check::Line;
+use super::{PROGRAM, Report, results::figures};
 use crate::assess::error_bars::{Number, Origin};
-use crate::assess::{Finding, Kind, Light, judgements};
+use crate::assess::{Finding, Kind, Light, check::Line, judgements};
 use crate::case::files::sha256;
 use crate::plot::Chart;
 use crate::results::summary::{Group, section_of};
-use crate::study::Cell;
-use crate::study::compare::SideBySide;
+use crate::study::{Cell, compare::SideBySide};
 use crate::units::joined;
 use maud::{Markup, html};
 

@@ -1,7 +1,6 @@
 //! List of a case's stages, as a table and as printed lines.
 
-use super::csv::csv_with_texts;
-use super::{Files, Results};
+use super::{Files, Results, csv::csv_with_texts};
 use crate::case::Solution;
 use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;

@@ -9,9 +9,7 @@
 
 use super::{Files, StageView, tables};
 use crate::model::Model;
-use crate::plot::fields::element::S0;
-use crate::plot::thinning::percent;
-use crate::plot::{animation, sections};
+use crate::plot::{animation, fields::element::S0, sections, thinning::percent};
 use crate::solver::solution::Frame;
 use crate::table::{Column, Unit};
 use std::fmt::{Display, Write};

@@ -2,8 +2,7 @@
 
 use super::terms::contact;
 use super::*;
-use crate::material::flow::YieldCondition;
-use crate::material::{Elastic, Gtn};
+use crate::material::{Elastic, Gtn, flow::YieldCondition};
 use crate::solver::state::MaterialPoint;
 
 /// Largest relative change of the strain rate in steady flow \[–\].

@@ -1,8 +1,7 @@
 //! Implicit corrector: iterates with H until equilibrium (Sosnowski 1994, equation 9).
 
-use super::equilibrium::evaluate;
-use super::evaluation::Linearisation;
 use super::*;
+use super::{equilibrium::evaluate, evaluation::Linearisation};
 use crate::model::Norm;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].

@@ -13,8 +13,7 @@
 //! exact in pure bending.
 
 use super::*;
-use crate::material::Fracture;
-use crate::material::fracture::FractureStress;
+use crate::material::{Fracture, fracture::FractureStress};
 
 /// Adds the damage of a step to the points and faces of the next state.
 pub(super) fn add(fracture: &Fracture, converged: &Converged, next: &mut State) {

@@ -3,9 +3,8 @@
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends along the computed path,
 //! each force in its own direction. The corrector never uses these sums, so their imbalance measures the step length.
 
-use super::evaluation::Contact;
-use super::step::CUT_OFF_ZONE;
 use super::*;
+use super::{evaluation::Contact, step::CUT_OFF_ZONE};
 use crate::geometry::turned;
 use crate::solver::solution::Energy;
 

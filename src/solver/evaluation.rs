@@ -1,15 +1,13 @@
 //! Evaluation of a trial: residual, matrix, stress, contacts.
 
-use super::run_context::references;
-use super::step::half_thickness_difference;
 use super::*;
+use super::{run_context::references, step::half_thickness_difference};
 use crate::contact::penalty::Penalty;
 use crate::element::Vector6;
 use crate::element::surface::{Station, stations};
 use crate::material::flow::StressUpdate;
 use crate::model::PressureCap;
-use crate::numerics::ValueAndSlope;
-use crate::numerics::block_tridiagonal::System;
+use crate::numerics::{ValueAndSlope, block_tridiagonal::System};
 use nalgebra::{Matrix3, SMatrix};
 
 /// Least pressure of a point in contact, over that of touching \[–\].

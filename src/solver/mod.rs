@@ -32,9 +32,7 @@ mod time_step;
 pub mod trace;
 mod trial;
 
-use crate::element::Node;
-use crate::element::kinematics::Reference;
-use crate::element::surface::STATIONS;
+use crate::element::{Node, kinematics::Reference, surface::STATIONS};
 use crate::geometry::Point;
 use crate::model::{Edge, Iteration, Mode, Model, Motion, Role, Settings, Theory, Tool};
 use crate::numerics::Grid;

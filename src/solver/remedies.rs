@@ -1,9 +1,7 @@
 //! Remedies of a run without equilibrium: other settings from a course behind the place, until the run is past it.
 
-use super::closing::Unseen;
-use super::course::Course;
-use super::no_equilibrium::reached;
 use super::*;
+use super::{closing::Unseen, course::Course, no_equilibrium::reached};
 use crate::model::Remedy;
 use crate::units::joined;
 

@@ -1,12 +1,10 @@
 //! Constant data of a run: tools, thickness points, shared unknowns, fading forces.
 
-use super::closing::block_height;
-use super::restraints::Grip;
-use super::selective_bending::Selection;
-use super::tearing_index::PlaneStrainStrength;
 use super::*;
-use crate::contact::friction::Friction;
-use crate::contact::penalty::Penalty;
+use super::{
+    closing::block_height, restraints::Grip, selective_bending::Selection, tearing_index::PlaneStrainStrength,
+};
+use crate::contact::{friction::Friction, penalty::Penalty};
 use crate::element::Theory;
 use crate::geometry::Profile;
 use crate::material::flow::ROOM_TEMPERATURE;

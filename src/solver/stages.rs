@@ -1,9 +1,8 @@
 //! Sequences of stages: the sheet and the tools that stay carry over.
 
 use super::closing::{close, closed};
-use super::equilibrium::unloading;
-use super::step::FADING;
 use super::*;
+use super::{equilibrium::unloading, step::FADING};
 use crate::model::mesh;
 use crate::model::stage::{Beginning, Stage};
 use crate::numerics::bisect;

@@ -1,16 +1,13 @@
 //! Start of a step: what all its iterations share.
 
 use super::restraints::{BeadPosition, Seal};
-use super::run_context::references;
-use super::selective_bending::rotating;
 use super::*;
+use super::{run_context::references, selective_bending::rotating};
 use crate::element::surface::{Station, stations};
-use crate::material::Surroundings;
-use crate::material::chaboche;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::flow::{PointState, Triple};
-use crate::solver::state::MaterialPoint;
-use crate::solver::state::nonlocal_average::NonlocalAverage;
+use crate::material::{Surroundings, chaboche};
+use crate::solver::state::{MaterialPoint, nonlocal_average::NonlocalAverage};
 
 /// Exponent m of the resistance to flowing faster than the surroundings \[–\]: half of it lets sheets with n = 0.02 alternate.
 const EXPONENT: f64 = 0.005;

@@ -6,8 +6,7 @@ use crate::geometry::Nearest;
 use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::{Iterate, Triple};
 use crate::model::ReleaseStiffness;
-use crate::numerics::ValueAndSlope;
-use crate::numerics::block_tridiagonal::System;
+use crate::numerics::{ValueAndSlope, block_tridiagonal::System};
 
 /// Memory of a pair of tool and contact point between evaluations.
 #[derive(Clone, Copy, Debug, Default)]

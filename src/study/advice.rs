@@ -1,8 +1,7 @@
 //! Advice: changes of one size, each solved before it is given.
 
-use super::variable::split_number;
-use super::verdict::is_known;
 use super::*;
+use super::{variable::split_number, verdict::is_known};
 use crate::assess::advice::{self, Tried, is_open};
 use crate::assess::{Finding, after, judgements};
 use crate::case::{self};

@@ -7,10 +7,8 @@ use crate::assess::error_bars::{ErrorBars, answered};
 use crate::assess::{self};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};
-use crate::plot::palette::color;
-use crate::plot::sections;
-use crate::results::comparison::Computed;
-use crate::results::summary::section_of;
+use crate::plot::{palette::color, sections};
+use crate::results::{comparison::Computed, summary::section_of};
 use crate::units::Digits;
 
 /// A case to compare.

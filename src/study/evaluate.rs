@@ -2,10 +2,8 @@
 
 use super::run::{evaluate_design, evaluated, responses};
 use super::*;
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
+use std::{ops::ControlFlow, sync::mpsc, thread};
 
 /// Plan of a study.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,8 +6,7 @@ use super::goals::{Goal, HolderRule};
 use super::variable::{SearchRange, check_distinct};
 use super::*;
 use crate::assess::estimate;
-use crate::plot::Axis;
-use crate::plot::chart::bounds;
+use crate::plot::{Axis, chart::bounds};
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,6 @@
 //! Units that text may be written in, with their factors and dimensions.
 
-use super::types::KINDS;
-use super::{closest, parse};
+use super::{closest, parse, types::KINDS};
 
 /// Exponents of length, force, time, angle and temperature. An angle is a dimension, so that degrees are no plain number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,10 @@
 //! Numbers of known dimension and range: as text, in case files, and in their JSON schema.
 
-use super::dimension::Dimension;
-use super::{QuantityError, parse, thicknesses};
+use super::{QuantityError, dimension::Dimension, parse, thicknesses};
 use schemars::JsonSchema;
 use serde::Serializer;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
-use std::fmt;
-use std::marker::PhantomData;
+use std::{fmt, marker::PhantomData};
 
 /// Number whose dimension and range have been checked.
 pub trait Dimensioned: Copy {

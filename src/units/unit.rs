@@ -1,8 +1,7 @@
 //! Units of the solver's numbers, as they are spelled at the end of headers, and of texts: SI or US customary.
 
 use super::dimension::{INCH, LBF};
-use super::parse;
-use super::types::KINDS;
+use super::{parse, types::KINDS};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 macro_rules! units {

@@ -4,8 +4,7 @@ use crate::common::cli::endless;
 use crate::common::prelude::*;
 use rayon::prelude::*;
 use stampflow::results::{can_write, write};
-use std::process::Child;
-use std::time::Instant;
+use std::{process::Child, time::Instant};
 
 /// Files below a folder without wall times, which no two runs share.
 type Tree = BTreeMap<PathBuf, Vec<u8>>;

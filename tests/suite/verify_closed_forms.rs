@@ -168,8 +168,7 @@ fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
 /// a jump of the stress with an error of the order 1/n².
 #[test]
 fn plastic_moment_converges_with_the_layers() {
-    use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::Section;
+    use stampflow::element::{kinematics::Reference, section::Section};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::quadrature::lobatto;
@@ -208,8 +207,7 @@ fn plastic_moment_converges_with_the_layers() {
 /// the first power of their number.
 #[test]
 fn tension_that_bends_moves_the_neutral_fibre() {
-    use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::Section;
+    use stampflow::element::{kinematics::Reference, section::Section};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::quadrature::midpoint;

@@ -2,8 +2,7 @@
 
 use crate::common::prelude::*;
 use crate::common::shipped::shipped;
-use stampflow::element::kinematics::Reference;
-use stampflow::element::section::Section;
+use stampflow::element::{kinematics::Reference, section::Section};
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 
 /// Incompressible in its elasticity too: only then does plane strain yield at (2/√3) Y and stay there, as the closed forms

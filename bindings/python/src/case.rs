@@ -1,9 +1,8 @@
 //! Cases, templates and sheets.
 
-use super::error;
 use super::interruptible::{Progress, Stages, interruptible};
-use super::solution::Solution;
 use super::table::json as to_json;
+use super::{error, solution::Solution};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
@@ -11,8 +10,7 @@ use stampflow::author::templates::{TEMPLATES, Template, find};
 use stampflow::case::library;
 use stampflow::study::{BaseCase, StudyError};
 use stampflow::{assess, case};
-use std::collections::BTreeMap;
-use std::time::Instant;
+use std::{collections::BTreeMap, time::Instant};
 
 /// A case as it was read, and the text and settings that it was read from.
 #[pyclass(frozen, module = "stampflow._native")]

@@ -9,9 +9,7 @@ use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, ImportError, Options};
 use stampflow::model::Geometry;
 use stampflow::units::{Dimensioned, Length, Positive};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::str::FromStr;
+use std::{collections::BTreeMap, path::PathBuf, str::FromStr};
 
 /// Options of an import, as texts with units.
 #[derive(Deserialize)]

@@ -3,11 +3,9 @@
 use pyo3::prelude::*;
 use stampflow::study::Watch;
 use stampflow::{Model, Observer, State};
-use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
-use std::thread;
-use std::time::Duration;
+use std::{panic::resume_unwind, thread, time::Duration};
 
 /// Interval of the checks for Ctrl-C.
 const INTERVAL: Duration = Duration::from_millis(30);

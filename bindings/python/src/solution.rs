@@ -7,8 +7,7 @@ use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::Table;
-use stampflow::assess::error_bars::ErrorBars;
-use stampflow::assess::{Answer, Finding, judgements};
+use stampflow::assess::{Answer, Finding, error_bars::ErrorBars, judgements};
 use stampflow::geometry::Point;
 use stampflow::model::Model;
 use stampflow::report::Report;
@@ -16,9 +15,8 @@ use stampflow::results::{self, Make, OUTPUTS, Output, Results, Summary, tables};
 use stampflow::study::{judge, verify};
 use stampflow::table::Unit;
 use stampflow::units::Amount;
-use std::collections::BTreeMap;
-use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
+use std::{collections::BTreeMap, path::PathBuf};
 
 /// Angle of a chord in the outline of a tool \[rad\].
 const ARC: f64 = 0.03;

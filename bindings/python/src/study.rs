@@ -1,9 +1,8 @@
 //! Studies: one function for all kinds, and comparisons.
 
-use super::case::Case;
-use super::error;
 use super::interruptible::{Progress, interruptible, pooled};
 use super::table::{Picture, json, picture};
+use super::{case::Case, error};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -14,10 +13,7 @@ use stampflow::study::{
     BaseCase, EarlierRuns, Evaluation, LimitSearch, RunTable, Scatter, SearchRequest, Shard, Side, Study, StudyError,
     StudyReport, Sweep, begin, evaluate, measured_curve,
 };
-use std::collections::BTreeMap;
-use std::ops::ControlFlow;
-use std::path::PathBuf;
-use std::thread::available_parallelism;
+use std::{collections::BTreeMap, ops::ControlFlow, path::PathBuf, thread::available_parallelism};
 
 /// Report as JSON, header and rows of the run table, and pictures by name.
 type Columns = (Vec<String>, Vec<Vec<String>>);

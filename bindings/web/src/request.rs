@@ -5,12 +5,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use stampflow::author::Import;
 use stampflow::author::templates::{Choice, TEMPLATES, Template, find};
-use stampflow::case::files::Memory;
-use stampflow::case::{Case, CaseError, library, parse_with};
+use stampflow::case::{Case, CaseError, files::Memory, library, parse_with};
 use stampflow::import::{DrawingUnit, ImportError, Options};
 use stampflow::model::{Geometry, Model};
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 use toml_edit::DocumentMut;
 
 /// A request; `do` is its kind.

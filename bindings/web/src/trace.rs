@@ -4,9 +4,8 @@ use crate::lock;
 use serde_json::{Value, json};
 use stampflow::case::Case;
 use stampflow::model::Iteration;
-use stampflow::solver::IterateSnapshot;
-use stampflow::solver::solution::IterationRecord;
 use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace};
+use stampflow::solver::{IterateSnapshot, solution::IterationRecord};
 use std::sync::Mutex;
 
 /// Trace of the last request, for the points of its elements.

@@ -4,9 +4,8 @@ use super::{Line, line, number, size_of};
 use crate::assess::{design::LIMITING_RATIO, estimate};
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
-use crate::model::stage::Stage;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
-use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool};
+use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::units::{Amount, Digits, Unit, joined};
 
 /// Number of arcs above which a die's entry is a curve.

@@ -8,8 +8,7 @@ use crate::units::{
     did_you_mean, thicknesses,
 };
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::str::FromStr;
+use std::{collections::BTreeMap, str::FromStr};
 
 /// Option of a template.
 #[derive(Clone, Debug, Deserialize, Serialize)]

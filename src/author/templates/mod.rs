@@ -33,8 +33,7 @@ use crate::units::{did_you_mean, rounded, significant};
 use rules::Picked;
 use serde::Deserialize;
 use sizes::{draw_ratio, ensure, newtons, nose, throat};
-use std::fmt::Write;
-use std::sync::LazyLock;
+use std::{fmt::Write, sync::LazyLock};
 
 type Sizes = fn(&Inputs, &Sheet) -> Result<Values, CaseError>;
 

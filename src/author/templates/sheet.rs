@@ -3,11 +3,9 @@
 use super::{Inputs, SHEET};
 use crate::assess::design::tensile_strength;
 use crate::author::writer::{Values, forming_limit, mm};
-use crate::case::CaseError;
-use crate::case::file::Crystal;
 use crate::case::library::{self, Entry};
-use crate::material::hardening::Swift;
-use crate::material::{Elastic, Hardening, Hosford, Material};
+use crate::case::{CaseError, file::Crystal};
+use crate::material::{Elastic, Hardening, Hosford, Material, hardening::Swift};
 use crate::units::rounded;
 
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";

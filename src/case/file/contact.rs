@@ -1,9 +1,8 @@
 //! Contact with the tools: the holder's force, draw beads, and `friction` of a tool or of its side of the sheet.
 
-use super::material::only;
 use super::tools::{Holder, ToolKeys};
-use super::values::Stiffness;
 use super::*;
+use super::{material::only, values::Stiffness};
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;
 use crate::model::Press;

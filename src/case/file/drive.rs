@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::forming_limit::Paths;
-use crate::model::Stage;
-use crate::model::tool_sizes::throat;
+use crate::model::{Stage, tool_sizes::throat};
 use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
 use crate::solver::state::MaterialPoint;
 use std::f64::consts::FRAC_PI_2;

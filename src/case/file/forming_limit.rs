@@ -3,8 +3,7 @@
 use super::material::{blame, not_one};
 use super::{CaseError, Deserialize, JsonSchema, Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski, Points, Sheet, Strain, Swift};
-use crate::material::Material;
-use crate::material::flow::ROOM_TEMPERATURE;
+use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use crate::model::Heat;
 use crate::units::{Amount, Dimensioned, Fraction, Number, ZERO_CELSIUS};
 

@@ -3,8 +3,7 @@
 use super::*;
 use crate::measure::Ring;
 use crate::units::{Angle, As, Energy};
-use serde::Deserializer;
-use serde::de::Error;
+use serde::{Deserializer, de::Error};
 
 /// Rating of the press, as on its data sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]

@@ -2,15 +2,12 @@
 
 use super::*;
 use crate::grade::Coil;
-use crate::material::fracture::FractureTable;
-use crate::material::hardening::HardeningTable;
 use crate::material::law::{Family, LawError};
-use crate::material::rate::RateTable;
-use crate::material::thermal::ThermalTable;
 use crate::material::{
     self, BackStress, BackStresses, Elastic, Fracture, Gtn, Hardening, Hill48, RValues, Rate, ThermalLaw,
     YieldCriterion,
 };
+use crate::material::{fracture::FractureTable, hardening::HardeningTable, rate::RateTable, thermal::ThermalTable};
 use crate::units::Digits;
 
 /// The sheet's material, isotropic in its plane.

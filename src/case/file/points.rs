@@ -5,9 +5,7 @@ use crate::case::files;
 use crate::geometry::{FilletTooLarge, fillet};
 use crate::table::{Csv, CsvError, Record, Unit};
 use miette::NamedSource;
-use std::io::ErrorKind;
-use std::path::Path;
-use std::sync::Arc;
+use std::{io::ErrorKind, path::Path, sync::Arc};
 
 /// Distance below which points are one \[mm\]: drawings repeat where their curves meet.
 const SAME: f64 = 1e-5;

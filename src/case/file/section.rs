@@ -1,8 +1,7 @@
 //! `profile`: section of a tool, drawn in steps, read from a file or made from another tool; then placed.
 
-use super::counter::Counter;
-use super::points::Points;
 use super::*;
+use super::{counter::Counter, points::Points};
 use crate::geometry::{Arc, Fold};
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.

@@ -1,8 +1,7 @@
 //! `[heat]`: initial temperature of the flat sheet, and heat flow; `[gas]`: pressure on the faces of the sheet.
 
 use super::*;
-use crate::model::tool_sizes::extent;
-use crate::model::{Face, HeatFlow, Pressure, RateControl};
+use crate::model::{Face, HeatFlow, Pressure, RateControl, tool_sizes::extent};
 use crate::table::Unit;
 use crate::units::{
     Conductivity, Density, HeatTransfer, SpecificHeat, StrainRate, StressRate, Temperature, ZERO_CELSIUS,

@@ -1,16 +1,13 @@
 //! Element of the equations of `docs/theory.md`.
 
 use super::kinematics::{EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Reference};
-use super::section::Section;
-use super::surface::stations;
-use super::{Geometry, Node, Theory};
+use super::{Geometry, Node, Theory, section::Section, surface::stations};
 use crate::geometry::{Point, turned};
 use crate::latex::{Matrix, Random, Symbols, column};
 use crate::material::PointLaw;
 use crate::material::flow::{PointSnapshot, StressUpdate, Tangent, Triple};
 use crate::numerics::quadrature::midpoint;
-use std::array::from_fn;
-use std::f64::consts::PI;
+use std::{array::from_fn, f64::consts::PI};
 
 /// Law that records the strains of thickness points and answers with given numbers.
 struct Recorder;

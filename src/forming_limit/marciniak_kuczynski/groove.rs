@@ -10,11 +10,8 @@
 //! Stresses of the groove's strains are those of the sheet's yield condition, in their own principal directions.
 
 use super::MarciniakKuczynski;
-use crate::forming_limit::Sheet;
-use crate::forming_limit::instability::Proportional;
-use crate::material::YieldCriterion;
-use crate::material::flow::YieldCondition;
-use crate::material::law::LawError;
+use crate::forming_limit::{Sheet, instability::Proportional};
+use crate::material::{YieldCriterion, flow::YieldCondition, law::LawError};
 use nalgebra::{Matrix2, Vector2};
 
 /// Smallest step of equivalent strain \[–\]; there the limit has been found to as much.

@@ -1,8 +1,6 @@
 use super::*;
-use crate::material::chaboche::shifting;
-use crate::material::hosford::tests::flow_direction;
 use crate::material::yield_condition::{differences, rows};
-use crate::material::{BackStress, Hill48};
+use crate::material::{BackStress, Hill48, chaboche::shifting, hosford::tests::flow_direction};
 use approx::assert_relative_eq;
 
 const STEEL: Elastic = Elastic { young: 206_000.0, poisson: 0.3 };

@@ -1,8 +1,7 @@
 //! The flow law against its closed forms and its matrices against differences.
 
 use super::*;
-use crate::material::yield_condition::differences;
-use crate::material::{Hill48, Hosford};
+use crate::material::{Hill48, Hosford, yield_condition::differences};
 use approx::assert_relative_eq;
 
 /// Strain increments, half of them with a spread.

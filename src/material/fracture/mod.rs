@@ -13,9 +13,8 @@ mod cockcroft_latham;
 mod oyane;
 mod rice_tracey;
 
-use crate::material::YieldCriterion;
-use crate::material::flow::Triple;
 use crate::material::law::prelude::*;
+use crate::material::{YieldCriterion, flow::Triple};
 
 family! {
     /// Criterion of ductile fracture: exactly one.

@@ -10,10 +10,9 @@ pub(crate) mod text;
 mod ticks;
 
 use super::chart::{Chart, Color};
-use plotters::backend::SVGBackend;
-use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::style::{RGBColor, WHITE};
+use plotters::{backend::SVGBackend, coord::Shift};
 use text::FONT;
 
 /// Width of a picture \[px\], unless another one is asked for.

@@ -1,9 +1,8 @@
 //! Page layout: title, legend, panels and notes from the top down.
 
 use super::panel::{Frame, x_labels_height, y_labels_width};
-use super::shapes::sample;
 use super::text::{self, NOTE, SPACING, TICK, TITLE, wrapped};
-use super::{Canvas, units};
+use super::{Canvas, shapes::sample, units};
 use crate::plot::chart::{Chart, Panel};
 use crate::plot::palette::{BLACK, GREY};
 

@@ -4,8 +4,7 @@ mod lines;
 
 use super::{StageView, stages, tables};
 use crate::assess::{Kind, holder_lift, sentences};
-use crate::case::Solution;
-use crate::case::files::sha256;
+use crate::case::{Solution, files::sha256};
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
 use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
 use crate::plot::stop_text;

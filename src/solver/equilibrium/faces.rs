@@ -2,11 +2,9 @@
 
 use super::tests::{NEWTON, bare, with_step};
 use super::*;
-use crate::element::kinematics::Reference;
-use crate::element::{Geometry, Theory};
+use crate::element::{Geometry, Theory, kinematics::Reference};
 use crate::geometry::{Piece, Point, Profile};
-use crate::material::hardening::Swift;
-use crate::material::{Hardening, Material};
+use crate::material::{Hardening, Material, hardening::Swift};
 use crate::model::{Face, Gas, Model, Motion, Role, Settings, Tool};
 use crate::numerics::bisect;
 use crate::solver::state::State;

@@ -3,16 +3,13 @@
 use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
-use crate::material::hardening::Swift;
-use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
+use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw, hardening::Swift};
 use crate::model::{
     Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
     Settings, Tool,
 };
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
-use crate::solver::run;
-use crate::solver::run_context::RunContext;
-use crate::solver::state::State;
+use crate::solver::{run, run_context::RunContext, state::State};
 use nalgebra::Vector3;
 
 /// A blank of so many elements without tools, solved with Newton's matrix.

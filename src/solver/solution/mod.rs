@@ -13,8 +13,7 @@ pub use stop::{Stop, StopKind};
 
 use crate::forming_limit::Paths;
 use crate::model::{Iteration, Model, Remedy};
-use crate::solver::Start;
-use crate::solver::state::State;
+use crate::solver::{Start, state::State};
 use neck::Necked;
 
 /// Closing of the holder on the die over the sheet, before the punch moves.

@@ -2,8 +2,7 @@
 
 use crate::contact::friction::direction;
 use crate::solver::evaluation::{BeadForce, Evaluation};
-use crate::solver::step::Step;
-use crate::solver::trial::Trial;
+use crate::solver::{step::Step, trial::Trial};
 
 /// Closing force of the beads, taken from the holder's \[N, or N/mm\].
 pub fn closing_force(step: &Step) -> f64 {

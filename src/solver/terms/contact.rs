@@ -4,15 +4,13 @@
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
 use crate::contact::{ContactLaw, ContactPoint};
-use crate::element::Vector6;
-use crate::element::kinematics::Matrix6;
 use crate::element::surface::{STATIONS, add_position_second, add_thickness_second};
+use crate::element::{Vector6, kinematics::Matrix6};
 use crate::geometry::Point;
 use crate::model::Iteration;
 use crate::numerics::ValueAndSlope;
 use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
-use crate::solver::step::Step;
-use crate::solver::trial::Trial;
+use crate::solver::{step::Step, trial::Trial};
 use nalgebra::{Matrix3, Vector3};
 
 /// Adds contact and friction of all tools; returns the largest force on a point.

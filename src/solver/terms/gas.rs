@@ -1,13 +1,11 @@
 //! Gas pressure on the faces of the sheet, given over time or controlled by a strain rate.
 
-use crate::element::Vector6;
-use crate::element::kinematics::Matrix6;
+use crate::element::{Vector6, kinematics::Matrix6};
 use crate::geometry::Point;
 use crate::material::flow::{Metric, YieldCondition};
 use crate::model::{Geometry, Pressure};
 use crate::solver::evaluation::{Evaluation, HeldRate};
-use crate::solver::step::Step;
-use crate::solver::trial::Trial;
+use crate::solver::{step::Step, trial::Trial};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 

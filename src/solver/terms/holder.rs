@@ -7,14 +7,10 @@
 //! of the solved half of a plane section, with the move w towards the die, the stiffness c of springs or cushion and the force of
 //! the distance blocks; φ falls from 1 to 0 as the width b of the sheet under the tool runs out.
 
-use super::bead;
-use super::sheet::STABILISATION;
+use super::{bead, sheet::STABILISATION};
 use crate::model::{Motion, Role};
-use crate::solver::evaluation::Evaluation;
 use crate::solver::restraints::{Grip, fading};
-use crate::solver::state::waiting_displacement;
-use crate::solver::step::Step;
-use crate::solver::trial::Trial;
+use crate::solver::{evaluation::Evaluation, state::waiting_displacement, step::Step, trial::Trial};
 
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let (context, model) = (step.context, step.model);

@@ -3,9 +3,8 @@
 use super::tension::{EXAMPLE, FlowPoint, rows};
 use crate::case::files::{self, Disk, Files};
 use crate::numerics::statistics::block_means;
-use crate::study::error::ensure;
 use crate::study::measured_curve::{csv_error, unreadable};
-use crate::study::{StudyError, Watch, fail};
+use crate::study::{StudyError, Watch, error::ensure, fail};
 use crate::table::Csv;
 use crate::tester;
 use crate::units::{Amount, joined, significant};

@@ -1,17 +1,14 @@
 //! Hardening laws fitted to tension tests, with a power of the rate if the tests differ in their rate.
 
 use super::flow_curve::{FlowCurve, straight_line};
-use super::tension::FlowPoint;
-use super::{Estimate, estimates};
+use super::{Estimate, estimates, tension::FlowPoint};
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
 use crate::material::rate::{PowerRate, Rate};
 use crate::numerics::least_squares::{Parameter, minimise};
 use crate::numerics::statistics::block_means;
-use crate::study::error::ensure;
-use crate::study::{StudyError, Watch};
+use crate::study::{StudyError, Watch, error::ensure};
 use statrs::statistics::Statistics;
-use std::cmp::Ordering;
-use std::str::FromStr;
+use std::{cmp::Ordering, str::FromStr};
 
 /// A hardening law of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! Rows of a tension test's file: columns by their headers, true strain and stress row by row.
 
 use super::flow_curve::Reduction;
-use crate::study::error::ensure;
 use crate::study::measured_curve::{SCATTER, csv_error, has_word};
-use crate::study::{StudyError, fail};
+use crate::study::{StudyError, error::ensure, fail};
 use crate::table::{Csv, Unit};
 
 /// Point of a test or of a flow curve.

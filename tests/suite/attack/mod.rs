@@ -14,11 +14,8 @@ use mutate::mutated;
 use stampflow::author::Import;
 use stampflow::case::CaseError;
 use stampflow::plot::svg;
-use stampflow::results::comparison::comparisons;
-use stampflow::results::{Results, csv};
-use std::fmt::Write;
-use std::sync::mpsc::channel;
-use std::time::Instant;
+use stampflow::results::{Results, comparison::comparisons, csv};
+use std::{fmt::Write, sync::mpsc::channel, time::Instant};
 
 /// A cup without its punch's section, and what is read beside it.
 const CUP: &str = r#"

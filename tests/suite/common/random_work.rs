@@ -4,8 +4,7 @@
 use super::random_die::{Process, RandomDie, SECOND_SERIES, random_die};
 use fastrand::Rng;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
-use stampflow::material::hardening::Swift;
-use stampflow::material::{Elastic, Hardening};
+use stampflow::material::{Elastic, Hardening, hardening::Swift};
 use stampflow::model::{
     Beginning, Edge, Face, Gas, Geometry, Grading, Mode, Model, Motion, ReleaseStiffness, Role, Stage, Tool,
 };
