@@ -128,5 +128,5 @@ pub use solver::{Observer, run, solve};
 pub use table::Table;
 
 #[cfg(test)]
-#[path = "latex/tests.rs"]
-mod latex;
+#[path = "equations/tests.rs"]
+mod equations;

@@ -2,8 +2,8 @@
 
 use super::kinematics::{EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Reference};
 use super::{Geometry, Node, Theory, section::Section, surface::stations};
+use crate::equations::{Matrix, Random, Symbols, column};
 use crate::geometry::{Point, turned};
-use crate::latex::{Matrix, Random, Symbols, column};
 use crate::material::PointLaw;
 use crate::material::flow::{PointSnapshot, StressUpdate, Tangent, Triple};
 use crate::numerics::quadrature::midpoint;
