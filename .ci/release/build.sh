@@ -12,11 +12,7 @@
 # and, in bindings/python/, `maturin build --locked --release`. The program needs nothing but the C library; with `--target x86_64-unknown-linux-musl`
 # (not tried) not even that.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
-profile=dist
-if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
-mkdir -p "${1:-out/release}"
-out=$(cd "${1:-out/release}" && pwd)
+. "$(dirname "$0")/common.sh"
 
 # Selected together, the program and the wheel share their dependencies.
 cargo build --locked --profile "$profile" --quiet --bin stampflow -p stampflow -p stampflow-python
@@ -58,8 +54,7 @@ completion powershell share/stampflow stampflow.ps1
 
 doc=$root/share/doc/stampflow
 mkdir -p "$doc"
-cp -r README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/DejaVuSans-LICENSE.txt cases reference_data "$doc"
-.ci/release/licences.sh "$platform" >"$doc/LICENSES-crates.txt"
+add_documents "$doc" "$platform"
 
 rm -f "$out"/stampflow*
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -C "$work" -cf - "$name" |

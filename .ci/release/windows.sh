@@ -6,11 +6,7 @@
 # Needs Rust with rustup, crates.io, Debian's gcc-mingw-w64-x86-64-win32 and zip, which are installed when they are not there, and
 # what `.ci/book` needs. The book is printed by chromium; without it the zip holds the pages for a browser.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
-profile=dist
-if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
-mkdir -p "${1:-out/release}"
-out=$(cd "${1:-out/release}" && pwd)
+. "$(dirname "$0")/common.sh"
 target=x86_64-pc-windows-gnu
 
 rustup target list --installed | grep -qx "$target" || rustup target add "$target"
@@ -29,8 +25,7 @@ x86_64-w64-mingw32-strip "$root/stampflow.exe"
 # Whatever else it needs would have to be in the zip.
 dlls=$(x86_64-w64-mingw32-objdump -p "$root/stampflow.exe" | sed -n 's/.*DLL Name: //p' | sort -fu)
 if grep -iE '^lib|mingw|pthread' <<<"$dlls"; then echo "the program needs these libraries, which Windows has not"; exit 1; fi
-cp -r README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/DejaVuSans-LICENSE.txt cases reference_data "$root"
-.ci/release/licences.sh "$target" >"$root/LICENSES-crates.txt"
+add_documents "$root" "$target"
 
 .ci/book
 browser=$(command -v chromium chromium-browser google-chrome | head -1 || true)

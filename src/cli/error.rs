@@ -1,7 +1,6 @@
 //! Exit codes, the errors that end the program, and its signals.
 
 use super::*;
-use signal_hook::{consts::SIGINT, consts::SIGTERM, flag};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
@@ -98,15 +97,21 @@ static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
 /// Installs the handlers of Ctrl-C and SIGTERM: the first ends the runs, the second the program. SIGHUP, which a terminal
 /// that closes may send twice, ends the runs only.
-pub fn listen() -> std::io::Result<()> {
-    for signal in [SIGINT, SIGTERM] {
-        // In this order: the first signal finds the flag down and raises it, the second finds it up.
-        flag::register_conditional_shutdown(signal, Code::Interrupted as i32, Arc::clone(&INTERRUPTED))?;
-        flag::register(signal, Arc::clone(&INTERRUPTED))?;
-    }
+pub fn listen() -> Result<()> {
+    #[cfg(windows)]
+    ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(Code::Interrupted as i32)
+        }
+    })?;
     #[cfg(unix)]
     {
-        use signal_hook::consts::{SIGHUP, SIGXFSZ};
+        use signal_hook::{consts::*, flag};
+        for signal in [SIGINT, SIGTERM] {
+            // In this order: the first signal finds the flag down and raises it, the second finds it up.
+            flag::register_conditional_shutdown(signal, Code::Interrupted as i32, Arc::clone(&INTERRUPTED))?;
+            flag::register(signal, Arc::clone(&INTERRUPTED))?;
+        }
         // A file that grows beyond the limit of the process is an error like a full disk.
         flag::register(SIGXFSZ, Arc::default())?;
         let hung_up = if is_ignored(SIGHUP) { Arc::default() } else { Arc::clone(&INTERRUPTED) };

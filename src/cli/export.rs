@@ -28,15 +28,11 @@ pub fn export(args: &Args) -> Result<Code> {
     let unit = [DrawingUnit::MM, DrawingUnit::INCH][DisplaySettings::current() as usize];
     let drawing = Drawing::new(&solution, unit);
     write(path, drawing.text(format).as_bytes()).map_err(unusable("-o"))?;
-    let (layers, is_complete) = (drawing.layers.iter().map(|layer| &layer.name), solution.is_complete());
-    let layers = joined(layers.cloned(), ", ");
-    emit(
-        args.common.json(),
-        json!({ "file": path, "layers": layers.split(", ").collect::<Value>(), "complete": is_complete }),
-        || {
-            let early = if is_complete { "" } else { "\nthe run stopped early: the sheet is drawn as it was then" };
-            wrapped(format!("{} is written, layers {}{early}", path.display(), layers))
-        },
-    )?;
+    let layers: Vec<_> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
+    let is_complete = solution.is_complete();
+    emit(args.common.json(), json!({ "file": path, "layers": layers, "complete": is_complete }), || {
+        let early = if is_complete { "" } else { "\nthe run stopped early: the sheet is drawn as it was then" };
+        wrapped(format!("{} is written, layers {}{early}", path.display(), layers.join(", ")))
+    })?;
     Ok(if is_complete { Code::Done } else { Code::StoppedEarly })
 }

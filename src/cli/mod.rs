@@ -57,7 +57,7 @@ use stampflow::results::{CaseSummary, OUTPUTS, ResultFolder, Results, WriteError
 use stampflow::results::{can_write, comparison_folder, csv, is_report, is_result, result_folder, write};
 use stampflow::solver::solution::{IterationRecord, StepRecord};
 use stampflow::study::{StudyError, compare::SideBySide, judge, measured_curve, study_folder};
-use stampflow::units::{Amount, Dimensioned, DisplaySettings, Length, Positive, QuantityError, joined, parse, rounded};
+use stampflow::units::{Amount, Dimensioned, DisplaySettings, Length, Positive, QuantityError, parse, rounded};
 use std::io::{IsTerminal, stdin};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 
 /// More files of other origin than this are not linked at every run.
 const MOST_CARRIED: usize = 2000;
+/// Whether the system exchanges two folders in one step. Elsewhere a link to a file that is held keeps the new set's folder.
+const EXCHANGES: bool = cfg!(any(target_os = "linux", target_os = "macos"));
 
 /// Decides by the folder and the path from it whether a file belongs to the set that is replaced.
 pub type IsOurs = fn(&Path, &Path) -> bool;
@@ -89,7 +91,7 @@ impl ResultFolder {
         }
         fs::set_permissions(&self.part, fs::metadata(&self.path)?.permissions())?;
         let stands_in = std::env::current_dir().is_ok_and(|here| here.starts_with(&self.path));
-        if !stands_in && !self.part.starts_with(&self.path) {
+        if EXCHANGES && !stands_in && !self.part.starts_with(&self.path) {
             match self.carry(&self.path, &self.part) {
                 Err(error) if error.kind() == ErrorKind::StorageFull => return Err(unchanged(&error)),
                 Ok(true) if exchange(&self.part, &self.path).is_ok() => {

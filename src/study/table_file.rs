@@ -29,7 +29,6 @@ pub struct TableFile {
     /// Whether its rows are those of a complete table.
     is_complete: bool,
     is_resumed: bool,
-    rows: Option<File>,
     _lock: Lock,
     _folders: NewFolders,
 }
@@ -60,7 +59,7 @@ impl TableFile {
         let help = format!("replace it with --restart, or {ELSEWHERE}");
         ensure(is_free(is_complete), format!("{shown} is there, of a complete study"), help)?;
         let path = path.to_owned();
-        Ok(Self { path, part, curves, is_complete, is_resumed: resume, rows: None, _lock: lock, _folders: folders })
+        Ok(Self { path, part, curves, is_complete, is_resumed: resume, _lock: lock, _folders: folders })
     }
 
     /// Begins the rows of a study, or goes on with those of an earlier run, which are returned.
@@ -89,10 +88,9 @@ impl TableFile {
             let mut file = File::options().write(true).create(true).truncate(false).open(part)?;
             file.set_len(kept)?;
             file.seek(SeekFrom::End(0))?;
-            file.write_all(&bytes[kept as usize..]).map(|()| file)
+            file.write_all(&bytes[kept as usize..])
         };
-        self.rows = Some(begin().map_err(unwritable)?);
-        Ok(earlier)
+        begin().map(|()| earlier).map_err(unwritable)
     }
 
     /// Appends a row, with load and thickness of the design if they are to be kept.
@@ -108,7 +106,8 @@ impl TableFile {
             write(&path, format!("{header}\n{lines}").as_bytes())?;
         }
         let line = record(&runs.line(run));
-        let written = self.rows.as_ref().map_or(Ok(()), |mut rows| rows.write_all(&line));
+        // Open for one row only: Windows keeps the name of a file that is open.
+        let written = File::options().append(true).open(&self.part).and_then(|mut rows| rows.write_all(&line));
         written.map_err(|source| WriteError { path: self.part.clone(), source })
     }
 
