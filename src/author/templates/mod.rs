@@ -25,7 +25,7 @@ pub(super) use inputs::Inputs;
 pub(super) use sheet::{LAW, Sheet, mild_steel};
 
 use crate::assess::size;
-use crate::author::writer::{Values, joined, mm, plain, profile_text};
+use crate::author::writer::{Values, exact, joined, mm, plain, profile_text};
 use crate::case::CaseError;
 use crate::geometry::Point;
 use crate::model::Geometry;
@@ -59,7 +59,7 @@ struct Header {
 
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
-    let files: [(&str, &str, Sizes); 10] = [
+    let files: [(&str, &str, Sizes); 12] = [
         ("cup", include_str!("cup.toml"), cups::cup),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
@@ -68,6 +68,8 @@ pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
         ("hat-section", include_str!("hat_section.toml"), strips::hat_section),
+        ("box-section", include_str!("box_section.toml"), strips::box_section),
+        ("joggle", include_str!("joggle.toml"), strips::joggle),
         ("v-bend", include_str!("v_bend.toml"), strips::v_bend),
         ("u-bend", include_str!("u_bend.toml"), strips::u_bend),
     ];

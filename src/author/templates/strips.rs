@@ -1,7 +1,126 @@
-//! Strips in plane strain: a hat section drawn with a holder, a V bent in air, and a U bent between punch and die.
+//! Strips in plane strain: hat and box sections drawn with a holder, a joggle, a V bent in air, and a U between punch and die.
 
 use super::air_bend::{Strip, travel};
 use super::*;
+use crate::case::parse;
+use crate::measure::part_height;
+use crate::numerics::interpolated;
+use crate::solver::{self, solution::Frame};
+
+/// Runs that correct two sizes.
+const RUNS: usize = 4;
+/// Reason of a corrected size.
+const CORRECTED: &str = "as runs of this case need";
+
+/// Values of a template for two sizes \[mm\] that its runs correct, each by what the part at the end `misses` \[mm\].
+///
+/// A case that does not run to its end keeps the first sizes.
+fn corrected(
+    template: &str,
+    first: [f64; 2],
+    values: impl Fn([f64; 2]) -> Result<Values, CaseError>,
+    misses: impl Fn(&Frame) -> Option<[f64; 2]>,
+) -> Result<Values, CaseError> {
+    let mut sizes = first;
+    for _ in 0..RUNS {
+        let Ok(case) = parse(&values(sizes)?.fill(find(template)?.text), template, &[]) else { break };
+        let runs = solver::solve(&case.stages, &mut ());
+        let end = runs.last().filter(|run| runs.len() == case.stages.len() && run.stop.is_complete());
+        let Some(missing) = end.and_then(|run| misses(run.frames.last()?)) else { return values(first) };
+        sizes = [sizes[0] + missing[0], sizes[1] + missing[1]];
+    }
+    values(sizes)
+}
+
+/// Box section that is as high, and whose flange is as wide, as was wanted.
+pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let ([half_width, height], flange) = (inputs.values(["half-width", "height"]), inputs.number("flange"));
+    let nose = nose(inputs, sheet, half_width)?;
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let least = nose.value + shoulder.value + 2.0 * t;
+    let what = || format!("a height of {} leaves no wall between nose and shoulder, {}", plain(height), plain(least));
+    ensure(height >= least, what, "make --height larger, or --nose and --shoulder smaller")?;
+    let throat = throat(half_width, &inputs.pick("clearance", || rules::strip_clearance(t)));
+    let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.tensile_strength));
+    let flat = throat.value + shoulder.value;
+    let trim = inputs.pick("trim", || Picked::by(2.0 * t, "2 thicknesses"));
+    let upright = half_width - 2.0 * nose.value + rules::quarter_bend(nose.value, t) + height - t;
+    let (size, until, first) = if let Some(flange) = flange {
+        let bend = rules::quarter_bend(shoulder.value, t) - shoulder.value - t;
+        (format!("with a flange of {}", plain(flange)), CORRECTED, [upright + bend + flange, height - t])
+    } else {
+        let travel = height + trim.value + shoulder.value + 2.0 * t;
+        ("drawn through the die".to_owned(), "far enough for the walls to leave the shoulder", [upright, travel])
+    };
+    let values = |[blank, travel]: [f64; 2]| {
+        let blank = Picked::by(blank, CORRECTED);
+        let mut sizes = sheet.values(false);
+        sizes.die(&blank, &throat, &shoulder, nose.value);
+        sizes.set("width", plain(2.0 * half_width), "");
+        sizes.set("size", format!("{} high, {size}", plain(height)), "");
+        sizes.set("trim", plain(trim.value), "");
+        if flange.is_none() {
+            sizes.set("through", true, "");
+        }
+        let travel = Picked::by(travel, until);
+        sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
+        sizes.holder(Geometry::PlaneStrain, [flat, blank.value], &pressure)?;
+        Ok(sizes)
+    };
+    corrected("box-section", [first[0] + trim.value, first[1]], values, |end| {
+        let higher = height - part_height(end)?;
+        Some(match flange {
+            Some(flange) => [flat + flange + trim.value - end.nodes.last()?.r + higher, higher],
+            None => [higher + trim.value, 0.0],
+        })
+    })
+}
+
+/// Joggle whose step is as deep, and whose strip is as wide, as was wanted after release.
+pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let [depth, flat] = inputs.values(["depth", "flat"]);
+    let radius = inputs.pick("radius", || rules::tool_radius(t));
+    let gap = inputs.pick("clearance", || Picked::by(1.05 * t, "1.05 thicknesses, a declared rule of thumb"));
+    // Sum of the radii of the bends' middle lines.
+    let radii = 2.0 * radius.value + gap.value;
+    let length = inputs.number("length").unwrap_or(f64::max(4.0 * depth, radii));
+    let [end, hollow] = [flat + length, radius.value + gap.value];
+    // Straight part between the bends and its angle to the flats, of tools whose step has this depth.
+    let straight = |step: f64| (length.powi(2) + step.powi(2) - 2.0 * radii * step).max(0.0).sqrt();
+    let angle = |step: f64| length.atan2(radii - step) - straight(step).atan2(radii);
+    let values = |[blank, step]: [f64; 2]| {
+        let bent = step.min(radii);
+        let least = (bent * (2.0 * radii - bent)).sqrt();
+        let [long, deep, least_long] = [length, step, least].map(plain);
+        let what = || format!("a step {long} long and {deep} deep has no room for its bends, {least_long}");
+        ensure(length >= least, what, "make --length larger, or --radius or --depth smaller")?;
+        let (sin, cos) = angle(step).sin_cos();
+        let [first, second] = [Point::new(flat, -radius.value), Point::new(end, hollow - step)];
+        let steps = [
+            (Point::new(flat, 0.0), None),
+            (first + radius.value * Point::new(sin, cos), Some((first, false))),
+            (second - hollow * Point::new(sin, cos), None),
+            (Point::new(end, -step), Some((second, true))),
+            (Point::new(end + 4.0 * flat, -step), None),
+        ];
+        let blank = Picked::by(blank, CORRECTED);
+        let mut sizes = sheet.values(true);
+        sizes.elements(blank.value, radius.value, 1);
+        sizes.set("profile", profile_text(Point::zeros(), &steps, exact), &radius.reason("radius: "));
+        sizes.set("depth", plain(depth), "");
+        sizes.set("length", plain(length), "");
+        let travel = Picked::by(step + t - gap.value, "until the tools are closed");
+        sizes.lengths([("blank", &blank), ("clearance", &gap), ("travel", &travel)]);
+        Ok(sizes)
+    };
+    let first = 2.0 * flat + radii * angle(depth) + straight(depth);
+    corrected("joggle", [first, depth], values, |part| {
+        let middle: Vec<_> = part.nodes.iter().map(|node| (node.r, node.z)).collect();
+        Some([end + flat - part.nodes.last()?.r, depth - interpolated(&middle, flat) + interpolated(&middle, end)])
+    })
+}
 
 pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
