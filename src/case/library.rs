@@ -119,50 +119,44 @@ fn read(text: SheetText, coil: Option<Coil>) -> Result<Description, CaseError> {
     Ok(sheet)
 }
 
-struct LibrarySheet {
-    text: SheetText,
-    file: Description,
-    /// Reason of the choice, if the word is not its name.
-    note: Option<String>,
-}
-
 /// The sheet of a name; else the one that stands for a grade, first one made from its band; else the only one whose name or
-/// grade begins so.
-fn find(word: &str) -> Result<LibrarySheet, CaseError> {
+/// grade begins so. With the reason of the choice, if the word is not its name.
+fn find(word: &str, coil: Option<Coil>) -> Result<(Entry, Option<String>), CaseError> {
+    if let Some(text) = texts()?.find(|text| text.name == word) {
+        return Ok((entry(text, coil)?, None));
+    }
     // `EN AW-6016` is `enaw6016`.
     let plain = |word: &str| -> String {
         word.chars().filter(|c| c.is_alphanumeric() || *c == '.').flat_map(char::to_lowercase).collect()
     };
     let wanted = plain(word);
     let (mut exact, mut begins) = (Vec::new(), Vec::new());
-    if let Some(text) = texts()?.find(|text| text.name == word) {
-        return Ok(LibrarySheet { text, file: read(text, None)?, note: None });
-    }
     for text in texts()? {
-        let (name, file) = (text.name, read(text, None)?);
-        let grades = file.stands_for.iter().flat_map(|stands| &stands.grades);
-        let known: Vec<String> = grades.map(|grade| plain(grade)).chain([plain(name)]).collect();
-        let note = match plain(name).starts_with(&wanted) || file.stands_for.is_none() {
-            false => format!("material {word}: {name} stands for it, as `stampflow materials {name}` explains"),
-            true => format!("material {word} read as {name}"),
-        };
-        let is_begin = !wanted.is_empty() && known.iter().any(|known| known.starts_with(&wanted));
-        let sheet = LibrarySheet { text, file, note: Some(note) };
+        let entry = entry(text, coil)?;
+        let grades = entry.about.stands_for.iter().flat_map(|stands| &stands.grades);
+        let known: Vec<String> = grades.map(|grade| plain(grade)).chain([plain(entry.name)]).collect();
         if known.contains(&wanted) {
-            exact.push(sheet);
-        } else if is_begin {
-            begins.push(sheet);
+            exact.push(entry);
+        } else if !wanted.is_empty() && known.iter().any(|known| known.starts_with(&wanted)) {
+            begins.push(entry);
         }
     }
-    if exact.iter().any(|sheet| sheet.file.is_made()) {
-        exact.retain(|sheet| sheet.file.is_made());
+    if exact.iter().any(|entry| entry.about.is_made()) {
+        exact.retain(|entry| entry.about.is_made());
     }
     let mut candidates = if exact.is_empty() { begins } else { exact };
-    let names: Vec<&str> = candidates.iter().map(|sheet| sheet.text.name).collect();
+    let names: Vec<&str> = candidates.iter().map(|entry| entry.name).collect();
     match names[..] {
-        [_] => Ok(candidates.remove(0)),
+        [name] => {
+            let entry = candidates.remove(0);
+            let note = match plain(name).starts_with(&wanted) || entry.about.stands_for.is_none() {
+                false => format!("material {word}: {name} stands for it, as `stampflow materials {name}` explains"),
+                true => format!("material {word} read as {name}"),
+            };
+            Ok((entry, Some(note)))
+        }
         [] => {
-            let names: Vec<&str> = texts()?.map(|text| text.name).collect();
+            let names: Vec<&str> = self::names().collect();
             let (near, names) = (did_you_mean(word, names.iter().copied()), names.join(", "));
             let help =
                 format!("{near}known materials: {names}; `stampflow materials` says which grades they stand for");
@@ -229,7 +223,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
 /// Fails when there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
-    entry(find(name)?.text, None)
+    Ok(find(name, None)?.0)
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
@@ -243,9 +237,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
         Some(_) => error,
         None => source.error("material.name", error.to_string(), error.remedy().unwrap_or_default()),
     };
-    let known = find(&written).map_err(here)?;
-    let name = known.text.name;
-    let entry = entry(known.text, file.material.coil)?;
+    let (entry, note) = find(&written, file.material.coil).map_err(here)?;
+    let name = entry.name;
     let Description { material: sheet, thickness, forming_limit, .. } = entry.about.clone();
     let elastoplastic = entry.about.elastoplastic();
     let mut origin = entry.about.source().to_owned();
@@ -258,7 +251,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
         file.material.strength = Positive::checked(factor, "strength").ok();
         origin += &format!("; {coil} coil {:+.0} %", 100.0 * (end / own - 1.0));
     }
-    known.note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
+    note.into_iter().chain([format!("material {name}: {origin}")]).for_each(|note| source.note(note));
     let keys = ["young", "poisson", "anisotropy", "yield_condition", "rate", "softening", "hardening"];
     let replaced = source.written("material", &keys);
     let own_hardening = replaced.contains(&"hardening");

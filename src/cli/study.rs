@@ -33,7 +33,8 @@ options! {
     } options: ShardOptions;
     /// Run a case with scattering inputs: how sure the verdict is
     ScatterArgs {
-        vary: Vec<String> = "KEY=DISTRIBUTION" [long] "A key and its distribution, as often as needed",
+        vary: Vec<String> = "KEY=DISTRIBUTION" [long]
+            "A key and its distribution, as often as needed [default: blank.thickness=tolerance, where it is known]",
         runs: Option<u64> = "N" [long] "Sample size; best a power of two [default: 1024]",
         seed: Option<u32> = "N" [long, hide_short_help = true] "Seed of the sample [default: 1]",
     } options: ShardOptions;

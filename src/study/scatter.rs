@@ -68,11 +68,12 @@ impl Scatter {
         Self::new(BaseCase::load(file.case, file.set)?, &file.variables, runs, seed)
     }
 
-    /// Samples `KEY=DISTRIBUTION` variables of a case.
+    /// Samples `KEY=DISTRIBUTION` variables of a case; if none is given, its thickness within the tolerance of its standard.
     pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self, StudyError> {
         let case = base.case(&[])?;
         let variable = |text: &String| UncertainVariable::read(&base, &case, text);
-        let variables = vary.iter().map(variable).collect::<Result<Vec<_>, _>>()?;
+        let default = Vec::from_iter(UncertainVariable::default_of(&case).filter(|_| vary.is_empty()));
+        let variables = vary.iter().chain(&default).map(variable).collect::<Result<Vec<_>, _>>()?;
         let help = "give --vary \"KEY=DISTRIBUTION\", such as \"friction=uniform 0.05..0.12\"";
         ensure(!variables.is_empty(), "nothing of the case scatters", help)?;
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
@@ -186,6 +187,7 @@ impl Study for Scatter {
         if (1..n).contains(&failed) {
             notes.push(format!("{failed} runs came to no result and are left out."));
         }
+        notes.extend(self.variables.iter().filter_map(|variable| variable.source.clone()));
         let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
         StudyReport { headline, notes, tables, found: failed < n, charts }
     }

@@ -5,11 +5,13 @@
 //! uniform MIDDLE ± HALF UNIT                     the same, by its middle
 //! normal MEAN ± DEVIATION UNIT                   the bell curve; DEVIATION is the standard deviation
 //! normal MEAN ± DEVIATION UNIT in LOW..HIGH UNIT the same cut off at both ends
+//! tolerance                                      of `blank.thickness`: uniform within that of its sheet's standard
 //! ```
 //! Without MIDDLE or MEAN it is the case's own value; a HALF or DEVIATION in % is of the middle. `+-` and `+/-` are ±.
 
 use super::variable::{NumberReader, split_number};
 use super::*;
+use crate::grade;
 use crate::material::chaboche;
 use crate::units::{Dimensioned, Stress};
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -17,6 +19,8 @@ use toml_edit::Value;
 
 const STRENGTH: &str = "strength";
 const HARDENING: &str = "material.hardening";
+const THICKNESS: &str = "blank.thickness";
+const TOLERANCE: &str = "tolerance";
 
 /// A key with a distribution, or [`STRENGTH`].
 #[derive(Clone, Debug)]
@@ -27,24 +31,35 @@ pub(super) struct UncertainVariable {
     hardening: Option<Value>,
     /// Whether it takes nothing from the case.
     pub is_absolute: bool,
+    /// Source of the distribution, if it is not the study's.
+    pub source: Option<String>,
 }
 
 impl UncertainVariable {
+    /// Variable of a study without any: the thickness within its standard's tolerance; `None` if that is not known.
+    pub fn default_of(case: &Case) -> Option<String> {
+        tolerance(case).ok().map(|_| format!("{THICKNESS}={TOLERANCE}"))
+    }
+
     /// Reads `KEY=DISTRIBUTION`.
     pub fn read(base: &BaseCase, case: &Case, text: &str) -> Result<Self, StudyError> {
         let help = "write KEY=DISTRIBUTION, such as \"friction=uniform 0.05..0.12\"";
         let wrong = || StudyError::new(format!("`{text}` gives no key a distribution"), help);
         let (key, distribution) = split_pair(text).ok_or_else(wrong)?;
+        let (distribution, source) = match distribution.trim() {
+            TOLERANCE if key == THICKNESS => tolerance(case)?,
+            _ => (distribution.to_owned(), None),
+        };
         let is_strength = key == STRENGTH;
         let mut is_absolute = true;
         let own = || {
             is_absolute = false;
             if is_strength { Some("1".to_owned()) } else { base.value(key) }
         };
-        let (distribution, unit) = Distribution::read(key, distribution, own)?;
+        let (distribution, unit) = Distribution::read(key, &distribution, own)?;
         let hardening = if is_strength { Some(scalable_law(case)?) } else { library_law(case, key) };
         is_absolute &= hardening.is_none();
-        Ok(Self { variable: Variable::new(key, unit), distribution, hardening, is_absolute })
+        Ok(Self { variable: Variable::new(key, unit), distribution, hardening, is_absolute, source })
     }
 
     /// Its value at a coordinate between 0 and 1.
@@ -70,6 +85,18 @@ impl UncertainVariable {
         let (own, other) = (&self.variable.key, &other.variable.key);
         own == other || own == STRENGTH && other.starts_with(HARDENING)
     }
+}
+
+/// Distribution of a thickness within the tolerance of its sheet's standard, and its source.
+fn tolerance(case: &Case) -> Result<(String, Option<String>), StudyError> {
+    let thickness = case.model().blank.thickness;
+    let standard = case.sheet().and_then(|sheet| sheet.about.band?.thickness_tolerance);
+    let what = || format!("no standard's tolerance is known of this sheet at {thickness} mm");
+    let help = "write \"blank.thickness=uniform ± 0.05 mm\", or name a sheet of the library such as dc04";
+    let known = standard.and_then(|standard| grade::tolerance(&standard, thickness));
+    let (half, source) = known.ok_or_else(|| StudyError::new(what(), help))?;
+    let source = format!("Thickness: ± {half} mm by {source}; alike likely within it (declared).");
+    Ok((format!("uniform ± {half} mm"), Some(source)))
 }
 
 fn library_law(case: &Case, key: &str) -> Option<Value> {

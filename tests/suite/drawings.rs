@@ -10,7 +10,7 @@ fn sections(drawing: &str, options: &Options) -> Sections {
     read(&bytes, options).unwrap_or_else(|error| panic!("{drawing}: {error}"))
 }
 
-fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
+pub fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
     Piece::Segment(Segment::new(from.into(), to.into()))
 }
 

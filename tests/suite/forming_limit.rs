@@ -8,11 +8,11 @@ fn power(n: f64, r: f64) -> Material {
     Material { yield_criterion: Hill48::new(r).into(), ..Material::plain(Hardening::Hollomon(law)) }
 }
 
-fn sheet(material: &Material) -> Sheet<'_> {
+pub fn sheet(material: &Material) -> Sheet<'_> {
     Sheet { material, thickness: 1.0, temperature: 293.15 }
 }
 
-fn groove(imperfection: f64) -> MarciniakKuczynski {
+pub fn groove(imperfection: f64) -> MarciniakKuczynski {
     MarciniakKuczynski { imperfection, strain_rate: 1.0 }
 }
 

@@ -1,20 +1,13 @@
 //! Forming limits by the sheet's yield condition: Hill's of 1948 and Hosford's.
 
 use crate::common::prelude::*;
+use crate::forming_limit::{groove, sheet};
 use stampflow::forming_limit::{Kind, Swift, assess};
 
 /// A power law of n = 0.2; the offset of 1e-6 shifts limits by as much.
 fn sheet_of(criterion: impl Into<YieldCriterion>) -> Material {
     let law = Hollomon::new(500.0, 0.2, Some(1e-6), None).expect("valid");
     Material { yield_criterion: criterion.into(), ..Material::plain(Hardening::Hollomon(law)) }
-}
-
-fn sheet(material: &Material) -> Sheet<'_> {
-    Sheet { material, thickness: 1.0, temperature: 293.15 }
-}
-
-fn groove(imperfection: f64) -> MarciniakKuczynski {
-    MarciniakKuczynski { imperfection, strain_rate: 1.0 }
 }
 
 /// Every curve that follows from the yield condition.

@@ -30,8 +30,7 @@ static COUNTED: Counted = Counted;
 
 /// Quickstart's cup, a tenth of it.
 fn cup() -> Model {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
-    let mut model = case::load(path, &[]).unwrap_or_else(|e| panic!("{e}")).model().clone();
+    let mut model = shipped::shipped("quickstart", &[]);
     model.drive_to(0.1 * model.travel);
     model
 }

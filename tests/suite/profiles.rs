@@ -42,12 +42,6 @@ fn difference(a: &Profile, b: &Profile) -> f64 {
     points.map(|x| (a.closest(x).distance - b.closest(x).distance).abs()).fold(0.0, f64::max)
 }
 
-fn run(model: &Model) -> stampflow::solver::solution::StageSolution {
-    let run = solver::run(model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    run
-}
-
 /// The quickstart's punch as points: chords of 3° around the nose, in a unit.
 fn chords(unit: &str, mm: f64) -> String {
     let mut csv = format!("r_{unit},z_{unit}\n0,0\n");
@@ -97,7 +91,7 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
         assert!(gaps.len() > 50 && gaps.iter().all(|gap| (gap - 1.25).abs() < 1e-7), "{gaps:?}");
         // The flat sheet lies on its face.
         assert!((die.closest(Point::new(50.0, 0.0)).distance - 0.5).abs() < 1e-9);
-        run(case.model());
+        solve(case.model());
     }
 }
 
@@ -109,7 +103,7 @@ fn a_holder_can_be_the_mirror_image_of_the_die() {
         let x = Point::new(20.0 + 0.2 * f64::from(i), 0.02 * f64::from(i % 7));
         assert!((holder.closest(Point::new(x.x, -x.y)).distance - die.closest(x).distance).abs() < 1e-9);
     }
-    run(case.model());
+    solve(case.model());
 }
 
 /// Trust: by hand. One corner of 90° that the sheet is bent over.

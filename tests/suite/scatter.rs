@@ -74,3 +74,17 @@ fn what_is_set_and_replaced_is_refused() {
         assert_eq!(refused.is_some_and(|error| error.contains("has no effect")), is_refused, "{set}, {vary}");
     }
 }
+
+/// Trust: EN 10131 as copied into `src/grade/thickness_tolerances.toml`: ± 0.05 mm at 1 mm. The quickstart's sheet has no standard.
+#[test]
+fn the_thickness_scatters_within_the_tolerance_of_the_sheet() {
+    let sheet = "material={ name = \"dc04\" }";
+    let mut scatter = scatter_of(&[sheet], &[], 64, 1).expect("a tolerance");
+    let values: Vec<f64> = values(&mut scatter).concat();
+    assert!(values.iter().all(|value| (0.95..1.05).contains(value)), "{values:?}");
+    let table = run(&mut scatter, 2, &());
+    let report = scatter.report(&table);
+    assert!(report.notes.iter().any(|note| note.contains("± 0.05 mm by EN 10131:2006")), "{:?}", report.notes);
+    let unknown = scatter_of(&[], &["blank.thickness=tolerance"], 8, 1).expect_err("no standard").to_string();
+    assert!(unknown.contains("no standard's tolerance is known"), "{unknown}");
+}

@@ -1,10 +1,7 @@
 //! Tools whose line ends where the sheet passes it: they act only where they are drawn.
 
 use crate::common::prelude::*;
-
-fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
-    low + (high - low) * rng.f64()
-}
+use crate::common::random_die::between;
 
 /// A strip bent over a V by a nose without a wall, drawn to its full quarter or only as far as some share of the bend.
 fn v_bend(seed: u64) -> (Model, f64) {

@@ -1,15 +1,12 @@
 //! Sizes read off the section of a tool.
 
 use crate::common::prelude::*;
+use crate::drawings::line;
 use stampflow::model::tool_sizes::{mouth, widens};
 
 fn punch(pieces: Vec<Piece>) -> Tool {
     let profile = Profile::new(pieces).unwrap();
     Tool { role: Role::Punch, profile, friction: 0.0.into(), motion: Motion::Fixed }
-}
-
-fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
-    Piece::Segment(Segment::new(from.into(), to.into()))
 }
 
 /// Trust: by hand. A cone of 20 mm and 0.4 mm more per mm of depth, up to its wall; straight walls, however little of the

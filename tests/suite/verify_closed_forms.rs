@@ -45,37 +45,40 @@ fn equi_biaxial_stretch_is_exact() {
     }
 }
 
-/// Trust: the same two closed forms with a rate law and Hill's factors for r̄: plane strain σ_s = c σ_y(c ε), c =
-/// (1 + r̄)/√(1 + 2r̄); equi-biaxial σ = c σ_y(2c ε), c = √((1 + r̄)/2). The rate is that of the instant; steps of 1/500 of the
-/// radius find it to their square.
+/// Trust: the same two closed forms with a rate law and Hosford's factors, which are Hill's for an exponent of 2. In plane
+/// strain σ_s = c σ_y(c ε) with x^(a−1) = r̄ (1 − x)^(a−1), c^−a = (1 + x^a + r̄ (1 − x)^a)/(1 + r̄); equi-biaxial σ = c σ_y(2c ε),
+/// c^a = (1 + r̄)/2. The rate is that of the instant; steps of 1/500 of the radius find it to their square.
 #[test]
 fn rate_and_anisotropy_enter_the_closed_forms() {
-    for (name, rate) in Rate::examples() {
-        for r in [0.6_f64, 1.0, 1.8] {
-            for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
-                let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
-                model.material.rate = Some(rate);
-                model.material.yield_criterion = Hill48::new(r).into();
-                let run = solve(&model);
-                for record in run.steps.iter().skip(6) {
-                    let radius = 40.0 + record.travel;
-                    let strain = (radius / 40.0).ln();
-                    let (c, per_strain, thinning, around) = match geometry {
-                        Geometry::PlaneStrain => {
-                            let c = (1.0 + r) / (1.0 + 2.0 * r).sqrt();
-                            (c, c, 1.0, 2.0)
-                        }
-                        Geometry::Axisymmetric => {
-                            let c = (0.5 * (1.0 + r)).sqrt();
-                            (c, 2.0 * c, 2.0, std::f64::consts::TAU * radius)
-                        }
-                    };
-                    let speed = per_strain * model.speed / radius;
-                    let flow = model.material.hardening.at(per_strain * strain).stress * rate.at(speed).value;
-                    let force = around * (-thinning * strain).exp() * c * flow;
-                    let error = record.edge_force / force - 1.0;
-                    assert!(error.abs() < 2e-5, "{name}, r {r}, {geometry:?} at {} mm: {error:e}", record.travel);
-                }
+    let hill = |r: f64| (r, 2.0_f64, YieldCriterion::from(Hill48::new(r)));
+    let hosford = |(r, a): (f64, f64)| (r, a, YieldCriterion::from(Hosford::new(r, a)));
+    let all_rates = Rate::examples().into_iter().flat_map(|(_, rate)| [0.6, 1.0, 1.8].map(|r| (rate, hill(r))));
+    let one_rate = [(0.3, 8.0), (0.6, 2.0), (1.0, 6.0), (2.5, 8.0)].map(|pair| (Rate::examples()[0].1, hosford(pair)));
+    for (rate, (r, a, criterion)) in all_rates.chain(one_rate) {
+        for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
+            let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
+            model.material.rate = Some(rate);
+            model.material.yield_criterion = criterion;
+            for record in solve(&model).steps.iter().skip(6) {
+                let radius = 40.0 + record.travel;
+                let strain = (radius / 40.0).ln();
+                let (c, per_strain, thinning, around) = match geometry {
+                    Geometry::PlaneStrain => {
+                        let root = r.powf(1.0 / (a - 1.0));
+                        let x = root / (1.0 + root);
+                        let c = ((1.0 + x.powf(a) + r * (1.0 - x).powf(a)) / (1.0 + r)).powf(-1.0 / a);
+                        (c, c, 1.0, 2.0)
+                    }
+                    Geometry::Axisymmetric => {
+                        let c = (0.5 * (1.0 + r)).powf(1.0 / a);
+                        (c, 2.0 * c, 2.0, std::f64::consts::TAU * radius)
+                    }
+                };
+                let speed = per_strain * model.speed / radius;
+                let flow = model.material.hardening.at(per_strain * strain).stress * rate.at(speed).value;
+                let force = around * (-thinning * strain).exp() * c * flow;
+                let error = record.edge_force / force - 1.0;
+                assert!(error.abs() < 2e-5, "{rate:?}, r {r}, a {a}, {geometry:?} at {} mm: {error:e}", record.travel);
             }
         }
     }
@@ -84,11 +87,7 @@ fn rate_and_anisotropy_enter_the_closed_forms() {
 /// A cup's wall thins less the more the sheet resists thinning: that is what deep-drawing grades are chosen for.
 #[test]
 fn a_higher_anisotropy_keeps_the_cup_thicker() {
-    let thinnest = |r: &str| {
-        let overrides = [format!("material.anisotropy={r}")];
-        let case = stampflow::case::load(concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml"), &overrides);
-        solve(case.unwrap_or_else(|e| panic!("{e}")).model()).steps.last().expect("steps").thinnest
-    };
+    let thinnest = |r: &str| last(&solve(&shipped("quickstart", &[&format!("material.anisotropy={r}")]))).thinnest;
     let found = ["0.5", "1.0", "2.0"].map(thinnest);
     assert!(found.is_sorted_by(|a, b| a < b), "{found:?}");
 }

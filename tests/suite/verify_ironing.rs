@@ -88,12 +88,6 @@ friction = {FRICTION}
     model
 }
 
-fn solved(model: &Model) -> StageSolution {
-    let run = solver::run(model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    run
-}
-
 /// G − c over the shoulder at the distance `x` from its land \[mm\].
 fn opening(x: f64) -> f64 {
     SHOULDER - (SHOULDER * SHOULDER - x * x).sqrt()
@@ -201,7 +195,7 @@ fn compare(model: &Model, run: &StageSolution, clearance: f64) -> [[f64; 2]; 2] 
 fn a_channel_is_ironed_as_the_slab_method_says() {
     for (clearance, off) in [(0.7, 0.06), (0.8, 0.08), (0.9, 0.11)] {
         let model = drawn(Geometry::PlaneStrain, clearance, 240);
-        let run = solved(&model);
+        let run = solve(&model);
         let [force, thickness] = compare(&model, &run, clearance);
         // Trust: the sheet is unbent while it is pressed, which the slab method takes one after the other: the punch presses it
         // harder where it comes in, the die less, −5.9 %, −7.5 % and −10.4 %; unbending is the larger part where little is ironed.
@@ -221,7 +215,7 @@ fn a_channel_is_ironed_as_the_slab_method_says() {
 /// Trust: the slab method, and the balance of forces: 5 mm more of land rub with μ times the pressure on them, on both walls.
 #[test]
 fn a_longer_land_rubs_by_its_length() {
-    let runs = [1.0, 6.0].map(|land| solved(&with_land(Geometry::PlaneStrain, 0.8, 240, land)));
+    let runs = [1.0, 6.0].map(|land| solve(&with_land(Geometry::PlaneStrain, 0.8, 240, land)));
     let [short, long] = runs.each_ref().map(|run| compare(&run.model, run, 0.8)[0]);
     // As of the channel, −7.5 %; on a long land the pressure counts for more: −11 %.
     assert!((long[0] / long[1] - 1.0).abs() < 0.13, "{long:?} N/mm");
@@ -240,7 +234,7 @@ fn a_longer_land_rubs_by_its_length() {
 #[test]
 fn a_cup_is_ironed_as_the_slab_method_says() {
     let model = drawn(Geometry::Axisymmetric, 0.9, 240);
-    let run = solved(&model);
+    let run = solve(&model);
     let [force, thickness] = compare(&model, &run, 0.9);
     // Trust: as of the channel; the wall also shrinks in the gap by what it comes nearer to the punch, under a percent.
     assert!((force[0] / force[1] - 1.0).abs() < 0.1, "{force:?} N");
@@ -250,7 +244,7 @@ fn a_cup_is_ironed_as_the_slab_method_says() {
 /// Smaller elements: the thickness stays, the force settles, its ripple and what the balance of work misses go.
 #[test]
 fn ironing_converges() {
-    let runs = [120, 240, 480].map(|elements| solved(&drawn(Geometry::PlaneStrain, 0.8, elements)));
+    let runs = [120, 240, 480].map(|elements| solve(&drawn(Geometry::PlaneStrain, 0.8, elements)));
     let forces = [0, 1, 2].map(|i| mean(steady(&runs[i]).map(|s| s.ironing_force)));
     let ripples = [0, 1, 2].map(|i| ripple(&runs[i]));
     let missed = [0, 1, 2].map(|i| runs[i].steps.last().expect("steps").work.imbalance().abs());
@@ -263,7 +257,7 @@ fn ironing_converges() {
     // With steps that halve as well the balance closes.
     let mut model = drawn(Geometry::PlaneStrain, 0.8, 480);
     model.settings.max_step *= 0.5;
-    let closed = solved(&model).steps.last().expect("steps").work.imbalance();
+    let closed = solve(&model).steps.last().expect("steps").work.imbalance();
     assert!(closed.abs() < 0.005, "{closed}");
 }
 
@@ -271,9 +265,9 @@ fn ironing_converges() {
 #[test]
 fn a_stiffer_penalty_irons_to_the_gap() {
     let mut model = drawn(Geometry::PlaneStrain, 0.8, 480);
-    let soft = behind(&solved(&model)) - 0.8;
+    let soft = behind(&solve(&model)) - 0.8;
     model.settings.contact_stiffness *= 5.0;
-    let run = solved(&model);
+    let run = solve(&model);
     let [_, thickness] = compare(&model, &run, 0.8);
     assert!(thickness[0] - 0.8 < 0.5 * soft && (thickness[0] - thickness[1]).abs() < 0.005, "{thickness:?} {soft}");
 }
@@ -294,7 +288,7 @@ fn a_thick_aluminium_rim_is_ironed() {
             "tools.holder.force=2166 N",
         ],
     );
-    let run = solved(case.model());
+    let run = solve(case.model());
     let rim = run.frames.iter().flat_map(|frame| &frame.elements).map(|e| e.thickness).fold(0.0, f64::max);
     let last = *run.steps.last().expect("steps");
     assert!(rim > 1.35, "{rim} mm");

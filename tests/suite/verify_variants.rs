@@ -86,6 +86,12 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     told(AGREEMENT, "400 elements {}, the elastoplastic law {}.", &plain(&others, 1));
     let sheets = ["drawing-steel", "aa5754-o"].map(|name| index(&[&format!("material.name={name}")]));
     told(AGREEMENT, "The deep-drawing steel of the library has an index of {} mm, AA5754-O {}.", &plain(&sheets, 1));
+    // The book's table of sheets made from a band.
+    for row in include_str!("../../benches/measured/made_sheets.csv").lines().skip(1) {
+        let [name, shown, ..] = row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
+        let case = made("erichsen", &[("material", name), ("thickness", "1 mm")], &[]);
+        assert_eq!(plain(&[index_of(&case.solve(&mut ()))], 1), [shown], "{name}");
+    }
 }
 
 /// A wall that is ironed keeps less of its moment: a ring from the rim opens less.

@@ -26,7 +26,7 @@ pub struct RandomDie {
     pub text: String,
 }
 
-fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
+pub fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * rng.f64()
 }
 

@@ -1,7 +1,7 @@
 //! Random work of other kinds than stamping sections, made from a seed: bends, ironing, gas beside the punch, free flanges,
 //! a second stage; with few elements and metals that hardly harden among them.
 
-use super::random_die::{Process, RandomDie, SECOND_SERIES, random_die};
+use super::random_die::{Process, RandomDie, SECOND_SERIES, between, random_die};
 use fastrand::Rng;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::{Elastic, Hardening, hardening::Swift};
@@ -42,10 +42,6 @@ pub fn make_elastic(model: &mut Model) {
     model.mode = Mode::ElastoViscoplastic;
     model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
     model.blank.layers = 15;
-}
-
-fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
-    low + (high - low) * rng.f64()
 }
 
 /// The work that belongs to `seed`.
