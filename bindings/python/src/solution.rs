@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::Table;
 use stampflow::assess::{Answer, Finding, error_bars::ErrorBars, judgements};
+use stampflow::export::{Drawing, Format};
 use stampflow::geometry::Point;
 use stampflow::model::Model;
 use stampflow::report::Report;
@@ -162,6 +163,18 @@ impl Solution {
         let verdict = self.judged(py).clone();
         let html = py.detach(|| Report::answered(&self.solution, self.bars.as_ref(), verdict).html());
         results::write(&path, html.as_bytes()).map_err(|error| error::output(&error))
+    }
+
+    /// Draws tools, blank and formed sheet into a file, DXF in a unit; returns the layers.
+    fn export(&self, path: PathBuf, version: &str, unit: &str) -> PyResult<Vec<String>> {
+        let versions = [("r12", Format::DxfR12), ("2000", Format::Dxf2000)];
+        let dxf = versions.into_iter().find(|(name, _)| *name == version);
+        let format = dxf.and_then(|(_, dxf)| Format::of(&path, dxf));
+        let help = "write a path that ends with .dxf, .svg or .csv, and dxf=\"r12\" or \"2000\"";
+        let format = format.ok_or_else(|| PyValueError::new_err(help))?;
+        let drawing = Drawing::new(&self.solution, unit.parse().map_err(PyValueError::new_err::<String>)?);
+        results::write(&path, drawing.text(format).as_bytes()).map_err(|error| error::output(&error))?;
+        Ok(drawing.layers.into_iter().map(|layer| layer.name).collect())
     }
 }
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from .columns import Columns, Named
 from .errors import finished
@@ -249,6 +249,13 @@ class Solution:
     def report(self, path: str | PathLike[str]) -> None:
         """Writes the HTML report."""
         self._native.report(fspath(path))
+
+    def export(self, path: str | PathLike[str], *, dxf: Literal["r12", "2000"] = "r12", unit: str = "mm") -> list[str]:
+        """Draws tools, blank and formed sheet for CAD, as ``stampflow export``: DXF, SVG or CSV by the ending of ``path``.
+
+        ``dxf`` is the version and ``unit`` that of a DXF file, ``"mm"`` or ``"in"``. Returns the names of the layers.
+        """
+        return self._native.export(fspath(path), dxf, unit)
 
     def _parts(self) -> tuple[object, ...]:
         # An interrupted solution does not follow from its case.

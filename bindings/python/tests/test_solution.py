@@ -137,6 +137,15 @@ def test_results_and_report_are_written(solution: sf.Solution, tmp_path: Path) -
     assert "<svg" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
+def test_an_exported_drawing_gives_the_same_tools(solution: sf.Solution, tmp_path: Path) -> None:
+    layers = solution.export(tmp_path / "tools.dxf")
+    assert {"PUNCH", "DIE", "HOLDER", "SHEET", "BLANK"} <= set(layers)
+    again = sf.Case.from_drawing(tmp_path / "tools.dxf")
+    assert all(f"[tools.{tool}]" in again.text for tool in ("punch", "die", "holder")), again.text
+    with pytest.raises(ValueError, match="ends with .dxf, .svg or .csv"):
+        solution.export(tmp_path / "tools.step")
+
+
 def test_a_case_is_varied_and_made_from_a_dictionary() -> None:
     case = sf.Case.load(QUICKSTART)
     assert case.with_({"blank.thickness": "0.8 mm"}) != case
