@@ -106,12 +106,14 @@ pub mod material;
 pub mod measure;
 pub mod model;
 pub mod numerics;
+pub mod part;
 #[cfg(feature = "app")]
 pub mod plot;
 #[cfg(feature = "app")]
 pub mod report;
 #[cfg(feature = "app")]
 pub mod results;
+pub mod rules;
 pub mod solver;
 #[cfg(feature = "app")]
 pub mod study;
@@ -119,6 +121,7 @@ pub mod table;
 #[cfg(feature = "app")]
 pub mod tester;
 pub mod units;
+mod writer;
 
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};

@@ -1,8 +1,9 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
-use super::{Finding, design::THIN};
+use super::Finding;
 use crate::geometry::{CORNER, Point};
 use crate::model::{Model, Role, Theory, Tool, tool_sizes::extent};
+use crate::rules::THIN;
 use crate::units::{Amount, Digits};
 
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {

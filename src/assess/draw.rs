@@ -1,10 +1,12 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
-use super::design::{CAREFUL_RATIO, LIMITING_RATIO, REDRAW_RATIO};
 use super::estimate::{self, draw_ratio, held_area, siebel_pressure};
 use super::{Finding, Light, Run, holder::if_open, tear::is_upright};
+use crate::case::Finished;
 use crate::material::RValues;
+use crate::measure::{part_height, wall_at};
 use crate::model::{Edge, Geometry, Model, Motion, Role, tool_sizes::extent};
+use crate::rules::{LIMITING_RATIO, Metal};
 use crate::solver::solution::StageSolution;
 use crate::units::Amount;
 
@@ -13,6 +15,8 @@ use crate::units::Amount;
 const LIMITS: [f64; 2] = [1.01, 2.0];
 /// Diameter of a blank less that of the punch, over the thickness, up to which a cup is drawn without a holder \[–\].
 const FREE: [f64; 2] = [15.0, 20.0];
+/// Tolerance on sizes of the finished part \[mm\], declared.
+const TOLERANCE: f64 = 0.2;
 /// Gap between a fixed holder and the die, over the thickness, above which waves can grow \[–\].
 const GAP: f64 = 1.2;
 
@@ -40,16 +44,20 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
     };
     let (i, ratio, ()) = run.peak(ratio_of)?;
     let draws = 1 + run.stages.iter().enumerate().filter(|(i, stage)| ratio_of(*i, stage).is_some()).count();
-    let total = run.stages[0].model.blank.length / run.stages.iter().rev().find_map(radius)?;
-    // The template's own radii are rounded.
-    let needed = 1 + ((total / CAREFUL_RATIO - 1e-3).ln() / REDRAW_RATIO.ln()).ceil().max(0.0) as usize;
-    let (text, is_deep) = (format!("{{}} from punch to punch; {total:.2} in all"), needed > draws);
-    let text = if is_deep { format!("{text}, which takes {needed} draws of mild steel, not {draws}") } else { text };
+    let first = &run.stages[0].model;
+    let (metal, total) = (Metal::of(&first.material), first.blank.length / run.stages.iter().rev().find_map(radius)?);
+    let needed = metal.draws(total);
+    let (text, is_deep) =
+        (format!("{{}} from punch to punch; {total:.2} in all"), needed.is_none_or(|least| least > draws));
+    let needed = needed.map_or("more than four".into(), |draws| draws.to_string());
+    let text =
+        if is_deep { format!("{text}, which takes {needed} draws of {}, not {draws}", metal.name) } else { text };
+    let limit = metal.ratios[1];
     Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
         .number(Amount::ratio(ratio))
-        .at_most(REDRAW_RATIO, None)
-        .light(if ratio <= REDRAW_RATIO + 1e-3 && !is_deep { Light::Green } else { Light::Amber })
-        .source("4ming, Forming handbook, table of draw ratios: DC04, 2 in the first draw and 1.3 in each later one, not annealed")
+        .at_most(limit, None)
+        .light(if ratio <= limit + 1e-3 && !is_deep { Light::Green } else { Light::Amber })
+        .source("4ming, Forming handbook, table of draw ratios without annealing: 2 in the first draw, 1.3 of DC04 in the second")
         .into()
 }
 
@@ -141,6 +149,29 @@ fn rim_heights(r: &RValues, parts: impl Iterator<Item = (f64, f64)> + Clone) -> 
         let more = |(length, hoop): (f64, f64)| length * (-(share(r) - mean) * hoop.min(0.0)).exp_m1();
         parts.clone().map(more).sum()
     })
+}
+
+/// Part of the rim or the flange that is left to trim off, or is missing, and what the finished part measures.
+pub(super) fn trim_allowance(run: &Run) -> Option<Finding> {
+    let Finished { height, diameter, flange_diameter } = run.case.finished;
+    let is_whole = run.stages.len() == run.case.stages.len() && run.stages.iter().all(|stage| stage.stop.is_complete());
+    let frame = run.stages.last().filter(|_| is_whole)?.frames.last()?;
+    let (height, drawn, edge) = (height?, part_height(frame)?, frame.nodes.last()?);
+    let (spare, text, size, wanted) = match flange_diameter {
+        Some(flange) => (edge.r - 0.5 * flange, "off the flange all round, high over all", drawn, Some(height)),
+        None => {
+            let [r, _, thickness] = wall_at(frame, height).unwrap_or([edge.r, edge.z, edge.thickness]);
+            (drawn - height, "off the rim, inside diameter there", 2.0 * r - thickness, diameter)
+        }
+    };
+    let text = text.replace(',', &format!("; {}", Amount::place(size)));
+    let is_off = wanted.is_some_and(|wanted| (size - wanted).abs() > TOLERANCE);
+    let finding = Finding::judged("trim_allowance", "Trim", format!("{{}} {text}")).number(Amount::place(spare));
+    let finding = finding.at_least(0.0, -TOLERANCE);
+    let light = finding.light.max(if is_off { Light::Amber } else { Light::Green });
+    let limit = format!("nothing missing, sizes within {}", Amount::place(TOLERANCE));
+    let advice = if is_off { "another clearance or travel" } else { "a larger blank" };
+    Some(finding.light(light).limit(limit).source("the case's [finished]").advice(advice))
 }
 
 pub(super) fn trim(stage: &StageSolution) -> Option<Finding> {

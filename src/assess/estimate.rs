@@ -1,10 +1,10 @@
 //! Estimates from a model alone.
 
-pub(crate) use super::design::{siebel, tensile_strength};
 use crate::geometry::Point;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::model::{Edge, Geometry, Model, Motion, Role, mesh};
+pub(crate) use crate::rules::{siebel, tensile_strength};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.

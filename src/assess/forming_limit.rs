@@ -1,8 +1,9 @@
 //! Distance to the forming limit.
 
-use super::{Finding, Light, Run, design::THIN, tear::place};
+use super::{Finding, Light, Run, tear::place};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, Curve, Judged, assess};
+use crate::rules::THIN;
 use crate::solver::solution::StageSolution;
 use crate::units::{Amount, joined};
 

@@ -7,7 +7,6 @@ pub mod advice;
 mod answer;
 mod bends;
 pub mod check;
-pub mod design;
 mod draw;
 pub mod error_bars;
 pub mod estimate;
@@ -76,6 +75,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tools::ironing,
     springback::judge,
     draw::ears,
+    draw::trim_allowance,
     material::yield_condition,
     material::hardening,
     friction::row,

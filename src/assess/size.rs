@@ -2,10 +2,11 @@
 //! declared rules of thumb.
 
 use super::Finding;
-use crate::assess::{design::LIMITING_RATIO, estimate::draw_ratio};
+use crate::assess::estimate::draw_ratio;
 use crate::case::Case;
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Model, Role};
+use crate::rules::LIMITING_RATIO;
 use crate::units::{Amount, significant};
 use std::ops::RangeInclusive;
 

@@ -9,13 +9,16 @@ use crate::units::{Amount, joined};
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
+    // A redraw that ends before its rim comes leaves a step.
+    let went_through = run.stages.iter().any(|stage| stage.stop.kind == StopKind::LeftDie);
+    let is_open = model.stop.drawn_through && model.release.is_none() && !went_through;
     let text = match stop.kind {
         StopKind::FullTravel if model.release.is_some() => "tools taken away".into(),
-        StopKind::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
+        StopKind::FullTravel if is_open => format!("{stop}, and the cup is not through the die"),
         _ => stop.to_string(),
     };
     let light = match stop.kind {
-        StopKind::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
+        StopKind::FullTravel if is_open => Light::Amber,
         _ if stop.is_complete() => Light::Green,
         // Many a cup leaves its die at the other end.
         StopKind::DrawnThrough | StopKind::Interrupted => Light::Amber,

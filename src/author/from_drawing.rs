@@ -6,7 +6,6 @@ mod sizes;
 
 use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{Inputs, LAW, mild_steel};
-use super::writer::{Values, comment, drawn_profile, exact, forming_limit};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library};
 use crate::import::{self, ImportError, Options, Section, Sections};
@@ -14,6 +13,7 @@ use crate::material::Material;
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Extent, Geometry, Role};
 use crate::units::rounded;
+use crate::writer::{Values, comment, drawn_profile, exact, forming_limit};
 use sizes::DrawnTools;
 use std::path::Path;
 

@@ -2,6 +2,5 @@
 
 mod from_drawing;
 pub mod templates;
-mod writer;
 
 pub use from_drawing::{Import, Imported};

@@ -13,7 +13,7 @@ pub use crate::files;
 pub use error::CaseError;
 #[cfg(feature = "app")]
 pub(crate) use error::shortened;
-pub use file::{Press, Springback, TitleBlock};
+pub use file::{Finished, Press, Springback, TitleBlock};
 pub use schema::schema;
 pub use sources::{Sheets, Sources, Thickness};
 
@@ -50,6 +50,8 @@ pub struct Case {
     pub title_block: TitleBlock,
     /// The part's tolerances.
     pub springback: Springback,
+    /// Sizes of the trimmed part.
+    pub finished: Finished,
     /// Sources of its numbers.
     pub sources: Sources,
     /// The sheet's r-values by direction; `None` where the case has their mean alone, or nothing.
@@ -171,6 +173,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         overrides: overrides.to_vec(),
         stages,
         title_block: file.report,
+        finished: file.finished,
         r_values,
         derived: source.take_notes(),
         inputs: [path.clone()].into_iter().chain(source.read.take()).collect(),

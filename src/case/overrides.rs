@@ -23,7 +23,9 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         let Some((key, tables)) = segments.split_last().filter(|_| segments.iter().all(|s| !s.is_empty())) else {
             return Err(fail("it names no key".into(), usage.into()));
         };
-        for optional in ["solver", "output", "stop", "friction", "stage", "forming_limit", "press", "springback"] {
+        for optional in
+            ["solver", "output", "stop", "friction", "stage", "forming_limit", "press", "finished", "springback"]
+        {
             if tables == [optional] && !document.contains_key(optional) {
                 document.insert(optional, Item::Table(Table::new()));
             }

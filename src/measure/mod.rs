@@ -180,6 +180,15 @@ pub fn part_height(frame: &Frame) -> Option<f64> {
     Some(high - low)
 }
 
+/// Point of the middle and thickness of the wall \[mm\] at this outside height of a part, the nearest to the rim.
+pub fn wall_at(frame: &Frame, height: f64) -> Option<[f64; 3]> {
+    let bottom = frame.nodes.iter().map(|node| node.z + 0.5 * node.thickness).reduce(f64::max)?;
+    let level = bottom - height;
+    let (a, b) = frame.nodes.iter().zip(&frame.nodes[1..]).rev().find(|(a, b)| (a.z >= level) != (b.z >= level))?;
+    let share = (level - a.z) / (b.z - a.z);
+    Some([(a.r, b.r), (a.z, b.z), (a.thickness, b.thickness)].map(|(a, b)| a + share * (b - a)))
+}
+
 /// Thickness and initial distance from the axis of the thickest element \[mm\].
 pub fn thickest(frame: &Frame) -> Option<(f64, f64)> {
     let thickest = frame.elements.iter().max_by(|a, b| a.thickness.total_cmp(&b.thickness))?;

@@ -1,10 +1,10 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
 use super::*;
-use crate::assess::design::holder_pressure;
 use crate::assess::estimate::{flange_strength, held_from};
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
+use crate::rules::holder_pressure;
 use std::f64::consts::PI;
 
 #[derive(Default)]
@@ -19,7 +19,7 @@ pub(super) struct Goal {
     pub holder: Option<HolderRule>,
 }
 
-/// Holder force of a blank by the rule of [`holder_pressure`].
+/// Holder force of a blank by the rules of [`holder_pressure`] without the usual one, which may be twice as much.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HolderRule {
     /// Radius of the punch's mouth, and inner edge of the flat between holder and die \[mm\].
@@ -45,7 +45,8 @@ impl HolderRule {
     }
 
     fn pressure(&self, blank: f64) -> f64 {
-        holder_pressure(blank / self.punch, 2.0 * self.punch, [self.end, blank], self.thickness, self.strength).value
+        let flat = [self.end, blank];
+        holder_pressure(0.0, blank / self.punch, 2.0 * self.punch, flat, self.thickness, self.strength).value
     }
 
     /// Force on a blank of this radius \[mm\] at its start \[N\].

@@ -6,12 +6,10 @@ use stampflow::solver::solve;
 
 /// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
 const OTHERS: &[(&str, &[(&str, &str)])] = &[
-    ("cup", &[("punch-radius", "50 mm"), ("thickness", "0.8 mm"), ("height", "45 mm")]),
     ("cup", &[("height", "20 mm"), ("nose", "8 mm"), ("shoulder", "8 mm"), ("k", "400 MPa"), ("n", "0.25")]),
     ("cup", &[("punch-radius", "2 in"), ("thickness", "0.06 in"), ("height", "2 in"), ("friction", "0.05")]),
     ("hemispherical-cup", &[("punch-radius", "40 mm"), ("height", "35 mm"), ("flange", "12 mm")]),
     ("conical-cup", &[("angle", "30 deg"), ("height", "20 mm"), ("holder-pressure", "2 MPa")]),
-    ("redraw", &[("thickness", "0.8 mm"), ("height", "55 mm")]),
     ("stretch-dome", &[("height", "20 mm"), ("thickness", "1.2 mm"), ("friction", "0.15")]),
     ("bulge", &[("opening", "60 mm"), ("height", "20 mm")]),
     ("erichsen", &[("thickness", "0.6 mm"), ("k", "700 MPa"), ("n", "0.15"), ("friction", "0.05")]),
@@ -50,29 +48,41 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
     }
 }
 
-/// Trust: the trim is corrected by runs of the case itself, and settles to half a percent of the height in two of them;
-/// no flange is left.
+/// Height over all, and inside diameter of the wall at the height to which it is trimmed \[mm\].
+fn finished(stages: &[StageSolution], height: f64) -> [f64; 2] {
+    let frame = stages.last().unwrap().frames.last().unwrap();
+    let inside = stampflow::measure::wall_at(frame, height).map_or(0.0, |[r, _, thickness]| 2.0 * r - thickness);
+    [part_height(frame).unwrap(), inside]
+}
+
+/// Trust: 0.2 mm is what was promised; each rim is cut 2 thicknesses or 4 % of the height below where it was drawn to. The
+/// number of draws by hand, with ratios of 2 and 1.3 for steel.
 #[test]
-fn a_cup_is_as_high_as_was_wanted() {
-    for (wanted, given) in [
-        (30.0, &[][..]),
-        (20.0, &[("height", "20 mm")]),
-        (35.0, &[("height", "35 mm")]),
-        (45.0, &[("height", "45 mm"), ("punch-radius", "50 mm")]),
-        (30.0, &[("shoulder", "8 mm"), ("nose", "8 mm")]),
-        (40.0, &[("height", "40 mm"), ("punch-radius", "40 mm"), ("friction", "0.04")]),
-        (15.0, &[("height", "15 mm"), ("punch-radius", "60 mm")]),
-        (50.0, &[("height", "50 mm"), ("thickness", "0.8 mm"), ("material", "drawing-steel")]),
+fn a_part_has_its_height_and_diameter_after_trimming() {
+    for (name, given, [height, diameter], draws) in [
+        ("cup", &[][..], [30.0, 60.0], 1),
+        ("cup", &[("height", "50 mm")], [50.0, 60.0], 2),
+        ("cup", &[("height", "15 mm"), ("punch-diameter", "120 mm"), ("material", "en-aw-5754")], [15.0, 120.0], 1),
+        ("cup", &[("height", "90 mm"), ("punch-radius", "25 mm")], [90.0, 50.0], 3),
+        ("cup", &[("dome-radius", "60 mm"), ("thickness", "1.5 mm")], [30.0, 60.0], 1),
+        ("cup", &[("recess", "3 mm")], [30.0, 60.0], 1),
+        ("cup", &[("height", "40 mm"), ("step-diameter", "50 mm")], [40.0, 60.0], 2),
+        ("redraw", &[("height", "80 mm"), ("punch-radius", "40 mm")], [80.0, 80.0], 2),
     ] {
-        let case = case("cup", given);
-        let runs = solved(&case);
-        let last = runs[0].frames.last().unwrap();
-        let reached = part_height(last).unwrap();
-        assert!((reached / wanted - 1.0).abs() < 0.005, "{given:?}: {reached:.2} mm instead of {wanted} mm");
-        let die = case.model().tool(stampflow::model::Role::Die).unwrap();
-        let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
-        assert!(last.nodes.last().unwrap().r < shoulder_end, "{given:?}: a flange is left");
+        let case = case(name, given);
+        let stages = solved(&case);
+        let [drawn, inside] = finished(stages, height);
+        let trim = f64::max(2.0 * case.model().blank.thickness, 0.04 * height);
+        assert!((drawn - trim - height).abs() < 0.2, "{name} {given:?}: {drawn} mm high");
+        assert!((inside - diameter).abs() < 0.2, "{name} {given:?}: {inside} mm wide");
+        assert_eq!(stages.len(), draws, "{name} {given:?}");
+        let trims = |row: &assess::Finding| row.key == "trim_allowance" && row.light == Light::Green;
+        assert!(assess::after(&case, stages).iter().any(trims), "{name} {given:?}");
     }
+    let flanged = case("cup", &[("height", "20 mm"), ("flange-diameter", "90 mm")]);
+    let ([height, _], frames) = (finished(solved(&flanged), 20.0), &solved(&flanged)[0].frames);
+    let edge = frames.last().unwrap().nodes.last().unwrap().r;
+    assert!((height - 20.0).abs() < 0.2 && (edge - 47.0).abs() < 0.2, "{height} {edge}");
 }
 
 /// Trust: the textbook's formula with its exact coefficients, written out here; the file has the radius to a thousandth.
@@ -87,11 +97,6 @@ fn the_blank_is_the_textbooks() {
         let table: f64 = d * d + 4.0 * d * h - 1.72 * r * d - 0.57 * r * r;
         assert!((diameter / table.sqrt() - 1.0).abs() < 1e-3);
     }
-    let (d, h, r): (f64, f64, f64) = (61.0, 30.0 * 1.08 - 0.5, 6.5);
-    let textbook = (d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
-        + (12.0 - 4.0 * std::f64::consts::PI) * r * r)
-        .sqrt();
-    assert!((2.0 * case("cup", &[("trim", "8 %")]).model().blank.length - textbook).abs() < 1e-3);
     // No nose at all: D² = d² + 4 d h.
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }
@@ -124,10 +129,11 @@ fn a_v_has_its_angle_before_it_springs_back() {
 /// Trust: by hand: π 50 · 300 · 1/16 = 2945 N on π (60² − 50²) mm² are 0.852 MPa; Siebel's of β = 1.5, d = 80 mm is 0.488 MPa.
 #[test]
 fn the_holder_of_a_narrow_flange_keeps_its_rim_down() {
-    let narrow = rules::holder_pressure(1.5, 80.0, [50.0, 60.0], 1.0, 300.0);
+    let pressure = |usual: f64, edge: f64| rules::holder_pressure(usual, 1.5, 80.0, [50.0, edge], 1.0, 300.0);
+    let [narrow, wide, usual] = [pressure(0.0, 60.0), pressure(0.0, 80.0), pressure(2.5, 80.0)];
     assert!((narrow.value - 0.8523).abs() < 1e-4 && narrow.why.contains("R_m t/16"), "{narrow:?}");
-    let wide = rules::holder_pressure(1.5, 80.0, [50.0, 80.0], 1.0, 300.0);
     assert!((wide.value - 0.4875).abs() < 1e-9 && wide.why.contains("Siebel"), "{wide:?}");
+    assert!(usual.value == 2.5 && usual.why.contains("usual"), "{usual:?}");
     // A rim that is √1.44 as thick; six of it.
     assert!((rules::drawn_shoulder(1.0, 1.44, 1.0).value - 7.2).abs() < 0.011);
 }
@@ -138,11 +144,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
     // A cupping test goes on until the sheet tears.
     let defaults = defaults.filter(|(name, _)| *name != "erichsen");
-    for (name, given) in defaults.chain([
-        ("redraw", &[("height", "70 mm")][..]),
-        ("cup", &[("height", "20 mm")]),
-        ("cup", &[("height", "50 mm")]),
-    ]) {
+    for (name, given) in defaults.chain([("cup", &[("height", "20 mm")][..]), ("cup", &[("height", "50 mm")])]) {
         let case = case(name, given);
         let passes = solved(&case);
         assert!(case.model().forming_limit.as_ref().is_some_and(|curve| curve.is_usual), "{name}");
@@ -176,12 +178,9 @@ fn box_sections_and_joggles_have_their_finished_sizes() {
 
 /// Trust: overall height of the solved part; that of one with a flange is a sheet more than its depth inside.
 #[test]
-fn a_part_comes_out_as_high_as_it_was_ordered() {
+fn a_part_with_a_flange_comes_out_as_high_as_it_was_ordered() {
     for (name, given, wanted) in [
-        ("cup", &[("height", "45 mm"), ("thickness", "0.7 mm")][..], 45.0),
-        ("redraw", &[("height", "80 mm"), ("punch-radius", "40 mm")], 80.0),
-        ("redraw", &[("height", "40 mm"), ("punch-radius", "20 mm"), ("thickness", "0.6 mm")], 40.0),
-        ("hemispherical-cup", &[("height", "25 mm")], 26.0),
+        ("hemispherical-cup", &[("height", "25 mm")][..], 26.0),
         ("conical-cup", &[("height", "30 mm")], 31.0),
         ("stretch-dome", &[("height", "12 mm")], 13.0),
     ] {
@@ -189,8 +188,6 @@ fn a_part_comes_out_as_high_as_it_was_ordered() {
         let height = stages.last().unwrap().frames.last().and_then(part_height).unwrap();
         assert!((height - wanted).abs() < f64::max(0.01 * wanted, 0.5), "{name} {given:?}: {height} mm");
     }
-    let refused = find("redraw").unwrap().fill(&[("height", "100 mm")]).unwrap_err().to_string();
-    assert!(refused.contains("takes three draws"), "{refused}");
 }
 
 /// Trust: the holder's position is an unknown that its force is in balance with; what of the force the sheet does not take
@@ -210,8 +207,9 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 other => panic!("{other:?}"),
             });
             let run = solve(&case.stages, &mut ()).pop().unwrap();
-            assert_eq!(run.stop.kind, StopKind::FullTravel);
-            for record in &run.steps {
+            assert_eq!(run.stop.kind, StopKind::LeftDie);
+            // The rim tilts as it comes to the sleeve.
+            for record in run.steps.iter().take_while(|record| record.travel < 50.0) {
                 let apart = (record.holder_force / wanted - 1.0).abs();
                 assert!(apart < 0.03, "{} N of {wanted} N at {} mm", record.holder_force, record.travel);
             }

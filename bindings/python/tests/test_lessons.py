@@ -24,7 +24,7 @@ def case(title: str, value: Any = None) -> sf.Case:
     if value is not None:
         assert value in control["values"], f"{title}: the control has no {value}"
         settings[control["key"]] = f"{value} {control['unit']}" if "unit" in control else value
-    return sf.new(lesson["template"]).with_(settings)
+    return sf.new(lesson["template"], **lesson.get("given", {})).with_(settings)
 
 
 def peak(solution: sf.Solution) -> float:

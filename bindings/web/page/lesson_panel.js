@@ -1,6 +1,6 @@
 // Panel of a lesson: its question, its one control and its answer. A lesson of lessons.js is
 //
-//   { title, question, says, statement, template or text, overrides?: ["key=value"], kind: "result" or "step", step?: its number,
+//   { title, question, says, statement, template or text, given?, overrides?: ["key=value"], kind: "result" or "step", step?: its number,
 //     control: { key, label, from and to or values, value?, unit? }, shows?: "load", "thickness", "limit" or "viscosity",
 //     answer({ result, first, trace, iterate }): text, isAnswered(the same) }
 //
@@ -22,8 +22,8 @@ export class Lessons {
   }
 
   open(number) {
-    const { template = "", text = "", overrides = [] } = LESSONS[number];
-    return this.begin({ template, base: text, name: "lesson.toml", overrides, lesson: number });
+    const { template = "", given = {}, text = "", overrides = [] } = LESSONS[number];
+    return this.begin({ template, given, base: text, name: "lesson.toml", overrides, lesson: number });
   }
 
   async enter(number) {

@@ -1,11 +1,12 @@
 //! Lines on tools, loads and later stages: sizes, radii, travel, holder, beads, gas, motions.
 
 use super::{Line, line, number, size_of};
-use crate::assess::{design::LIMITING_RATIO, estimate};
+use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
+use crate::rules::LIMITING_RATIO;
 use crate::units::{Amount, Digits, Unit, joined};
 
 /// Number of arcs above which a die's entry is a curve.

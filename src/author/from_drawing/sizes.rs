@@ -1,9 +1,10 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
-use crate::assess::{design::Picked, size::WIDTHS};
+use crate::assess::size::WIDTHS;
 use crate::import::Section;
 use crate::model::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
+use crate::rules::Picked;
 use crate::units::{rounded, trimmed};
 use std::ops::RangeInclusive;
 

@@ -1,8 +1,8 @@
 //! Options of templates and their values.
 
 use super::{SHEET, Template};
-use crate::assess::design::Picked;
 use crate::case::CaseError;
+use crate::rules::Picked;
 use crate::units::{
     Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress,
     did_you_mean, thicknesses,

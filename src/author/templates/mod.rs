@@ -12,6 +12,7 @@
 
 mod air_bend;
 mod clamped;
+mod cup;
 mod cups;
 mod inputs;
 mod redraw;
@@ -19,17 +20,17 @@ mod sheet;
 mod sizes;
 mod strips;
 
-pub use crate::assess::design as rules;
+pub use crate::rules;
 pub use inputs::Choice;
 pub(super) use inputs::Inputs;
 pub(super) use sheet::{LAW, Sheet, mild_steel};
 
 use crate::assess::size;
-use crate::author::writer::{Values, exact, joined, mm, plain, profile_text};
 use crate::case::CaseError;
 use crate::geometry::Point;
 use crate::model::Geometry;
 use crate::units::{did_you_mean, rounded, significant};
+use crate::writer::{Values, exact, joined, mm, plain, profile_text};
 use rules::Picked;
 use serde::Deserialize;
 use sizes::{draw_ratio, ensure, newtons, nose, throat};
@@ -60,10 +61,10 @@ struct Header {
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
     let files: [(&str, &str, Sizes); 12] = [
-        ("cup", include_str!("cup.toml"), cups::cup),
+        ("cup", include_str!("cup.toml"), cup::cup),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
-        ("redraw", include_str!("redraw.toml"), redraw::sizes),
+        ("redraw", include_str!("redraw.toml"), cup::redraw),
         ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
@@ -75,6 +76,8 @@ pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
     ];
     let template = |(name, file, sizes): (&'static str, &'static str, Sizes)| {
         let (Header { about, inputs }, text) = header(file);
+        // A redraw is a cup of two draws at least.
+        let text = if text.is_empty() { header(files[0].1).1 } else { text };
         Template { name, about, own: inputs, text, sizes }
     };
     files.map(template).into()

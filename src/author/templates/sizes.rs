@@ -1,10 +1,11 @@
 //! Sizes that several templates derive.
 
-use super::rules::{self, CAREFUL_RATIO, LIMITING_RATIO, Picked, REDRAW_RATIO, TWO_DRAWS};
+use super::rules::{self, CAREFUL_RATIO, Metal, Picked};
 use super::{Inputs, Sheet};
-use crate::author::writer::{Values, joined, plain};
 use crate::case::CaseError;
 use crate::model::{Extent, Geometry};
+use crate::units::rounded;
+use crate::writer::{Values, joined, plain};
 
 impl Values {
     /// Sets the number of elements for a blank and its smallest radius \[mm\], `times` as fine as usual.
@@ -53,13 +54,14 @@ pub(super) struct Draw {
 }
 
 impl Draw {
-    /// Values of sheet, blank, die and holder, and the holder's pressure \[MPa\], which is that of a draw ratio.
-    pub fn values(&self, inputs: &Inputs, sheet: &Sheet, pressure_ratio: f64) -> Result<(Values, f64), CaseError> {
+    /// Values of sheet, blank, die and holder, and the holder's pressure \[MPa\].
+    pub fn values(&self, inputs: &Inputs, sheet: &Sheet) -> Result<(Values, f64), CaseError> {
         let Self { punch, corner, ratio, clearance, shoulder, blank } = self;
         let throat = throat(*punch, clearance);
         let flat = [throat.value + shoulder.value, blank.value];
         let (t, strength) = (sheet.thickness, sheet.tensile_strength);
-        let rule = || rules::holder_pressure(pressure_ratio, 2.0 * punch, flat, t, strength);
+        let usual = Metal::of(&sheet.metal).pressure;
+        let rule = || rules::holder_pressure(usual, *ratio, 2.0 * punch, flat, t, strength);
         let pressure = inputs.pick("holder-pressure", rule);
         let is_near = *ratio > CAREFUL_RATIO;
         let warning = format!(
@@ -78,15 +80,14 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
-/// Draw ratio of the blank for a part of this height, drawn once or twice.
+/// Draw ratio of the blank for a part of this height; above a limit, which is `of` something, an error.
 pub(super) fn draw_ratio(
     blank_for: impl Fn(f64) -> f64,
     height: f64,
     punch: f64,
-    draws: usize,
+    (limit, of): (f64, &str),
     or: &str,
 ) -> Result<f64, CaseError> {
-    let limit = if draws == 1 { LIMITING_RATIO } else { TWO_DRAWS };
     let ratio = |height: f64| blank_for(height) / punch;
     let wanted = ratio(height);
     let tenths = (1..=(10.0 * height) as u32).map(|tenths| 0.1 * f64::from(tenths));
@@ -94,12 +95,8 @@ pub(super) fn draw_ratio(
     let help = most.map_or(or.to_owned(), |most| format!("--height of {} or less; or {or}", plain(most)));
     let what = || {
         let [blank, punch] = [blank_for(height), punch].map(plain);
-        let first = format!("a blank of {blank} radius for a punch of {punch} is a draw ratio of {wanted:.2}");
-        let two = format!("two draws reach {TWO_DRAWS} ({CAREFUL_RATIO} and {REDRAW_RATIO}, DC04, 4ming)");
-        match wanted > TWO_DRAWS {
-            true => format!("{first}, which takes three draws: {two}"),
-            false => format!("{first}, above the limit of one draw, {limit}; {two}"),
-        }
+        let limit = rounded(limit);
+        format!("a blank of {blank} radius for a punch of {punch} is a draw ratio of {wanted:.2}, above {limit}, {of}")
     };
     ensure(wanted <= limit, what, &help).map(|()| wanted)
 }

@@ -1,4 +1,4 @@
-//! Tables that the run does not depend on: `[press]`, `[report]`, `[springback]`.
+//! Tables that the run does not depend on: `[press]`, `[report]`, `[finished]`, `[springback]`.
 
 use super::*;
 use crate::measure::Ring;
@@ -60,6 +60,21 @@ impl TitleBlock {
         let written = names.into_iter().zip(values).filter_map(|(name, value)| Some((name, value.as_deref()?.trim())));
         written.filter(|(_, value)| !value.is_empty())
     }
+}
+
+/// Sizes of a round part once its rim or its flange is trimmed, for the verdict.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Finished {
+    /// Height from the outside of the bottom to the trimmed rim, or to the flange's other face \[mm\].
+    #[serde(with = "As::<Positive<Length>>")]
+    pub height: Option<f64>,
+    /// Inside diameter of the wall at that height \[mm\].
+    #[serde(with = "As::<Positive<Length>>")]
+    pub diameter: Option<f64>,
+    /// Diameter to which a flange is trimmed \[mm\].
+    #[serde(with = "As::<Positive<Length>>")]
+    pub flange_diameter: Option<f64>,
 }
 
 /// The part's tolerances on spring-back, for the verdict on a case whose last stage takes the tools away, and the split-ring

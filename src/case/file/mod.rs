@@ -19,7 +19,7 @@ mod tools;
 mod values;
 
 pub(super) use forming_limit::FormingLimit;
-pub use judged::{Press, Springback, TitleBlock};
+pub use judged::{Finished, Press, Springback, TitleBlock};
 pub(super) use material::{Anisotropy, Material};
 pub use material::{Crystal, YieldCondition};
 pub(super) use points::Named;
@@ -80,6 +80,9 @@ pub struct CaseFile {
     /// Title block of reports.
     #[serde(default)]
     pub report: TitleBlock,
+    /// Sizes of the trimmed part, for the verdict.
+    #[serde(default)]
+    pub finished: Finished,
     /// Tolerances of the part on spring-back, for the verdict.
     springback: Option<Springback>,
     /// Numerical parameters.

@@ -1,9 +1,9 @@
 //! Text of a case file: a template with placeholders, filled with values and the reason beside each.
 
-use crate::assess::design::Picked;
 use crate::forming_limit::{Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
+use crate::rules::Picked;
 use crate::units::trimmed;
 use std::{collections::BTreeMap, fmt::Display};
 
@@ -14,11 +14,11 @@ const WIDTH: usize = 100;
 const RADII: [&str; 3] = ["radius", "throat", "inner_radius"];
 
 /// End of a step of a profile, and of an arc its centre and whether it turns left.
-pub(super) type Step = (Point, Option<(Point, bool)>);
+pub type Step = (Point, Option<(Point, bool)>);
 
 /// Value as TOML and reason of each placeholder of a template.
 #[derive(Default)]
-pub(super) struct Values(BTreeMap<String, (String, String)>);
+pub struct Values(BTreeMap<String, (String, String)>);
 
 impl Values {
     pub fn set(&mut self, name: &str, value: impl Display, why: &str) {
@@ -27,6 +27,11 @@ impl Values {
 
     pub fn lengths<const N: usize>(&mut self, lengths: [(&str, &Picked); N]) {
         lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
+    }
+
+    /// Leaves out lines with these values.
+    pub fn drop(&mut self, names: &[&str]) {
+        self.0.retain(|name, _| !names.contains(&name.as_str()));
     }
 
     /// Sets Swift's law: k \[MPa\], n and offset strain \[–\].
@@ -79,7 +84,7 @@ impl Values {
 }
 
 /// A comment, wrapped; control characters are left out.
-pub(super) fn comment(text: &str) -> String {
+pub fn comment(text: &str) -> String {
     let (mut lines, mut length) = (String::from("#"), 1);
     for word in text.split_whitespace() {
         let letters = word.chars().count();
@@ -92,7 +97,7 @@ pub(super) fn comment(text: &str) -> String {
 }
 
 /// Remark on the forming limit: the library's measured points, a computed curve, or none.
-pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bool) -> String {
+pub fn forming_limit(material: &Material, thickness: f64, is_measured: bool) -> String {
     let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
     let limit = match Kind::usual(&sheet) {
         _ if is_measured => "measured on the library's sheet".to_owned(),
@@ -103,14 +108,14 @@ pub(super) fn forming_limit(material: &Material, thickness: f64, is_measured: bo
     comment(&format!("Forming limit: {limit}. {coil}")).trim().to_owned()
 }
 
-pub(super) fn drawn_profile(profile: &Profile) -> String {
+pub fn drawn_profile(profile: &Profile) -> String {
     let arc = |piece: &Piece| if let Piece::Arc(arc) = piece { Some((arc.center, arc.sweep > 0.0)) } else { None };
     let steps: Vec<Step> = profile.pieces().iter().map(|piece| (piece.last(), arc(piece))).collect();
     profile_text(profile.first(), &steps, exact)
 }
 
 /// Steps of a profile as TOML, lengths written by `length`.
-pub(super) fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> String) -> String {
+pub fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> String) -> String {
     let point = |p: &Point| format!("[{}, {}]", length(p.x), length(p.y));
     let step = |(end, arc): &Step| match (point(end), arc) {
         (end, None) => format!("    {{ to = {end} }},\n"),
@@ -122,20 +127,20 @@ pub(super) fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> Stri
     format!("[\n    {{ from = {} }},\n{}]", point(&start), steps.iter().map(step).collect::<String>())
 }
 
-pub(super) fn joined(reasons: &[&str]) -> String {
+pub fn joined(reasons: &[&str]) -> String {
     reasons.iter().filter(|reason| !reason.is_empty()).copied().collect::<Vec<_>>().join(", ")
 }
 
-pub(super) fn plain(length: f64) -> String {
+pub fn plain(length: f64) -> String {
     format!("{} mm", trimmed(length, 3))
 }
 
 /// Length as TOML, to a micrometre.
-pub(super) fn mm(length: f64) -> String {
+pub fn mm(length: f64) -> String {
     format!("\"{}\"", plain(length))
 }
 
 /// Length as TOML, to a picometre: `"30.5 mm"`.
-pub(super) fn exact(length: f64) -> String {
+pub fn exact(length: f64) -> String {
     format!("\"{} mm\"", trimmed(length, 9))
 }

@@ -2,11 +2,12 @@
 //!
 //! # References
 //! *4ming*: Interactive Sheet Metal Forming Technical Guide, 4Ming e.K. (4ming.de/en/forming-handbook), pages "Punch
-//! radius", "Die clearance" and "Clearance according to Oehler/Kaiser" with its table of draw ratios; the books that it
-//! quotes were not read. *Amada*: Bending procedures, table "Die V-width selection" (amada.de).
+//! radius", "Die clearance" and "Limiting drawing ratio, second draw without intermediate annealing" with its table of draw
+//! ratios after Oehler and Kaiser; the books that it quotes were not read. *Amada*: Bending procedures, table "Die V-width
+//! selection" (amada.de).
 
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
 pub const THIN: f64 = 5.0;
@@ -14,10 +15,6 @@ pub const THIN: f64 = 5.0;
 pub const LIMITING_RATIO: f64 = 2.2;
 /// Draw ratio close to the limit: that of DC04 for a punch of 100 mm (4ming, table of draw ratios).
 pub const CAREFUL_RATIO: f64 = 2.0;
-/// First cup over redrawn cup, of DC04 in the second draw (4ming, table of draw ratios).
-pub const REDRAW_RATIO: f64 = 1.3;
-/// Blank over redrawn cup that two draws of DC04 reach: [`CAREFUL_RATIO`] and [`REDRAW_RATIO`].
-pub const TWO_DRAWS: f64 = CAREFUL_RATIO * REDRAW_RATIO;
 /// Largest reduction of a wall's thickness by ironing in one pass \[–\].
 ///
 /// # References
@@ -29,10 +26,61 @@ const RADIUS: f64 = 6.0;
 const HELD_OUT: f64 = 8.0;
 /// Elements per 90° of the sharpest corner of a mesh of equal elements \[–\].
 const PER_QUARTER: f64 = 10.0;
-/// Height for which a blank is made beyond the wanted one, over that one \[–\]: a declared rule of thumb.
-pub const TRIM: f64 = 0.08;
-/// Reason of [`TRIM`].
-pub const TRIMMED: &str = "because the rim thickens (declared)";
+/// Most draws that are planned: the rule of [`Metal::total`] has an example of four.
+pub const MOST_DRAWS: usize = 4;
+/// Height that is trimmed off a rim over that of the part, and least over the thickness \[–\]: declared rules of thumb.
+const TRIM: [f64; 2] = [0.04, 2.0];
+
+/// Draw ratios that a metal takes, and the holder pressure that shops set for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metal {
+    /// Name in sentences.
+    pub name: &'static str,
+    /// Young's modulus up to which a sheet is taken for it \[MPa\], declared.
+    young: f64,
+    /// Blank over first cup, and first cup over second one without annealing \[–\], for a punch of 100 mm (4ming).
+    pub ratios: [f64; 2],
+    /// Usual pressure on the flange \[MPa\]: steel 2 to 2.5, copper alloys 2 to 2.4, aluminium 1.2 to 1.5 (Tschätsch, Praxis
+    /// der Umformtechnik, not read).
+    pub pressure: f64,
+}
+
+/// By Young's modulus, the least first. Half-hard AlMg3, the careful row of two, stands for aluminium; copper is declared.
+const METALS: [Metal; 4] = [
+    Metal { name: "aluminium (AlMg3)", young: 90e3, ratios: [2.0, 1.4], pressure: 1.2 },
+    Metal { name: "copper and brass", young: 150e3, ratios: [2.0, 1.3], pressure: 2.0 },
+    Metal { name: "stainless steel (1.4301)", young: 200e3, ratios: [2.0, 1.25], pressure: 2.5 },
+    Metal { name: "mild steel (DC04)", young: f64::INFINITY, ratios: [CAREFUL_RATIO, 1.3], pressure: 2.5 },
+];
+
+impl Metal {
+    /// Metal of a sheet, by its elasticity; mild steel without one.
+    pub fn of(material: &Material) -> Self {
+        let young = material.elastic.map_or(f64::MAX, |elastic| elastic.young);
+        METALS.into_iter().find(|metal| young <= metal.young).unwrap_or(METALS[3])
+    }
+
+    /// Blank over the last cup that so many draws reach \[–\]: β₁ + (n − 1) C, where the second draw gives C = β₁ (β₂ − 1).
+    ///
+    /// # References
+    /// 4ming, "Limiting drawing ratio, second draw without intermediate annealing", equation 1, after Herold and Kluge (1994).
+    pub fn total(&self, draws: usize) -> f64 {
+        let [first, second] = self.ratios;
+        first * (1.0 + (second - 1.0) * (draws as f64 - 1.0))
+    }
+
+    /// Number of draws for a blank over the last cup; `None` for more than four.
+    pub fn draws(&self, ratio: f64) -> Option<usize> {
+        // Radii of cases are rounded.
+        (1..=MOST_DRAWS).find(|draws| ratio <= self.total(*draws) + 1e-3)
+    }
+}
+
+/// Height that is trimmed off the rim of a drawn part, whose ears and uneven edge go with it \[mm\].
+pub fn trim(height: f64, thickness: f64) -> Picked {
+    let [share, least] = TRIM;
+    Picked::by((share * height).max(least * thickness), "4 % of the height, 2 thicknesses at least (declared)")
+}
 
 /// Tensile strength \[MPa\]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
 pub fn tensile_strength(material: &Material) -> f64 {
@@ -123,28 +171,38 @@ pub fn blank_of(area: f64) -> f64 {
     (area / PI).sqrt()
 }
 
-/// Travel at which a cup of this overall height has its rim half way (45°) round the shoulder, which still guides it.
+/// Travel at which the rim of a cup of this height with its trim stands two thicknesses behind the die's shoulder.
 pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
-    let risen = (shoulder + 0.5 * thickness) * (1.0 - FRAC_PI_4.cos());
-    Picked::by(height - thickness + risen, "until the rim stands half way round the die's shoulder: no flange is left")
+    Picked::by(height + shoulder + 2.0 * thickness, "until the rim is through the die's shoulder: no flange is left")
 }
 
-/// Holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: the larger of two.
+/// Holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: the largest of three.
 ///
-/// [`siebel`]'s, or that of the force that holds a flange down while it is bent over a shoulder that ends at the radius a: the
-/// bend's full plastic moment R_m t²/4 per mm of circle, borne by the rim 8 t further out, F = π a R_m t/16. Derived here but
-/// for the 8 t, which are declared; with less force the rim of a short cup rises before.
-pub fn holder_pressure(ratio: f64, diameter: f64, [end, edge]: [f64; 2], thickness: f64, strength: f64) -> Picked {
+/// The usual one of the metal; [`siebel`]'s; or that of the force that holds a flange down while it is bent over a shoulder that
+/// ends at the radius a: the bend's full plastic moment R_m t²/4 per mm of circle, borne by the rim 8 t further out,
+/// F = π a R_m t/16. Derived here but for the 8 t, which are declared; with less force the rim of a short cup rises before.
+pub fn holder_pressure(
+    usual: f64,
+    ratio: f64,
+    diameter: f64,
+    [end, edge]: [f64; 2],
+    thickness: f64,
+    strength: f64,
+) -> Picked {
     let siebel = siebel(ratio, diameter, thickness, strength);
     let force = 2.0 * PI * end * 0.25 * strength * thickness / HELD_OUT;
-    let level = force / (PI * (edge * edge - end * end));
     // A blank that ends on the shoulder is refused elsewhere.
-    let (pressure, rule) = if edge > end && level > siebel {
-        let rule = "π a R_m t/16 over its area: a plastic hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)";
-        (level, rule)
-    } else {
-        (siebel, "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)")
-    };
+    let level = if edge > end { force / (PI * (edge * edge - end * end)) } else { 0.0 };
+    let rules = [
+        (usual, "usual for this metal: 2 to 2.5 for steel, 1.2 to 1.5 for aluminium (Tschätsch)"),
+        (siebel, "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"),
+        (
+            level,
+            "π a R_m t/16 over its area: a plastic hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)",
+        ),
+    ];
+    let [first, others @ ..] = rules;
+    let (pressure, rule) = others.into_iter().fold(first, |most, next| if next.0 > most.0 { next } else { most });
     // Not rounded: the force is, upwards.
     Picked { value: pressure, why: format!("{pressure:.2} MPa on the flat of the flange, {rule}") }
 }
