@@ -1,5 +1,6 @@
 //! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
+use super::sensitivity::NOT_SOLVED;
 use super::{Finding, Light, Run, estimate::tensile_strength, forming_limit::other_condition, largest};
 use crate::case::Case;
 use crate::forming_limit::SHORTEST;
@@ -112,22 +113,21 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
     thinnest.into_iter().chain(nearest).any(|[a, b]| a.min(b) > 0.0 && a.max(b) > SHORTEST)
 }
 
+/// Hardening within the range of the law's fit; beyond it, judged once a run with less hardening there is solved.
 pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let material = &run.stages.last()?.model.material;
     let points = run.stages.iter().flat_map(|stage| stage.end.points.iter());
     let strain = Amount::ratio(points.map(|point| point.strain).fold(0.0, f64::max));
-    let judged = Finding::judged("hardening_range", "Hardening law", "used up to a true strain of {}");
-    let judged = judged.number(strain).source(OWN);
-    let ends = if material.fitted_up_to.is_some() { "it is fitted up to" } else { "its table ends at" };
-    Some(match material.measured_up_to() {
+    let end = material.measured_up_to();
+    let fit = end.map_or(String::new(), |end| format!(", fitted up to {}", Amount::number(end)));
+    let judged = Finding::judged("hardening_range", "Hardening law", format!("strain of {{}}{fit}")).number(strain);
+    Some(match end {
         None => judged
             .light(Light::Grey)
             .limit("a formula: the range of its fit is not in the case")
             .advice("write the range of the fit as `fitted_up_to` in [material]"),
-        Some(end) => judged
-            .at_most(end, None)
-            .limit(format!("{ends} {}", Amount::number(end)))
-            .advice("add points at larger strains, from a bulge test"),
+        Some(end) if strain.value > end => judged.light(Light::Grey).limit("changes no other line").advice(NOT_SOLVED),
+        Some(end) => judged.limit(format!("{} at most", Amount::number(end))),
     })
 }
 

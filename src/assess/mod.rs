@@ -13,10 +13,10 @@ pub mod estimate;
 mod finding;
 mod forming_limit;
 mod fracture;
-pub mod friction;
 mod holder;
 mod material;
 mod press;
+pub mod sensitivity;
 pub mod size;
 mod solution_quality;
 mod springback;
@@ -38,7 +38,7 @@ use crate::solver::solution::{StageSolution, StepRecord};
 use forming_limit::Nearest;
 
 /// Findings on a case, in the order of output.
-const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, friction::assumed];
+const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, sensitivity::assumed];
 
 /// Findings on the first stage.
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
@@ -78,7 +78,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     draw::trim_allowance,
     material::yield_condition,
     material::hardening,
-    friction::row,
+    sensitivity::row,
     solution_quality::judge,
 ];
 

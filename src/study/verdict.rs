@@ -1,12 +1,12 @@
-//! Verdict for the user of one case: findings, what hangs on friction, and advice that was tried.
+//! Verdict for the user of one case: findings, what hangs on friction and hardening, and advice that was tried.
 
 use super::advice::advise;
 use super::*;
 use crate::assess::error_bars::{ErrorBars, weighed};
-use crate::assess::{Answer, Finding, after, friction};
+use crate::assess::{Answer, Finding, after, sensitivity};
 use rayon::prelude::*;
 
-/// Judges a solution: friction is solved at ± 0.02, advice on red and amber rows if it is wanted.
+/// Judges a solution: less and more friction and less hardening are solved, advice on red and amber rows if it is wanted.
 pub fn judge(
     solution: &Solution,
     bars: Option<&ErrorBars>,
@@ -15,10 +15,12 @@ pub fn judge(
 ) -> (Answer, Vec<Finding>) {
     let mut findings = after(&solution.case, &solution.stages);
     if is_known(solution) {
-        let others = friction::neighbours(&solution.case).into_par_iter();
-        let others = others.map(|case| BaseCase::solve(case, watch).ok().filter(is_known));
-        if let Some(others) = others.collect::<Option<Vec<Solution>>>() {
-            friction::judge(solution, &others, &mut findings);
+        let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(|other| {
+            let run = BaseCase::solve(other.case.clone(), watch).ok().filter(is_known)?;
+            Some((other, run))
+        });
+        if let Some(others) = others.collect::<Option<Vec<_>>>() {
+            sensitivity::judge(solution, &others, &mut findings);
         }
     }
     if has_advice {

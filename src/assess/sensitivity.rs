@@ -1,0 +1,115 @@
+//! Friction, and hardening beyond the range of its fit: which lines of the verdict hang on them.
+
+use super::{FailureMode, Finding, Light, Run, advice::NO_DESIGN, after, judgements};
+use crate::case::{Case, Solution};
+use crate::model::Model;
+use crate::units::{Amount, joined};
+
+/// Change of every tool's friction that a verdict should bear \[–\]: declared, lubrication varies by so much.
+const CHANGE: f64 = 0.02;
+/// Share of its hardening that a sheet keeps beyond the range of its law's fit, which a verdict should bear \[–\]: declared.
+const WEAKER: f64 = 0.5;
+/// Advice on a row whose neighbours were not solved.
+pub(super) const NOT_SOLVED: &str = "without `--no-advice` it is solved with less and more";
+
+/// Friction, judged once runs with less and more of it are solved.
+pub(super) fn row(run: &Run) -> Option<Finding> {
+    let most = largest_coefficient(run.case.model())?;
+    Finding::judged("friction", "Friction", "{}; less and more were not solved")
+        .number(Amount::number(most))
+        .light(Light::Grey)
+        .limit("changes no other line")
+        .source("declared: lubrication varies by so much")
+        .advice(NOT_SOLVED)
+        .into()
+}
+
+/// Friction without a source.
+pub(super) fn assumed(case: &Case) -> Option<Finding> {
+    let most = largest_coefficient(case.model())?;
+    let text = "friction of {} at most is assumed: [friction] names no `source`";
+    case.sources.friction.is_none().then(|| Finding::assumed(text).number(Amount::number(most)))
+}
+
+fn largest_coefficient(model: &Model) -> Option<f64> {
+    model.tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)
+}
+
+/// Case with another friction or hardening, which a row of the verdict is judged by.
+pub struct Neighbour {
+    row: &'static str,
+    label: String,
+    /// The case itself.
+    pub case: Case,
+}
+
+/// Cases with less and more friction on every tool, at least 0 and at most 1, and one that hardens less beyond the range of
+/// its law's fit where a verdict uses it there.
+pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<Neighbour> {
+    let changed = |row, change: &dyn Fn(&mut Model)| {
+        let mut case = case.clone();
+        case.stages.iter_mut().for_each(|stage| change(&mut stage.model));
+        Neighbour { row, label: String::new(), case }
+    };
+    let friction = [-CHANGE, CHANGE].map(|by| {
+        let other = changed("friction", &|model| {
+            model.tools.iter_mut().for_each(|tool| tool.friction = tool.friction.changed(by));
+        });
+        let most = largest_coefficient(other.case.model()).unwrap_or(0.0);
+        Neighbour { label: format!("at {}", Amount::number(most)), ..other }
+    });
+    let is_beyond = |row: &Finding| row.key == "hardening_range" && row.light == Light::Grey;
+    let end = case.model().material.measured_up_to().filter(|_| findings.iter().any(is_beyond));
+    let weaker = end.map(|end| {
+        let other = changed("hardening_range", &|model| {
+            let hardening = &mut model.material.hardening;
+            *hardening = hardening.clone().weakened(WEAKER, end);
+        });
+        Neighbour { label: format!("with half the hardening beyond {}", Amount::number(end)), ..other }
+    });
+    friction.into_iter().chain(weaker).filter(|other| other.case.stages != case.stages).collect()
+}
+
+/// Judges friction and hardening by the solved [`neighbours`].
+pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &mut [Finding]) {
+    let after: Vec<_> = others.iter().map(|(other, run)| (other, changed(solution, findings, run))).collect();
+    for (key, unchanged, advice) in [
+        ("friction", format!("{{}} ± {CHANGE}"), "measure it, or leave more margin there"),
+        ("hardening_range", String::new(), "add points at larger strains, from a bulge test"),
+    ] {
+        let of_row: Vec<_> = after.iter().filter(|(other, _)| other.row == key).collect();
+        let Some(row) = findings.iter_mut().find(|row| row.key == key && !of_row.is_empty()) else { continue };
+        let is_worse = of_row.iter().any(|(_, (worse, _))| *worse);
+        let changes = of_row.iter().filter(|(_, (_, text))| !text.is_empty());
+        let changes = joined(changes.map(|(other, (_, text))| format!("{} {text}", other.label)), ", ");
+        let found = row.text.split("; ").next().unwrap_or_default();
+        row.text = match changes.is_empty() {
+            true if unchanged.is_empty() => {
+                format!("{found}; half the hardening beyond changes no line of the verdict")
+            }
+            true => format!("{unchanged}; changes no line of the verdict"),
+            false => format!("{found}; {changes}"),
+        };
+        row.light = if is_worse { Light::Amber } else { Light::Green };
+        row.advice = if is_worse { advice.into() } else { String::new() };
+    }
+}
+
+/// Whether another run's verdict is worse somewhere, or no longer torn, and its lines that differ.
+fn changed(solution: &Solution, findings: &[Finding], other: &Solution) -> (bool, String) {
+    let theirs = after(&other.case, &other.stages);
+    let tears = |solution: &Solution, findings: &[Finding]| {
+        FailureMode::all(&solution.stages, findings).contains(&FailureMode::Tears)
+    };
+    match (tears(solution, findings), tears(other, &theirs)) {
+        (false, true) => return (true, "it tears".into()),
+        (true, false) => return (true, "it does not tear".into()),
+        _ => {}
+    }
+    let pairs = judgements(findings).filter_map(|own| Some((own, theirs.iter().find(|row| row.key == own.key)?)));
+    let pairs = pairs.filter(|(own, _)| !NO_DESIGN.contains(&own.key));
+    let pairs = pairs.filter(|(own, row)| row.light.min(own.light) > Light::Grey && row.light != own.light);
+    let pairs: Vec<_> = pairs.collect();
+    let text = pairs.iter().map(|(own, row)| format!("{} is {}", own.label, row.light.name()));
+    (pairs.iter().any(|(own, row)| row.light > own.light), joined(text, " and "))
+}
