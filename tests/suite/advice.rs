@@ -36,6 +36,20 @@ fn friction_is_amber_if_a_line_hangs_on_it() {
     assert_eq!(judge(&case.solve(&mut ()), None, true, &()).0.light, Light::Green);
 }
 
+/// Trust: the fit ends far below the strain of the rim; less hardening asks for less force, a third at most.
+#[test]
+fn hardening_beyond_its_fit_is_judged_by_a_run_with_half_of_it() {
+    let fitted = "material.fitted_up_to=0.1";
+    let force = row(&solved(&[]), false, "press_force").value().expect("a force");
+    for (rating, text) in [(2.0 * force, "changes no line"), (force / 0.81, "beyond 0.1 Press force is green")] {
+        let solution = solved(&[fitted, &format!("press.force={rating} N")]);
+        let found = row(&solution, false, "hardening_range");
+        assert!(found.light == Light::Green && found.text.contains(text), "{found:?}");
+        let quick = assess::after(&solution.case, &solution.stages);
+        assert!(quick.iter().any(|row| row.key == found.key && row.light == Light::Grey));
+    }
+}
+
 /// Trust: each advice is set in the case by its words, which is solved and judged again.
 #[test]
 fn advice_does_what_it_says() {
