@@ -3,14 +3,17 @@ import { byId, html, render } from "./dom.js";
 
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
-/** Advice that names a command of the command line, and what the page has in its place. */
+const NOT_SOLVED = "without `--no-advice` it is solved with less and more";
+
+/** Advice that names a command of the command line, and the words of the page: in any row, or only in that of the key. */
 const OURS = [
-  ["without `--no-advice` it is solved with less and more", "move the slider Friction down and up, and look at what changes"],
+  [NOT_SOLVED, "move the slider Friction down and up, and look at what changes", "friction"],
+  [NOT_SOLVED, "only the command line solves it, with half the hardening beyond: download the case and run it there", "hardening_range"],
   ["`stampflow search --for over-bend`", "give the tools a sharper angle, and look at the next result"],
   ["--material NAME", "choose it under Sheet"],
   ["(strain_paths.csv of `run`)", "(chart Forming limit)"],
 ];
-const ours = (text) => OURS.reduce((text, [theirs, own]) => text.replace(theirs, own), text);
+const ours = (text, row) => OURS.reduce((text, [theirs, own, only = row]) => (only === row ? text.replace(theirs, own) : text), text);
 
 const light = (name, text) => html`<span class="lit"><span class="light ${name}" aria-hidden="true">${SHAPES[name]}</span> ${text}</span>`;
 
@@ -19,8 +22,8 @@ export function drawAnswer(host, { verdict }, isA) {
   render(html`<p class="sentence">${light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`)}</p><dl class="numbers">${numbers}</dl>`, host);
 }
 
-function row({ light: name, label, found, limit, source, advice }) {
-  return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice)}</td></tr>`;
+function row({ key, light: name, label, found, limit, source, advice }) {
+  return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice, key)}</td></tr>`;
 }
 
 export function drawRows({ verdict }) {
