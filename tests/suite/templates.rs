@@ -101,8 +101,8 @@ fn the_blank_is_the_textbooks() {
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }
 
-/// Trust: the travel is solved for from the strip's moment and curvature, the run knows nothing of that. 1° is what was wanted;
-/// friction and the change of thickness, which the rule leaves out, take some tenths.
+/// Trust: the travel is corrected by four runs, each by what straight legs say; the last error is a hundredth of the first's few
+/// degrees.
 #[test]
 fn a_v_has_its_angle_before_it_springs_back() {
     let other: &[(&str, &str)] = &[("thickness", "2 mm"), ("friction", "0.15"), ("n", "0.15")];
@@ -121,7 +121,7 @@ fn a_v_has_its_angle_before_it_springs_back() {
             180.0 - 2.0 * ((a.z - b.z) / (b.r - a.r)).atan().to_degrees()
         };
         let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
-        assert!((bent - wanted).abs() < 1.0, "{angle} {given:?}: {bent}");
+        assert!((bent - wanted).abs() < 0.2, "{angle} {given:?}: {bent}");
         assert!(free > bent + 0.3 && free < bent + 25.0, "{bent} {free}");
     }
 }

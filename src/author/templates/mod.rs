@@ -10,7 +10,6 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
-mod air_bend;
 mod clamped;
 mod cup;
 mod cups;

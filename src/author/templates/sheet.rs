@@ -53,11 +53,6 @@ impl Sheet {
         self.metal.yield_criterion.ratio()
     }
 
-    /// E and ν: the material's, or those of steel.
-    pub fn elastic(&self) -> Elastic {
-        self.metal.elastic.unwrap_or(STEEL)
-    }
-
     pub fn values(&self, is_elastic: bool) -> Values {
         let (mut values, mut material) = (Values::default(), Values::default());
         let mut why = String::new();

@@ -1,9 +1,8 @@
 //! Strips in plane strain: hat and box sections drawn with a holder, a joggle, a V bent in air, and a U between punch and die.
 
-use super::air_bend::{Strip, travel};
 use super::*;
 use crate::case::parse;
-use crate::measure::part_height;
+use crate::measure::{Shape, part_height};
 use crate::numerics::interpolated;
 use crate::solver::{self, solution::Frame};
 
@@ -172,22 +171,32 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let what =
         || format!("a V {wide} wide between the centres of its shoulders leaves no room for the punch and the sheet");
     ensure(throat.value >= nose.value + t, what, help)?;
-    let strip = Strip { thickness: t, elastic: sheet.elastic(), hardening: &sheet.metal.hardening };
-    let travel = Picked::by(
-        travel(&strip, turn, reach, nose.value, shoulder.value),
-        "where legs that bend freely from the nose to the shoulders have the wanted angle, before they spring back",
-    );
+    // Straight legs from nose to shoulder.
+    let radii = nose.value + shoulder.value + t;
+    let travel = |turn: f64| radii + (reach * turn.sin() - radii) / turn.cos();
     let what =
-        || format!("an angle of {degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel.value));
-    ensure(travel.value > 0.0 && travel.value >= t, what, help)?;
+        || format!("an angle of {degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel(turn)));
+    ensure(travel(turn) >= t, what, help)?;
     let leg = inputs.number("leg").unwrap_or(reach);
     let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
-    let mut sizes = sheet.values(true);
-    sizes.die(&blank, &throat, &shoulder, nose.value);
-    sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
-    sizes.set("angle", format!("\"{degrees} deg\""), "");
-    sizes.lengths([("radius", &nose), ("travel", &travel)]);
-    Ok(sizes)
+    let values = |travel: f64| {
+        let travel = Picked::by(travel, "runs of this case have the wanted angle there, before they spring back");
+        let mut sizes = sheet.values(true);
+        sizes.die(&blank, &throat, &shoulder, nose.value);
+        sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
+        sizes.set("angle", format!("\"{degrees} deg\""), "");
+        sizes.lengths([("radius", &nose), ("travel", &travel)]);
+        sizes
+    };
+    let mut reached = travel(turn);
+    for _ in 0..RUNS {
+        let Ok(case) = parse(&values(reached).fill(find("v-bend")?.text), "v-bend", &[]) else { break };
+        let run = solver::run(case.model(), &mut ());
+        let end = run.frames.last().filter(|_| run.stop.is_complete());
+        let Some(bent) = end.and_then(|end| Shape::of(end).opening_angle()) else { break };
+        reached += travel(turn) - travel(0.5 * (180.0 - bent).to_radians());
+    }
+    Ok(values(reached))
 }
 
 pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
