@@ -156,6 +156,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages),
         stages.first().and_then(holder),
+        stages.first().and_then(pad),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
@@ -208,6 +209,13 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
     let about = joined([at, joined([press, with_holder.into(), reserve], " ")], "; ");
     Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
+}
+
+fn pad(stage: &StageSolution) -> Option<Quantity> {
+    let model = &stage.model;
+    model.tool(Role::Pad)?;
+    let force = Amount::force(super::largest(stage, |step| step.pad_force), model.extent().force_unit());
+    Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
 }
 
 /// Largest holder force, or the gap of a fixed holder.

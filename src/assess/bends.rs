@@ -44,7 +44,7 @@ fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {
             let top = tool.profile.extreme(true, model.blank.length).map_or(0.0, |top| top.y);
             within_blank && at.y > top - model.travel
         }
-        Role::Die => within_blank,
+        Role::Die | Role::Pad => within_blank,
         // The sheet goes up and away from a holder's inner edge.
         Role::Holder => within_blank && at.x > extent(tool).0 + model.blank.thickness,
     }

@@ -160,6 +160,7 @@ fn later_stages(sections: &Sections, first: &DrawnTools, pressure: f64) -> Vec<S
             Role::Punch => false,
             Role::Die => !has(Role::Die),
             Role::Holder => !has(Role::Holder) && !has(Role::Die),
+            Role::Pad => !has(Role::Pad),
         };
         let staying = before.sections.iter().copied().filter(|section| stays(section.role));
         let given = [Some(first.thickness.value), Some(first.blank.value), None];

@@ -124,7 +124,7 @@ impl Drawing {
         let around = passed.fold(flat, Bounds::with);
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
-        let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000")][tool.role as usize];
+        let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0")][tool.role as usize];
         self.add(format!("{prefix}{}", tool.role.name().to_uppercase()), color, profile.pieces().to_vec(), None);
     }
 

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //!   punch, holder: from the back's inner end round the face        die: from the face's outer end
-//!   to the back's outer end (of a holder, the face's)              to the back's inner end
+//!   to the back's outer end (of a holder, the face's)              to the back's inner end; a pad is a punch upside down
 //!
 //!        A┌────────┐B                                  B'┐  ┌──────────┐A'        A, B farthest from the sheet
 //!         │        │                                     │  │          │          A', of those farthest out the one
@@ -33,7 +33,7 @@ pub(super) fn heading(
     option: Option<Heading>,
     frame: &Frame,
 ) -> Result<Heading, ImportError> {
-    let open = chains.iter().filter(|(tool, chain)| tool.role != Role::Holder && !is_outline(chain));
+    let open = chains.iter().filter(|(tool, chain)| matches!(tool.role, Role::Punch | Role::Die) && !is_outline(chain));
     let mut walls = open.filter_map(|(tool, chain)| {
         let (a, b) = (chain.first(), chain.last());
         let rise = if a.x <= b.x { b.y - a.y } else { a.y - b.y };
@@ -72,7 +72,7 @@ pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Fram
     let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame)? } else { chain };
     let outward = outward(tool, chain, heading, frame)?;
     // Below the sheet one walks outward, above it inward.
-    let chain = if tool.role == Role::Die { outward.reversed() } else { outward };
+    let chain = if tool.role.side() > 0.0 { outward.reversed() } else { outward };
     let turned = |p: Point| if heading == Heading::Down { Point::new(p.x, -p.y) } else { p };
     let to_section = |piece: &Piece| if heading == Heading::Down { piece.upside_down() } else { *piece };
     let profile = Profile::new(chain.pieces().map(to_section).collect())
@@ -121,7 +121,7 @@ fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Resul
         let help = "draw the face that meets the sheet too, from its inner to its outer end";
         return Err(ImportError::new(what, help));
     }
-    let begins_at_sheet = if tool.role == Role::Die { ahead > 0.0 } else { ahead < 0.0 };
+    let begins_at_sheet = tool.role.side() * ahead > 0.0;
     Ok(if begins_at_sheet { chain } else { chain.reversed() })
 }
 
@@ -133,7 +133,7 @@ fn is_outline(chain: &Chain) -> bool {
 fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
     let dies = chains.iter().filter(|(tool, _)| tool.role == Role::Die);
     let mut pairs = dies.flat_map(|(die, of_die)| {
-        let others = chains.iter().filter(|(tool, _)| tool.role != Role::Die && tool.operation == die.operation);
+        let others = chains.iter().filter(|(tool, _)| tool.role.side() < 0.0 && tool.operation == die.operation);
         others.map(move |(tool, chain)| (tool, chain.bounds(), of_die.bounds()))
     });
     pairs.find_map(|(tool, other, die)| {
@@ -148,15 +148,17 @@ fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
 type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
 fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
+    // A pad is a punch upside down.
+    let is_down = (heading == Heading::Down) != (tool.role == Role::Pad);
     // Larger where nearer to the sheet.
-    let height = |p: Point| if (tool.role == Role::Die) == (heading == Heading::Down) { p.y } else { -p.y };
+    let height = |p: Point| if (tool.role == Role::Die) == is_down { p.y } else { -p.y };
     let back_inner: Measure = &|p| [-height(p), -p.x];
     let back_outer: Measure = &|p| [-height(p), p.x];
     let face_outer: Measure = &|p| [p.x, height(p)];
     let is_closed = chain.is_closed;
     let chain = if is_closed {
         // Walked so that the face of a punch comes after its inner wall, and that of a die before.
-        let chain = if (area(&chain) > 0.0) == (heading == Heading::Down) { chain } else { chain.reversed() };
+        let chain = if (area(&chain) > 0.0) == is_down { chain } else { chain.reversed() };
         let [before, after] = split(&chain, if tool.role == Role::Die { face_outer } else { back_inner }, frame.join);
         Chain { pieces: [after, before].concat(), ..chain }
     } else if height(chain.first()) >= height(chain.last()) {
@@ -166,7 +168,7 @@ fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Re
     };
     let end = match (tool.role, is_closed) {
         (Role::Die, true) => back_inner,
-        (Role::Punch, _) => back_outer,
+        (Role::Punch | Role::Pad, _) => back_outer,
         (Role::Die, false) | (Role::Holder, _) => face_outer,
     };
     let [before, _] = split(&chain, end, frame.join);

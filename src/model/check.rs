@@ -198,8 +198,10 @@ impl Model {
                 }
             }
             if matches!(motion, Motion::Pressed(_) | Motion::Gap(_)) {
-                needs(name, *role == Role::Holder, "the role of a holder")?;
-                needs("holder", self.tool(Role::Die).is_some(), "die")?;
+                let [holder, pad] = [Role::Holder, Role::Pad].map(|pressed| *role == pressed);
+                needs(name, holder || pad && !matches!(motion, Motion::Gap(_)), "the role of a holder or a pad")?;
+                needs("holder", pad || self.tool(Role::Die).is_some(), "die")?;
+                needs("pad", holder || self.tool(Role::Punch).is_some(), "punch")?;
             }
         }
         Ok(())

@@ -104,7 +104,7 @@ fn zones(model: &Model) -> Vec<Zone> {
                     Zone { from: inner, to: length.min(outer + drawn_in), size }
                 }
                 Role::Die => Zone { from: inner - arc, to: outer + arc, size },
-                Role::Holder => continue,
+                Role::Holder | Role::Pad => continue,
             };
             if zone.from < length {
                 zones.push(zone);

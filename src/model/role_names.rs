@@ -2,22 +2,23 @@
 
 use super::Role;
 
-/// Names of each tool in small letters without accents and separators.
-const WORDS: [(Role, &str); 3] = [
-    (Role::Punch, "punch stempel patrize poincon"),
-    (Role::Die, "die matrix drawring matrize ziehring gesenk matrice"),
+/// Names of each tool in small letters without accents and separators; those that contain another tool's come first.
+const WORDS: [(Option<Role>, &str); 5] = [
+    (None, "stempelhalter portepoincon"),
     (
-        Role::Holder,
+        Some(Role::Pad),
+        "pad ejector gegenhalter gegenstempel counterpunch counterholder contrepoincon auswerfer ejecteur",
+    ),
+    (Some(Role::Punch), "punch stempel patrize poincon"),
+    (Some(Role::Die), "die matrix drawring matrize ziehring gesenk matrice"),
+    (
+        Some(Role::Holder),
         "holder binder holddown pressurering niederhalter blechhalter faltenhalter serreflan serretole presseflan",
     ),
 ];
 
 /// Letters with an accent, and without.
 const ACCENTS: &str = "àáâãäå=a ç=c èéêë=e ìíîï=i ñ=n òóôõö=o ùúûü=u ß=ss œ=oe";
-
-/// Names of other tools that contain a tool's name.
-const OTHERS: [&str; 7] =
-    ["gegenhalter", "gegenstempel", "counterpunch", "counterholder", "contrepoincon", "stempelhalter", "portepoincon"];
 
 /// Length up to which names are searched at the ends of words only: "Radien" is no die.
 const SHORT: usize = 3;
@@ -26,15 +27,20 @@ impl Role {
     /// Tools that a text names, in the order of [`ALL`](Self::ALL): `upper punch`, `OP20_PUNCH`, `Matrize 1`.
     pub fn named_in(text: &str) -> Vec<Self> {
         let words = letters(text);
-        let mut whole = words.concat();
-        for other in OTHERS {
-            whole = whole.replace(other, " ");
+        let (mut whole, mut found) = (words.concat(), Vec::new());
+        for (role, word) in WORDS.iter().flat_map(|(role, names)| names.split(' ').map(move |word| (role, word))) {
+            let is_named = match word.len() {
+                ..=SHORT => words.iter().any(|part| part.starts_with(word) || part.ends_with(word)),
+                _ => whole.contains(word),
+            };
+            if is_named {
+                whole = whole.replace(word, " ");
+                found.extend(role);
+            }
         }
-        let names = |word: &str| match word.len() {
-            ..=SHORT => words.iter().any(|part| part.starts_with(word) || part.ends_with(word)),
-            _ => whole.contains(word),
-        };
-        WORDS.iter().filter(|(_, words)| words.split(' ').any(names)).map(|(role, _)| *role).collect()
+        found.sort_unstable();
+        found.dedup();
+        found
     }
 }
 
@@ -68,13 +74,14 @@ fn letters(text: &str) -> Vec<String> {
 #[cfg(test)]
 #[test]
 fn words_and_texts_name_their_tools_in_three_languages() {
-    use Role::{Die, Holder, Punch};
+    use Role::{Die, Holder, Pad, Punch};
     for (texts, roles) in [
         ("punch, OP20_PUNCH, OP10 - Ziehstempel unten, draw punch, Poinçon, poinc\u{327}on", &[Punch][..]),
         ("LowerDie2, lowerdie, draw_die, Matrize, Ziehring, matrice", &[Die]),
         ("SERRE FLAN, Blank holder 1, binder, blank_holder, Blech-Niederhalter, serre-tôle", &[Holder]),
         ("punch and die", &[Punch, Die]),
-        ("Gegenhalter, counter-punch, Stempelhalter, Radien, centre line, blank, ring", &[]),
+        ("Gegenhalter, counter-punch, OP10_PAD, Auswerfer 2, éjecteur", &[Pad]),
+        ("Stempelhalter, Radien, centre line, blank, ring", &[]),
     ] {
         texts.split(", ").for_each(|text| assert_eq!(Role::named_in(text), roles, "{text}"));
     }

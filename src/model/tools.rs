@@ -27,11 +27,13 @@ pub enum Role {
     Die,
     /// Below the sheet, holds its flange against the die.
     Holder,
+    /// Above the sheet, holds its bottom against the punch.
+    Pad,
 }
 
 impl Role {
     /// All tools, in the order of tables.
-    pub const ALL: [Role; 3] = [Role::Punch, Role::Die, Role::Holder];
+    pub const ALL: [Role; 4] = [Role::Punch, Role::Die, Role::Holder, Role::Pad];
 
     /// Name in tables, plots and case files.
     pub fn name(self) -> &'static str {
@@ -39,7 +41,13 @@ impl Role {
             Role::Punch => "punch",
             Role::Die => "die",
             Role::Holder => "holder",
+            Role::Pad => "pad",
         }
+    }
+
+    /// Side of the sheet on which it lies: 1 above, −1 below.
+    pub fn side(self) -> f64 {
+        if matches!(self, Role::Die | Role::Pad) { 1.0 } else { -1.0 }
     }
 }
 
@@ -54,11 +62,11 @@ pub enum Motion {
     Path(Point),
     /// Stands still at this distance from the die's face \[mm\]: a holder on distance blocks.
     Gap(f64),
-    /// Pressed towards the die; its position is an unknown.
+    /// Pressed towards the sheet; its position is an unknown.
     Pressed(Press),
 }
 
-/// Force of a pressed holder: F = F₀(travel) − c w, with w its move towards the die.
+/// Force of a pressed holder or pad: F = F₀(travel) − c w, with w its move towards the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Press {
     /// F₀ over the punch travel, of the whole part \[N, or N/mm, over mm\].

@@ -8,6 +8,7 @@ pub mod step {
 
     pub const TRAVEL: Step = Field::new("travel", "Punch travel", Unit::Mm, |s| s.travel);
     pub const PUNCH_FORCE: Step = Field::new("punch_force", "Punch force", Unit::N, |s| s.punch_force);
+    pub const PAD_FORCE: Step = Field::new("pad_force", "Pad force", Unit::N, |s| s.pad_force);
     pub const HOLDER_FORCE: Step = Field::new("holder_force", "Holder force", Unit::N, |s| s.holder_force);
     pub const EDGE_FORCE: Step = Field::new("edge_force", "Edge force", Unit::N, |s| s.edge_force);
     pub const DRAW_IN: Step = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);

@@ -3,7 +3,7 @@
 use super::chart::{Annotation, Chart, Panel, Series, Style};
 use super::{Axis, StageView, palette::BLACK};
 use crate::measure;
-use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
+use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 use crate::solver::solution::StepRecord;
 use crate::table::Field;
 use crate::units::Amount;
@@ -52,7 +52,7 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         (POLE_HEIGHT, PRESSURE.axis(extent), vec![PRESSURE])
     } else {
         let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
-        let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
+        let others = [HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts);
         let fields: Vec<_> = std::iter::once(PUNCH_FORCE).chain(others).collect();
         let y = if fields.len() > 1 { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
         (TRAVEL, y, fields)

@@ -82,10 +82,7 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
     let mut outline = outline(profile, moved, sagitta);
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let (low, high) = bounds(outline.iter().map(|p| p.1));
-    let far = match role {
-        Role::Punch | Role::Holder => low - FAR,
-        Role::Die => high + FAR,
-    };
+    let far = if role.side() > 0.0 { high + FAR } else { low - FAR };
     outline.extend([(last.0, far), (first.0, far)]);
     outline
 }

@@ -40,6 +40,7 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
                 }));
             }
             Role::Holder => found.push(across("Holder inner", extent(tool).0)),
+            Role::Pad => found.push(across("Pad", extent(tool).1)),
         }
         found.extend(roundings(tool, moved));
         found.extend(load(model, tool, moved));
@@ -111,6 +112,8 @@ fn named(role: Role, arc: &Arc) -> String {
         (Role::Punch, false) => "Punch hollow",
         (Role::Die, false) => "Die hollow",
         (Role::Holder, false) => "Holder hollow",
+        (Role::Pad, true) => "Pad edge",
+        (Role::Pad, false) => "Pad hollow",
     }
     .into()
 }
@@ -118,11 +121,13 @@ fn named(role: Role, arc: &Arc) -> String {
 /// Force or gap of a holder.
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
-    let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
+    let middle = 0.5 * (inner + outer.min(model.blank.length.max(inner)));
+    let under = Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness);
     let (of, amount) = match &tool.motion {
         Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
         Motion::Pressed(press) => {
-            ("Holder force", Amount::given_force(press.force.largest(), model.extent().force_unit()))
+            let of = if tool.role == Role::Pad { "Pad force" } else { "Holder force" };
+            (of, Amount::given_force(press.force.largest(), model.extent().force_unit()))
         }
         Motion::Fixed | Motion::Travel | Motion::Path(_) => return None,
     };

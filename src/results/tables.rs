@@ -4,7 +4,7 @@ use super::StageView;
 use super::csv::{csv_with_texts, number, records};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
-use crate::model::{Extent, Geometry, Model, PressureCap};
+use crate::model::{Extent, Geometry, Model, PressureCap, Role};
 use crate::plot::fields::element::*;
 use crate::plot::fields::step::*;
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
@@ -93,7 +93,8 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
     let damage = model.material.fracture.map(|_| &LARGEST_DAMAGE);
     let heat = model.heat.iter().flat_map(|_| &HEAT);
-    let fields = STEP.iter().chain(model.material.gtn.map(|_| &VOIDS)).chain(damage).chain(heat);
+    let pad = model.tool(Role::Pad).map(|_| &PAD_FORCE);
+    let fields = STEP.iter().chain(model.material.gtn.map(|_| &VOIDS)).chain(damage).chain(heat).chain(pad);
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
     columns.insert(7, edge_diameter(model.geometry, model.blank.length, &stage.steps));
     Table::new(columns)

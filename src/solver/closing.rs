@@ -51,7 +51,7 @@ pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> Sta
 /// The model with the preload of its springs at the closed holder.
 pub(super) fn closed(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
-    for tool in &mut model.tools {
+    for tool in model.tools.iter_mut().filter(|tool| tool.role == Role::Holder) {
         if let Motion::Pressed(press) = &mut tool.motion {
             press.force = press.force.raised(press.stiffness * way);
         }
@@ -61,7 +61,7 @@ pub(super) fn closed(model: &Model, way: f64) -> Model {
 
 fn closing_model(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
-    model.tools.retain(|tool| tool.role != Role::Punch);
+    model.tools.retain(|tool| !matches!(tool.role, Role::Punch | Role::Pad));
     let (mut force, mut travel) = (None, way);
     for tool in model.tools.iter_mut().filter(|tool| tool.role == Role::Holder) {
         if let Motion::Pressed(press) = &tool.motion {

@@ -58,7 +58,8 @@ fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
         return before;
     }
     let model = closed(model, before.steps.last().map_or(0.0, |last| last.travel));
-    let meets = model.tools.iter().map(|tool| tool.role).filter(|role| *role == Role::Punch).collect();
+    let meets =
+        model.tools.iter().map(|tool| tool.role).filter(|role| matches!(role, Role::Punch | Role::Pad)).collect();
     let stage = Stage { name: String::new(), model, begin: Beginning { meets, ..Beginning::default() } };
     let state = enter(&stage, &before.model, before.end);
     StageSolution { closing: before.closing, ..run_from(&stage.model, state, observer) }
@@ -161,7 +162,7 @@ fn trim(state: &mut State, radius: f64) {
 /// Axial displacement at which tool `j` waits just off the formed sheet \[mm\].
 fn met(model: &Model, state: &State, j: usize) -> f64 {
     let tool = &model.tools[j];
-    let towards = if tool.role == Role::Die { -1.0 } else { 1.0 };
+    let towards = -tool.role.side();
     let z = || state.nodes.iter().map(|x| x[1]);
     let (low, high) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
     let points = tool.profile.polyline(model.blank.thickness);

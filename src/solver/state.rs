@@ -101,8 +101,7 @@ pub fn waiting_displacement(model: &Model, tool: &Tool) -> f64 {
     match (tool.role, &tool.motion) {
         // Exactly this far from the die.
         (_, Motion::Gap(gap)) => model.blank.thickness - gap + waiting(model),
-        (Role::Punch | Role::Holder, _) => -waiting(model),
-        (Role::Die, _) => waiting(model),
+        (role, _) => role.side() * waiting(model),
     }
 }
 

@@ -21,6 +21,7 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
         travel: step.travel(),
         punch_force: force_of(Role::Punch),
         holder_force: force_of(Role::Holder),
+        pad_force: -force_of(Role::Pad),
         edge_force: if model.blank.edge == Edge::Free { 0.0 } else { times * evaluation.edge_reaction.x },
         draw_in: model.blank.length - evaluation.nodes[n - 1][0],
         thinnest: thickness[thinnest],

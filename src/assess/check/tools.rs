@@ -34,7 +34,7 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     let (low, high) = extent(tool);
     let closed = tool.role == Role::Die && throat(tool).is_none();
     let (size, of) = match tool.role {
-        Role::Punch => (size_of(model, high, Amount::drawn), "to the wall"),
+        Role::Punch | Role::Pad => (size_of(model, high, Amount::drawn), "to the wall"),
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),

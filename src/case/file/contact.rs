@@ -1,6 +1,6 @@
 //! Contact with the tools: the holder's force, draw beads, and `friction` of a tool or of its side of the sheet.
 
-use super::tools::{Holder, ToolKeys};
+use super::tools::{Holder, Pad, ToolKeys};
 use super::*;
 use super::{material::only, values::Stiffness};
 use crate::contact::friction::FrictionTable;
@@ -23,11 +23,11 @@ pub struct Bead {
     closing: Option<NonNegative<LineForce>>,
 }
 
-/// Soft holder.
+/// Soft holder or pad.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
-    /// Force where the holder touches the flat sheet, of the whole holder as `force`.
+    /// Force where it touches the flat sheet, of the whole tool as `force`.
     preload: HolderForce,
     /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
     /// given.
@@ -55,20 +55,64 @@ impl Holder {
             source.note(format!("the holder's force is its pressure on the initial area, {on}, {total}"));
             return Ok(Motion::Pressed(Press::constant(force)));
         }
-        if let Some(spring) = self.spring {
-            let stiffness = spring.stiffness.in_extent("tools.holder.spring.stiffness", extent, source)?;
-            let preload = spring.preload.in_extent("tools.holder.spring.preload", extent, source)?;
-            return Ok(Motion::Pressed(Press { force: preload.into(), stiffness }));
-        }
-        let force = self.force_curve(extent, source)?.ok_or_else(|| source.missing("tools.holder", "force"))?;
-        Ok(Motion::Pressed(Press { force, stiffness: 0.0 }))
+        pressed("tools.holder", self.spring, self.force_curve(extent, source)?, extent, source)
     }
 
     /// Force that stays, or its history over the travel.
     pub fn force_curve(&self, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>, CaseError> {
-        let value = |force: HolderForce, path: &str| force.in_extent(path, extent, source);
-        self.force.as_ref().map(|force| force.curve("tools.holder.force", "travels", source, value)).transpose()
+        force_curve("tools.holder.force", self.force.as_ref(), extent, source)
     }
+}
+
+impl Pad {
+    /// Drive of the pad: exactly one of force, pressure and spring.
+    pub fn support(
+        &self,
+        profile: &Profile,
+        length: f64,
+        extent: Extent,
+        source: &Source,
+    ) -> Result<Motion, CaseError> {
+        source.one_of("tools.pad", &["force", "pressure", "spring"], "keep one of them")?;
+        let force = force_curve("tools.pad.force", self.force.as_ref(), extent, source)?;
+        let area = extent.area(profile.first().x.max(profile.last().x).min(length));
+        let pressure = self.pressure.map(|pressure| (pressure.value() * area).into());
+        pressed("tools.pad", self.spring, force.or(pressure), extent, source)
+    }
+
+    /// True if it has a drive of its own.
+    pub fn is_driven(&self) -> bool {
+        self.force.is_some() || self.pressure.is_some() || self.spring.is_some()
+    }
+}
+
+type Force = History<NonNegative<Length>, HolderForce>;
+
+fn force_curve(
+    path: &str,
+    force: Option<&Force>,
+    extent: Extent,
+    source: &Source,
+) -> Result<Option<PiecewiseLinear>, CaseError> {
+    let value = |force: HolderForce, path: &str| force.in_extent(path, extent, source);
+    force.map(|force| force.curve(path, "travels", source, value)).transpose()
+}
+
+fn pressed(
+    table: &str,
+    spring: Option<Spring>,
+    force: Option<PiecewiseLinear>,
+    extent: Extent,
+    source: &Source,
+) -> Result<Motion, CaseError> {
+    let press = match spring {
+        Some(Spring { preload, stiffness }) => Press {
+            force: preload.in_extent(&format!("{table}.spring.preload"), extent, source)?.into(),
+            stiffness: stiffness.in_extent(&format!("{table}.spring.stiffness"), extent, source)?,
+        },
+        None => Press { force: force.ok_or_else(|| source.missing(table, "force"))?, stiffness: 0.0 },
+    };
+    Ok(Motion::Pressed(press))
 }
 
 pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>, CaseError> {
@@ -129,13 +173,13 @@ pub struct Sides {
 
 /// Written laws, by tool and by side of the sheet.
 pub struct Frictions<'a> {
-    pub tools: [Option<Friction>; 3],
+    pub tools: [Option<Friction>; 4],
     sides: &'a Sides,
 }
 
 impl<'a> Frictions<'a> {
     pub fn new(file: &'a CaseFile) -> Self {
-        let mut frictions = Self { tools: [None; 3], sides: &file.friction };
+        let mut frictions = Self { tools: [None; 4], sides: &file.friction };
         file.tools.keys().for_each(|tool| frictions.add(&tool));
         frictions
     }
@@ -157,7 +201,7 @@ impl<'a> Frictions<'a> {
         }
         let (side, path) = match role {
             Role::Punch | Role::Holder => (self.sides.punch_side, "friction.punch_side"),
-            Role::Die => (self.sides.die_side, "friction.die_side"),
+            Role::Die | Role::Pad => (self.sides.die_side, "friction.die_side"),
         };
         let (law, origin) = match (side, role) {
             (Some(side), _) => (law(side, path)?, "that of its side of the sheet"),

@@ -229,8 +229,7 @@ impl Drawn {
     /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
     pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
         let (length, name, source) = (context.blank.length, role.name(), context.source);
-        // The die lies above the sheet, the others below.
-        let side = if role == Role::Die { 1.0 } else { -1.0 };
+        let side = role.side();
         let Some(first) = self.profile.extreme(side < 0.0, length) else {
             let what = format!("the {name} lies beyond the blank's edge at {length} mm");
             return Err(source.error(&self.path, what, "check the r coordinates and the size of the blank"));

@@ -1,7 +1,7 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
 use super::drive::equally_spaced;
-use super::tools::{Die, Holder, Punch, ToolKeys};
+use super::tools::{Die, Holder, Pad, Punch, ToolKeys};
 use super::*;
 use crate::model::{Beginning, Press, ReleaseStiffness};
 use crate::units::Speed;
@@ -34,6 +34,8 @@ pub struct Stage {
     die: Option<Die>,
     /// Holder, likewise, or with another force.
     holder: Option<Holder>,
+    /// Pad, likewise.
+    pad: Option<Pad>,
     /// Tools that are no longer there.
     #[serde(default)]
     remove: Vec<Role>,
@@ -96,8 +98,8 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
         source.require(is_new, &format!("{path}.name"), what, "name them apart: each has its own folder")?;
         source.enter_stage(Some((i, &written.name)));
         let (first, before) = (&stages[0].model, &stages[i].model);
-        let Stage { punch, die, holder, .. } = written.clone();
-        let tools = Tools { punch, die, holder, beads: Vec::new() };
+        let Stage { punch, die, holder, pad, .. } = written.clone();
+        let tools = Tools { punch, die, holder, pad, beads: Vec::new() };
         written.remove.iter().for_each(|role| frictions.tools[*role as usize] = None);
         tools.keys().for_each(|tool| frictions.add(&tool));
         let (tools, frictions) = (&tools, &frictions);
@@ -213,15 +215,18 @@ impl StageContext<'_> {
     fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<(), CaseError> {
         let ToolKeys { role, is_shaped, .. } = *written;
         let back = path_of(written).map_or(0.0, |path| -path.y);
+        let pad = self.tools.pad.as_ref().filter(|pad| role == Role::Pad && pad.is_driven());
         let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
         let (table, why) = (format!("{}.{}", self.path, role.name()), "is for tools of the first stage");
-        self.source.refuse(&table, &stray, why, "drop it: in a later stage `move` and `force` drive the tools")?;
+        let stray = if role == Role::Pad { &[][..] } else { &stray };
+        self.source.refuse(&table, stray, why, "drop it: in a later stage `move` and `force` drive the tools")?;
         let what = format!("there is no {} in this stage", role.name());
         let help = "give it a shape as in [tools], or drop it";
         self.require(is_shaped || model.tool(role).is_some(), role.name(), what, help)?;
+        let (extent, length) = (model.extent(), model.blank.length);
         if is_shaped {
-            let (extent, travel) = (model.extent(), model.travel);
-            let (written, standing, blank, source) = (self.tools, &model.tools[..], &model.blank, self.source);
+            let (travel, written, source) = (model.travel, self.tools, self.source);
+            let (standing, blank) = (&model.tools[..], &model.blank);
             let profile = ToolContext { written, standing, blank, extent, travel, source }.new_profile(role)?;
             let friction = self.frictions.law(role, self.source)?;
             let is_new = self.before.tool(role).is_none_or(|tool| tool.profile != profile);
@@ -236,7 +241,11 @@ impl StageContext<'_> {
             if written.friction.is_some() && !is_shaped {
                 tool.friction = self.frictions.law(role, self.source)?;
             }
-            tool.motion = path_of(written).map_or(tool.motion.clone(), Motion::Path);
+            match (path_of(written), pad) {
+                (Some(path), _) => tool.motion = Motion::Path(path),
+                (None, Some(pad)) => tool.motion = pad.support(&tool.profile, length, extent, self.source)?,
+                (None, None) => {}
+            }
         }
         Ok(())
     }

@@ -18,6 +18,8 @@ pub struct Tools {
     pub die: Option<Die>,
     /// Blank holder, below the sheet.
     pub holder: Option<Holder>,
+    /// Pad, above the sheet.
+    pub pad: Option<Pad>,
     /// Draw beads across the flange, as line restraints.
     #[serde(default)]
     pub beads: Vec<Bead>,
@@ -75,9 +77,9 @@ pub struct ToolKeys<'a> {
 
 impl Tools {
     pub fn keys(&self) -> impl Iterator<Item = ToolKeys<'_>> {
-        let (punch, die, holder) = (&self.punch, &self.die, &self.holder);
-        let keys = [punch.as_ref().map(Punch::keys), die.as_ref().map(Die::keys), holder.as_ref().map(Holder::keys)];
-        keys.into_iter().flatten()
+        let [punch, die] = [self.punch.as_ref().map(Punch::keys), self.die.as_ref().map(Die::keys)];
+        let [holder, pad] = [self.holder.as_ref().map(Holder::keys), self.pad.as_ref().map(Pad::keys)];
+        [punch, die, holder, pad].into_iter().flatten()
     }
 }
 
@@ -145,6 +147,27 @@ tool! {
     /// Fixed distance between the faces of holder and die: distance blocks.
     pub gap: Option<Positive<Length>>,
     /// Springs or a cushion: the force grows as the holder is pushed away from the die.
+    pub spring: Option<Spring>,
+}
+
+tool! {
+    /// Pad, ejector or counter-punch: a flat face above the sheet, or a `profile`, pressed against the punch. It holds the
+    /// bottom flat and gives way to the punch. In a later stage a shape makes it a new one, brought down until it touches the
+    /// sheet.
+    Pad, shapes radius diameter half_width;
+    /// Radius (axisymmetric).
+    radius: Option<Positive<Length>>,
+    /// Diameter, instead of `radius`.
+    diameter: Option<Positive<Length>>,
+    /// Half width (plane strain).
+    half_width: Option<Positive<Length>>,
+    /// Radius of its edge; a thickness when not given.
+    pub nose: Option<Positive<Length>>,
+    /// Force of the whole pad as that of a holder, or its history over the punch travel, as of a gas spring.
+    pub force: Option<History<NonNegative<Length>, HolderForce>>,
+    /// Pressure times the area of its face: a force that stays.
+    pub pressure: Option<NonNegative<Stress>>,
+    /// Springs: the force grows as the punch pushes the pad back.
     pub spring: Option<Spring>,
 }
 
@@ -237,6 +260,12 @@ impl ToolContext<'_> {
                 let lengths = [holder.inner_radius, holder.inner_diameter, holder.inner_half_width];
                 Ok(Profile::holder(self.radius("tools.holder", keys, lengths)?, thickness))
             }
+            (Role::Pad, ..) if let Some(pad) = &self.written.pad => {
+                let keys = ["radius", "diameter", "half_width"];
+                let radius = self.radius("tools.pad", keys, [pad.radius, pad.diameter, pad.half_width])?;
+                let nose = pad.nose.map_or(thickness, Dimensioned::value).min(radius);
+                Ok(Profile::flat_punch(radius, nose, thickness).mirrored())
+            }
             _ => Err(self.source.missing("tools", role.name())),
         }
     }
@@ -310,6 +339,9 @@ impl ToolContext<'_> {
             let motion = match (role, &self.written.holder, die) {
                 (Role::Punch, ..) => Motion::Travel,
                 (Role::Holder, Some(holder), Some(die)) => holder.support(&profile, die, self)?,
+                (Role::Pad, ..) if let Some(pad) = &self.written.pad => {
+                    pad.support(&profile, self.blank.length, self.extent, source)?
+                }
                 _ => Motion::Fixed,
             };
             tools.push(model::Tool { role, profile, friction: frictions.law(role, source)?, motion });

@@ -16,6 +16,8 @@ pub struct StepRecord {
     pub punch_force: f64,
     /// Force of the holder on the sheet towards the die \[N, or N/mm\].
     pub holder_force: f64,
+    /// Force of the pad on the sheet towards the punch \[N, or N/mm\].
+    pub pad_force: f64,
     /// Outward radial force of the held edge, both edges of a plane section \[N, or N/mm\]; 0 for a free edge.
     pub edge_force: f64,
     /// Draw-in: inward move of the blank's edge \[mm\].
@@ -35,9 +37,9 @@ pub struct StepRecord {
     /// Share of the sheet's current area inside the gas's seal that lies on the punch or the die \[–\].
     pub contact_share: f64,
     /// Gaps between the sheet's edge and the tools of [`Role::ALL`](crate::model::Role::ALL) \[mm\]; infinite without the tool.
-    pub edge_gap: [f64; 3],
+    pub edge_gap: [f64; 4],
     /// Gaps between the sheet's middle and the same tools \[mm\].
-    pub middle_gap: [f64; 3],
+    pub middle_gap: [f64; 4],
     /// Slope of the die's face nearest to the sheet's edge \[rad\]: 0 flat, π/2 in the throat.
     pub die_slope: f64,
     /// Move of the holder towards the die from where it touched the flat sheet \[mm\]; negative when lifted.

@@ -4,7 +4,7 @@
 //! φ(b) (F₀(travel) − c w − F_beads) − F_blocks(w) − F_sheet = 0
 //! ```
 //!
-//! of the solved half of a plane section, with the move w towards the die, the stiffness c of springs or cushion and the force of
+//! of the solved half of a plane section, with the move w towards the sheet, the stiffness c of springs or cushion and the force of
 //! the distance blocks; φ falls from 1 to 0 as the width b of the sheet under the tool runs out.
 
 use super::{bead, sheet::STABILISATION};
@@ -20,16 +20,16 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let times = model.extent().times();
     let block_area = model.geometry.area(model.blank.length);
     let system = &mut out.system;
+    out.block_force = 0.0;
     for (j, tool) in context.tools.iter().enumerate() {
         let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
         if tool.released.is_some() {
-            out.block_force = 0.0;
             system.corner[(k, k)] = 1.0;
             continue;
         }
         let moved = trial.tools[j].y;
         let springs = press.stiffness / times;
-        let mut force = press.force.at(step.travel()) / times - springs * moved;
+        let mut force = -tool.role.side() * press.force.at(step.travel()) / times - springs * moved;
         if tool.role == Role::Holder {
             force -= closing;
         }
@@ -39,14 +39,16 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
             system.rows[i][k].x -= share.slope * weight * force;
         }
-        let block = context.blocks.map(|height| context.penalty.at(height + die - moved));
-        out.block_force = block.map_or(0.0, |block| block_area * block.value);
-        if let Some(block) = block {
+        let blocks = context.blocks.filter(|_| tool.role == Role::Holder);
+        if let Some(block) = blocks.map(|height| context.penalty.at(height + die - moved)) {
+            out.block_force = block_area * block.value;
             system.corner_rhs[k] -= block_area * block.value;
             system.corner[(k, k)] -= block_area * block.slope;
         }
         let stabilisation = STABILISATION * block_area * context.penalty.stiffness;
-        system.corner_rhs[k] -= stabilisation * (moved - step.state.tools[j].y);
+        // The punch takes the pad along.
+        let along = if tool.role == Role::Pad { step.travel() - step.state.travel } else { 0.0 };
+        system.corner_rhs[k] -= stabilisation * (moved - step.state.tools[j].y - along);
         system.corner[(k, k)] += stabilisation;
         system.corner_rhs[k] -= out.tool_force[j].y - share.value * force;
     }
