@@ -155,6 +155,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages),
+        stages.last().and_then(hole),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
         Some(blank(case.model())),
@@ -209,6 +210,13 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
     let about = joined([at, joined([press, with_holder.into(), reserve], " ")], "; ");
     Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
+}
+
+/// Diameter of the hole at the end, and by how much its edge is longer.
+fn hole(stage: &StageSolution) -> Option<Quantity> {
+    let (before, now) = (stage.model.blank.hole, stage.frames.last()?.nodes.first()?.r);
+    let about = format!("in diameter, its edge {} longer", Amount::share(now / before - 1.0));
+    (before > 0.0).then(|| Quantity::new("hole", "Hole", Amount::size(2.0 * now)).at(about))
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {

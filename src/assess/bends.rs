@@ -41,7 +41,7 @@ fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {
     match tool.role {
         // Deeper than the travel it stays below the sheet.
         Role::Punch => {
-            let top = tool.profile.extreme(true, model.blank.length).map_or(0.0, |top| top.y);
+            let top = tool.profile.extreme(true, model.blank.ends()).map_or(0.0, |top| top.y);
             within_blank && at.y > top - model.travel
         }
         Role::Die | Role::Pad => within_blank,

@@ -63,7 +63,7 @@ fn blank(model: &Model) -> Vec<Line> {
         Geometry::Axisymmetric => ("axisymmetric", String::new()),
         Geometry::PlaneStrain => ("plane strain", format!("half length, {} in all", Amount::set(2.0 * blank.length))),
     };
-    let volume = model.extent().area(blank.length) * blank.thickness;
+    let volume = (model.extent().area(blank.length) - model.extent().area(blank.hole)) * blank.thickness;
     let (unit, times) =
         if model.extent() == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let points = blank.layers;

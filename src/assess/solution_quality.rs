@@ -158,7 +158,7 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
         Role::Die => (1.0, "its shoulder and its wall"),
         Role::Holder | Role::Pad => return None,
     };
-    let face = tool.profile.extreme(tool.role == Role::Punch, model.blank.length)?.y;
+    let face = tool.profile.extreme(tool.role == Role::Punch, model.blank.ends())?.y;
     // The sheet lies left of the line: its last end is the one that is passed.
     let (at, away) = tool.profile.ends()[1]?;
     let depth = behind * (at.y - face);

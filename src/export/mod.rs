@@ -106,10 +106,10 @@ impl Drawing {
     }
 
     fn blank(&mut self, stage: &Stage) {
-        let (length, half) = (stage.model.blank.length, 0.5 * stage.model.blank.thickness);
+        let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
         let sign = if stage.model.geometry == Geometry::Axisymmetric { "Ø " } else { "L = " };
         let text = format!("blank {sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
-        let corners = [(0.0, -half), (length, -half), (length, half), (0.0, half), (0.0, -half)];
+        let corners = [(hole, -half), (length, -half), (length, half), (hole, half), (hole, -half)];
         let outline = corners.map(|(x, y)| Point::new(x, y));
         self.polyline("BLANK".to_owned(), (30, "#ff7f00"), &outline, Some((outline[2], text)));
     }

@@ -119,18 +119,19 @@ impl Profile {
         [0, 1].map(|k| self.ends[k].map(|end| (end, away[k])))
     }
 
-    /// Highest (or lowest) point with r ≤ `within` \[mm\]; `None` when the profile lies beyond it.
-    pub fn extreme(&self, highest: bool, within: f64) -> Option<Point> {
+    /// Highest (or lowest) point between two distances from the axis \[mm\]; `None` when the profile lies beyond them.
+    pub fn extreme(&self, highest: bool, within: [f64; 2]) -> Option<Point> {
         let sign = if highest { 1.0 } else { -1.0 };
-        let edge = Piece::line(Point::new(within, -1e6), Point::new(within, 1e6));
+        let edges = within.map(|r| Piece::line(Point::new(r, -1e6), Point::new(r, 1e6)));
         let points = self.pieces().iter().flat_map(|piece| {
-            let mut points = common(piece, &edge);
+            let mut points: Vec<Point> = edges.iter().flat_map(|edge| common(piece, edge)).collect();
             points.extend([piece.first(), piece.last()]);
             if let Piece::Arc(a) = piece {
                 points.push(piece.closest_point(a.center + Point::new(0.0, sign * 2.0 * a.radius)));
             }
             points
         });
-        points.filter(|p| p.x <= within + 1e-9).max_by(|a, b| (sign * a.y).total_cmp(&(sign * b.y)))
+        let [from, to] = within;
+        points.filter(|p| (from - 1e-9..=to + 1e-9).contains(&p.x)).max_by(|a, b| (sign * a.y).total_cmp(&(sign * b.y)))
     }
 }

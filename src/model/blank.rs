@@ -8,6 +8,8 @@ use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 pub struct Blank {
     /// Radius, or half-length in plane strain \[mm\].
     pub length: f64,
+    /// Radius of a hole around the axis, whose edge is free \[mm\]; 0 without one.
+    pub hole: f64,
     /// Initial thickness \[mm\].
     pub thickness: f64,
     /// Number of elements from the axis to the edge.
@@ -40,6 +42,7 @@ impl Blank {
     pub fn new(length: f64, thickness: f64) -> Self {
         Self {
             length,
+            hole: 0.0,
             thickness,
             elements: 100,
             grading: Grading::Radii,
@@ -48,6 +51,11 @@ impl Blank {
             rule: ThicknessRule::Parts,
             edge: Edge::Free,
         }
+    }
+
+    /// Distances of both ends from the axis or symmetry plane \[mm\].
+    pub fn ends(&self) -> [f64; 2] {
+        [self.hole, self.length]
     }
 
     /// The points through the thickness.

@@ -121,6 +121,7 @@ impl Model {
     fn check_blank(&self) -> Checked {
         let blank = &self.blank;
         numbers("blank", [("thickness", blank.thickness, POSITIVE), ("length", blank.length, POSITIVE)])?;
+        number("blank.hole", blank.hole, [0.0, blank.length])?;
         count("blank.elements", blank.elements, ELEMENTS)?;
         count("blank.layers", blank.layers, if blank.theory == Theory::Membrane { 1..=1 } else { POINTS })?;
         match blank.edge {

@@ -16,7 +16,7 @@ struct Zone {
     size: f64,
 }
 
-/// Initial distances of the nodes from the axis \[mm\], rising from 0 to the blank's length.
+/// Initial distances of the nodes from the axis \[mm\], rising from 0, or from the edge of a hole, to the blank's length.
 pub fn nodes(model: &Model) -> Vec<f64> {
     match model.blank.grading {
         Grading::Uniform => graded(model, model.blank.elements, &[]),
@@ -36,8 +36,9 @@ fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
 }
 
 fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
-    let length = model.blank.length;
-    let uniform = |i: usize| length * i as f64 / n as f64;
+    let [start, end] = model.blank.ends();
+    let length = end - start;
+    let uniform = |i: usize| start + length * i as f64 / n as f64;
     let finest = zones.iter().map(|z| z.size).fold(f64::INFINITY, f64::min);
     if finest >= length / n as f64 {
         return (0..=n).map(uniform).collect();
@@ -46,7 +47,7 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     // raised or everything scaled until the density integrates to n.
     const SAMPLES: usize = 4000;
     let of_zones = |k: usize| {
-        let s = length * (k as f64 + 0.5) / SAMPLES as f64;
+        let s = start + length * (k as f64 + 0.5) / SAMPLES as f64;
         zones.iter().fold(f64::NEG_INFINITY, |density, z| {
             let away = (z.from - s).max(s - z.to).max(0.0);
             density.max((1.0 - away / (6.0 * z.size)) / z.size)
@@ -69,17 +70,17 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
         (floor, raised) = (((wanted - sum) / below as f64).max(lowest), below);
     };
 
-    let mut nodes = vec![0.0];
+    let mut nodes = vec![start];
     let mut passed = 0.0;
     for (k, density) in of_zones.iter().enumerate() {
         let step = scale * density.max(floor) * length / SAMPLES as f64;
         while nodes.len() < n && passed + step >= nodes.len() as f64 {
             let share = (nodes.len() as f64 - passed) / step;
-            nodes.push(length * (k as f64 + share) / SAMPLES as f64);
+            nodes.push(start + length * (k as f64 + share) / SAMPLES as f64);
         }
         passed += step;
     }
-    nodes.push(length);
+    nodes.push(end);
     nodes
 }
 

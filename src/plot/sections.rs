@@ -88,8 +88,8 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
 }
 
 pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
-    let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
-    vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
+    let ([hole, length], half) = (model.blank.ends(), 0.5 * model.blank.thickness);
+    vec![(hole, half), (length, half), (length, -half), (hole, -half)]
 }
 
 /// Outline of some elements of the sheet, drawn `times` as thick as they are.

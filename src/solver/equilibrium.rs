@@ -65,8 +65,10 @@ pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
 fn constrain(step: &Step, out: &mut Evaluation) {
     let (last, edge) = (out.nodes.len() - 1, step.model.blank.edge);
     out.edge_reaction = -out.system.rhs[last];
-    out.system.fix(0, 0);
-    out.system.fix(0, 2);
+    if step.model.blank.hole == 0.0 {
+        out.system.fix(0, 0);
+        out.system.fix(0, 2);
+    }
     for (i, _) in step.rotates.iter().enumerate().filter(|(_, rotates)| !**rotates) {
         out.system.fix(i, 2);
     }

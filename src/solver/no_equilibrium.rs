@@ -162,7 +162,7 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let (model, state) = (step.model, step.state);
     let j = model.tool_index(Role::Punch)?;
     let punch = &model.tools[j];
-    let top = punch.profile.extreme(true, model.blank.length)?.y + state.tools[j].y;
+    let top = punch.profile.extreme(true, model.blank.ends())?.y + state.tools[j].y;
     let ahead = state.nodes[0][1] - 0.5 * state.thickness_at(0) - top;
     let presses = model.gas.is_empty() && steps.last().is_some_and(|last| last.punch_force > 0.0);
     let (travel, way) = (Amount::place(state.travel), Amount::thickness(ahead));

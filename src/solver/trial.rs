@@ -90,7 +90,9 @@ impl Trial {
             Edge::Clamped => self.moves[last] = [0.0; 3],
             Edge::Pulled { speed } => self.moves[last] = [speed * model.speed * step.process_time, 0.0, 0.0],
         }
-        self.moves[0][0] = 0.0;
+        if model.blank.hole == 0.0 {
+            self.moves[0][0] = 0.0;
+        }
         let progress = model.progress(step.end()) - model.progress(state.time);
         for (j, tool) in context.tools.iter().enumerate() {
             let moved = match tool.motion {

@@ -143,7 +143,7 @@ impl<'a> DrawnTools<'a> {
         let most = if height > thickness { size.min(height) } else { size };
         // Where the tools touch the flat sheet.
         let placed = |tool: &Tool, highest: bool, z: f64| {
-            let touching = tool.profile.extreme(highest, blank).map_or(0.0, |p| p.y);
+            let touching = tool.profile.extreme(highest, [0.0, blank]).map_or(0.0, |p| p.y);
             Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
         };
         let punch = placed(punch, true, -0.5 * thickness);

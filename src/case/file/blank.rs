@@ -13,6 +13,10 @@ pub struct Blank {
     diameter: Option<Positive<Length>>,
     /// Length from the symmetry plane to the edge (plane strain).
     half_length: Option<Positive<Length>>,
+    /// Radius of a hole around the axis (axisymmetric); its edge is free.
+    hole: Option<Positive<Length>>,
+    /// Diameter of the hole, instead of `hole`.
+    hole_diameter: Option<Positive<Length>>,
     /// Length of the part across the section (plane strain): forces and works are then of the whole part, else per mm of it.
     pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
@@ -87,6 +91,20 @@ impl CaseFile {
         let what = format!("a blank of {long} mm is too small for a thickness of {thick} mm");
         let help = "shells are at least five thicknesses long: check the units";
         source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
+        let holes = [file.hole, file.hole_diameter, None];
+        let hole = if holes.iter().any(Option::is_some) {
+            let (key, hole) = radius_of(source, "blank", self.geometry, ["hole", "hole_diameter", "radius"], holes)?;
+            let room = length - SLENDER * thickness;
+            let what = format!("a hole of {} mm radius does not fit the blank of {long} mm", rounded(hole));
+            let help =
+                format!("from half a thickness to {} mm, where five thicknesses of sheet are left", rounded(room));
+            source.require((0.5 * thickness..=room).contains(&hole), &format!("blank.{key}"), what, help)?;
+            let what = "gas would escape through the hole";
+            source.require(self.gas.is_none(), &format!("blank.{key}"), what, "drop the hole or [gas]")?;
+            hole
+        } else {
+            0.0
+        };
         let (rule, usual) = thickness_points(self);
         let layers = if file.theory == Theory::Membrane {
             source.note("membrane theory: bending stiffness is left out, one point through the thickness");
@@ -96,6 +114,6 @@ impl CaseFile {
         };
         let elements = count(source, "blank.elements", file.elements.unwrap_or(100), 2..=2000)?;
         let Blank { grading, theory, edge, .. } = *file;
-        Ok(model::Blank { length, thickness, elements, grading, theory, layers, rule, edge })
+        Ok(model::Blank { length, hole, thickness, elements, grading, theory, layers, rule, edge })
     }
 }

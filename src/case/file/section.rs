@@ -230,7 +230,7 @@ impl Drawn {
     pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
         let (length, name, source) = (context.blank.length, role.name(), context.source);
         let side = role.side();
-        let Some(first) = self.profile.extreme(side < 0.0, length) else {
+        let Some(first) = self.profile.extreme(side < 0.0, context.blank.ends()) else {
             let what = format!("the {name} lies beyond the blank's edge at {length} mm");
             return Err(source.error(&self.path, what, "check the r coordinates and the size of the blank"));
         };
@@ -243,7 +243,8 @@ impl Drawn {
         let piece_at = |at: Point| self.written().closest(at).piece;
         // First r at which the middle of the flat sheet lies on the tool's side.
         let sheet_inside = |profile: &Profile| {
-            let mut places = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64);
+            let [hole, length] = context.blank.ends();
+            let mut places = (0..=PLACES).map(|i| hole + (length - hole) * i as f64 / PLACES as f64);
             places.find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
         };
         if let Some(r) = sheet_inside(&profile) {
