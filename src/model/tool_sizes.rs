@@ -1,6 +1,6 @@
 //! Sizes of tools measured on their sections.
 
-use super::{Geometry, Role, Tool};
+use super::{Role, Tool};
 use crate::geometry::{Piece, Point, Segment};
 use crate::numerics::bisect;
 
@@ -41,14 +41,6 @@ pub fn mouth(punch: &Tool, depth: f64) -> f64 {
 /// True if a punch is wider behind the part that goes through the flat sheet on its travel \[mm\].
 pub fn widens(punch: &Tool, travel: f64) -> bool {
     mouth(punch, travel) < extent(punch).1 - ROUNDED
-}
-
-/// Name of a distance from the axis or symmetry plane.
-pub fn across(geometry: Geometry) -> &'static str {
-    match geometry {
-        Geometry::Axisymmetric => "radius",
-        Geometry::PlaneStrain => "half-width",
-    }
 }
 
 /// Radius or half-width of the die's opening \[mm\]; `None` for a die with a bottom, which reaches the axis.

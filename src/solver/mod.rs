@@ -49,7 +49,7 @@ use trial::Trial;
 
 pub use closing::closing_way;
 pub use observer::{Iterate, IterateContact, IterateSnapshot, Observer};
-pub use remedies::run_from;
+pub use remedies::{Remedy, run_from};
 pub use retry::{Start, try_step};
 pub use stages::{enter, run, solve};
 

@@ -2,9 +2,10 @@
 
 use crate::assess::size::WIDTHS;
 use crate::import::Section;
-use crate::model::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
+use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::rules::Picked;
+use crate::table::worded;
 use crate::units::{rounded, trimmed};
 use std::ops::RangeInclusive;
 
@@ -77,7 +78,7 @@ impl<'a> DrawnTools<'a> {
 
     /// Sizes in words, which show a wrong unit: `punch radius 30 mm, die throat radius 31.25 mm, 180 mm wide in all`.
     pub fn size(&self) -> String {
-        let half = across(self.geometry);
+        let half = worded(self.geometry, "radius", "half-width");
         let punch = self.tool(Role::Punch).map(|punch| format!("punch {half} {} mm, ", trimmed(extent(&punch).1, 3)));
         let throat = self.tool(Role::Die).and_then(|die| throat(&die));
         let die = throat.map(|throat| format!("die throat {half} {} mm, ", trimmed(throat, 3)));

@@ -18,7 +18,7 @@ pub struct Tools {
     pub die: Option<Die>,
     /// Blank holder, below the sheet.
     pub holder: Option<Holder>,
-    /// Pad, above the sheet.
+    /// Pad above the sheet.
     pub pad: Option<Pad>,
     /// Draw beads across the flange, as line restraints.
     #[serde(default)]
@@ -151,9 +151,8 @@ tool! {
 }
 
 tool! {
-    /// Pad, ejector or counter-punch: a flat face above the sheet, or a `profile`, pressed against the punch. It holds the
-    /// bottom flat and gives way to the punch. In a later stage a shape makes it a new one, brought down until it touches the
-    /// sheet.
+    /// Pad, ejector or counter-punch: a flat face above the sheet, or a `profile`, pressed against the punch, which pushes it
+    /// back. It holds the bottom flat. In a later stage a shape makes it a new one, brought down until it touches the sheet.
     Pad, shapes radius diameter half_width;
     /// Radius (axisymmetric).
     radius: Option<Positive<Length>>,

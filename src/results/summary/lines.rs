@@ -194,9 +194,8 @@ impl Lines<'_> {
         let sharpest = self.largest(|s| s.sharpest_bend);
         let radius = if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 };
         self.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(radius));
-        if model.tool(Role::Pad).is_some() && model.release.is_none() {
-            self.number("peak_pad_force", "Largest pad force", self.force(self.largest(|s| s.pad_force)));
-        }
+        let pad = model.tool(Role::Pad).filter(|_| model.release.is_none());
+        self.number("peak_pad_force", "Largest pad force", pad.map(|_| self.force(self.largest(|s| s.pad_force))));
         if model.tool(Role::Holder).is_none() || model.release.is_some() {
             return;
         }

@@ -12,7 +12,8 @@ pub use step_record::StepRecord;
 pub use stop::{Stop, StopKind};
 
 use crate::forming_limit::Paths;
-use crate::model::{Iteration, Model, Remedy};
+use crate::model::{Iteration, Model};
+use crate::solver::Remedy;
 use crate::solver::{Start, state::State};
 use neck::Necked;
 
