@@ -76,6 +76,7 @@ mod verify_ironing;
 mod verify_loads;
 mod verify_motion;
 mod verify_necking;
+mod verify_pads_and_holes;
 mod verify_ring;
 mod verify_selective;
 mod verify_solid_hat;

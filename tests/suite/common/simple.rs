@@ -12,6 +12,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         depth: None,
         blank: Blank {
             length: 40.0,
+            hole: 0.0,
             thickness: 1.0,
             elements: 8,
             grading: Grading::Uniform,
