@@ -31,6 +31,17 @@ fn corrected(
     values(sizes)
 }
 
+/// Sets a pad on the bottom's flat \[mm\], or the note that there is none.
+fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64, without: &str) {
+    match inputs.number("pad-pressure") {
+        Some(pressure) => {
+            sizes.lengths([("pad", &Picked::by(flat, "the bottom's flat"))]);
+            sizes.set("pad_pressure", format!("\"{} MPa\"", rounded(pressure)), "");
+        }
+        None => sizes.set("no_pad", format!("{without:?}"), ""),
+    }
+}
+
 /// Box section that is as high, and whose flange is as wide, as was wanted.
 pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
@@ -59,6 +70,8 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         sizes.set("width", plain(2.0 * half_width), "");
         sizes.set("size", format!("{} high, {size}", plain(height)), "");
         sizes.set("trim", plain(trim.value), "");
+        let bows = "no pad holds the bottom: it bows off the punch's face, and counts with its bow in the height";
+        pad(&mut sizes, inputs, half_width - nose.value, bows);
         if flange.is_none() {
             sizes.set("through", true, "");
         }
@@ -149,6 +162,7 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     let tolerance = springback.map(|angle| ("springback", format!("\"{} deg\"", rounded(angle.to_degrees()))));
     let given = depth.map(|depth| ("depth", mm(depth))).into_iter().chain(press).chain(tolerance);
     given.for_each(|(name, value)| sizes.set(name, value, ""));
+    pad(&mut sizes, inputs, half_width - nose.value, "no pad holds the bottom");
     let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.tensile_strength));
     sizes.holder(Geometry::PlaneStrain, [throat.value + shoulder.value, blank.value], &pressure)?;
     Ok(sizes)
@@ -219,6 +233,8 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let mut sizes = sheet.values(true);
     sizes.die(&blank, &throat, &shoulder, nose.value);
     sizes.set("width", plain(2.0 * half_width), "");
+    let bows = "no pad holds the bottom of the U: it bows off the punch's face and stays bowed after release";
+    pad(&mut sizes, inputs, half_width - nose.value, bows);
     sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
     Ok(sizes)
 }
