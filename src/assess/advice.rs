@@ -1,7 +1,6 @@
 //! Advice: of changes that were solved, those that help.
 
-use super::{Finding, Light, judgements};
-use crate::units::Sense;
+use super::*;
 use std::cmp::Reverse;
 
 /// Most changes that are given.

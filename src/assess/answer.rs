@@ -1,13 +1,11 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
+use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
-use super::{Finding, Light, finding::labels, formed, forming_limit, judgements};
-use crate::case::Case;
+use super::*;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
-use crate::model::{Geometry, Model, Motion, Role};
-use crate::solver::solution::{StageSolution, StepRecord, StopKind};
-use crate::units::{Amount, Digits, Quantity, Unit, joined};
+use crate::units::Unit;
 use serde::Serialize;
 
 /// Verdict in one sentence, and the numbers that a part is known by.

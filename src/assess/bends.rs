@@ -1,10 +1,9 @@
 //! Bends: radii of tools and of the formed sheet over its thickness.
 
-use super::Finding;
+use super::*;
 use crate::geometry::{CORNER, Point};
-use crate::model::{Model, Role, Theory, Tool, tool_sizes::extent};
+use crate::model::Theory;
 use crate::rules::THIN;
-use crate::units::{Amount, Digits};
 
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
     let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius))?;

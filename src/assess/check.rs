@@ -2,11 +2,10 @@
 
 mod tools;
 
-use super::{Kind, before, estimate, sentences};
-use crate::case::Case;
+use super::*;
 use crate::material::YieldCriterion;
-use crate::model::{ContactMethod, Extent, Geometry, Grading, Iteration, Mode, Model, Norm, Theory};
-use crate::units::{Amount, Digits, Unit, ZERO_CELSIUS, joined};
+use crate::model::{ContactMethod, Extent, Grading, Iteration, Norm, Theory};
+use crate::units::{Unit, ZERO_CELSIUS};
 use std::fmt;
 
 /// Check of a case before it is solved.

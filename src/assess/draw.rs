@@ -1,14 +1,12 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
-use super::estimate::{self, draw_ratio, held_area, siebel_pressure};
-use super::{Finding, Light, Run, holder::if_open, tear::is_upright};
+use super::estimate::{draw_ratio, held_area, siebel_pressure};
+use super::*;
+use super::{holder::if_open, tear::is_upright};
 use crate::case::Finished;
 use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
-use crate::model::{Edge, Geometry, Model, Motion, Role, tool_sizes::extent};
 use crate::rules::{LIMITING_RATIO, Metal};
-use crate::solver::solution::StageSolution;
-use crate::units::Amount;
 
 /// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
 /// more; a force that was rounded after the rule may miss it by a percent.
@@ -24,14 +22,6 @@ pub(super) fn ratio(model: &Model) -> Option<Finding> {
     let text = format!("the draw ratio of {{}} is above {LIMITING_RATIO}, about the limit of mild steel in one draw");
     let warning = Finding::warning("draw_ratio", "Draw ratio", text).number(Amount::ratio(draw_ratio(model)?));
     warning.at_most(LIMITING_RATIO, None).if_beyond()
-}
-
-pub(super) fn blank_area(model: &Model) -> Option<Finding> {
-    let free = model.blank.edge == Edge::Free && !model.stop.drawn_through;
-    let share = estimate::drawn_share(model).filter(|share| free && *share >= 1.0)?;
-    let text = "at the full travel the part needs {} of the blank's area: the blank will be drawn through the die";
-    let warning = Finding::warning("drawn_share", "Blank", text).number(Amount::share(share)).at_most(100.0, None);
-    Some(warning.light(Light::Amber).source("the sheet keeps its area, its mean thickness hardly changing"))
 }
 
 /// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes.

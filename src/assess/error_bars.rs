@@ -1,8 +1,8 @@
 //! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
-use super::{Answer, Finding, Kind, Light, after};
+use super::*;
 use crate::case::Solution;
-use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined, rounded};
+use crate::units::{ErrorBar, Limits, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Row of the verdict on the end of the run.

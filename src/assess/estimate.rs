@@ -1,11 +1,11 @@
 //! Estimates from a model alone.
 
-use crate::geometry::Point;
+use super::*;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
-use crate::model::{Edge, Geometry, Model, Motion, Role, mesh};
+use crate::model::mesh;
+use crate::model::tool_sizes::{gap, mouth, shoulder_end, throat, widens};
 pub(crate) use crate::rules::{siebel, tensile_strength};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.
 pub(crate) fn clearance(model: &Model) -> Option<f64> {
@@ -59,37 +59,6 @@ pub(crate) fn siebel_pressure(model: &Model) -> Option<f64> {
     Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, flange_strength(model)))
 }
 
-/// Angle of the edge on the die's shoulder when a sheet of constant area leaves the die \[rad\]; declared, above 45° because
-/// the rim thickens.
-const LEFT: f64 = PI / 3.0;
-
-/// Area of the part as its edge leaves the die's shoulder, over the blank's \[–\]; above 1 the blank is drawn through.
-pub(crate) fn drawn_share(model: &Model) -> Option<f64> {
-    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
-    let points = punch.profile.polyline(0.02);
-    let top = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-    let end = shoulder_end(die);
-    let shoulder = end - throat(die).unwrap_or(end);
-    let bottom = top - model.travel + shoulder * (1.0 - LEFT.cos());
-    let (mut used, mut reached) = (0.0, 0.0);
-    for (a, b) in points.iter().zip(&points[1..]).filter(|(a, _)| a.y > bottom) {
-        let share = if b.y < bottom { (a.y - bottom) / (a.y - b.y) } else { 1.0 };
-        let end: Point = a + share * (b - a);
-        let width = match model.geometry {
-            Geometry::Axisymmetric => PI * (a.x + end.x),
-            Geometry::PlaneStrain => 1.0,
-        };
-        used += width * (end - a).norm();
-        reached = end.x;
-    }
-    let rest = model.geometry.area(end - shoulder * LEFT.sin()) - model.geometry.area(reached);
-    // A punch as wide as the blank draws nothing in.
-    if reached >= model.blank.length {
-        return None;
-    }
-    Some((used + rest) / model.geometry.area(model.blank.length))
-}
-
 pub(crate) struct CornerFit {
     pub role: Role,
     pub radius: f64,
@@ -107,14 +76,4 @@ pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
         CornerFit { role, radius: arc.radius, size, per_quarter: FRAC_PI_2 * arc.radius / size }
     });
     fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
-}
-
-/// Reference: with sharp corners the part is a cylinder of known area, drawn through if its area is the blank's.
-#[cfg(test)]
-#[test]
-fn drawn_share_is_the_area_of_a_sharp_cup() {
-    let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"].map(str::to_owned);
-    let case = crate::case::load("cases/quickstart.toml", &sharp).expect("valid");
-    let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
-    approx::assert_relative_eq!(drawn_share(case.model()).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
 }

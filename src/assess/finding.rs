@@ -1,6 +1,7 @@
 //! Findings: the one form of warnings, assumptions and rows of the verdict.
 
-use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, joined};
+use super::*;
+use crate::units::{ErrorBar, Limits};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// State of a finding against its limit.

@@ -1,11 +1,10 @@
 //! Distance to the forming limit.
 
-use super::{Finding, Light, Run, tear::place};
+use super::tear::place;
+use super::*;
 use crate::case::file::YieldCondition;
-use crate::forming_limit::{Assessment, Curve, Judged, assess};
+use crate::forming_limit::{Assessment, Curve, Judged};
 use crate::rules::THIN;
-use crate::solver::solution::StageSolution;
-use crate::units::{Amount, joined};
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;

@@ -1,8 +1,6 @@
 //! Ductile fracture, by the criterion and the constants of the case.
 
-use super::{Finding, Run, formed, tear};
-use crate::solver::solution::{StageSolution, StepRecord};
-use crate::units::{Amount, joined};
+use super::*;
 
 /// Share of the critical value above which scatter of metal and process may reach it \[–\].
 const CAREFUL: f64 = 0.9;

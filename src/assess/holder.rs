@@ -1,12 +1,9 @@
 //! Holder: force, lift, distance blocks, closing over slopes of holder and die.
 
 use super::estimate::{flange_strength, held_from, holder_pressure};
-use super::{Finding, Light, Run, material};
+use super::*;
 use crate::measure::rests_on_blocks;
-use crate::model::{Model, Motion, Role, Tool};
 use crate::solver::closing_way;
-use crate::solver::solution::{StageSolution, StepRecord};
-use crate::units::Amount;
 
 /// Lift over the thickness that is reported, and at which the flange is no longer held \[–\].
 const LIFTED: [f64; 2] = [0.3, 1.0];

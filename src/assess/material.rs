@@ -1,13 +1,10 @@
 //! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
-use super::sensitivity::NOT_SOLVED;
-use super::{Finding, Light, Run, estimate::tensile_strength, forming_limit::other_condition, largest};
-use crate::case::Case;
+use super::*;
+use super::{estimate::tensile_strength, forming_limit::other_condition, sensitivity::NOT_SOLVED};
 use crate::forming_limit::SHORTEST;
 use crate::material::YieldCriterion;
-use crate::model::Model;
-use crate::solver::solution::StageSolution;
-use crate::units::{Amount, ZERO_CELSIUS};
+use crate::units::ZERO_CELSIUS;
 
 /// Tensile strengths of cold-formed sheet \[MPa\].
 const STRENGTHS: [f64; 2] = [10.0, 3000.0];

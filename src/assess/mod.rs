@@ -32,9 +32,11 @@ pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
 use crate::case::Case;
+use crate::forming_limit::assess;
 use crate::measure::events;
-use crate::model::{Model, Tool};
-use crate::solver::solution::{StageSolution, StepRecord};
+use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
+use crate::units::{Amount, Digits, Quantity, Sense, joined};
 use forming_limit::Nearest;
 
 /// Findings on a case, in the order of output.
@@ -49,7 +51,6 @@ const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     tools::narrow,
     solution_quality::mesh,
     draw::ratio,
-    draw::blank_area,
     material::short,
 ];
 

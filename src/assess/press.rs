@@ -1,10 +1,8 @@
 //! Press: force and energy against its ratings.
 
-use super::{Finding, Light, Run, at_event, formed};
-use crate::model::{Motion, Role};
-use crate::solver::solution::{StageSolution, StepRecord};
+use super::*;
 use crate::table::{JOULES, Unit};
-use crate::units::{Amount, Digits, DisplaySettings, joined};
+use crate::units::DisplaySettings;
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;

@@ -1,9 +1,8 @@
 //! Friction, and hardening beyond the range of its fit: which lines of the verdict hang on them.
 
-use super::{FailureMode, Finding, Light, Run, advice::NO_DESIGN, after, judgements};
-use crate::case::{Case, Solution};
-use crate::model::Model;
-use crate::units::{Amount, joined};
+use super::advice::NO_DESIGN;
+use super::*;
+use crate::case::Solution;
 
 /// Change of every tool's friction that a verdict should bear \[–\]: declared, lubrication varies by so much.
 const CHANGE: f64 = 0.02;

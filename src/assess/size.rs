@@ -1,13 +1,11 @@
 //! Sizes that hardly fit a stamping: a unit is wrong, or a diameter stands where a radius is asked for. The limits are
 //! declared rules of thumb.
 
-use super::Finding;
+use super::*;
 use crate::assess::estimate::draw_ratio;
-use crate::case::Case;
-use crate::model::tool_sizes::{extent, throat};
-use crate::model::{Model, Role};
+use crate::model::tool_sizes::throat;
 use crate::rules::LIMITING_RATIO;
-use crate::units::{Amount, significant};
+use crate::units::significant;
 use std::ops::RangeInclusive;
 
 /// Widths of blanks \[mm\].

@@ -1,11 +1,8 @@
 //! Quality of the solution: energy balance, nearly rigid zones, penetration, bending moments, sharp bends, strain paths, mesh.
 
-use super::{Finding, Run, estimate, largest};
-use crate::forming_limit::{Judged, assess};
+use super::*;
+use crate::forming_limit::Judged;
 use crate::measure::moment_error;
-use crate::model::{Mode, Model, Role, Tool};
-use crate::solver::solution::{StageSolution, StepRecord};
-use crate::units::Amount;
 
 struct Check {
     text: &'static str,

@@ -1,11 +1,10 @@
 //! Spring-back against tolerances.
 
-use super::{Finding, Light, Run};
+use super::*;
 use crate::case::Springback;
 use crate::geometry::Piece;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, WALL_ANGLE, changes};
-use crate::model::{Geometry, Mode, Model, Role};
-use crate::units::{Amount, Digits, Unit, joined};
+use crate::units::Unit;
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
 /// a fifth and more \[–\].

@@ -1,9 +1,6 @@
 //! End of the run.
 
-use super::{Finding, Light, Run};
-use crate::model::Role;
-use crate::solver::solution::{StageSolution, StopKind};
-use crate::units::{Amount, joined};
+use super::*;
 
 /// Red if a stage stopped early, amber if the cup left the die.
 pub(super) fn judge(run: &Run) -> Option<Finding> {

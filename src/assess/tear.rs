@@ -1,12 +1,9 @@
 //! Thinning, necks and tears: their light, their place and their instant.
 
-use super::{Finding, Light, Run, formed, fracture};
-use crate::forming_limit::assess;
+use super::*;
 use crate::geometry::Arc;
 use crate::measure::place_on_part;
-use crate::model::{Edge, Geometry, Role, Tool};
-use crate::solver::solution::{StageSolution, StepRecord, StopKind};
-use crate::units::{Amount, Unit, joined};
+use crate::units::Unit;
 
 /// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;

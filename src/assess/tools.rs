@@ -1,10 +1,9 @@
 //! Friction, clearance between punch and die, and ironing.
 
 use super::tear::{is_upright, place};
-use super::{Finding, Light, Run, estimate};
-use crate::model::{Friction, Model, Tool};
+use super::*;
+use crate::model::Friction;
 use crate::rules::IRONING_LIMIT;
-use crate::units::{Amount, Digits};
 
 /// Coefficient of dry steel on steel \[–\].
 const DRY: f64 = 0.3;

@@ -24,8 +24,7 @@ use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
-use std::{collections::BTreeMap, io};
+use std::{collections::BTreeMap, io, time::Duration};
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,7 @@
 
 use nalgebra::DMatrix;
 use serde_json::{Value, json};
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::{cell::RefCell, collections::BTreeMap};
 
 pub type Matrix = DMatrix<f64>;
 

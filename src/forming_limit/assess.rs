@@ -1,6 +1,6 @@
 //! Strain paths held against a curve.
 
-use super::{Curve, Paths};
+use super::*;
 use nalgebra::Vector2;
 
 /// Largest distance of a straight path from the line between its ends, over that line's length \[–\], a convention.

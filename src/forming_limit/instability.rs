@@ -8,10 +8,9 @@
 //!
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
-use super::{Curve, Sheet, overrates_biaxial};
-use crate::material::{YieldCriterion, flow::YieldCondition, law::LawError};
+use super::*;
+use crate::material::flow::YieldCondition;
 use crate::numerics::bisect;
-use crate::units::{Amount, Digits};
 
 /// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
 const LARGEST: f64 = 3.0;

@@ -15,9 +15,8 @@
 //! of n, the range of t and the branch of slope 0.5 up to 50 % as public programs quote them (PredictFLC.m,
 //! github.com/ThiagoFK/MatLab-DissertationThesis).
 
-use super::{Curve, Sheet, uniform_strain};
+use super::*;
 use crate::material::law::prelude::*;
-use crate::units::{Amount, Digits};
 
 /// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6, of 0.5 beyond 20 %.
 ///

@@ -13,9 +13,8 @@
 //! not read; the equations are derived beside this).
 
 use super::instability::{Proportional, ratios, uniform_strain};
-use super::{Curve, Sheet};
+use super::*;
 use crate::material::law::prelude::*;
-use crate::units::{Amount, Digits};
 use groove::Groove;
 use std::ops::RangeInclusive;
 

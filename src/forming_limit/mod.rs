@@ -26,7 +26,7 @@ pub use paths::{Instant, Paths};
 pub use points::{Points, Strain};
 
 use crate::material::{Material, YieldCriterion, law::LawError};
-use crate::units::Amount;
+use crate::units::{Amount, Digits};
 
 /// The sheet that a curve is for.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,6 @@
 //! A measured curve.
 
-use super::Curve;
-use crate::material::law::LawError;
+use super::*;
 
 /// Strains of a measured curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]

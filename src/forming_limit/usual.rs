@@ -2,8 +2,7 @@
 //!
 //! Keeler and Brazier for mild steel, Hill and Swift for every other metal.
 
-use super::{Curve, Hill, KeelerBrazier, Kind, Sheet, uniform_strain};
-use crate::material::{YieldCriterion, law::LawError};
+use super::*;
 use std::ops::RangeInclusive;
 
 /// Young's modulus of steel \[MPa\], and largest n of ferritic sheet \[–\]: declared. They count where no crystal is given.

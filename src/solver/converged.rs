@@ -3,7 +3,6 @@
 use super::terms::contact;
 use super::*;
 use crate::material::{Elastic, Gtn, flow::YieldCondition};
-use crate::solver::state::MaterialPoint;
 
 /// Largest relative change of the strain rate in steady flow \[–\].
 const STEADY: f64 = 0.6;

@@ -5,7 +5,6 @@
 
 use super::*;
 use super::{evaluation::Contact, step::CUT_OFF_ZONE};
-use crate::geometry::turned;
 use crate::solver::solution::Energy;
 
 /// Work of a converged step, and the plastic work of each element, of what is solved \[mJ, or per mm of depth\]; `before` is the

@@ -2,12 +2,9 @@
 
 use super::*;
 use super::{run_context::references, step::half_thickness_difference};
-use crate::contact::penalty::Penalty;
-use crate::element::Vector6;
-use crate::element::surface::{Station, stations};
+use crate::element::{Vector6, surface::Station};
 use crate::material::flow::StressUpdate;
 use crate::model::PressureCap;
-use crate::numerics::{ValueAndSlope, block_tridiagonal::System};
 use nalgebra::{Matrix3, SMatrix};
 
 /// Least pressure of a point in contact, over that of touching \[–\].

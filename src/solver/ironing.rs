@@ -1,7 +1,6 @@
 //! Ironing of a wall between two tools.
 
 use super::*;
-use crate::geometry::turned;
 
 /// Least pressure on each face over the yield stress \[–\]: that of a holder or over a radius stays below.
 const PRESSED: f64 = 0.1;

@@ -10,8 +10,9 @@
 //! # References
 //! M. A. Crisfield, Non-linear finite element analysis of solids and structures, vol. 1 (1991), section 9.2 (not read).
 
-use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
-use nalgebra::{SVector, Vector3};
+use super::*;
+use crate::numerics::block_tridiagonal::MAX_SHARED;
+use nalgebra::SVector;
 
 /// κ \[–\]: on a hemispherical cup 15 to 30 tries fail without a search, none with 0.3 to 0.8, up to two with 1.5.
 const OVERSHOOT: f64 = 0.5;

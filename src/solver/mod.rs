@@ -32,12 +32,15 @@ mod time_step;
 pub mod trace;
 mod trial;
 
+use crate::contact::penalty::Penalty;
+use crate::element::surface::stations;
 use crate::element::{Node, kinematics::Reference, surface::STATIONS};
-use crate::geometry::Point;
+use crate::geometry::{Point, turned};
+use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Edge, Iteration, Mode, Model, Motion, Role, Settings, Theory, Tool};
-use crate::numerics::Grid;
+use crate::numerics::{Grid, ValueAndSlope, block_tridiagonal::System, quadrature::ThicknessPoint};
 use crate::solver::solution::{Heat, StepRecord};
-use crate::solver::state::State;
+use crate::solver::state::{MaterialPoint, State};
 use converged::Converged;
 use corrector::Outcome;
 use evaluation::Evaluation;

@@ -3,7 +3,6 @@
 use super::corrector::Pass;
 use super::step::{CUT_OFF_ZONE, elastoplastic_law};
 use super::*;
-use crate::geometry::turned;
 use crate::material::PointLaw;
 use crate::material::flow::{PointSnapshot, StressUpdate};
 use crate::model::Stage;

@@ -1,9 +1,7 @@
 //! Positions of beads, pressed tools and seals on the sheet.
 
 use super::*;
-use crate::element::surface::stations;
 use crate::model::Bead;
-use crate::numerics::ValueAndSlope;
 use std::cmp::Ordering;
 
 /// Length over which a restraint fades as the edge passes, over the thickness \[–\].

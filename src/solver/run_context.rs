@@ -4,12 +4,10 @@ use super::*;
 use super::{
     closing::block_height, restraints::Grip, selective_bending::Selection, tearing_index::PlaneStrainStrength,
 };
-use crate::contact::{friction::Friction, penalty::Penalty};
+use crate::contact::friction::Friction;
 use crate::element::Theory;
 use crate::geometry::Profile;
-use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Pressure;
-use crate::numerics::quadrature::ThicknessPoint;
 
 /// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;

@@ -9,7 +9,6 @@
 
 use super::*;
 use crate::geometry::Arc;
-use crate::numerics::quadrature::ThicknessPoint;
 
 /// Distance from a curved node within which elements bend, over the thickness \[–\]: some lengths √(t R). With 2 the load of
 /// the shipped cups is up to 2.5 % off that of full bending, with 4 1.3 %, with 8 0.6 %.

@@ -7,7 +7,7 @@ use crate::model::mesh;
 use crate::model::stage::{Beginning, Stage};
 use crate::numerics::bisect;
 use crate::solver::solution::Trimmed;
-use crate::solver::state::{MaterialPoint, waiting, waiting_displacement};
+use crate::solver::state::{waiting, waiting_displacement};
 use std::sync::Arc;
 
 const LEAST_ELEMENTS: usize = 2;

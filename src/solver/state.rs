@@ -3,10 +3,7 @@
 pub mod nonlocal_average;
 
 use super::*;
-use crate::contact::penalty::Penalty;
 use crate::forming_limit::{Instant, Paths};
-use crate::material::flow::{ROOM_TEMPERATURE, Triple};
-use crate::numerics::quadrature::ThicknessPoint;
 use std::sync::Arc;
 
 /// Thickness point of an element.

@@ -3,11 +3,10 @@
 use super::restraints::{BeadPosition, Seal};
 use super::*;
 use super::{run_context::references, selective_bending::rotating};
-use crate::element::surface::{Station, stations};
+use crate::element::surface::Station;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
-use crate::material::flow::{PointState, Triple};
-use crate::material::{Surroundings, chaboche};
-use crate::solver::state::{MaterialPoint, nonlocal_average::NonlocalAverage};
+use crate::material::{Surroundings, chaboche, flow::PointState};
+use crate::solver::state::nonlocal_average::NonlocalAverage;
 
 /// Exponent m of the resistance to flowing faster than the surroundings \[–\]: half of it lets sheets with n = 0.02 alternate.
 const EXPONENT: f64 = 0.005;

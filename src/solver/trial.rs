@@ -4,9 +4,8 @@ use super::line_search::LineSearch;
 use super::*;
 use crate::geometry::Nearest;
 use crate::material::elastoplastic::Trial as PointMemory;
-use crate::material::flow::{Iterate, Triple};
+use crate::material::flow::Iterate;
 use crate::model::ReleaseStiffness;
-use crate::numerics::{ValueAndSlope, block_tridiagonal::System};
 
 /// Memory of a pair of tool and contact point between evaluations.
 #[derive(Clone, Copy, Debug, Default)]

@@ -9,8 +9,7 @@ use super::*;
 use crate::results::file::{Lock, NewFolders, WriteError, folder_of, hidden, write};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
-use std::time::Duration;
-use std::{str::FromStr, thread};
+use std::{str::FromStr, thread, time::Duration};
 
 /// Largest table \[bytes\]: a million rows of 2 kB.
 const LARGEST: usize = 2_000_000_000;

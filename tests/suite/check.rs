@@ -30,14 +30,13 @@ fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
 
 #[test]
 fn every_doubt_has_its_warning() {
-    let doubts: [(&[&str], &str); 8] = [
+    let doubts: [(&[&str], &str); 7] = [
         (&["material.hardening.swift.k=520 kPa"], "strength"),
         (&["tools.holder.force=10 MN"], "holder_pressure"),
         (&["tools.die.shoulder=4 mm"], "tool_radius"),
         (&["tools.die.friction=0.4"], "dry_friction"),
         (&["blank.elements=20"], "mesh"),
         (&["blank.radius=70 mm"], "draw_ratio"),
-        (&["tools.punch.travel=40 mm"], "drawn_share"),
         (&["blank.thickness=0.03 mm", "tools.die.throat=30.04 mm"], "slenderness"),
     ];
     for (overrides, key) in doubts {

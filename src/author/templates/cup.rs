@@ -1,13 +1,11 @@
 //! Round part by its finished sizes: draws planned by a rule and tried by runs, which also correct the blank.
 
-use super::redraw::Ring;
-use super::sizes::Draw;
 use super::*;
+use super::{redraw::Ring, sizes::Draw};
 use crate::assess::{self, Answer, FailureMode};
 use crate::case::parse;
 use crate::part::Part;
 use rules::Metal;
-use std::f64::consts::PI;
 
 /// Most runs that correct the blank.
 const RUNS: usize = 8;

@@ -3,7 +3,7 @@
 use super::sizes::Draw;
 use super::*;
 use rules::LIMITING_RATIO;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 const ONE_DRAW: (f64, &str) = (LIMITING_RATIO, "the limit of one draw");
 

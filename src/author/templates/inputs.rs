@@ -1,13 +1,12 @@
 //! Options of templates and their values.
 
-use super::{SHEET, Template};
-use crate::case::CaseError;
+use super::*;
 use crate::rules::Picked;
 use crate::units::{
     Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress,
-    did_you_mean, thicknesses,
+    thicknesses,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::{collections::BTreeMap, str::FromStr};
 
 /// Option of a template.

@@ -33,7 +33,7 @@ use crate::writer::{Values, exact, joined, mm, plain, profile_text};
 use rules::Picked;
 use serde::Deserialize;
 use sizes::{draw_ratio, ensure, newtons, nose, throat};
-use std::{fmt::Write, sync::LazyLock};
+use std::{f64::consts::PI, fmt::Write, sync::LazyLock};
 
 type Sizes = fn(&Inputs, &Sheet) -> Result<Values, CaseError>;
 

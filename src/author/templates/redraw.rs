@@ -1,7 +1,6 @@
 //! Tools of a redraw: a die with a cone, and a sleeve inside the cup before.
 
 use super::*;
-use std::f64::consts::PI;
 
 /// Slope of the die and the sleeve \[°\], a declared rule of thumb: a flat beside the throat has no room.
 const CONE: f64 = 40.0;

@@ -1,12 +1,11 @@
 //! The sheet that every template forms.
 
-use super::{Inputs, SHEET};
+use super::*;
+use crate::case::file::Crystal;
 use crate::case::library::{self, Entry};
-use crate::case::{CaseError, file::Crystal};
 use crate::material::{Elastic, Hardening, Hosford, Material, hardening::Swift};
 use crate::rules::tensile_strength;
-use crate::units::rounded;
-use crate::writer::{Values, forming_limit, mm};
+use crate::writer::forming_limit;
 
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
 /// Elasticity of steel \[MPa, –\], where the library has none of a sheet.

@@ -1,11 +1,8 @@
 //! Sizes that several templates derive.
 
 use super::rules::{self, CAREFUL_RATIO, Metal, Picked};
-use super::{Inputs, Sheet};
-use crate::case::CaseError;
-use crate::model::{Extent, Geometry};
-use crate::units::rounded;
-use crate::writer::{Values, joined, plain};
+use super::*;
+use crate::model::Extent;
 
 impl Values {
     /// Sets the number of elements for a blank and its smallest radius \[mm\], `times` as fine as usual.

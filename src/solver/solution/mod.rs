@@ -11,10 +11,9 @@ pub use frame::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness}
 pub use step_record::StepRecord;
 pub use stop::{Stop, StopKind};
 
+use super::*;
 use crate::forming_limit::Paths;
-use crate::model::{Iteration, Model};
-use crate::solver::Remedy;
-use crate::solver::{Start, state::State};
+use crate::solver::{Remedy, Start};
 use neck::Necked;
 
 /// Closing of the holder on the die over the sheet, before the punch moves.

@@ -102,7 +102,8 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
     let answer = Answer::of(case, stages, findings).numbers;
     let holder = case.model().tool(Role::Holder).map(|holder| &holder.motion);
     let gives_force = matches!(holder, Some(Motion::Pressed(press)) if press.stiffness == 0.0);
-    let is_input = |key: &str| matches!(key, "blank" | "holder_gap" | "pad_force") || key == "holder_force" && gives_force;
+    let is_input =
+        |key: &str| matches!(key, "blank" | "holder_gap" | "pad_force") || key == "holder_force" && gives_force;
     let part = part(stages).into_iter().filter(|own| !answer.iter().any(|known| known.key == own.quantity.key));
     let used = forming_limit_used(stages);
     let judged = assess::judgements(findings).filter(|row| row.key != "solution_quality").filter_map(|row| {
