@@ -85,6 +85,7 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
+        _ if is("springback", Light::Grey) => "it does not tear; its spring-back is not judged".into(),
         _ => "it does not tear, and nothing speaks against it".into(),
     }
 }

@@ -9,7 +9,7 @@ use crate::rules::THIN;
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
 
-/// Stage that comes nearest to its forming limit.
+/// Stage that uses most of its forming limit.
 pub(super) struct Nearest<'a> {
     pub curve: &'a Curve,
     pub stage: &'a StageSolution,
@@ -25,8 +25,8 @@ impl<'a> Nearest<'a> {
         });
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {
-            let margin = |it: &Self| it.assessment.worst().margin();
-            a.is_kept().cmp(&b.is_kept()).then(margin(a).total_cmp(&margin(b)))
+            let used = |it: &Self| it.assessment.worst().ratio();
+            a.is_kept().cmp(&b.is_kept()).then(used(b).total_cmp(&used(a)))
         })
     }
 
@@ -88,7 +88,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     };
     judged
         .light(light)
-        .limit(format!("below {}; of {name}, not reached", Amount::given_share(CAREFUL)))
+        .limit(format!("below {}; of {name}", Amount::given_share(CAREFUL)))
         .source(match curve.is_usual {
             true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
             false => "the case's curve; the share is a declared rule of thumb",

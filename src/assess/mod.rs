@@ -77,6 +77,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     springback::judge,
     draw::ears,
     draw::trim_allowance,
+    material::placeholders,
     material::yield_condition,
     material::hardening,
     sensitivity::row,

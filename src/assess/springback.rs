@@ -40,12 +40,18 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         return Some(grey(why, advice));
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));
-    let judged: Vec<Judged> = limits.judged(&changes, punch_wall(&last.model, &changes)).collect();
+    let wall = punch_wall(&last.model, &changes);
+    let judged: Vec<Judged> = limits.judged(&changes, wall).collect();
     let Some(worst) = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used())) else {
         return unjudged(limits, &changes);
     };
     // A longer travel does not turn a wall that lies against the punch's.
-    let advice = if worst.of_punch { "" } else { "over-bend: `stampflow search --for over-bend`" };
+    let advice = match wall {
+        Some(_) => {
+            "walls of punch and die that lean back by as much; or pull the wall straight by beads or a higher holder force"
+        }
+        None => "over-bend: `stampflow search --for over-bend`",
+    };
     Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text), "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)

@@ -24,7 +24,8 @@ use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
 use std::path::{Path, PathBuf};
-use std::{collections::BTreeMap, io, time::Duration};
+use std::time::Duration;
+use std::{collections::BTreeMap, io};
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]

@@ -36,7 +36,11 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
             here = child(here, segment).ok_or_else(|| {
                 let near = did_you_mean(segment, known.iter().map(String::as_str));
                 let all = if known.is_empty() { "nothing".into() } else { known.join(", ") };
-                fail(format!("there is no table [{}]", tables[..=depth].join(".")), format!("{near}it holds {all}"))
+                let help = match known.first().map(String::as_str) {
+                    Some("0") => format!("its tables are numbered: write {}.0.{segment}", tables[..depth].join(".")),
+                    _ => format!("{near}it holds {all}"),
+                };
+                fail(format!("there is no table [{}]", tables[..=depth].join(".")), help)
             })?;
         }
         let value = value.trim().parse::<Value>().unwrap_or_else(|_| Value::from(value.trim()));

@@ -3,7 +3,7 @@
 use super::page::{Row, Section, figure, list, table, word};
 use super::{PROGRAM, Report, results::figures};
 use crate::assess::error_bars::{Number, Origin};
-use crate::assess::{Finding, Kind, Light, check::Line, judgements};
+use crate::assess::{Finding, Kind, Light, check::Line, first_clause, judgements};
 use crate::case::files::sha256;
 use crate::plot::Chart;
 use crate::results::summary::{Group, section_of};
@@ -49,19 +49,19 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
 const PAGE: f64 = 10500.0;
 const SIZES: [f64; 2] = [5.5, 8.0];
 
-/// Third page in two columns: inputs, limits of the verdict with their sources, assumptions, warnings, case.
+/// Third page in two columns: inputs, the verdict with its limits and their sources, assumptions, warnings, case.
 pub(super) fn inputs(report: &Report) -> Markup {
     let inputs = report
         .check
         .lines
         .iter()
         .map(|line| [line.label.clone(), joined([line.value.clone(), line.meaning.clone()], " ")]);
-    let limit = |finding: &Finding| [finding.label.to_owned(), finding.sourced_limit()];
+    let row = |one: &Finding| [one.label.to_owned(), first_clause(&one.statement()).to_owned(), one.sourced_limit()];
     let parts = html! {
         h3 { "Inputs" } (table(&["Input", "Value"], inputs))
         h3 { "Assumptions" } (list(&report.check.notes, "None are declared."))
         h3 { "Warnings" } (list(&warnings(report), "None."))
-        h3 { "Limits" } (table(&["Question", "Limit (source)"], judgements(&report.findings).map(limit)))
+        h3 { "Verdict" } (table(&["Question", "Found", "Limit (source)"], judgements(&report.findings).map(row)))
         h3 { "Case" } (case(report))
     };
     let letters = parts.0.len() as f64;

@@ -9,7 +9,8 @@ use super::*;
 use crate::results::file::{Lock, NewFolders, WriteError, folder_of, hidden, write};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
-use std::{str::FromStr, thread, time::Duration};
+use std::time::Duration;
+use std::{str::FromStr, thread};
 
 /// Largest table \[bytes\]: a million rows of 2 kB.
 const LARGEST: usize = 2_000_000_000;

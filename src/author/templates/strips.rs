@@ -235,6 +235,9 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     sizes.set("width", plain(2.0 * half_width), "");
     let bows = "no pad holds the bottom of the U: it bows off the punch's face and stays bowed after release";
     pad(&mut sizes, inputs, half_width - nose.value, bows);
+    if let Some(angle) = inputs.number("springback") {
+        sizes.set("springback", format!("\"{} deg\"", rounded(angle.to_degrees())), "");
+    }
     sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
     Ok(sizes)
 }
