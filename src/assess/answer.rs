@@ -85,7 +85,9 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
-        _ if is("springback", Light::Grey) => "it does not tear; its spring-back is not judged".into(),
+        _ if is("springback", Light::Grey) && stages.iter().any(|stage| stage.model.release.is_some()) => {
+            "it does not tear; its spring-back is not judged".into()
+        }
         _ => "it does not tear, and nothing speaks against it".into(),
     }
 }
@@ -219,9 +221,8 @@ fn hole(stage: &StageSolution) -> Option<Quantity> {
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {
-    let model = &stage.model;
-    model.tool(Role::Pad)?;
-    let force = Amount::force(super::largest(stage, |step| step.pad_force), model.extent().force_unit());
+    let unit = stage.model.tool(Role::Pad).map(|_| stage.model.extent().force_unit())?;
+    let force = Amount::force(super::largest(stage, |step| step.pad_force), unit);
     Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
 }
 

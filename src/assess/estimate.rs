@@ -69,7 +69,8 @@ pub(crate) struct CornerFit {
 
 pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
     let nodes = mesh::nodes(model);
-    let corners = model.tools.iter().flat_map(|tool| tool.profile.corners().map(move |arc| (tool.role, arc)));
+    let acting = model.tools.iter().filter(|tool| tool.role != Role::Pad);
+    let corners = acting.flat_map(|tool| tool.profile.corners().map(move |arc| (tool.role, arc)));
     let fits = corners.map(|(role, arc)| {
         let after = nodes.partition_point(|&r| r < arc.center.x).clamp(1, nodes.len() - 1);
         let size = nodes[after] - nodes[after - 1];

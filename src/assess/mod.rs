@@ -102,7 +102,9 @@ pub fn before(case: &Case) -> Vec<Finding> {
     let assumed = case.derived.iter().cloned().map(Finding::assumed);
     let on_case = ON_CASE.iter().filter_map(|find| find(case));
     let on_model = SIZE_CHECKS.iter().chain(ON_MODEL).filter_map(|find| find(model));
-    let on_tools = ON_TOOL.iter().flat_map(|find| model.tools.iter().filter_map(|tool| find(model, tool)));
+    // A pad's edge stands over the bottom's flat.
+    let tools = || model.tools.iter().filter(|tool| tool.role != Role::Pad);
+    let on_tools = ON_TOOL.iter().flat_map(|find| tools().filter_map(|tool| find(model, tool)));
     let findings = assumed.chain(on_case).chain(on_model).chain(on_tools);
     findings.map(|finding| Finding { when: When::Before, ..finding }).collect()
 }

@@ -87,7 +87,7 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
     assert!(before.abs() > 1e-3 && after > before, "{}", wall);
     solution.case.springback.wall_tolerance = Some(after);
     let found = verdict(&solution);
-    assert_eq!((found.light, found.value(), found.advice.as_str()), (Light::Amber, Some(after), ""), "{found:?}");
+    assert_eq!((found.light, found.value(), found.advice.contains("over-bend")), (Light::Amber, Some(after), false));
     let each = format!("each wall opens by {:.1}°", after - before);
     assert!(found.statement().ends_with(&each), "{found:?}");
     assert!(found.limit.to_string().starts_with("0.0° ± ") && found.limit.to_string().ends_with("of the punch's wall"));

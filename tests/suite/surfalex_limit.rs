@@ -137,7 +137,7 @@ fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
     let solution = case.solve(&mut ());
     let found = assess::after(&solution.case, &solution.stages);
     let limit = found.iter().find(|finding| finding.key == "forming_limit").expect("a row");
-    assert!(limit.light != Light::Grey && limit.limit.to_string().contains("of Points,"), "{limit:?}");
+    assert!(limit.light != Light::Grey && limit.limit.to_string().contains("of Points"), "{limit:?}");
     for other in ["hill", "none"] {
         let two = ["forming_limit.measured=true".to_owned(), format!("forming_limit.{other}=true")];
         assert!(case::parse(&text, "made.toml", &two).is_err(), "the measured points, and {other}");

@@ -79,11 +79,6 @@ impl Pad {
         let pressure = self.pressure.map(|pressure| (pressure.value() * area).into());
         pressed("tools.pad", self.spring, force.or(pressure), extent, source)
     }
-
-    /// True if it has a drive of its own.
-    pub fn is_driven(&self) -> bool {
-        self.force.is_some() || self.pressure.is_some() || self.spring.is_some()
-    }
 }
 
 type Force = History<NonNegative<Length>, HolderForce>;

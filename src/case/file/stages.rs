@@ -215,7 +215,8 @@ impl StageContext<'_> {
     fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<(), CaseError> {
         let ToolKeys { role, is_shaped, .. } = *written;
         let back = path_of(written).map_or(0.0, |path| -path.y);
-        let pad = self.tools.pad.as_ref().filter(|pad| role == Role::Pad && pad.is_driven());
+        let pad = self.tools.pad.as_ref().filter(|_| role == Role::Pad);
+        let pad = pad.filter(|pad| pad.force.is_some() || pad.pressure.is_some() || pad.spring.is_some());
         let stray = ["travel", "speed", "motion", "pressure", "gap", "spring"];
         let (table, why) = (format!("{}.{}", self.path, role.name()), "is for tools of the first stage");
         let stray = if role == Role::Pad { &[][..] } else { &stray };
