@@ -46,7 +46,7 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
 }
 
 /// Bytes that fill the third page in the largest letters, and the sizes of letters \[pt\].
-const PAGE: f64 = 10500.0;
+const PAGE: f64 = 8000.0;
 const SIZES: [f64; 2] = [5.5, 8.0];
 
 /// Third page in two columns: inputs, the verdict with its limits and their sources, assumptions, warnings, case.
@@ -56,12 +56,13 @@ pub(super) fn inputs(report: &Report) -> Markup {
         .lines
         .iter()
         .map(|line| [line.label.clone(), joined([line.value.clone(), line.meaning.clone()], " ")]);
-    let row = |one: &Finding| [one.label.to_owned(), first_clause(&one.statement()).to_owned(), one.sourced_limit()];
+    let found = |one: &Finding| format!("{}; limit: {}", first_clause(&one.statement()), one.sourced_limit());
+    let row = |one: &Finding| [one.label.to_owned(), found(one)];
     let parts = html! {
         h3 { "Inputs" } (table(&["Input", "Value"], inputs))
         h3 { "Assumptions" } (list(&report.check.notes, "None are declared."))
         h3 { "Warnings" } (list(&warnings(report), "None."))
-        h3 { "Verdict" } (table(&["Question", "Found", "Limit (source)"], judgements(&report.findings).map(row)))
+        h3 { "Verdict" } (table(&["Question", "Found; limit (source)"], judgements(&report.findings).map(row)))
         h3 { "Case" } (case(report))
     };
     let letters = parts.0.len() as f64;
