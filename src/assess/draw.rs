@@ -147,16 +147,16 @@ pub(super) fn trim_allowance(run: &Run) -> Option<Finding> {
     let is_whole = run.stages.len() == run.case.stages.len() && run.stages.iter().all(|stage| stage.stop.is_complete());
     let frame = run.stages.last().filter(|_| is_whole)?.frames.last()?;
     let (height, drawn, edge) = (height?, part_height(frame)?, frame.nodes.last()?);
-    let (spare, text, size, wanted) = match flange_diameter {
-        Some(flange) => (edge.r - 0.5 * flange, "off the flange all round, high over all", drawn, Some(height)),
+    let (spare, off, size, of, wanted) = match flange_diameter {
+        Some(flange) => (edge.r - 0.5 * flange, "off the flange all round", drawn, "high over all", Some(height)),
         None => {
             let [r, _, thickness] = wall_at(frame, height).unwrap_or([edge.r, edge.z, edge.thickness]);
-            (drawn - height, "off the rim, inside diameter there", 2.0 * r - thickness, diameter)
+            (drawn - height, "off the rim", 2.0 * r - thickness, "inside diameter there", diameter)
         }
     };
-    let text = text.replace(',', &format!("; {}", Amount::place(size)));
     let is_off = wanted.is_some_and(|wanted| (size - wanted).abs() > TOLERANCE);
-    let finding = Finding::judged("trim_allowance", "Trim", format!("{{}} {text}")).number(Amount::place(spare));
+    let finding = Finding::judged("trim_allowance", "Trim", format!("{{}} {off}; {} {of}", Amount::place(size)))
+        .number(Amount::place(spare));
     let finding = finding.at_least(0.0, -TOLERANCE);
     let light = finding.light.max(if is_off { Light::Amber } else { Light::Green });
     let limit = format!("nothing missing, sizes within {}", Amount::place(TOLERANCE));

@@ -34,47 +34,44 @@ fn largest_coefficient(model: &Model) -> Option<f64> {
     model.tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)
 }
 
-/// Case with another friction or hardening, which a row of the verdict is judged by.
+/// Change of a case by which a row of the verdict is judged.
 pub struct Neighbour {
     row: &'static str,
     label: String,
-    /// The case itself.
-    pub case: Case,
 }
 
 /// Cases with less and more friction on every tool, at least 0 and at most 1, and one that hardens less beyond the range of
 /// its law's fit where a verdict uses it there.
-pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<Neighbour> {
-    let changed = |row, change: &dyn Fn(&mut Model)| {
+pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<(Neighbour, Case)> {
+    let changed = |change: &dyn Fn(&mut Model)| {
         let mut case = case.clone();
         case.stages.iter_mut().for_each(|stage| change(&mut stage.model));
-        Neighbour { row, label: String::new(), case }
+        case
     };
     let friction = [-CHANGE, CHANGE].map(|by| {
-        let other = changed("friction", &|model| {
-            model.tools.iter_mut().for_each(|tool| tool.friction = tool.friction.changed(by));
-        });
-        let most = largest_coefficient(other.case.model()).unwrap_or(0.0);
-        Neighbour { label: format!("at {}", Amount::number(most)), ..other }
+        let other = changed(&|model| model.tools.iter_mut().for_each(|tool| tool.friction = tool.friction.changed(by)));
+        let most = largest_coefficient(other.model()).unwrap_or(0.0);
+        (Neighbour { row: "friction", label: format!("at {}", Amount::number(most)) }, other)
     });
     let is_beyond = |row: &Finding| row.key == "hardening_range" && row.light == Light::Grey;
     let end = case.model().material.measured_up_to().filter(|_| findings.iter().any(is_beyond));
     let weaker = end.map(|end| {
-        let other = changed("hardening_range", &|model| {
+        let other = changed(&|model| {
             let hardening = &mut model.material.hardening;
             *hardening = hardening.clone().weakened(WEAKER, end);
         });
-        Neighbour { label: format!("with half the hardening beyond {}", Amount::number(end)), ..other }
+        let label = format!("with half the hardening beyond {}", Amount::number(end));
+        (Neighbour { row: "hardening_range", label }, other)
     });
-    friction.into_iter().chain(weaker).filter(|other| other.case.stages != case.stages).collect()
+    friction.into_iter().chain(weaker).filter(|(_, other)| other.stages != case.stages).collect()
 }
 
 /// Judges friction and hardening by the solved [`neighbours`].
 pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &mut [Finding]) {
     let after: Vec<_> = others.iter().map(|(other, run)| (other, changed(solution, findings, run))).collect();
-    for (key, unchanged, advice) in [
-        ("friction", format!("{{}} ± {CHANGE}"), "measure it, or leave more margin there"),
-        ("hardening_range", String::new(), "add points at larger strains, from a bulge test"),
+    for (key, advice) in [
+        ("friction", "measure it, or leave more margin there"),
+        ("hardening_range", "add points at larger strains, from a bulge test"),
     ] {
         let of_row: Vec<_> = after.iter().filter(|(other, _)| other.row == key).collect();
         let Some(row) = findings.iter_mut().find(|row| row.key == key && !of_row.is_empty()) else { continue };
@@ -82,12 +79,10 @@ pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &m
         let changes = of_row.iter().filter(|(_, (_, text))| !text.is_empty());
         let changes = joined(changes.map(|(other, (_, text))| format!("{} {text}", other.label)), ", ");
         let found = row.text.split("; ").next().unwrap_or_default();
-        row.text = match changes.is_empty() {
-            true if unchanged.is_empty() => {
-                format!("{found}; half the hardening beyond changes no line of the verdict")
-            }
-            true => format!("{unchanged}; changes no line of the verdict"),
-            false => format!("{found}; {changes}"),
+        row.text = match (changes.is_empty(), key) {
+            (false, _) => format!("{found}; {changes}"),
+            (true, "friction") => format!("{found} ± {CHANGE}; changes no line of the verdict"),
+            (true, _) => format!("{found}; half the hardening beyond changes no line of the verdict"),
         };
         row.light = if is_worse { Light::Amber } else { Light::Green };
         row.advice = if is_worse { advice.into() } else { String::new() };

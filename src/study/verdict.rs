@@ -15,8 +15,8 @@ pub fn judge(
 ) -> (Answer, Vec<Finding>) {
     let mut findings = after(&solution.case, &solution.stages);
     if is_known(solution) {
-        let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(|other| {
-            let run = BaseCase::solve(other.case.clone(), watch).ok().filter(is_known)?;
+        let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(|(other, case)| {
+            let run = BaseCase::solve(case, watch).ok().filter(is_known)?;
             Some((other, run))
         });
         if let Some(others) = others.collect::<Option<Vec<_>>>() {

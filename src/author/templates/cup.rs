@@ -186,7 +186,7 @@ impl<'a> Cup<'a> {
             let nose = Picked { value: round, ..self.nose.clone() };
             let cup = self.part.cup_height(blank, *radius, nose.value);
             let travel = || match is_last {
-                true if flange.or(step.map(|_| 0.0)).is_some() => {
+                true if flange.is_some() || step.is_some() => {
                     Picked::by(plan.travel, "as runs of this case need for the height")
                 }
                 true => rules::drawn_travel(height + trim, shoulder, t),

@@ -11,11 +11,12 @@ const RUNS: usize = 4;
 /// Reason of a corrected size.
 const CORRECTED: &str = "as runs of this case need";
 
-/// Values of a template for two sizes \[mm\] that its runs correct, each by what the part at the end `misses` \[mm\].
+/// Values of a template for two sizes \[mm\] that runs of its first `stages` correct, each by what the part then `misses` \[mm\].
 ///
 /// A case that does not run to its end keeps the first sizes.
 fn corrected(
     template: &str,
+    stages: usize,
     first: [f64; 2],
     values: impl Fn([f64; 2]) -> Result<Values, CaseError>,
     misses: impl Fn(&Frame) -> Option<[f64; 2]>,
@@ -23,22 +24,22 @@ fn corrected(
     let mut sizes = first;
     for _ in 0..RUNS {
         let Ok(case) = parse(&values(sizes)?.fill(find(template)?.text), template, &[]) else { break };
-        let runs = solver::solve(&case.stages, &mut ());
-        let end = runs.last().filter(|run| runs.len() == case.stages.len() && run.stop.is_complete());
+        let runs = solver::solve(&case.stages[..stages], &mut ());
+        let end = runs.last().filter(|run| runs.len() == stages && run.stop.is_complete());
         let Some(missing) = end.and_then(|run| misses(run.frames.last()?)) else { return values(first) };
         sizes = [sizes[0] + missing[0], sizes[1] + missing[1]];
     }
     values(sizes)
 }
 
-/// Sets a pad on the bottom's flat \[mm\], or the note that there is none.
-fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64, without: &str) {
+/// Sets a pad on the bottom's flat \[mm\], or keeps the note that there is none.
+fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64) {
     match inputs.number("pad-pressure") {
         Some(pressure) => {
             sizes.lengths([("pad", &Picked::by(flat, "the bottom's flat"))]);
             sizes.set("pad_pressure", format!("\"{} MPa\"", rounded(pressure)), "");
         }
-        None => sizes.set("no_pad", format!("{without:?}"), ""),
+        None => sizes.set("no_pad", "", ""),
     }
 }
 
@@ -70,8 +71,7 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         sizes.set("width", plain(2.0 * half_width), "");
         sizes.set("size", format!("{} high, {size}", plain(height)), "");
         sizes.set("trim", plain(trim.value), "");
-        let bows = "no pad holds the bottom: it bows off the punch's face, and counts with its bow in the height";
-        pad(&mut sizes, inputs, half_width - nose.value, bows);
+        pad(&mut sizes, inputs, half_width - nose.value);
         if flange.is_none() {
             sizes.set("through", true, "");
         }
@@ -80,7 +80,7 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         sizes.holder(Geometry::PlaneStrain, [flat, blank.value], &pressure)?;
         Ok(sizes)
     };
-    corrected("box-section", [first[0] + trim.value, first[1]], values, |end| {
+    corrected("box-section", 1, [first[0] + trim.value, first[1]], values, |end| {
         let higher = height - part_height(end)?;
         Some(match flange {
             Some(flange) => [flat + flange + trim.value - end.nodes.last()?.r + higher, higher],
@@ -128,7 +128,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         Ok(sizes)
     };
     let first = 2.0 * flat + radii * angle(depth) + straight(depth);
-    corrected("joggle", [first, depth], values, |part| {
+    corrected("joggle", 2, [first, depth], values, |part| {
         let middle: Vec<_> = part.nodes.iter().map(|node| (node.r, node.z)).collect();
         Some([end + flat - part.nodes.last()?.r, depth - interpolated(&middle, flat) + interpolated(&middle, end)])
     })
@@ -162,7 +162,7 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     let tolerance = springback.map(|angle| ("springback", format!("\"{} deg\"", rounded(angle.to_degrees()))));
     let given = depth.map(|depth| ("depth", mm(depth))).into_iter().chain(press).chain(tolerance);
     given.for_each(|(name, value)| sizes.set(name, value, ""));
-    pad(&mut sizes, inputs, half_width - nose.value, "no pad holds the bottom");
+    pad(&mut sizes, inputs, half_width - nose.value);
     let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.tensile_strength));
     sizes.holder(Geometry::PlaneStrain, [throat.value + shoulder.value, blank.value], &pressure)?;
     Ok(sizes)
@@ -193,24 +193,19 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     ensure(travel(turn) >= t, what, help)?;
     let leg = inputs.number("leg").unwrap_or(reach);
     let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
-    let values = |travel: f64| {
+    let values = |[travel, _]: [f64; 2]| {
         let travel = Picked::by(travel, "runs of this case have the wanted angle there, before they spring back");
         let mut sizes = sheet.values(true);
         sizes.die(&blank, &throat, &shoulder, nose.value);
         sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
         sizes.set("angle", format!("\"{degrees} deg\""), "");
         sizes.lengths([("radius", &nose), ("travel", &travel)]);
-        sizes
+        Ok(sizes)
     };
-    let mut reached = travel(turn);
-    for _ in 0..RUNS {
-        let Ok(case) = parse(&values(reached).fill(find("v-bend")?.text), "v-bend", &[]) else { break };
-        let run = solver::run(case.model(), &mut ());
-        let end = run.frames.last().filter(|_| run.stop.is_complete());
-        let Some(bent) = end.and_then(|end| Shape::of(end).opening_angle()) else { break };
-        reached += travel(turn) - travel(0.5 * (180.0 - bent).to_radians());
-    }
-    Ok(values(reached))
+    corrected("v-bend", 1, [travel(turn), 0.0], values, |bent| {
+        let opening = Shape::of(bent).opening_angle()?;
+        Some([travel(turn) - travel(0.5 * (180.0 - opening).to_radians()), 0.0])
+    })
 }
 
 pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
@@ -233,8 +228,7 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let mut sizes = sheet.values(true);
     sizes.die(&blank, &throat, &shoulder, nose.value);
     sizes.set("width", plain(2.0 * half_width), "");
-    let bows = "no pad holds the bottom of the U: it bows off the punch's face and stays bowed after release";
-    pad(&mut sizes, inputs, half_width - nose.value, bows);
+    pad(&mut sizes, inputs, half_width - nose.value);
     if let Some(angle) = inputs.number("springback") {
         sizes.set("springback", format!("\"{} deg\"", rounded(angle.to_degrees())), "");
     }

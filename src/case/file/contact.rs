@@ -168,13 +168,13 @@ pub struct Sides {
 
 /// Written laws, by tool and by side of the sheet.
 pub struct Frictions<'a> {
-    pub tools: [Option<Friction>; 4],
+    pub tools: [Option<Friction>; Role::ALL.len()],
     sides: &'a Sides,
 }
 
 impl<'a> Frictions<'a> {
     pub fn new(file: &'a CaseFile) -> Self {
-        let mut frictions = Self { tools: [None; 4], sides: &file.friction };
+        let mut frictions = Self { tools: [None; Role::ALL.len()], sides: &file.friction };
         file.tools.keys().for_each(|tool| frictions.add(&tool));
         frictions
     }

@@ -1,7 +1,7 @@
 //! Record of every step: forces, work, shares and measures of the solution's quality.
 
 use super::{Energy, Heat};
-use crate::model::PressureCap;
+use crate::model::{PressureCap, Role};
 
 /// One accepted step; forces, works and heat are of the whole section, as [`Extent`](crate::model::Extent) has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,9 +37,9 @@ pub struct StepRecord {
     /// Share of the sheet's current area inside the gas's seal that lies on the punch or the die \[–\].
     pub contact_share: f64,
     /// Gaps between the sheet's edge and the tools of [`Role::ALL`](crate::model::Role::ALL) \[mm\]; infinite without the tool.
-    pub edge_gap: [f64; 4],
+    pub edge_gap: [f64; Role::ALL.len()],
     /// Gaps between the sheet's middle and the same tools \[mm\].
-    pub middle_gap: [f64; 4],
+    pub middle_gap: [f64; Role::ALL.len()],
     /// Slope of the die's face nearest to the sheet's edge \[rad\]: 0 flat, π/2 in the throat.
     pub die_slope: f64,
     /// Move of the holder towards the die from where it touched the flat sheet \[mm\]; negative when lifted.

@@ -100,10 +100,13 @@ impl Outcome {
 /// All computed numbers of a case's solved stages: answer, part, verdict but for its row on the numerics.
 fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<Number> {
     let answer = Answer::of(case, stages, findings).numbers;
-    let holder = case.model().tool(Role::Holder).map(|holder| &holder.motion);
-    let gives_force = matches!(holder, Some(Motion::Pressed(press)) if press.stiffness == 0.0);
-    let is_input =
-        |key: &str| matches!(key, "blank" | "holder_gap" | "pad_force") || key == "holder_force" && gives_force;
+    let motion = |role: Role| case.model().tool(role).map(|tool| &tool.motion);
+    let gives_force = |role| matches!(motion(role), Some(Motion::Pressed(press)) if press.stiffness == 0.0);
+    let is_input = |key: &str| match key {
+        "holder_force" => gives_force(Role::Holder),
+        "pad_force" => gives_force(Role::Pad),
+        _ => matches!(key, "blank" | "holder_gap"),
+    };
     let part = part(stages).into_iter().filter(|own| !answer.iter().any(|known| known.key == own.quantity.key));
     let used = forming_limit_used(stages);
     let judged = assess::judgements(findings).filter(|row| row.key != "solution_quality").filter_map(|row| {
