@@ -1,8 +1,7 @@
 //! Random dies: how they end, and what they cost.
 //!
-//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
-//! the elastoplastic law, `--sheets 1` for the sheets of the library in place of random laws, `--work 1` for bends, ironing,
-//! gas, free flanges and second stages in place of sections that are drawn; `--r 60` is r̄ = 0.6 in place of the sheet's, and
+//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--elastoplastic 1` for the elastoplastic law,
+//! `--sheets 1` for the sheets of the library in place of random laws, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are drawn; `--r 60` is r̄ = 0.6 in place of the sheet's, and
 //! `--hosford 8` Hosford's yield condition of that exponent with it
 
 #[path = "../tests/suite/common/random_die.rs"]
@@ -14,7 +13,7 @@ use random_die::{THIRD_SERIES, random_die};
 use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
 use stampflow::material::{Hill48, Hosford, YieldCriterion};
-use stampflow::model::{Beginning, Theory};
+use stampflow::model::Beginning;
 use stampflow::{Stage, StageSolution, StepRecord, solver};
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
@@ -40,7 +39,6 @@ struct Outcome {
 fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
     let asked = |name: &str| argument(name, 0) != 0;
-    let theory = if asked("--selective") { Theory::Selective } else { Theory::Bending };
     let make = if asked("--work") { work } else { section };
     let series = if asked("--sheets") { THIRD_SERIES } else { 0 };
     let seeds = (0..count).into_par_iter().map(|i| series + seed.wrapping_mul(1_000_003) + i);
@@ -51,7 +49,7 @@ fn main() {
         0 => Some(Hill48::new(r).into()),
         exponent => Some(Hosford::new(r, exponent as f64).into()),
     };
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory, criterion)).collect();
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), criterion)).collect();
 
     // What is worth a look is for whoever runs it, the figures are for the book.
     eprintln!("worth a look:");
@@ -130,9 +128,8 @@ fn work(seed: u64, elastoplastic: bool) -> Made {
     (format!("{:?}", work.kind), work.stages, work.text)
 }
 
-fn one(seed: u64, (work, mut stages, text): Made, theory: Theory, criterion: Option<YieldCriterion>) -> Outcome {
+fn one(seed: u64, (work, mut stages, text): Made, criterion: Option<YieldCriterion>) -> Outcome {
     for stage in &mut stages {
-        stage.model.blank.theory = theory;
         if let Some(criterion) = criterion {
             stage.model.material.yield_criterion = criterion;
         }

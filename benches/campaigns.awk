@@ -4,7 +4,7 @@ BEGIN {
     print "| options | dies | full travel | physical stop | no equilibrium | panic | iterations a step | penetration, t | error of the power balance |"
     print "|---|---|---|---|---|---|---|---|---|"
 }
-FNR == 1 { row(); words = "none"; if (match($0, /--(elastoplastic|sheets|work|selective) 1/)) words = "`" substr($0, RSTART, RLENGTH) "`" }
+FNR == 1 { row(); words = "none"; if (match($0, /--(elastoplastic|sheets|work) 1/)) words = "`" substr($0, RSTART, RLENGTH) "`" }
 / random dies, seed / { dies = $1 }
 /^full travel / { travel = $4 " %" }
 /^physical stop / { stop = $4 " %" }

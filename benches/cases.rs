@@ -1,6 +1,6 @@
 //! What a run costs, in ratios measured in the same process: each shipped case, its wall time, its iterations, the
 //! time of one evaluation of a thickness point with everything around it (elements, contact, solve), and that time over a bare
-//! loop of as many hardening evaluations. Then what selective bending gains over bending everywhere.
+//! loop of as many hardening evaluations.
 //!
 //! `cargo bench --bench cases`
 
@@ -12,7 +12,7 @@ mod files;
 
 use fastest::fastest;
 use files::files;
-use stampflow::model::{Mode, Theory};
+use stampflow::model::Mode;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -70,7 +70,6 @@ fn main() {
             point / law,
         );
     }
-    selective();
     elastoplastic();
 }
 
@@ -106,49 +105,6 @@ fn elastoplastic() {
             "{:<24} {:>11.2} {of_elastoplastic:>7} of {of_flow:>5} {flow:>10.1} {elastoplastic:>10.1}",
             format!("{layers} layers"),
             elastoplastic / flow
-        );
-    }
-}
-
-/// Time, iterations and thickness points of selective bending over those of bending everywhere, runs of both in turn.
-fn selective() {
-    println!(
-        "\n{:<24} {:>11} {:>14} {:>12} {:>10} {:>10}",
-        "selective / bending", "wall ratio", "iterations", "elements", "rejected", "wall ms"
-    );
-    for path in files("cases", "toml") {
-        let case = case::load(&path, &["blank.theory=\"bending\"".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
-        let full = case.model();
-        if full.mode != Mode::Flow {
-            continue;
-        }
-        let mut chosen = full.clone();
-        chosen.blank.theory = Theory::Selective;
-        let mut best = [Duration::MAX; 2];
-        for _ in 0..7 {
-            for (best, model) in best.iter_mut().zip([full, &chosen]) {
-                let start = Instant::now();
-                black_box(solver::run(black_box(model), &mut ()));
-                *best = start.elapsed().min(*best);
-            }
-        }
-        let [before, after] = [full, &chosen].map(|model| {
-            let mut count = Count::default();
-            let run = solver::run(model, &mut count);
-            let bent: usize = run.steps.iter().map(|step| step.bending).sum();
-            let rejected: usize = run.steps.iter().map(|step| step.rejected).sum();
-            (count.0, bent as f64 / (run.steps.len() * model.blank.elements) as f64, rejected)
-        });
-        println!(
-            "{:<24} {:>11.2} {:>5} of {:>5} {:>9.0} % {:>5}, {:>3} {:>10.1}",
-            case.name,
-            best[1].as_secs_f64() / best[0].as_secs_f64(),
-            after.0,
-            before.0,
-            100.0 * after.1,
-            after.2,
-            before.2,
-            best[1].as_secs_f64() * 1e3,
         );
     }
 }

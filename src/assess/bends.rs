@@ -8,7 +8,7 @@ use crate::rules::THIN;
 pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
     let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius))?;
     let why = match model.blank.theory {
-        Theory::Bending | Theory::Selective => "beyond thin-shell theory",
+        Theory::Bending => "beyond thin-shell theory",
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
     let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));

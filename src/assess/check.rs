@@ -69,10 +69,6 @@ fn blank(model: &Model) -> Vec<Line> {
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {points} points through the thickness"),
         Theory::Membrane => "membrane".into(),
-        Theory::Selective => {
-            let ratio = Amount::number(model.settings.bend_ratio);
-            format!("bending with {points} points where t/R is above {ratio}, else membrane")
-        }
     };
     let mut lines = vec![
         line("geometry", format!("{geometry}; {}", model.extent().described()), ""),

@@ -236,12 +236,6 @@ impl Current {
     pub fn bends(&self) -> bool {
         self.reference.bending
     }
-
-    /// Change of the slope φ of the meridian in the step \[rad\].
-    pub fn turn(&self) -> f64 {
-        let (Reference { dr, dz, .. }, [c, s]) = (self.reference, self.along);
-        (dr * s - dz * c).atan2(dr * c + dz * s)
-    }
 }
 
 #[cfg(test)]

@@ -52,8 +52,6 @@ pub enum Theory {
     Bending,
     /// Membrane only.
     Membrane,
-    /// Bending where the sheet is curved, chosen in every step, membrane elsewhere.
-    Selective,
 }
 
 /// A node's position and fibre rotation `[r, z, θ]` \[mm, mm, rad\], or an increment of them.

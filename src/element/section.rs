@@ -12,7 +12,7 @@ use nalgebra::SMatrix;
 pub struct Section<'a, L> {
     /// Law of the thickness points.
     pub law: &'a L,
-    /// Points of an element that bends; a membrane has one, in the middle.
+    /// Points through the thickness; a membrane has one, in the middle.
     pub rule: &'a [ThicknessPoint],
     /// Least tension of a membrane over its yield force \[–\], in the matrix only: a flat membrane has no transverse stiffness
     /// before its first stretch.
@@ -26,9 +26,6 @@ pub struct Section<'a, L> {
 
 /// Stiffness C of a section, by its strains.
 type Matrix5 = SMatrix<f64, 5, 5>;
-
-/// Rule of a membrane.
-const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
 
 /// Resultants of a stress at ζ that acts on the volume `v`.
 #[inline]
@@ -78,8 +75,7 @@ impl<L: PointLaw> Section<'_, L> {
         let e = &current.strain;
         let (mut s, mut c) = (Generalised::zeros(), Matrix5::zeros());
         let mut yield_stress = 0.0;
-        let rule = if current.bends() { self.rule } else { &MIDDLE };
-        for (i, at) in rule.iter().enumerate() {
+        for (i, at) in self.rule.iter().enumerate() {
             let (zeta, half, v) = (0.5 * thickness * at.xi, 0.5 * thickness * at.half, volume * at.weight);
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
             let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];

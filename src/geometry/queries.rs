@@ -1,7 +1,6 @@
 //! Corners, vertices, ends, extreme points and distances of profiles.
 
 use super::{Arc, Piece, Point, Profile, crossing::common, turn};
-use std::f64::consts::FRAC_PI_2;
 
 /// Largest turn between two arcs of one corner \[rad\].
 const SMOOTH: f64 = 0.02;
@@ -43,18 +42,6 @@ impl Profile {
             rise += spare;
         }
         rise
-    }
-
-    /// Replaces every arc by `per_quarter` chords per 90°, at least one.
-    pub fn faceted(&self, per_quarter: usize) -> Self {
-        let chords = |piece: &Piece| match piece {
-            Piece::Segment(_) => vec![*piece],
-            Piece::Arc(arc) => {
-                let n = (arc.sweep.abs() / FRAC_PI_2 * per_quarter as f64).ceil().max(1.0) as usize;
-                piece.sample(n).windows(2).map(|pair| Piece::line(pair[0], pair[1])).collect()
-            }
-        };
-        Self::connected(self.pieces.iter().flat_map(chords))
     }
 
     /// Convex corners in order; smoothly connected arcs of about one radius are one corner.

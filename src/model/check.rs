@@ -177,8 +177,7 @@ impl Model {
             return excludes(self.release.is_some(), "mode flow", "release");
         }
         needs("mode", material.elastic.is_some(), "material.elastic")?;
-        excludes(material.gtn.is_some(), "elastic mode", "material.gtn")?;
-        excludes(self.blank.theory == Theory::Selective, "elastic mode", "selective theory")
+        excludes(material.gtn.is_some(), "elastic mode", "material.gtn")
     }
 
     fn check_tools(&self) -> Checked {
@@ -292,7 +291,6 @@ impl Settings {
     /// The first invalid parameter; `what` is its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
-        self.facets.map_or(Ok(()), |facets| count("settings.facets", facets, 1..=1000))?;
         let ranges = [
             ("tolerance", self.tolerance, [1e-12, 0.1]),
             ("min_step", self.min_step, [1e-12, 0.1]),
@@ -302,7 +300,6 @@ impl Settings {
             ("contact_smoothing", self.contact_smoothing, [1e-6, 0.1]),
             ("slip_speed", self.slip_speed, [1e-6, 1.0]),
             ("strain_step", self.strain_step, [1e-3, 1.0]),
-            ("bend_ratio", self.bend_ratio, [1e-4, 1.0]),
         ];
         numbers("settings", ranges)?;
         number("settings.first_step", self.first_step, [self.min_step, self.max_step])

@@ -47,11 +47,6 @@ pub struct Settings {
     /// thickness in the whole run or stage where the punch goes less far; 0.003 when not given.
     #[serde(with = "As::<Positive<Number>>")]
     pub slip_speed: f64,
-    /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
-    #[schemars(range(min = 1, max = 1000))]
-    pub facets: Option<usize>,
-    /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
-    pub round_facets: bool,
     /// Method that keeps tools out of the sheet; "penalty" when not given.
     #[schemars(extend("default" = "penalty"))]
     pub contact: ContactMethod,
@@ -59,9 +54,6 @@ pub struct Settings {
     /// goes beyond twice as much is repeated shorter.
     #[serde(with = "As::<Positive<Number>>")]
     pub strain_step: f64,
-    /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
-    #[serde(with = "As::<Positive<Number>>")]
-    pub bend_ratio: f64,
 }
 
 impl Settings {
@@ -87,11 +79,8 @@ impl Default for Settings {
             contact_stiffness: 3e4,
             contact_smoothing: 1e-3,
             slip_speed: 0.003,
-            facets: None,
-            round_facets: true,
             contact: ContactMethod::Penalty,
             strain_step: 0.1,
-            bend_ratio: 0.05,
         }
     }
 }

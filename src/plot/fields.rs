@@ -53,8 +53,6 @@ pub mod element {
     pub const STRESS_HOOP: Element = Field::worded("stress_hoop", STRESS_ACROSS, Unit::MPa, |e| e.stress_hoop);
     pub const STRAIN_EQUIVALENT_MAX: Element =
         Field::new("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max);
-    pub const BENDING: Element =
-        Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
     pub const TEARING_INDEX_NOW: Element =
         Field::new("tearing_index", "Tearing index", Unit::None, |e| e.tearing_index);
     pub const TEARING_INDEX_MAX: Element =

@@ -116,7 +116,7 @@ pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
 /// Fields of an element apart from its place; porosity, damage and temperature if the model has them.
 pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
     let strains = [THICKNESS, STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS, STRAIN_EQUIVALENT];
-    let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, TEARING_INDEX_NOW, TEARING_INDEX_MAX, BENDING];
+    let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, TEARING_INDEX_NOW, TEARING_INDEX_MAX];
     let porosity = model.material.gtn.map(|_| POROSITY);
     let damage = model.material.fracture.map(|_| DAMAGE);
     let temperature = model.heat.as_ref().map(|_| TEMPERATURE);

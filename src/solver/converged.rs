@@ -18,7 +18,6 @@ pub(super) struct Converged<'a> {
 
 impl<'a> Converged<'a> {
     pub fn new(step: &'a Step, trial: &'a mut Trial, evaluation: &'a mut Evaluation, outcome: Outcome) -> Self {
-        settle(step, trial, evaluation);
         contact::measure_far(step, trial, evaluation);
         Self { step, trial, evaluation, outcome }
     }
@@ -61,7 +60,6 @@ impl<'a> Converged<'a> {
             velocity,
             thickness: evaluation.thickness.clone(),
             membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
-            bends: step.bends.clone(),
             last_step: dt,
             steady: vec![false; state.steady.len()],
             points: Grid::from_values(state.points.columns(), points),
@@ -107,32 +105,6 @@ impl<'a> Converged<'a> {
         let ahead = dt / (dt + state.last_step / speed_ratio);
         let nodes = mean.iter().zip(&state.velocity);
         nodes.map(|(now, before)| [0, 1, 2].map(|d| now[d] + ahead * (now[d] - speed_ratio * before[d]))).collect()
-    }
-}
-
-/// Copies the result of a membrane to all its points, and turns free fibres with the sheet, so that later bending starts upright.
-fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
-    if step.model.blank.theory != Theory::Selective {
-        return;
-    }
-    for e in step.membranes() {
-        let (iterate, update) = (trial.iterates[(e, 0)], evaluation.updates[(e, 0)]);
-        for k in 1..step.context.rule.len() {
-            trial.iterates[(e, k)] = iterate;
-        }
-        evaluation.updates.row_mut(e).fill(update);
-    }
-    let last = trial.moves.len() - 1;
-    let turn = |(e, reference): (usize, &Reference)| {
-        reference.moved(trial.moves[e], trial.moves[e + 1]).map_or(0.0, |current| current.turn())
-    };
-    let turns: Vec<f64> = step.references.iter().enumerate().map(turn).collect();
-    let held = usize::from(step.model.blank.edge != Edge::Free);
-    for i in 1..=last - held {
-        if !step.rotates[i] {
-            trial.moves[i][2] = 0.5 * (turns[i - 1] + turns[i.min(last - 1)]);
-            evaluation.nodes[i][2] = step.state.nodes[i][2] + trial.moves[i][2];
-        }
     }
 }
 

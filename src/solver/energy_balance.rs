@@ -62,7 +62,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
                 continue;
             }
             let (e, k) = (i / STATIONS, i % STATIONS);
-            let station = &step.stations(e)[k];
+            let station = &step.stations()[k];
             let place = |nodes: &[Node]| station.position(&nodes[e], &nodes[e + 1]);
             let moved = place(&now.nodes) - place(&state.nodes) - tool;
             let across = |contact: &Contact| contact.normal * contact.facing.dot(&moved);

@@ -69,8 +69,8 @@ fn constrain(step: &Step, out: &mut Evaluation) {
         out.system.fix(0, 0);
         out.system.fix(0, 2);
     }
-    for (i, _) in step.rotates.iter().enumerate().filter(|(_, rotates)| !**rotates) {
-        out.system.fix(i, 2);
+    if step.model.blank.theory == Theory::Membrane {
+        (0..=last).for_each(|i| out.system.fix(i, 2));
     }
     if step.model.release.is_some() && edge == Edge::Free {
         // Nothing else holds the sheet up; what fades is in balance, so that this bears nothing.

@@ -140,13 +140,14 @@ impl Evaluation {
             gas_force: vec![Point::zeros(); n],
             ..Self::default()
         };
-        let references: Vec<Reference> = references(context.model, state, &state.bends).collect();
+        let references: Vec<Reference> = references(context.model, state).collect();
         let areas: Vec<f64> = references.iter().flat_map(Reference::contact_areas).collect();
         let rise = half_thickness_difference(&references, &state.thickness);
+        let stations = stations(context.model.blank.theory == Theory::Bending);
         for (j, tool) in context.acting_tools() {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let e = i / STATIONS;
-                let (station, ends) = (&stations(state.bends[e])[i % STATIONS], [&state.nodes[e], &state.nodes[e + 1]]);
+                let (station, ends) = (&stations[i % STATIONS], [&state.nodes[e], &state.nodes[e + 1]]);
                 let place = ContactPosition::new(station, ends, state.thickness[e], rise[e]);
                 let closest = tool.profile.closest(place.position - state.tools[j]);
                 contact.gap = closest.distance - 0.5 * place.thickness;

@@ -19,7 +19,6 @@ mod remedies;
 mod restraints;
 mod retry;
 mod run_context;
-mod selective_bending;
 pub mod solution;
 mod stages;
 pub mod state;

@@ -73,9 +73,9 @@ fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRe
 
 /// A strip of membranes bears load by tension alone: without restraint no shape of it is in equilibrium.
 fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
-    let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
+    let is_membrane = step.model.blank.theory == Theory::Membrane;
     let (travel, s0) = (Amount::place(step.state.travel), step.state.s0[i]);
-    (!bends && is_loose(step.context)).then(|| {
+    (is_membrane && is_loose(step.context)).then(|| {
         let at = Amount::place(s0);
         let text =
             format!("mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {at}");
@@ -114,7 +114,7 @@ pub(super) fn squeezed(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
         let closing = punch[STATIONS * e..STATIONS * (e + 1)].iter().filter(|contact| contact.facing.y > CLOSING);
         closing.map(|contact| contact.pressure.value).fold(0.0, f64::max)
     };
-    let pressed = (0..step.bends.len()).filter(|&e| is_between_walls(step, evaluation, e) && pressure(e) > 0.0);
+    let pressed = (0..step.references.len()).filter(|&e| is_between_walls(step, evaluation, e) && pressure(e) > 0.0);
     let e = pressed.max_by(|&a, &b| pressure(a).total_cmp(&pressure(b)))?;
     let [travel, s0] = [step.state.travel, step.state.middle(e)].map(Amount::place);
     let text = format!(

@@ -4,7 +4,7 @@ use super::corrector::Pass;
 use super::step::{CUT_OFF_ZONE, elastoplastic_law};
 use super::*;
 use crate::material::PointLaw;
-use crate::material::flow::{PointSnapshot, StressUpdate};
+use crate::material::flow::PointSnapshot;
 use crate::model::Stage;
 use crate::solver::solution::IterationRecord;
 
@@ -105,7 +105,7 @@ impl Iterate<'_> {
             tools: trial.tools.iter().map(|tool| (*tool).into()).collect(),
             imbalance: evaluation.system.rhs.iter().map(|force| (*force).into()).collect(),
             correction: trial.line.direction.iter().map(|d| (share * d).into()).collect(),
-            points: (0..step.bends.len()).map(|e| self.points(e)).collect(),
+            points: (0..step.references.len()).map(|e| self.points(e)).collect(),
             cut_off: self.cut_off().collect(),
             contacts: self.contacts().collect(),
         }
@@ -136,18 +136,12 @@ impl Iterate<'_> {
                 elastoplastic_law(model, pass.matrix, *dt).snapshot(point, memory, update)
             }
         };
-        self.updates(e).iter().enumerate().map(snapshot).collect()
-    }
-
-    /// Points of an element; a membrane has one.
-    fn updates(&self, e: usize) -> &[StressUpdate] {
-        let row = self.evaluation.updates.row(e);
-        if self.step.bends[e] { row } else { &row[..1] }
+        self.evaluation.updates.row(e).iter().enumerate().map(snapshot).collect()
     }
 
     fn cut_off(&self) -> impl Iterator<Item = bool> {
         let is_flow = self.step.model.mode == Mode::Flow;
         let limit = if is_flow { CUT_OFF_ZONE * self.step.cutoff(self.trial.softening) } else { 0.0 };
-        (0..self.step.bends.len()).map(move |e| self.updates(e).iter().all(|point| point.increment < limit))
+        self.evaluation.updates.rows().map(move |points| points.iter().all(|point| point.increment < limit))
     }
 }

@@ -29,9 +29,9 @@ pub struct Grip {
 
 impl Grip {
     /// Grip of a tool whose inner edge is drawn at `inner` \[mm\].
-    pub fn new(inner: f64, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
+    pub fn new(inner: f64, displacement: Point, nodes: &[Node], theory: Theory) -> Self {
         let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
-        let weights = stations(bends[bends.len() - 1])[1].shape;
+        let weights = stations(theory == Theory::Bending)[1].shape;
         let outermost = weights[0] * a[0] + weights[1] * b[0];
         Self { width: outermost - inner - displacement.x, weights }
     }

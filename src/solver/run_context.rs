@@ -1,11 +1,8 @@
 //! Constant data of a run: tools, thickness points, shared unknowns, fading forces.
 
 use super::*;
-use super::{
-    closing::block_height, restraints::Grip, selective_bending::Selection, tearing_index::PlaneStrainStrength,
-};
+use super::{closing::block_height, restraints::Grip, tearing_index::PlaneStrainStrength};
 use crate::contact::friction::Friction;
-use crate::element::Theory;
 use crate::geometry::Profile;
 use crate::model::Pressure;
 
@@ -38,7 +35,7 @@ impl ActiveTool {
 pub(super) struct RunContext<'a> {
     pub model: &'a Model,
     pub tools: Vec<ActiveTool>,
-    /// Thickness points of an element that bends.
+    /// Thickness points.
     pub rule: Vec<ThicknessPoint>,
     /// Index of each gas pressure among the shared unknowns, if it is one.
     pub gas_shared: Vec<Option<usize>>,
@@ -48,7 +45,6 @@ pub(super) struct RunContext<'a> {
     pub least_force: f64,
     /// Move of the holder relative to the die at which it stands on its blocks \[mm\].
     pub blocks: Option<f64>,
-    pub selection: Selection,
     /// Strength of a sheet that may tear.
     pub strength: Option<PlaneStrainStrength<'a>>,
 }
@@ -62,11 +58,7 @@ impl<'a> RunContext<'a> {
             index
         };
         let tools = model.tools.iter().map(|tool| ActiveTool {
-            profile: match model.settings.facets {
-                Some(n) if model.settings.round_facets => tool.profile.faceted(n).rounded(),
-                Some(n) => tool.profile.faceted(n),
-                None => tool.profile.clone(),
-            },
+            profile: tool.profile.clone(),
             friction: tool.friction,
             motion: tool.motion.clone(),
             role: tool.role,
@@ -91,7 +83,6 @@ impl<'a> RunContext<'a> {
                 * model.geometry.area(model.blank.length)
                 / model.blank.length,
             blocks: block_height(model),
-            selection: Selection::new(model),
             strength: PlaneStrainStrength::new(model),
             rule: model.blank.points(),
         }
@@ -107,7 +98,8 @@ impl<'a> RunContext<'a> {
 
     /// Releases a pressed tool once the sheet has run out from under it; returns its index.
     pub fn release(&mut self, state: &State) -> Option<usize> {
-        let grip = |j: usize, tool: &ActiveTool| Grip::new(tool.inner, state.tools[j], &state.nodes, &state.bends);
+        let theory = self.model.blank.theory;
+        let grip = |j: usize, tool: &ActiveTool| Grip::new(tool.inner, state.tools[j], &state.nodes, theory);
         let has_left = |(j, tool): &(usize, &ActiveTool)| tool.shared.is_some() && grip(*j, tool).width <= 0.0;
         let (lost, _) = self.acting_tools().find(has_left)?;
         self.tools[lost].released = Some(state.travel);
@@ -115,13 +107,7 @@ impl<'a> RunContext<'a> {
     }
 }
 
-pub(super) fn references<'a>(
-    model: &'a Model,
-    state: &'a State,
-    bends: &'a [bool],
-) -> impl Iterator<Item = Reference> + 'a {
-    state.nodes.windows(2).zip(bends).map(|(pair, &bends)| {
-        let theory = if bends { Theory::Bending } else { Theory::Membrane };
-        Reference::new(model.geometry, theory, pair[0], pair[1])
-    })
+pub(super) fn references(model: &Model, state: &State) -> impl Iterator<Item = Reference> {
+    let (geometry, theory) = (model.geometry, model.blank.theory);
+    state.nodes.windows(2).map(move |pair| Reference::new(geometry, theory, pair[0], pair[1]))
 }

@@ -151,7 +151,7 @@ fn trim(state: &mut State, radius: f64) {
     cut([&mut state.s0], elements + 1);
     let State { thickness, volume, dilation, dilation_rate, temperature, nose_curvature, .. } = state;
     cut([thickness, volume, dilation, dilation_rate, temperature, nose_curvature], elements);
-    cut([&mut state.bends, &mut state.steady], elements);
+    cut([&mut state.steady], elements);
     cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage, &mut state.ironed], elements);
     state.points.truncate_rows(elements);
     for pairs in [&mut state.pressure, &mut state.shift] {

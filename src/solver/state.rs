@@ -62,8 +62,6 @@ pub struct State {
     pub nose_curvature: Vec<f64>,
     /// Tearing index of each element: after the last step, and its largest in the stage \[–\].
     pub tearing_index: Vec<[f64; 2]>,
-    /// Flags of the elements that bent in the last step; the others were membranes.
-    pub bends: Vec<bool>,
     /// Duration of the last step \[s\].
     pub last_step: f64,
     /// Flags of the elements that strained in the last step about as in the one before.
@@ -127,7 +125,6 @@ impl State {
             ironed: vec![[0.0; 2]; elements],
             nose_curvature: vec![0.0; elements],
             tearing_index: vec![[0.0; 2]; elements],
-            bends: vec![model.blank.theory == Theory::Bending; elements],
             steady: vec![false; elements],
             points: Grid::new(elements, model.blank.layers, point),
             face_damage: vec![[0.0; 2]; elements],

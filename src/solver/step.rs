@@ -1,8 +1,8 @@
 //! Start of a step: what all its iterations share.
 
 use super::restraints::{BeadPosition, Seal};
+use super::run_context::references;
 use super::*;
-use super::{run_context::references, selective_bending::rotating};
 use crate::element::surface::Station;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::{Surroundings, chaboche, flow::PointState};
@@ -29,8 +29,6 @@ pub(super) struct Step<'a> {
     pub speed_ratio: f64,
     /// Regularisation of the slip \[mm\].
     pub slip_scale: f64,
-    pub bends: Vec<bool>,
-    pub rotates: Vec<bool>,
     pub references: Vec<Reference>,
     /// Area of each contact point \[mm², or mm per mm of depth\].
     pub areas: Vec<f64>,
@@ -57,8 +55,7 @@ impl<'a> Step<'a> {
     pub fn new(context: &'a RunContext<'a>, state: &'a State, dt: f64, number: usize) -> Self {
         let model = context.model;
         let process_time = model.process_time(state.time, dt);
-        let bends = context.selection.bending(model, state, &context.rule);
-        let references: Vec<Reference> = references(model, state, &bends).collect();
+        let references: Vec<Reference> = references(model, state).collect();
         let neighbourhood = NonlocalAverage::new(model, state);
         let section = neighbourhood.section_thickness(&state.thickness);
         // Voids grow on at their last rate.
@@ -76,7 +73,7 @@ impl<'a> Step<'a> {
         // v₀ of friction is a share of the process speed, which is at least one thickness per run.
         let least_speed = model.speed.max(model.blank.thickness / model.duration);
         let (flow_points, elastoplastic_points) = match model.mode {
-            Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around, &bends), Grid::default()),
+            Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around), Grid::default()),
             _ => (Grid::default(), elastoplastic_points(model, state, dt, &around)),
         };
         Self {
@@ -88,12 +85,10 @@ impl<'a> Step<'a> {
             number,
             speed_ratio,
             slip_scale: model.settings.slip_speed * least_speed * process_time,
-            rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
             half_thickness_difference: half_thickness_difference(&references, &state.thickness),
             faces: faces(&references, state),
             references,
-            bends,
             shear_yield: shear_yield(context, state),
             flow_points,
             elastoplastic_points,
@@ -105,8 +100,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    pub fn stations(&self, e: usize) -> &'static [Station; STATIONS] {
-        stations(self.bends[e])
+    pub fn stations(&self) -> &'static [Station; STATIONS] {
+        stations(self.model.blank.theory == Theory::Bending)
     }
 
     /// Share of the forces of removed tools that is left at a time \[–\].
@@ -130,12 +125,6 @@ impl<'a> Step<'a> {
     pub fn travel(&self) -> f64 {
         self.model.travel_at(self.end())
     }
-
-    /// Membranes of a sheet with several thickness points.
-    pub fn membranes(&self) -> impl Iterator<Item = usize> {
-        let layered = self.context.rule.len() > 1;
-        (0..self.bends.len()).filter(move |&e| layered && !self.bends[e])
-    }
 }
 
 /// Flow around each thickness point: nonlocal mean of the last rates of the points at the same depth.
@@ -157,18 +146,17 @@ fn surroundings(context: &RunContext, state: &State, time: f64, near: &NonlocalA
     around
 }
 
-/// Points of the flow law, means for membranes; steady flow is extrapolated from the last step.
+/// Points of the flow law; steady flow is extrapolated from the last step.
 fn flow_points(
     context: &RunContext,
     state: &State,
     dt: f64,
     speed_ratio: f64,
     around: &Grid<Surroundings>,
-    bends: &[bool],
 ) -> Grid<PointState> {
     let (rule, columns) = (&context.rule, state.points.columns());
     let (voids, criterion) = (context.model.material.gtn.as_ref(), context.model.material.yield_criterion);
-    let temperatures: Vec<f64> = (0..bends.len()).map(|e| state.foreseen_temperature(e, dt)).collect();
+    let temperatures: Vec<f64> = (0..state.thickness.len()).map(|e| state.foreseen_temperature(e, dt)).collect();
     let point_states = state.points.iter().zip(around.iter()).enumerate().map(|(i, (point, around))| PointState {
         porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
         temperature: temperatures[i / columns],
@@ -176,13 +164,8 @@ fn flow_points(
         ..PointState::at(point.strain)
     });
     let mut points = Grid::from_values(columns, point_states);
-    for ((e, row), bends) in points.rows_mut().enumerate().zip(bends) {
-        if !*bends && columns > 1 {
-            let mean = |of: fn(&PointState) -> f64| row.iter().zip(rule).map(|(p, at)| at.weight * of(p)).sum();
-            let (strain, porosity): (f64, f64) = (mean(|p| p.strain), mean(|p| p.porosity));
-            row.fill(PointState { strain, porosity, ..row[columns / 2] });
-        }
-        if state.steady[e] && state.bends[e] == *bends {
+    for (e, row) in points.rows_mut().enumerate() {
+        if state.steady[e] {
             let weight = dt / (dt + state.last_step / speed_ratio);
             let lasts = state.points.row(e);
             let expected = |rate: Triple| rate.map(|rate| speed_ratio * rate * dt);

@@ -43,7 +43,6 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
         penetration: evaluation.penetration(),
         strain_increment: converged.strain_increment(),
         sharpest_bend: sharpest_bend(evaluation, next),
-        bending: step.bends.iter().filter(|bends| **bends).count(),
         iterations: outcome.iterations,
         rejected,
         velocity_norm: outcome.increment,
@@ -93,7 +92,7 @@ fn contact_share(converged: &Converged) -> f64 {
     let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
-        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / step.stations(e)[1].xi);
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / step.stations()[1].xi);
         [middle - half, middle + half]
     };
     let (mut touching, mut whole) = (0.0, 0.0);

@@ -107,24 +107,6 @@ impl Trial {
         for (iterate, point) in self.iterates.iter_mut().zip(state.points.iter()) {
             *iterate = Iterate::start(point.carried);
         }
-        self.average(step);
-    }
-
-    /// First iterates of membranes: means of their points without transverse shear; free rotations are zero.
-    fn average(&mut self, step: &Step) {
-        for e in step.membranes() {
-            let mut carried = [0.0; 3];
-            for (point, at) in step.state.points.row(e).iter().zip(&step.context.rule) {
-                carried[0] += at.weight * point.carried[0];
-                carried[1] += at.weight * point.carried[1];
-            }
-            self.iterates[(e, 0)] = Iterate::start(carried);
-        }
-        if step.model.blank.theory == Theory::Selective {
-            for (u, _) in self.moves.iter_mut().zip(&step.rotates).filter(|(_, rotates)| !**rotates) {
-                u[2] = 0.0;
-            }
-        }
     }
 
     pub fn advance(&mut self, context: &RunContext, share: f64) {

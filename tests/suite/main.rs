@@ -78,7 +78,6 @@ mod verify_motion;
 mod verify_necking;
 mod verify_pads_and_holes;
 mod verify_ring;
-mod verify_selective;
 mod verify_solid_hat;
 mod verify_solver;
 mod verify_stages;

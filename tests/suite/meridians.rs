@@ -57,7 +57,7 @@ fn of_points(points: &[(f64, f64)]) -> Frame {
 }
 
 fn element(s0: f64) -> ElementRecord {
-    ElementRecord { s0, r: s0, z: 0.0, thickness: 1.0, temperature: 293.15, bends: true, ..ElementRecord::default() }
+    ElementRecord { s0, r: s0, z: 0.0, thickness: 1.0, temperature: 293.15, ..ElementRecord::default() }
 }
 
 /// The other way up, as of a sheet that is pressed against the direction of travel.

@@ -152,7 +152,6 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("contact_smoothing", |m, x| m.settings.contact_smoothing = x),
     ("slip_speed", |m, x| m.settings.slip_speed = x),
     ("strain_step", |m, x| m.settings.strain_step = x),
-    ("bend_ratio", |m, x| m.settings.bend_ratio = x),
 ];
 
 fn flow(model: &mut Model) -> &mut HeatFlow {
@@ -178,11 +177,10 @@ fn every_number_is_refused_or_runs() {
 
 #[test]
 fn every_count_is_refused_or_runs() {
-    let counts: [Mutation<usize>; 4] = [
+    let counts: [Mutation<usize>; 3] = [
         ("elements", |m, n| m.blank.elements = n),
         ("layers", |m, n| m.blank.layers = n),
         ("max_iterations", |m, n| m.settings.max_iterations = n),
-        ("facets", |m, n| m.settings.facets = Some(n)),
     ];
     for (name, mutate) in counts {
         for n in COUNTS {
@@ -197,7 +195,7 @@ fn every_count_is_refused_or_runs() {
 /// Trust: each is a contradiction by the documentation of the field.
 #[test]
 fn what_does_not_go_together_is_refused() {
-    let contradictions: [Change; 13] = [
+    let contradictions: [Change; 12] = [
         ("no frames", |m| m.frames.clear()),
         ("frames that fall", |m| m.frames = vec![1.5, 1.0, 2.0]),
         ("two punches", |m| m.tools.push(m.tools[0].clone())),
@@ -206,7 +204,6 @@ fn what_does_not_go_together_is_refused() {
         ("gas twice on a face", |m| m.gas.push(m.gas[0].clone())),
         ("no elasticity", |m| (m.mode, m.material.elastic) = (Mode::Elastic, None)),
         ("elastic voids", |m| (m.mode, m.material.gtn) = (Mode::ElastoViscoplastic, Some(Gtn::example()))),
-        ("elastic selection", |m| (m.mode, m.blank.theory) = (Mode::ElastoViscoplastic, Theory::Selective)),
         ("a membrane of three points", |m| m.blank.theory = Theory::Membrane),
         ("a release that cannot spring back", |m| m.release = Some(Default::default())),
         ("heat to a tool that is not there", |m| m.tools.retain(|tool| tool.role != Role::Punch)),

@@ -64,8 +64,6 @@ fn an_iteration_allocates_nothing() {
     secant.settings.iteration = Iteration::Secant;
     let mut augmented = plain.clone();
     augmented.settings.contact = ContactMethod::AugmentedLagrangian;
-    let mut selective = plain.clone();
-    selective.blank.theory = Theory::Selective;
     let mut elastoplastic = plain.clone();
     elastoplastic.mode = Mode::ElastoViscoplastic;
     elastoplastic.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
@@ -73,7 +71,6 @@ fn an_iteration_allocates_nothing() {
         ("primal-dual", plain),
         ("secant", secant),
         ("augmented Lagrangian", augmented),
-        ("selective", selective),
         ("elastoplastic", elastoplastic),
     ] {
         let mut seen = Allocations::default();

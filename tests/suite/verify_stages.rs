@@ -51,7 +51,7 @@ fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     let mut at_rest = left.points.clone();
     at_rest.iter_mut().for_each(|point| point.equivalent_rate = 0.0);
     assert_eq!((&entered.membrane, &entered.points), (&left.membrane, &at_rest));
-    assert_eq!((&entered.temperature, &entered.bends), (&left.temperature, &left.bends));
+    assert_eq!(entered.temperature, left.temperature);
     assert_eq!((&entered.tools, &entered.pressure), (&left.tools, &left.pressure));
     assert_eq!((entered.time, entered.travel), (0.0, 0.0));
     // A first guess, which goes with the pace of the process.

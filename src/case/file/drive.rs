@@ -5,7 +5,6 @@ use crate::forming_limit::Paths;
 use crate::model::{Stage, tool_sizes::throat};
 use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
 use crate::solver::state::MaterialPoint;
-use std::f64::consts::FRAC_PI_2;
 
 /// Distance of frames over the travel below which they are one \[–\].
 const SAME: f64 = 1e-9;
@@ -161,8 +160,6 @@ pub fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
 const ROWS: usize = 500_000;
 /// Memory of a run, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
 const MEMORY: usize = 500_000_000;
-/// Most chords that replace the arcs of one tool.
-const CHORDS: f64 = 20_000.0;
 
 /// Key that gives the number of kept frames of a stage, the first one being stage 0.
 pub fn frames_key(stage: usize, source: &Source) -> String {
@@ -198,15 +195,5 @@ pub fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), 
     let (frames, elements) = (model.frames.len(), model.blank.elements);
     let rows = frames * elements;
     let what = format!("{frames} frames of {elements} elements are {rows} rows, more than {ROWS}");
-    source.require(rows <= ROWS, frames_key, what, format!("keep at most {} frames", ROWS / elements))?;
-    let Some(facets) = model.settings.facets else { return Ok(()) };
-    for tool in &model.tools {
-        let sweep = |piece: &Piece| if let Piece::Arc(arc) = piece { arc.sweep.abs() } else { 0.0 };
-        let quarters = tool.profile.pieces().iter().map(sweep).sum::<f64>() / FRAC_PI_2;
-        let chords = quarters * facets as f64;
-        let what = format!("the {}'s arcs make {chords:.0} chords, more than {CHORDS}", tool.role.name());
-        let help = format!("at most facets = {:.0}", CHORDS / quarters - 0.5);
-        source.require(chords <= CHORDS, "solver.facets", what, help)?;
-    }
-    Ok(())
+    source.require(rows <= ROWS, frames_key, what, format!("keep at most {} frames", ROWS / elements))
 }

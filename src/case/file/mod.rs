@@ -126,9 +126,6 @@ impl CaseFile {
         let blank = self.blank(source)?;
         let material = self.material.model(source)?;
         let mode = checked_mode(self.material.mode.unwrap_or_default(), &material, "material.mode", source)?;
-        let changes = mode != Mode::Flow && blank.theory == Theory::Selective;
-        let what = "an elastic sheet cannot change between bending and membrane";
-        source.require(!changes, "blank.theory", what, "write blank.theory = \"bending\", or mode = \"flow\"")?;
         let drive = self.drive(blank.length, source)?;
         let (written, travel) = (&self.tools, drive.travel);
         let context = ToolContext { written, standing: &[], blank: &blank, extent, travel, source };

@@ -272,11 +272,10 @@ fn as_begun(run: &StageSolution) -> StepRecord {
 }
 
 fn mesh(model: &Model) -> String {
-    let (blank, ratio) = (&model.blank, model.settings.bend_ratio);
+    let blank = &model.blank;
     let theory = match blank.theory {
         Theory::Membrane => "membrane".to_owned(),
         Theory::Bending => format!("bending, {} layers", blank.layers),
-        Theory::Selective => format!("bending with {} layers where t/R is above {ratio}", blank.layers),
     };
     let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
     format!("{} elements, {theory}, {grading}", blank.elements)

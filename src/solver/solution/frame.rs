@@ -40,8 +40,6 @@ pub struct ElementRecord {
     pub damage: f64,
     /// Temperature \[K\].
     pub temperature: f64,
-    /// True if it bent in the last step, false for a membrane.
-    pub bends: bool,
 }
 
 /// Node at one instant.
@@ -127,7 +125,6 @@ impl State {
                 porosity: mean(&|p| p.porosity),
                 damage: self.damage(e, &layers).0,
                 temperature: self.temperature[e],
-                bends: self.bends[e],
             }
         };
         let node = |i: usize| {

@@ -74,8 +74,6 @@ pub struct StepRecord {
     pub strain_increment: f64,
     /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
     pub sharpest_bend: f64,
-    /// Elements that bend; the others are membranes.
-    pub bending: usize,
     /// Iterations of the try that was accepted.
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.

@@ -18,7 +18,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     for (e, places) in out.contact_positions.chunks_exact_mut(STATIONS).enumerate() {
         for (k, place) in places.iter_mut().enumerate() {
             let (ends, rise) = ([&out.nodes[e], &out.nodes[e + 1]], step.half_thickness_difference[e]);
-            *place = ContactPosition::new(&step.stations(e)[k], ends, out.thickness[e], rise);
+            *place = ContactPosition::new(&step.stations()[k], ends, out.thickness[e], rise);
         }
     }
     out.contact_sums.fill((Vector3::zeros(), Matrix3::zeros()));
@@ -74,7 +74,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             let ValueAndSlope { value, slope } = memory.pressure;
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
         }
-        let start = step.stations(e)[k].position(&state.nodes[e], &state.nodes[e + 1]);
+        let start = step.stations()[k].position(&state.nodes[e], &state.nodes[e + 1]);
         let force = law.force(&ContactPoint {
             facing: closest.normal,
             curvature: closest.curvature,
@@ -121,17 +121,17 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
 /// G: derivatives of r and z of contact point `i` and of its element's thickness by the element's freedoms.
 #[inline]
 fn gradient(step: &Step, i: usize, out: &Evaluation) -> [Vector6; 3] {
-    let (e, station) = (i / STATIONS, &step.stations(i / STATIONS)[i % STATIONS]);
+    let (e, station) = (i / STATIONS, &step.stations()[i % STATIONS]);
     let [r, z] = station.slopes(&out.nodes[e], &out.nodes[e + 1]);
     [r, z, out.thickness_rows[e]]
 }
 
 /// Adds Gᵀ f and Gᵀ K G of every contact point, and the second derivatives of its position and thickness.
 fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
-    for e in 0..step.bends.len() {
+    for e in 0..step.references.len() {
         let (mut forces, mut matrix) = (Vector6::zeros(), Matrix6::zeros());
         let (mut bowed, mut squeeze, mut acts, thickness) = (Point::zeros(), 0.0, false, out.thickness[e]);
-        for (i, station) in (STATIONS * e..).zip(step.stations(e)) {
+        for (i, station) in (STATIONS * e..).zip(step.stations()) {
             let (f, k) = &out.contact_sums[i];
             // The chord to a carried pressure has a slope beyond the reach too.
             if f.z == 0.0 && k.m33 == 0.0 {

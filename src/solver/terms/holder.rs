@@ -33,7 +33,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         if tool.role == Role::Holder {
             force -= closing;
         }
-        let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, &step.bends);
+        let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, step.model.blank.theory);
         let share = fading(grip.width, model.blank.thickness);
         system.corner[(k, k)] += share.value * springs;
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {

@@ -83,7 +83,7 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
         return;
     }
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
-        for (area, station) in areas.iter().zip(step.stations(e)) {
+        for (area, station) in areas.iter().zip(step.stations()) {
             for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
                 let stiffness = STABILISATION * step.context.penalty.stiffness * area * share;
                 out.system.rhs[i].y -= stiffness * trial.moves[i][1];
