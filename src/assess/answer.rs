@@ -162,7 +162,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
-        end.map(|end| {
+        end.filter(|_| stages.last().is_none_or(|stage| stage.stop.kind != StopKind::LeftDie)).map(|end| {
             Quantity::new("draw_in", "Draw-in", Amount::draw_in(end.draw_in)).at("of the edge, on each side")
         }),
         ring(case, stages),
@@ -209,7 +209,11 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     };
     let with_holder = if pressed.holder() > 0.0 { "with the holder" } else { "" };
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
-    let about = joined([at, joined([press, with_holder.into(), reserve], " ")], "; ");
+    let others = formed(stages).filter(|(other, _)| *other != i).map(|(other, on)| {
+        let force = super::largest(on, |step| step.punch_force);
+        (force > 0.0).then(|| format!("{} in stage {}", amount(force), other + 1)).unwrap_or_default()
+    });
+    let about = joined([at, joined(others, ", "), joined([press, with_holder.into(), reserve], " ")], "; ");
     Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
 }
 

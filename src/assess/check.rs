@@ -150,7 +150,7 @@ fn details(model: &Model) -> Vec<Line> {
 /// Lines of the full text alone.
 const DETAILS: [&str; 6] = ["volume", "theory", "material source", "friction source", "elements", "compare"];
 /// Lines that stand in the row of the line before if they fit.
-const APPENDED: [&str; 5] = ["thickness", "clearance", "draw ratio", "holder pressure", "advised pressure"];
+const APPENDED: [&str; 5] = ["thickness", "clearance", "draw ratio", "holder pressure", "least pressure"];
 /// Rows of the brief text, and columns of its texts.
 const ROWS: usize = 24;
 const COLUMNS: usize = 60;

@@ -69,7 +69,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
             let pressure = (press.force.smallest() - beads).max(0.0) / area;
             let advised = siebel_pressure(model)?;
             let [wanted, least] = [advised, pressure].map(Amount::stress);
-            judged("Wrinkle index", format!("{{}}; {wanted} advised over {least}; {itself}"))
+            judged("Wrinkle index", format!("{{}}; Siebel's least, {wanted}, over the holder's {least}; {itself}"))
                 .number(Amount::ratio(advised / pressure))
                 .at_most(LIMITS[0], LIMITS[1])
                 .limit(format!("1 at most, red above {}", LIMITS[1]))
@@ -120,7 +120,7 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     Finding::judged("ears", "Ears", text)
         .number(Amount::place(height))
         .limit("none: more is trimmed off")
-        .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011, abstract read)")
+        .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)")
         .into()
 }
 

@@ -89,7 +89,11 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     warning.number(Amount::place(end.value - begin.value)).at_most(RESTS * stage.model.travel, None).if_beyond()
 }
 
+/// Holder that the sheet has left, unless the part was to be pushed through.
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
+    if stage.model.stop.drawn_through {
+        return None;
+    }
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
     let text = format!("the sheet left the {tool} at {{}} of travel; it stands still from there on");

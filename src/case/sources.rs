@@ -6,6 +6,8 @@ use crate::units::parse;
 /// Sources of the numbers of a case: how they were measured, or author and year; the run does not depend on them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sources {
+    /// Sheet of the library that the case names.
+    pub sheet: Option<String>,
     /// Source of the friction of all tools.
     pub friction: Option<String>,
     /// Source of the material's numbers.
@@ -101,5 +103,5 @@ pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Resul
         let says = given.as_ref().is_none_or(|text| !text.trim().is_empty());
         source.require(says, path, "`source` says nothing", help)?;
     }
-    Ok(Sources { friction, material, fracture, ..taken })
+    Ok(Sources { sheet: file.material.name.clone(), friction, material, fracture, ..taken })
 }

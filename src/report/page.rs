@@ -4,6 +4,7 @@ use super::{PROGRAM, Report, front, part, results, sections};
 use crate::assess::Light;
 use crate::plot::{Chart, svg, svg_on_paper};
 use crate::results::REPORT_MARKER;
+use crate::units::{Amount, joined};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("style.css");
@@ -46,7 +47,12 @@ impl Report<'_> {
     /// The whole page.
     pub fn html(&self) -> String {
         let title = &self.solution.case.model().title;
-        let block = self.title_block.entries().chain([("Case", self.solution.case.name.as_str())]);
+        let case = &self.solution.case;
+        let thickness = Amount::size(case.model().blank.thickness);
+        let sheet = joined([case.sources.sheet.clone().unwrap_or_default(), format!("{thickness} thick")], ", ");
+        let finished = case.finished.to_string();
+        let own = [("Sheet", sheet.as_str()), ("Finished part", &finished), ("Case", &case.name)];
+        let block = self.title_block.entries().chain(own).filter(|(_, value)| !value.is_empty());
         let mut folded = vec![sections::verdict(self)];
         folded.extend(sections::error_bars(self));
         folded.extend(part::sections(self));

@@ -25,13 +25,11 @@ const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_li
 /// Sections that leave room for them.
 const SECTIONS: usize = 4;
 
-/// Height of curves \[px\] in two rows of pictures, and in three.
-const HEIGHTS: [f64; 2] = [330.0, 210.0];
+/// Largest height of curves \[px\].
+const HEIGHT: f64 = 330.0;
 
 pub(super) fn content(report: &Report) -> Markup {
     let sections: Vec<usize> = with_new_tools(report).take(SECTIONS).collect();
-    let is_full = sections.len() + RESULTS.len() > 4;
-    let height = HEIGHTS[usize::from(is_full)];
     let views = report.stages.iter().enumerate().rev();
     let results = RESULTS.iter().filter_map(|(file, about)| {
         let (i, mut chart) = views.clone().find_map(|(i, (view, _))| Some((i, plot(view, file)?.0)))?;
@@ -39,17 +37,15 @@ pub(super) fn content(report: &Report) -> Markup {
         chart.notes.clear();
         for panel in &mut chart.panels {
             if let Scale::Fit { height: own, .. } = &mut panel.scale {
-                *own = own.min(height);
+                *own = own.min(HEIGHT);
             }
         }
         Some(figure_in_column(&chart, &format!("{}{about}", report.stage(i))))
     });
     html! {
         (stages(report))
-        div.pictures.small[is_full] {
-            @for i in &sections { (start(report, *i)) }
-            @for picture in results { (picture) }
-        }
+        div.pictures.{ "of-" (sections.len()) } { @for i in &sections { (start(report, *i)) } }
+        div.pictures { @for picture in results { (picture) } }
     }
 }
 

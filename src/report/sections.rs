@@ -85,11 +85,12 @@ pub(super) fn solver(report: &Report) -> Section {
             @if let Some(name) = report.stage(i).strip_suffix(": ") { p { "Stage " (name) } }
             (figures(summary, Group::Solution))
         }
+        p { "SHA-256 of the case, settings applied: " (sha256([&report.solution.case.text])) }
     };
     Section::new("Solver", content)
 }
 
-/// Case, its file and checksum, and the program.
+/// Case, its file, and the program.
 fn case(report: &Report) -> Markup {
     let case = &report.solution.case;
     let stages = case.stage_names().collect::<Vec<_>>().join(", ");
@@ -105,7 +106,6 @@ fn case(report: &Report) -> Markup {
         ("Stages", if case.later().is_empty() { String::new() } else { stages }),
         ("Run", ended),
         ("Program", PROGRAM.to_owned()),
-        ("SHA-256 of the case, settings applied", sha256([&case.text])),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value]))

@@ -23,7 +23,7 @@ fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
     assert_relative_eq!(value(&check, "holder pressure"), 10_000.0 / area, max_relative = 1e-9);
     let beta: f64 = 55.0 / 30.0;
     let siebel = 0.0025 * ((beta - 1.0).powi(2) + 0.3) * strength;
-    assert_relative_eq!(value(&check, "advised pressure"), siebel, max_relative = 1e-4);
+    assert_relative_eq!(value(&check, "least pressure"), siebel, max_relative = 1e-4);
     assert_relative_eq!(value(&check, "clearance"), 1.25);
     assert!(check.warnings.is_empty(), "{:?}", check.warnings);
 }

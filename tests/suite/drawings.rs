@@ -255,7 +255,7 @@ fn an_import_picks_material_friction_and_pressure_as_new_does() {
     for (tool, picked) in drawn.model().tools.iter().zip(&cup.model().tools) {
         assert_eq!(tool.friction, picked.friction);
     }
-    let more = check_value(&drawn, "holder pressure") - check_value(&drawn, "advised pressure");
+    let more = check_value(&drawn, "holder pressure") - check_value(&drawn, "least pressure");
     assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
     let (named, _) = imported(dir.path(), "ezdxf_lines_and_arcs.dxf", &["--material", "aa6016"]);
     assert!(named.model().forming_limit.is_some() && named.model().material != drawn.model().material);

@@ -64,7 +64,7 @@ async function sizesOfATemplateAreGiven(page) {
   const field = '#options [data-option="punch-radius"]';
   await setAndSettle(page, field, "45 mm");
   await isSolved(page, "a punch of 45 mm");
-  assert.match(await caseText(page), /Cup, punch diameter 90 mm/);
+  assert.match(await caseText(page), /Cup Ø 90 mm/);
   await setAndSettle(page, field, "45 parsec");
   assert.equal(await stateOf(page), "error");
   assert.match(await text(page, "#error"), /parsec/);

@@ -6,7 +6,7 @@ use crate::contact::friction::Friction;
 use crate::geometry::Piece;
 use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
-use crate::rules::LIMITING_RATIO;
+use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
 
 /// Number of arcs above which a die's entry is a curve.
@@ -22,7 +22,8 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
         number("clearance", Amount::drawn(clearance), over_t)
     }));
     lines.extend(estimate::draw_ratio(model).map(|ratio| {
-        let meaning = format!("blank over punch; about {LIMITING_RATIO} is the limit of one draw for mild steel");
+        let metal = Metal::of(&model.material);
+        let meaning = format!("blank over punch; {} is the limit of one draw for {}", metal.ratios[0], metal.name);
         number("draw ratio", Amount::ratio(ratio), meaning)
     }));
     lines.extend(model.beads.iter().map(|bead| of_bead(model, bead)));
@@ -80,6 +81,7 @@ fn corners(tool: &Tool, thickness: f64) -> String {
 fn pace(model: &Model) -> String {
     let speed = Amount::size(model.speed);
     match &model.schedule {
+        _ if model.stop.drawn_through => "at most: it ends when the rim is through the die".into(),
         _ if !model.timed => String::new(),
         None => format!("at {speed}/s"),
         Some(schedule) => {
@@ -113,8 +115,9 @@ pub(super) fn holder(model: &Model) -> Vec<Line> {
     let on = "on the initial area between holder and die's flat";
     lines.push(number("holder pressure", Amount::stress(pressure), on));
     lines.extend(estimate::siebel_pressure(model).map(|siebel| {
-        let rule = "by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
-        number("advised pressure", Amount::stress(siebel), format!("{rule}: {}", force(siebel * area)))
+        let rule =
+            "against wrinkles, by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
+        number("least pressure", Amount::stress(siebel), format!("{rule}: {}", force(siebel * area)))
     }));
     lines
 }

@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::measure::Ring;
-use crate::units::{Angle, As, Energy};
+use crate::units::{Angle, As, Energy, joined};
 use serde::{Deserializer, de::Error};
+use std::fmt;
 
 /// Rating of the press, as on its data sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -35,6 +36,8 @@ pub struct TitleBlock {
     pub number: Option<String>,
     /// Revision of the part or of its drawing.
     pub revision: Option<String>,
+    /// Customer of the part.
+    pub customer: Option<String>,
     /// Person responsible for the report.
     pub author: Option<String>,
     /// Company of the author.
@@ -55,8 +58,9 @@ fn text_or_date<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D:
 impl TitleBlock {
     /// Names and values of the given entries, in the order of a drawing's title block.
     pub fn entries(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        let names = ["Part", "Number", "Revision", "Author", "Company", "Date"];
-        let values = [&self.part, &self.number, &self.revision, &self.author, &self.company, &self.date];
+        let names = ["Part", "Number", "Revision", "Customer", "Author", "Company", "Date"];
+        let Self { part, number, revision, customer, author, company, date } = self;
+        let values = [part, number, revision, customer, author, company, date];
         let written = names.into_iter().zip(values).filter_map(|(name, value)| Some((name, value.as_deref()?.trim())));
         written.filter(|(_, value)| !value.is_empty())
     }
@@ -75,6 +79,20 @@ pub struct Finished {
     /// Diameter to which a flange is trimmed \[mm\].
     #[serde(with = "As::<Positive<Length>>")]
     pub flange_diameter: Option<f64>,
+}
+
+/// `80 mm high, Ø 50 mm inside`; empty if nothing is given.
+impl fmt::Display for Finished {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sizes = [
+            (self.height, "", "high"),
+            (self.diameter, "Ø ", "inside"),
+            (self.flange_diameter, "Ø ", "over the flange"),
+        ];
+        let sizes =
+            sizes.into_iter().filter_map(|(size, sign, of)| Some(format!("{sign}{} {of}", Amount::size(size?))));
+        f.write_str(&joined(sizes, ", "))
+    }
 }
 
 /// The part's tolerances on spring-back, for the verdict on a case whose last stage takes the tools away, and the split-ring
