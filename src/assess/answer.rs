@@ -211,7 +211,7 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
     let others = formed(stages).filter(|(other, _)| *other != i).map(|(other, on)| {
         let force = super::largest(on, |step| step.punch_force);
-        (force > 0.0).then(|| format!("{} in stage {}", amount(force), other + 1)).unwrap_or_default()
+        if force > 0.0 { format!("{} in stage {}", amount(force), other + 1) } else { String::new() }
     });
     let about = joined([at, joined(others, ", "), joined([press, with_holder.into(), reserve], " ")], "; ");
     Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
