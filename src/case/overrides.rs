@@ -58,10 +58,14 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
 }
 
 /// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
-/// tool.
+/// tool, `strength=1.05` that of the material.
 fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
-    let path = if path.trim() == "friction" { "tools.*.friction" } else { path };
+    let path = match path.trim() {
+        "friction" => "tools.*.friction",
+        "strength" => "material.strength",
+        _ => path,
+    };
     let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };
     let all = above.split('.').map(str::trim).try_fold(document.as_item(), |item, key| item.get(key));
     let tables = all.and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter());

@@ -48,8 +48,6 @@ struct Bend {
 /// Stretch between two bends, or a bend and the free edge.
 #[derive(Clone)]
 pub(super) struct Stretch {
-    /// Nodes without a tenth of the length at both ends.
-    pub(super) nodes: Range<usize>,
     /// Lengths from the axis to its ends \[mm\].
     pub(super) ends: [f64; 2],
     /// Sense of the bend at its inner end.
@@ -167,7 +165,7 @@ impl Meridian {
         let [from, to] = [ENDS, 1.0 - ENDS].map(|share| ends[0] + share * (ends[1] - ends[0]));
         let nodes = self.along.partition_point(|s| *s < from)..self.along.partition_point(|s| *s <= to);
         let is_long = nodes.len() >= 3 && to - from >= LEAST * self.thickness;
-        is_long.then_some(Stretch { nodes, ends, sense })
+        is_long.then_some(Stretch { ends, sense })
     }
 
     /// Point at a length from the axis \[mm\].
@@ -175,17 +173,6 @@ impl Meridian {
         let after = self.along.partition_point(|s| *s < along).clamp(1, self.along.len() - 1);
         let (from, to) = (self.along[after - 1], self.along[after]);
         self.points[after - 1] + (along - from) / (to - from) * (self.points[after] - self.points[after - 1])
-    }
-
-    /// Largest absolute curvature \[1/mm\].
-    pub(super) fn sharpest(&self) -> f64 {
-        self.curvature.iter().fold(0.0, |most, k| k.abs().max(most))
-    }
-
-    /// Node nearest to a length from the axis \[mm\].
-    pub(super) fn node_at(&self, along: f64) -> usize {
-        let distance = |i: &usize| (self.along[*i] - along).abs();
-        (0..self.along.len()).min_by(|i, j| distance(i).total_cmp(&distance(j))).unwrap_or(0)
     }
 }
 

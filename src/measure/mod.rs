@@ -35,18 +35,13 @@ pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURE
 
 use crate::solver::solution::{Frame, NodeRecord};
 use meridian::{ENDS, Meridian, Stretch as Between};
-use std::ops::Range;
 
 /// Largest sag of a straight leg over the thickness \[–\]: on 1 mm the thinnest leaf of a usual feeler gauge.
 const STRAIGHT: f64 = 0.05;
-/// Least curvature of a die radius over that of the sharpest bend \[–\].
-const SHARP: f64 = 0.1;
 
 /// Stretch of the sheet between bends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leg {
-    /// Measured nodes.
-    pub nodes: Range<usize>,
     /// Ends of the chord [r, z] \[mm\], the inner one first.
     pub line: [[f64; 2]; 2],
     /// Slope of the chord away from the axis, middle above edge \[rad\]: −π/2 for an upright wall.
@@ -75,7 +70,7 @@ pub struct Shape {
 }
 
 impl Leg {
-    fn of(meridian: &Meridian, Between { nodes, ends: [from, to], .. }: Between) -> Self {
+    fn of(meridian: &Meridian, Between { ends: [from, to], .. }: Between) -> Self {
         let at = |share: f64| meridian.point_at(from + share * (to - from));
         let direction = |from: f64, to: f64| {
             let by = at(to) - at(from);
@@ -92,7 +87,6 @@ impl Leg {
             curvature: 2.0 * (middle - inner).perp(&chord) / sides,
             length: chord.norm(),
             thickness: meridian.thickness,
-            nodes,
         }
     }
 
@@ -196,60 +190,4 @@ pub fn wall_at(frame: &Frame, height: f64) -> Option<[f64; 3]> {
 pub fn thickest(frame: &Frame) -> Option<(f64, f64)> {
     let thickest = frame.elements.iter().max_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     Some((thickest.thickness, thickest.s0))
-}
-
-/// Name of the place in the flange.
-pub const FLANGE: &str = "Flange";
-
-/// Named place of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// Name on plots.
-    pub name: &'static str,
-    /// Index of the element, from the axis outward.
-    pub element: usize,
-}
-
-/// Places from the axis outward: middle, punch radius, wall, die radius and flange where the sheet has them; else middle, half-way
-/// and edge. The radii are the places of the largest curvature inside and outside the wall.
-pub fn part_places(frame: &Frame) -> Vec<Place> {
-    let Some(meridian) = Meridian::of(frame) else { return Vec::new() };
-    let last = meridian.points.len() - 1;
-    let Shape { wall, flange, .. } = Shape::of(frame);
-    let middle = |leg: &Leg| {
-        let [from, to] = [leg.nodes.start, leg.nodes.end - 1].map(|node| meridian.along[node]);
-        meridian.node_at(0.5 * (from + to))
-    };
-    let sharpest = |nodes: Range<usize>, sense: f64| {
-        nodes.max_by(|i, j| (sense * meridian.curvature[*i]).total_cmp(&(sense * meridian.curvature[*j])))
-    };
-    let mut nodes = vec![("Middle", Some(0))];
-    if let Some(wall) = &wall {
-        nodes.push(("Punch radius", sharpest(0..wall.nodes.start, -1.0)));
-        nodes.push(("Wall", Some(middle(wall))));
-    }
-    if wall.is_some() || flange.is_some() {
-        let from = wall.as_ref().map_or(0, |wall| wall.nodes.end);
-        let to = flange.as_ref().map_or(last + 1, |flange| flange.nodes.start);
-        // Beyond the leg of a bent strip nothing brings the sheet back.
-        let sharp = |node: &usize| meridian.curvature[*node] > SHARP * meridian.sharpest();
-        nodes.push(("Die radius", sharpest(from..to, 1.0).filter(sharp)));
-    }
-    if let Some(flange) = &flange {
-        nodes.push((FLANGE, Some(middle(flange))));
-    }
-    if nodes.len() == 1 {
-        nodes.push(("Half-way", Some(meridian.node_at(0.5 * meridian.along[last]))));
-        nodes.push(("Edge", Some(last)));
-    }
-    let elements = frame.elements.len().min(last);
-    let mut found: Vec<Place> = Vec::new();
-    for (name, node) in nodes {
-        let Some((node, edge)) = node.zip(elements.checked_sub(1)) else { continue };
-        let element = node.min(edge);
-        if found.iter().all(|other| other.element != element) {
-            found.push(Place { name, element });
-        }
-    }
-    found
 }

@@ -2,8 +2,8 @@
 
 use super::StageView;
 use super::chart::{Chart, Panel, Series, Style};
-use crate::measure::{FLANGE, Place, part_places};
-use crate::plot::Axis;
+use crate::measure::{Band, bands};
+use crate::plot::axis::{Axis, capitalised};
 use crate::plot::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
 use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::Unit;
@@ -20,25 +20,22 @@ pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [Elem
     Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))
 }
 
-pub(crate) fn places_with_layers(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
-    let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
-    part_places(frame).into_iter().filter(has_layers).collect()
-}
-
 type StressOf = fn(&PointRecord) -> f64;
 
-/// Meridional and hoop stress over the place through the thickness; `None` without layers.
+/// Meridional and hoop stress through the thickness in the middle of each band of the part.
 pub fn plot(view: &StageView) -> Option<Chart> {
     let (frame, elements) = released(view)?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
-    let places = places_with_layers(frame, elements);
+    let bands = bands(view.stage).into_iter().map(|stretch| (stretch.band, stretch.elements));
+    let middles = bands.map(|(band, elements)| (band, elements.start + elements.len() / 2));
+    let places: Vec<(Band, usize)> = middles.filter(|(_, element)| *element < elements.len()).collect();
     places.first()?;
     let stresses: [(_, StressOf); 2] =
         [(STRESS_MERIDIONAL, |point| point.stress_meridional), (STRESS_HOOP, |point| point.stress_hoop)];
     let panels = stresses.into_iter().enumerate().map(|(n, (field, stress))| {
-        let curves = places.iter().enumerate().map(|(i, place)| {
-            let points = frame.through.elements().nth(place.element).unwrap_or_default();
-            let label = format!("{}, s0 = {}", place.name, Amount::place(elements[place.element].s0));
+        let curves = places.iter().enumerate().map(|(i, &(band, element))| {
+            let points = frame.through.elements().nth(element).unwrap_or_default();
+            let label = format!("{}, s0 = {}", capitalised(band.name()), Amount::place(elements[element].s0));
             Series {
                 label: Some(label).filter(|_| n == 0),
                 points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
@@ -48,7 +45,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
     });
     let points = format!("{} thickness points.", layers.len());
-    let flange = places.iter().any(|place| place.name == FLANGE);
+    let flange = places.iter().any(|(band, _)| *band == Band::Flange);
     let face = flange.then(|| "In the flange the punch's face is the holder's.".to_owned());
     Some(view.chart("stress through the thickness", panels.collect(), [Some(points), face].into_iter().flatten()))
 }

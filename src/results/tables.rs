@@ -8,7 +8,7 @@ use crate::model::{Extent, Geometry, Model, PressureCap, Role};
 use crate::plot::fields::element::*;
 use crate::plot::fields::step::*;
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
-use crate::plot::residual_stress::{PLACE, places_with_layers, released};
+use crate::plot::residual_stress::{PLACE, released};
 use crate::solver::solution::{ElementRecord, Frame, IterationRecord, PointRecord, StageSolution, StepRecord};
 use crate::solver::trace::IterationHistory;
 use crate::table::{Column, Field, JOULES, Table, Unit, worded};
@@ -135,8 +135,8 @@ pub fn profile(model: &Model, frames: &[Frame]) -> Table {
 /// Stress after release: one row per element and layer, from the axis outward and from the die's face to the punch's.
 pub(super) fn residual_stress(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
-    places_with_layers(frame, elements).first()?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
+    layers.first().and(elements.first())?;
     let points = &frame.through.points[..elements.len() * layers.len()];
     let of_elements = |field: Field<ElementRecord>| {
         let values = elements.iter().flat_map(|e| std::iter::repeat_n((field.value)(e), layers.len())).collect();

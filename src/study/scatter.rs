@@ -2,8 +2,8 @@
 //!
 //! The sample is a scrambled Sobol sequence. Wilson's intervals take its points as independent, which is on the safe side.
 
-use super::uncertain_variable::UncertainVariable;
 use super::*;
+use super::{uncertain_variable::UncertainVariable, variable::check_distinct};
 use crate::numerics::statistics::{rank_correlation, wilson};
 use sobol_burley::sample;
 
@@ -77,11 +77,7 @@ impl Scatter {
         let help = "give --vary \"KEY=DISTRIBUTION\", such as \"friction=uniform 0.05..0.12\"";
         ensure(!variables.is_empty(), "nothing of the case scatters", help)?;
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
-        for (i, one) in variables.iter().enumerate() {
-            if let Some(other) = variables[..i].iter().find(|o| one.conflicts_with(o) || o.conflicts_with(one)) {
-                return fail(format!("{} and {} set the same", other.variable.key, one.variable.key), "leave one out");
-            }
-        }
+        check_distinct(variables.iter().map(|uncertain| &uncertain.variable), "is given twice", "leave one out")?;
         let help = "give 8 to 4294967296, best a power of two";
         ensure((8..=MOST).contains(&runs), format!("{runs} runs"), help)?;
         for variable in &variables {

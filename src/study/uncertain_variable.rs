@@ -1,4 +1,4 @@
-//! Uncertain variables: a key of the case with a distribution, or the strength of its sheet.
+//! Uncertain variables: keys of the case with a distribution.
 //!
 //! ```text
 //! uniform LOW..HIGH UNIT                         alike likely from LOW to HIGH
@@ -12,8 +12,6 @@
 use super::variable::{NumberReader, split_number};
 use super::*;
 use crate::grade;
-use crate::material::chaboche;
-use crate::units::{Dimensioned, Stress};
 use statrs::distribution::{ContinuousCDF, Normal};
 use toml_edit::Value;
 
@@ -22,12 +20,12 @@ const HARDENING: &str = "material.hardening";
 const THICKNESS: &str = "blank.thickness";
 const TOLERANCE: &str = "tolerance";
 
-/// A key with a distribution, or [`STRENGTH`].
+/// A key with a distribution.
 #[derive(Clone, Debug)]
 pub(super) struct UncertainVariable {
     pub variable: Variable,
     distribution: Distribution,
-    /// The law that the strength scales, or that must be written into the case before one of its numbers can be changed.
+    /// The law that must be written into the case before one of its numbers can be changed.
     hardening: Option<Value>,
     /// Whether it takes nothing from the case.
     pub is_absolute: bool,
@@ -50,14 +48,13 @@ impl UncertainVariable {
             TOLERANCE if key == THICKNESS => tolerance(case)?,
             _ => (distribution.to_owned(), None),
         };
-        let is_strength = key == STRENGTH;
         let mut is_absolute = true;
         let own = || {
             is_absolute = false;
-            if is_strength { Some("1".to_owned()) } else { base.value(key) }
+            base.value(key).or_else(|| (key == STRENGTH).then(|| "1".to_owned()))
         };
         let (distribution, unit) = Distribution::read(key, &distribution, own)?;
-        let hardening = if is_strength { Some(scalable_law(case)?) } else { library_law(case, key) };
+        let hardening = library_law(case, key);
         is_absolute &= hardening.is_none();
         Ok(Self { variable: Variable::new(key, unit), distribution, hardening, is_absolute, source })
     }
@@ -69,21 +66,8 @@ impl UncertainVariable {
 
     /// The overrides that set a value.
     pub fn settings(&self, value: &str) -> Vec<String> {
-        let law = |law: &Value| format!("{HARDENING}={law}");
-        match &self.hardening {
-            Some(own) if self.variable.key == STRENGTH => {
-                let mut scaled = own.clone();
-                scale(&mut scaled, number(value).unwrap_or(1.0));
-                vec![law(&scaled)]
-            }
-            own => own.iter().map(law).chain([self.variable.setting(value)]).collect(),
-        }
-    }
-
-    /// Whether both set the same key.
-    pub fn conflicts_with(&self, other: &Self) -> bool {
-        let (own, other) = (&self.variable.key, &other.variable.key);
-        own == other || own == STRENGTH && other.starts_with(HARDENING)
+        let law = self.hardening.iter().map(|law| format!("{HARDENING}={law}"));
+        law.chain([self.variable.setting(value)]).collect()
     }
 }
 
@@ -103,34 +87,6 @@ fn library_law(case: &Case, key: &str) -> Option<Value> {
     let text = case.text.parse::<toml_edit::DocumentMut>();
     let is_own = text.is_ok_and(|text| text.get("material").and_then(|material| material.get("hardening")).is_some());
     case.hardening().filter(|_| !is_own && key.starts_with(HARDENING))
-}
-
-fn scalable_law(case: &Case) -> Result<Value, StudyError> {
-    let help = "vary the law's own numbers: \"material.hardening.swift.k=normal ± 5 %\"";
-    let law = match case.hardening() {
-        _ if chaboche::shifting(case.model().material.chaboche).is_some() => {
-            Err("the sheet has back-stresses, which are not of its hardening law")
-        }
-        None => Err("the case writes no hardening law"),
-        Some(law) if scale(&mut law.clone(), 1.0) == 0 => Err("the hardening law has no stresses in the case's text"),
-        Some(law) => Ok(law),
-    };
-    law.map_err(|what| StudyError::new(format!("{STRENGTH}: {what}"), help))
-}
-
-/// Multiplies all stresses in a value; returns how many there are.
-fn scale(value: &mut Value, factor: f64) -> usize {
-    match value {
-        Value::InlineTable(table) => table.iter_mut().map(|(_, value)| scale(value, factor)).sum(),
-        Value::Array(array) => array.iter_mut().map(|item| scale(item, factor)).sum(),
-        Value::String(text) => {
-            let is_stress = parse(text.value()).is_ok_and(|x| x.dimension == Stress::KIND.dimension());
-            let Some((number, unit)) = split_number(text.value()).filter(|_| is_stress) else { return 0 };
-            *value = format!("{} {unit}", significant(number * factor, 12)).into();
-            1
-        }
-        _ => 0,
-    }
 }
 
 /// Least probability between the limits of a normal distribution: less is a mistake in its numbers.

@@ -38,7 +38,7 @@ pub use stampflow::{
         hardening::{Extrapolation, Hollomon, Ludwik, Swift, Table},
         rate::PowerRate,
     },
-    measure::{CutRing, Ring, Shape, changes, part_height, part_places},
+    measure::{CutRing, Ring, Shape, changes, part_height},
     model::{
         Bead, Edge, Extent, Face, Friction, Gas, Geometry, Grading, Heat, HeatFlow, Iteration, Mode, Model, Motion,
         Press, Pressure, RateControl, Role, Settings, Theory, ThicknessRule, Tool, ToolHeat, mesh,
