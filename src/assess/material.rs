@@ -129,8 +129,7 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
 
 /// Placeholders that an import wrote, as long as the case says so.
 pub(super) fn placeholders(run: &Run) -> Option<Finding> {
-    let note = run.case.model().notes.iter().find_map(|note| note.split_once("placeholders, not in the drawing: "))?;
-    let text = format!("the case holds placeholders: {}", note.1);
+    let text = format!("the case holds placeholders: {}", run.case.model().placeholders()?);
     let judged = Finding::judged("placeholders", "Placeholders", text).light(Light::Amber).limit("none");
     Some(
         judged.advice("replace them and take the note out; the rest of the verdict is of what was guessed").source(OWN),

@@ -45,7 +45,9 @@ pub struct Imported {
     pub case: Option<Case>,
     /// Sizes of the tools, in words.
     pub size: String,
-    /// How the drawing was understood, what the case derives from it, and doubts.
+    /// Sizes that hardly fit a sheet: mostly a wrong unit.
+    pub doubts: Vec<String>,
+    /// Doubts, how the drawing was understood, and what the case derives from it.
     pub notes: Vec<String>,
     /// Axisymmetric or plane strain.
     pub geometry: Geometry,
@@ -60,21 +62,19 @@ impl Import {
             Some(name) => library::material(name).map_err(refused)?.material,
             None => mild_steel(),
         };
-        let given = [self.thickness, self.blank, self.travel];
+        let drawn = |i: usize| sections.blank.map(|sizes| sizes[i]);
+        let given = [self.thickness.or(drawn(2)), self.blank.or(drawn(1)), self.travel];
         let tools = DrawnTools::new(self.geometry, sections.first.tools.iter().collect(), given);
-        let (size, doubts) = (tools.size(), tools.doubts());
+        let (size, mut doubts) = (tools.size(), tools.doubts(sections.unit, self.thickness.is_none()));
         let text = self.text(drawing, &sections, &tools, &metal);
-        let case = case(&text, &drawing.display().to_string(), &tools).map_err(refused)?;
-        let mut notes = sections.notes.clone();
-        if let Some(case) = &case {
-            // A doubt of the drawing is the cause of those of the case.
-            if doubts.is_empty() {
-                notes.extend(size_doubts(case));
-            }
-            notes.extend(case.derived.iter().map(ToString::to_string));
+        let case = case(&text, &drawing.display().to_string(), &tools, &doubts).map_err(refused)?;
+        // A doubt of the drawing is the cause of those of the case.
+        if let (true, Some(case)) = (doubts.is_empty(), &case) {
+            doubts = size_doubts(case);
         }
-        notes.extend(doubts);
-        Ok(Imported { sections, text, case, size, notes, geometry: self.geometry })
+        let derived = case.iter().flat_map(|case| &case.derived).map(ToString::to_string);
+        let notes = doubts.iter().chain(&sections.notes).cloned().chain(derived).collect();
+        Ok(Imported { sections, text, case, size, doubts, notes, geometry: self.geometry })
     }
 
     fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
@@ -86,14 +86,16 @@ impl Import {
         let title: String = title.chars().filter(|c| !c.is_control()).take(150).collect();
         values.set("title", toml_edit::Value::from(title), "");
         values.set("geometry", format!("{:?}", self.geometry.key()), "");
+        let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
+        let blank_key = format!("blank (--set blank.{key})");
         let open = [
-            ("material", self.material.is_none()),
-            ("friction", true),
-            ("thickness", !thickness.is_given()),
-            ("blank", !blank.is_given()),
-            ("travel", travel.as_ref().is_some_and(|travel| !travel.is_given())),
-            ("holder pressure", first.tool(Role::Holder).is_some()),
-            ("ways and holder forces of the later stages", !sections.later.is_empty()),
+            ("material (--material)", self.material.is_none()),
+            ("friction (--set friction)", true),
+            ("thickness (--set blank.thickness)", !thickness.is_given()),
+            (&blank_key, !blank.is_given()),
+            ("travel (--set tools.punch.travel)", travel.as_ref().is_some_and(|travel| !travel.is_given())),
+            ("holder pressure (--set tools.holder.pressure)", first.tool(Role::Holder).is_some()),
+            ("travels and holder forces of the later stages (--set stages.0.punch.move)", !sections.later.is_empty()),
         ];
         let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();
         values.set("open", open.join(", "), "");
@@ -101,9 +103,11 @@ impl Import {
         if let Some(name) = sections.first.number.map(stage).or(name) {
             values.set("stage", format!("{name:?}"), "");
         }
-        let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
         let lengths = [(key, blank), ("thickness", thickness)].into_iter().chain(travel.iter().map(|t| ("travel", t)));
         lengths.for_each(|(key, length)| values.set(key, exact(length.value), &reason(length)));
+        if let Some(hole) = sections.blank.map(|[hole, ..]| hole).filter(|hole| *hole > 0.0) {
+            values.set("hole", exact(hole), "");
+        }
         match &self.material {
             Some(name) => values.set("name", format!("{name:?}"), "of the library: stampflow materials"),
             None => values.swift(Inputs::of_sheet().values(LAW)),
@@ -123,7 +127,7 @@ impl Import {
     }
 }
 
-fn case(text: &str, drawing: &str, tools: &DrawnTools) -> Result<Option<Case>, CaseError> {
+fn case(text: &str, drawing: &str, tools: &DrawnTools, doubts: &[String]) -> Result<Option<Case>, CaseError> {
     if tools.tool(Role::Die).is_none() {
         let what = "there is no die: nothing would draw the sheet over the punch";
         return Err(CaseError::bare(what.to_owned(), "name its layer with --layer NAME=die".to_owned()));
@@ -141,7 +145,7 @@ fn case(text: &str, drawing: &str, tools: &DrawnTools) -> Result<Option<Case>, C
                 is_here.then(|| format!("it is drawn in {}, r is x from the axis", section.made_of))
             }),
         };
-        let help = error.remedy().map(str::to_owned).into_iter().chain(place).chain(tools.doubts());
+        let help = error.remedy().map(str::to_owned).into_iter().chain(place).chain(doubts.iter().cloned());
         let what = format!("the case made from it is refused, and no file is written: {error}");
         CaseError::bare(what, help.collect::<Vec<_>>().join("; "))
     })

@@ -3,13 +3,11 @@
 use super::files::{remedy, visible};
 use super::schema::{example, is_index};
 use super::*;
-use crate::units::{self, QuantityError, did_you_mean};
+use crate::units::{self, QuantityError, did_you_mean, shortened};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::{io::ErrorKind, ops::Range, sync::Arc};
 use toml::de::Error;
 
-/// Longest quote in a message \[characters\].
-const LONGEST: usize = 300;
 /// Longest line of a file that is drawn \[bytes\].
 const LONGEST_LINE: usize = 250;
 
@@ -120,15 +118,6 @@ impl CaseError {
     }
 }
 
-/// Text with a gap in its middle where it is far too long for a message.
-pub(crate) fn shortened(text: &str) -> String {
-    let length = text.chars().count();
-    if length <= 2 * LONGEST {
-        return text.to_owned();
-    }
-    text.chars().take(LONGEST).chain(" … ".chars()).chain(text.chars().skip(length - LONGEST / 3)).collect()
-}
-
 pub(super) fn not_toml(error: &Error, text: &str, shown: Arc<NamedSource<String>>) -> CaseError {
     let span = error.span().unwrap_or(0..0);
     let what = error.message().lines().collect::<Vec<_>>().join("; ");
@@ -198,6 +187,9 @@ pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
         let joint = if what.starts_with("must ") { "" } else { ":" };
         let example = example(&path).filter(|_| help.is_empty() || help.starts_with("write for example"));
         let help = example.map_or_else(|| help.to_owned(), |line| format!("write for example {line}"));
+        let text = what.starts_with("invalid type: string").then(|| what.split('"').nth(1)).flatten();
+        let point = text.and_then(|text| units::parse(text).err()?.with_point);
+        let help = point.map_or(help, |point| format!("write {point}: the decimal sign is a point"));
         (format!("`{}`{joint} {}", last_name(&path), in_plain_words(what)), help)
     };
     source.error_at(span, what, if path.is_empty() { "here".into() } else { path }, help)

@@ -23,12 +23,9 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         let Some((key, tables)) = segments.split_last().filter(|_| segments.iter().all(|s| !s.is_empty())) else {
             return Err(fail("it names no key".into(), usage.into()));
         };
-        for optional in
-            ["solver", "output", "stop", "friction", "stage", "forming_limit", "press", "finished", "springback"]
-        {
-            if tables == [optional] && !document.contains_key(optional) {
-                document.insert(optional, Item::Table(Table::new()));
-            }
+        let optional = "solver output stop friction stage forming_limit press finished springback report";
+        for optional in optional.split(' ').filter(|optional| tables == [*optional]) {
+            document.entry(optional).or_insert(Item::Table(Table::new()));
         }
         let mut here = document.as_item_mut();
         for (depth, segment) in tables.iter().enumerate() {
@@ -43,7 +40,9 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
                 fail(format!("there is no table [{}]", tables[..=depth].join(".")), help)
             })?;
         }
-        let value = value.trim().parse::<Value>().unwrap_or_else(|_| Value::from(value.trim()));
+        // All of a title block is text, a number of a drawing too.
+        let read = value.trim().parse::<Value>().ok().filter(|read| tables != ["report"] || read.is_str());
+        let value = read.unwrap_or_else(|| Value::from(value.trim()));
         if let (&[MATERIAL], Some(name)) = (&segments[..], value.as_str()) {
             replace_material(&mut document, name);
             continue;

@@ -46,18 +46,13 @@ pub fn import(args: Args) -> Result<Code> {
     let out = out.unwrap_or_else(|| drawing.with_extension("toml"));
     let picture = out.with_extension("png");
     ensure!(out != picture, bad_path(&out, "would be both the case and its picture", "write -o NAME.toml"));
-    for path in [&out, &picture] {
-        place::free(path, force, std::slice::from_ref(&drawing), "-o")?;
-    }
+    let is_free = |path| place::free(path, force, std::slice::from_ref(&drawing), "-o");
+    is_free(&out).and_then(|()| is_free(&picture))?;
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
     let mut import = Import { options, geometry, material, thickness, blank, travel };
     let mut imported = import.read(&bytes, &drawing);
-    if let Err(error) = &imported
-        && error.help.contains("--unit")
-        && unit.is_none()
-        && !json
-        && stdin().is_terminal()
-    {
+    let can_ask = unit.is_none() && !json && stdin().is_terminal();
+    if let Some(error) = imported.as_ref().err().filter(|error| can_ask && error.help.contains("--unit")) {
         warn(format!("{}\nUnit of the drawing ({}):", error.what, DrawingUnit::ALL.join(", ")));
         let line = stdin().lines().next().transpose()?.unwrap_or_default();
         import.options.unit = Some(line.trim().parse().map_err(|help: String| bad_request(help))?);
@@ -66,27 +61,29 @@ pub fn import(args: Args) -> Result<Code> {
     let imported = imported.with_context(|| drawing.display().to_string())?;
     write(&out, imported.text.as_bytes()).map_err(unusable("-o"))?;
     write(&picture, &png(&imported.picture(&drawing))).map_err(unusable("-o"))?;
-    let Imported { sections: Sections { first, later, .. }, size, notes, .. } = imported;
+    let Imported { sections: Sections { first, later, .. }, size, case, doubts, notes, .. } = imported;
+    doubts.iter().filter(|_| !json).for_each(|doubt| warn(format!("warning: {doubt}")));
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();
     let stage = |stage: &Operation| json!({ "name": stage.name(), "tools": tools(&stage.tools) });
     let stages = json!({ "tools": tools(&first.tools), "later": later.iter().map(stage).collect::<Value>() });
     let value = with(json!({ "case": out, "picture": picture, "size": size, "notes": notes }), stages);
-    let has_punch = first.tool(Role::Punch).is_some();
     let printed = emit(json, value, || {
         let tools = first.tools.iter().chain(later.iter().flat_map(|later| &later.tools)).map(|tool| {
             let pieces = tool.profile.pieces().len();
             let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
             format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
         });
-        let notes = notes.iter().map(|note| format!("  - {note}\n"));
+        let notes = notes.iter().skip(doubts.len()).map(|note| format!("  - {note}\n"));
         let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
         let (out, picture) = (out.display(), picture.display());
-        let next = format!("\nchange the placeholders in the case, then: stampflow check {out}");
-        let next = if has_punch { next.as_str() } else { "" };
+        let next = |open| format!("\nplaceholders: {open}\nchange them in the case or so: stampflow check {out}");
+        let next = case.iter().find_map(|case| case.model().placeholders()).map_or_else(String::new, next);
         format!("{text}\n{out} and {picture} are written{next}").into()
     });
-    let what = "no punch is drawn, and the case cannot be run: add one to it, or import with --layer NAME=punch";
-    ensure!(has_punch, "{what}");
+    ensure!(
+        case.is_some(),
+        "no punch is drawn, and the case cannot be run: add one, or import with --layer NAME=punch"
+    );
     printed
 }

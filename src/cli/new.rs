@@ -64,6 +64,7 @@ pub fn command(verb: Command) -> Command {
         .subcommand_help_heading("Templates")
         .arg_required_else_help(true)
         .args_conflicts_with_subcommands(true)
+        .allow_external_subcommands(true)
         .disable_help_subcommand(true)
         .after_help(help("new"))
 }

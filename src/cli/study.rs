@@ -12,7 +12,7 @@ const MANY: u64 = 100_000;
 
 options! {
     StudyOptions {
-        out: Option<PathBuf> = "DIR" [long, alias = "output"] "Folder for the results [default: out/<file>-<verb>]",
+        out: Option<PathBuf> = "DIR" [long, alias = "output"] "Folder for the results [default: out/<file>-<verb>, of a search with its key or name]",
     } common: Common, threads: Threads, pictures: PictureOptions;
     TableOptions {
         file: PathBuf = "CASE.toml|STUDY.toml" [] "A case file; for sweep and scatter also a study file",
@@ -73,10 +73,12 @@ pub fn scatter(ScatterArgs { vary, runs, seed, options }: &ScatterArgs) -> Resul
 
 pub fn search(args: SearchArgs) -> Result<Code> {
     let SearchArgs { vary, goal, largest, smallest, condition, target, tolerance, options } = args;
+    let name = goal.iter().chain(&vary).find_map(|text| text.split('=').next()).unwrap_or_default();
+    let folder = format!("search-{}", name.trim().replace('*', "all"));
     let side = if largest { Some(Side::Largest) } else { smallest.then_some(Side::Smallest) };
     let base = BaseCase::load(&options.file, options.study.common.overrides.all())?;
     let mut search = LimitSearch::new(base, &SearchRequest { vary, goal, side, condition, target, tolerance })?;
-    options.run(&mut search, ["search"; 2], Shard::WHOLE, false)
+    options.run(&mut search, [&folder, "search"], Shard::WHOLE, false)
 }
 
 pub fn merge(MergeArgs { shards, out, restart }: &MergeArgs) -> Result<Code> {
@@ -109,7 +111,7 @@ impl TableOptions {
         let settings = Evaluation { threads: self.study.threads.count(), shard, watch: &watch };
         let mut table = TableFile::open(&path, self.resume, self.restart, &watch)?;
         let folder =
-            (shard == Shard::WHOLE).then(|| study_folder(verb, &dir)).transpose().map_err(unusable("--out"))?;
+            (shard == Shard::WHOLE).then(|| study_folder(name, &dir)).transpose().map_err(unusable("--out"))?;
         let runs = begin(study, &settings)?;
         if is_interrupted() {
             drop(watch);

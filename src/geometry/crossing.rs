@@ -94,7 +94,7 @@ pub(super) fn common(a: &Piece, b: &Piece) -> Vec<Point> {
     points
 }
 
-fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
+pub(super) fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
     match (a, b) {
         (Piece::Segment(s), Piece::Segment(t)) => {
             let (d, e) = (a.tangent(false), b.tangent(false));

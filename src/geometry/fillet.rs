@@ -1,6 +1,6 @@
 //! Corners rounded by an arc that is tangent to both sides.
 
-use super::{Arc, Piece, Point, crossing::common, turn};
+use super::{Arc, Piece, Point, crossing::carriers, crossing::common, turn};
 
 /// Turn below which a vertex has no corner \[rad\].
 const STRAIGHT: f64 = 1e-9;
@@ -50,6 +50,15 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     pieces.push(Piece::line(here, points[points.len() - 1]));
     pieces.retain(|piece| piece.length() > super::piece::SHORTEST);
     Ok(pieces)
+}
+
+/// Two lines and an arc between them, with another radius of the arc \[mm\]; `None` of other pieces, or without room.
+pub fn with_radius(pieces: &[Piece], radius: f64) -> Option<[Piece; 3]> {
+    let [before @ Piece::Segment(_), Piece::Arc(_), after @ Piece::Segment(_)] = pieces else { return None };
+    let corner =
+        carriers(before, after).into_iter().find(|at| (at - before.last()).dot(&before.tangent(true)) > 0.0)?;
+    let rounded = fillet(&[before.first(), corner, after.last()], &[0.0, radius, 0.0]).ok()?;
+    rounded.try_into().ok()
 }
 
 /// Arc that rounds the corner between two pieces; `None` without corner, radius or room.

@@ -15,7 +15,7 @@ mod rounding;
 mod shapes;
 
 pub use crossing::Fold;
-pub use fillet::{FilletTooLarge, fillet};
+pub use fillet::{FilletTooLarge, fillet, with_radius};
 pub use offset::{CavityError, OffsetError};
 pub(crate) use piece::Bounds;
 pub use piece::{Arc, Piece, Segment};

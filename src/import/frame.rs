@@ -3,7 +3,7 @@
 use super::options::{DrawingUnit, Options};
 use super::{ImportError, dxf::Drawing};
 use crate::geometry::Point;
-use crate::units::rounded;
+use crate::units::{rounded, significant};
 use std::cell::RefCell;
 
 /// Units of $INSUNITS, from 1: symbols of those of tools, names of others.
@@ -13,6 +13,8 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
 
 /// Largest size of tools whose header names another unit than mm \[mm\]; declared: most headers that are wrong say inch.
 const LARGEST: f64 = 500.0;
+/// Smallest size of tools \[mm\]; declared: less than the width of a dimple's punch.
+const SMALLEST: f64 = 0.5;
 
 impl DrawingUnit {
     /// Number in the header of a DXF file, $INSUNITS.
@@ -24,7 +26,7 @@ impl DrawingUnit {
 /// Unit and axis, which turn a drawing's coordinates into a section's, and notes of how the drawing is understood.
 #[derive(Clone)]
 pub(super) struct Frame {
-    unit: DrawingUnit,
+    pub unit: DrawingUnit,
     /// \[mm\]
     axis: f64,
     /// \[mm\]
@@ -47,11 +49,13 @@ impl Frame {
 
     /// Asks for the unit if that of the header makes the tools this wide \[mm\].
     pub fn check_unit(&self, options: &Options, widest: f64) -> Result<(), ImportError> {
-        if options.unit.is_some() || self.unit == DrawingUnit::MM || widest <= LARGEST {
+        let is_likely = options.unit.is_some() || self.unit == DrawingUnit::MM || widest <= LARGEST;
+        if is_likely && widest >= SMALLEST {
             return Ok(());
         }
-        let what = format!("the tools reach {widest:.0} mm from the axis if 1 drawing unit is 1 {}", self.unit.0);
-        let help = format!("say what it is drawn in: --unit mm, or --unit {} if the header is right", self.unit.0);
+        let widest = significant(widest, 3);
+        let what = format!("the tools reach {widest} mm from the axis if 1 drawing unit is 1 {}", self.unit.0);
+        let help = format!("say what it is drawn in, whatever its header says: --unit {}", DrawingUnit::ALL.join(", "));
         Err(ImportError::new(what, help))
     }
 

@@ -97,6 +97,10 @@ pub struct Sections {
     pub first: Operation,
     /// Later operations, by their numbers.
     pub later: Vec<Operation>,
+    /// Hole, edge and thickness of the blank \[mm\], where its layer is drawn.
+    pub blank: Option<[f64; 3]>,
+    /// Unit of the drawing.
+    pub unit: DrawingUnit,
     /// How the drawing was understood: unit, direction, halves, joints, omissions.
     pub notes: Vec<String>,
 }
@@ -106,7 +110,12 @@ pub struct Sections {
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let drawing = dxf::drawing(&dxf::decode(bytes)?)?;
     let frame = frame::Frame::new(&drawing, options)?;
-    let entities = blocks::exploded(&drawing)?;
+    let mut entities = blocks::exploded(&drawing)?;
+    let blank = stroke::blank(&entities, options, &frame);
+    if let Some([_, edge, thickness]) = blank {
+        entities.retain(|placed| !stroke::is_blank(placed));
+        frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
+    }
     let layers = layers::layers(&entities, options, &frame)?;
     let mut tools: Vec<ToolId> = layers.values().copied().collect();
     tools.sort_unstable();
@@ -117,6 +126,8 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     if strokes.is_empty() {
         return Err(layers::nothing_drawn(&layers));
     }
+    let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
+    frame.check_unit(options, pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;
     if options.axis.is_none() {
         axis::check(&strokes, &frame)?;
     }
@@ -137,7 +148,5 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
         let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
         return Err(ImportError::new(what, help));
     }
-    let ends = later.iter().flat_map(|operation| &operation.tools).flat_map(|tool| &tool.ends);
-    frame.check_unit(options, ends.map(|end| end.x).fold(0.0, f64::max))?;
-    Ok(Sections { first: later.remove(0), later, notes: frame.notes.into_inner() })
+    Ok(Sections { first: later.remove(0), later, blank, unit: frame.unit, notes: frame.notes.into_inner() })
 }

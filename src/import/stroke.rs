@@ -2,8 +2,8 @@
 
 use super::dxf::{MOST, Place};
 use super::layers::{Layers, ToolId, list};
-use super::{ImportError, blocks::Placed, chain::Chain, frame::Frame, spline};
-use crate::geometry::{Piece, Point};
+use super::{ImportError, blocks::Placed, chain::Chain, frame::Frame, options::Options, spline};
+use crate::geometry::{Bounds, Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
 use std::f64::consts::{PI, TAU};
 use std::{collections::BTreeMap, fmt};
@@ -13,6 +13,9 @@ const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER
 
 /// Largest distance of coinciding points \[mm\].
 const SHORTEST: f64 = 1e-7;
+
+/// Largest thickness of a drawn blank over its edge's distance from the axis \[–\].
+const THIN: f64 = 0.25;
 
 /// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
@@ -65,6 +68,20 @@ pub(super) fn strokes(
         strokes.push(Chain::stroke(pieces, source));
     }
     Ok(strokes)
+}
+
+pub(super) fn is_blank(placed: &Placed) -> bool {
+    !placed.source.on_paper && placed.source.layer.eq_ignore_ascii_case("blank")
+}
+
+/// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it; not if `--layer` names it.
+pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<[f64; 3]> {
+    let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case("blank"));
+    let curves = entities.iter().filter(|placed| is_free && is_blank(placed) && placed.entity.is_curve());
+    let pieces: Vec<Piece> = curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten().collect();
+    let Bounds { low, high } = Bounds::around(&pieces)?;
+    let [hole, edge, thickness] = [low.x.max(0.0), high.x, high.y - low.y].map(rounded);
+    (thickness > frame.join && thickness < THIN * edge).then_some([hole, edge, thickness])
 }
 
 struct Pen<'a> {

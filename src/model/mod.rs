@@ -80,6 +80,12 @@ pub struct Model {
 }
 
 impl Model {
+    /// Values that an import could not know, by the case's notes.
+    pub fn placeholders(&self) -> Option<&str> {
+        let split = |note| str::split_once(note, "placeholders, not in the drawing: ");
+        self.notes.iter().find_map(|note| split(note)).map(|(_, open)| open)
+    }
+
     /// Axisymmetric sheet by the flow law with default settings; the punch travels `travel` \[mm\] at 1 mm/s, and its end
     /// is kept.
     pub fn new(blank: Blank, material: Material, tools: Vec<Tool>, travel: f64) -> Self {

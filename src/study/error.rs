@@ -1,6 +1,7 @@
 //! Errors of a study, found before anything is run.
 
-use crate::case::{CaseError, shortened};
+use crate::case::CaseError;
+use crate::units::shortened;
 
 /// A study that cannot be run.
 #[derive(Debug, thiserror::Error)]

@@ -4,10 +4,10 @@ use crate::plot::Format;
 use crate::results::{IsOurs, ResultFolder, WriteError};
 use std::path::Path;
 
-/// Opens the folder for the results of a study by its verb: those of an earlier one are replaced, other files stay.
-pub fn study_folder(verb: &str, dir: &Path) -> Result<ResultFolder, WriteError> {
-    let is_ours: IsOurs = match verb {
-        "sweep" => |_, path| {
+/// Opens the folder for the results of a study by the name of its table: those of an earlier one are replaced, other files stay.
+pub fn study_folder(name: &str, dir: &Path) -> Result<ResultFolder, WriteError> {
+    let is_ours: IsOurs = match name {
+        "study" => |_, path| {
             let curves = "curves/load-#.csv curves/thickness-#.csv .study.csv.curves/load-#.csv .study.csv.curves/thickness-#.csv";
             is_one(path, "study.csv .study.csv.rows sensitivities.csv sweep.png") || is_one(path, curves)
         },

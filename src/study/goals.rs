@@ -111,7 +111,8 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     // The chord of a parabola lies above it: blanks between the ends have travel enough.
     let travels = ends.map(|blank| 2.0 * radius * (0.25 * ((blank / radius).powi(2) - 1.0) + BEYOND));
     let (blank, travel) = (range("blank.radius", ends, "mm"), range("tools.punch.travel", travels, "mm"));
-    let settings = vec!["stop.drawn_through=true".into(), "output.count=2".into()];
+    // No finished part, which the case may have, decides on a draw ratio.
+    let settings = ["stop.drawn_through=true", "output.count=2", "finished={}"].map(str::to_owned).to_vec();
     let holder = HolderRule::new(case, radius);
     let sound = "no tear and no wrinkles";
     Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), sound, Side::Largest) })
@@ -135,7 +136,9 @@ fn radius(model: &Model) -> Result<Goal, StudyError> {
     let (_, die) = punch_and_die(model)?;
     let shoulder = throat(die).map_or(0.0, |throat| shoulder_end(die) - throat);
     need(shoulder > 0.0, "a die with a `shoulder`")?;
-    Ok(Goal::keep(range("tools.die.shoulder", [0.15 * shoulder, 2.0 * shoulder], "mm"), "no red", Side::Smallest))
+    // A shell says nothing of a bend sharper than its thickness.
+    let ends = [model.blank.thickness.min(0.5 * shoulder), 2.0 * shoulder];
+    Ok(Goal::keep(range("tools.die.shoulder", ends, "mm"), "no red", Side::Smallest))
 }
 
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {

@@ -43,6 +43,9 @@ impl UncertainVariable {
     pub fn read(base: &BaseCase, case: &Case, text: &str) -> Result<Self, StudyError> {
         let help = "write KEY=DISTRIBUTION, such as \"friction=uniform 0.05..0.12\"";
         let wrong = || StudyError::new(format!("`{text}` gives no key a distribution"), help);
+        let is_coil = ["coil", "material.coil"].contains(&text.split('=').next().unwrap_or_default().trim());
+        let coil = "give one end with --coil, or scatter the strength: \"strength=uniform ± 8 %\"";
+        ensure(!is_coil, "a coil is strong or weak, and no number that scatters", coil)?;
         let (key, distribution) = split_pair(text).ok_or_else(wrong)?;
         let (distribution, source) = match distribution.trim() {
             TOLERANCE if key == THICKNESS => tolerance(case)?,

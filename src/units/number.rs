@@ -1,4 +1,7 @@
-//! Numbers as text, and the word that was probably meant.
+//! Numbers as text, long texts cut, and the word that was probably meant.
+
+/// Longest quote in a message \[characters\].
+const LONGEST: usize = 300;
 
 /// The value to nine significant digits: without binary noise at the end.
 pub fn rounded(value: f64) -> f64 {
@@ -26,6 +29,15 @@ pub fn without_zeros(text: &str) -> &str {
 /// Joins the parts that are not empty.
 pub fn joined(parts: impl IntoIterator<Item = String>, separator: &str) -> String {
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator)
+}
+
+/// Text with a gap in its middle where it is far too long for a message.
+pub(crate) fn shortened(text: &str) -> String {
+    let length = text.chars().count();
+    if length <= 2 * LONGEST {
+        return text.to_owned();
+    }
+    text.chars().take(LONGEST).chain(" … ".chars()).chain(text.chars().skip(length - LONGEST / 3)).collect()
 }
 
 /// The words closest to `word`, at most three: few edits, upper and lower case counted as half of one.

@@ -4,8 +4,9 @@ use super::dimension::{self, CELSIUS, Dimension, INCH, ZERO_CELSIUS};
 
 /// Symbol of sheet thicknesses: "6 t".
 const THICKNESSES: &str = "t";
-/// Metric tonnes-force, which a shop writes "100 t" too.
+/// Metric tonnes-force, and what a shop writes for them.
 const TONNES: &str = "tonf";
+const SHOP_TONNES: [&str; 5] = [THICKNESSES, "ton", "tons", "tonne", "tonnes"];
 
 /// Number in solver units, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +60,7 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         return Ok(whole(value + ZERO_CELSIUS, dimension::TEMPERATURE));
     }
     // Lengths in thicknesses of the sheet are replaced before they are read.
-    rest = if rest == THICKNESSES { TONNES } else { rest };
+    rest = if SHOP_TONNES.contains(&rest) { TONNES } else { rest };
     let mut parsed = Parsed { value, dimension: dimension::NONE, has_unit: !rest.is_empty() };
     while !rest.is_empty() {
         let malformed = |at: &str| {

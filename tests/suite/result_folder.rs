@@ -57,7 +57,7 @@ const VERBS: [[&str; 3]; 11] = [
     [
         "search cases/cup.toml -q --restart --vary friction=0.05..0.15/3 --largest --while punch_force<1MN",
         COARSE,
-        "out/cup-search",
+        "out/cup-search-friction",
     ],
     ["scatter cases/cup.toml -q --restart --runs 8 --vary friction=uniform\t0.05..0.12", COARSE, "out/cup-scatter"],
     ["fit cases/fit.toml -q", "--set blank.elements=20", "out/fit-fit"],

@@ -148,6 +148,7 @@ fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
         let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
         let (search, table) = search(base, &request).unwrap_or_else(|error| panic!("{error}"));
         assert!(table.runs.iter().all(|run| !run.red.contains(&"wrinkling".to_owned())), "{row}");
+        assert!(table.runs.iter().all(|run| !run.amber.contains(&"trim_allowance".to_owned())), "{row}");
         let notes = search.report(&table).notes;
         assert!(notes.iter().any(|note| note.contains("Siebel's rule")), "{row}: {notes:?}");
         let (Bracket::Between([radius, _]), ..) = search.result(&table) else { panic!("{row}: {notes:?}") };

@@ -30,7 +30,7 @@ fn units_convert_to_solver_units() {
         (value::<Force>("1e3 N"), 1000.0),
         (value::<Force>("100 t"), 980_665.0),
         (value::<Force>("1 tonf_us"), 2000.0 * pound),
-        (value::<Force>("1 tonf_uk"), 2240.0 * pound),
+        (value::<Force>("100 tonnes"), 980_665.0),
         (value::<LineForce>("1300 kN/m"), 1300.0),
         (value::<Stress>("5.4 tonf_uk/in^2"), 5.4 * 2240.0 * pound / 645.16),
         (value::<Stress>("1 tonf_uk/in²"), 2240.0 * pound / 645.16),

@@ -1,7 +1,6 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
-use crate::assess::size::WIDTHS;
-use crate::import::Section;
+use crate::import::{DrawingUnit, Section};
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::rules::Picked;
@@ -15,8 +14,8 @@ const THICKNESS: f64 = 1.0;
 const CLEARANCE: f64 = 1.25;
 /// Clearance over thickness above which thickness and unit are doubted [–].
 const WIDE: f64 = 3.0;
-/// Width of a drawing below which its unit is doubted \[mm\].
-const NARROW: f64 = 10.0;
+/// Widths of a drawing outside of which its unit is doubted \[mm\].
+const WIDTHS: RangeInclusive<f64> = 10.0..=1000.0;
 /// Placeholder thicknesses outside of which the unit is doubted \[mm\].
 const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
 /// Largest draw ratio of a placeholder blank [–].
@@ -86,16 +85,19 @@ impl<'a> DrawnTools<'a> {
     }
 
     /// Sizes that hardly fit a sheet and may come from a wrong unit.
-    pub fn doubts(&self) -> Vec<String> {
+    pub fn doubts(&self, unit: DrawingUnit, has_drawn_thickness: bool) -> Vec<String> {
         let (width, is_given, thickness) = (self.width(), self.thickness.is_given(), self.thickness.value);
         let (mut doubts, t) = (Vec::new(), trimmed(thickness, 3));
-        if !(NARROW..=*WIDTHS.end()).contains(&width) {
-            let width = trimmed(width, 3);
-            doubts.push(format!("the tools are {width} mm wide in all, which is odd for a stamping: check --unit"));
+        if !WIDTHS.contains(&width) {
+            let is_mm = unit == DrawingUnit::MM;
+            let (other, name) = if is_mm { (DrawingUnit::INCH, "inches") } else { (DrawingUnit::MM, "mm") };
+            let mm = width / unit.1 * other.1;
+            let other = WIDTHS.contains(&mm).then(|| format!("is it drawn in {name}, {mm:.0} mm wide? "));
+            let what = format!("the tools are {} mm wide in all, which is odd for a stamping", trimmed(width, 1));
+            doubts.push(format!("{what}: {}check --unit", other.unwrap_or_default()));
         }
-        if !is_given && !THICKNESSES.contains(&thickness) {
-            let what = format!("the gap between punch and die has room for a sheet of {t} mm, which is odd");
-            doubts.push(format!("{what}: check --unit and --thickness"));
+        if has_drawn_thickness && !THICKNESSES.contains(&thickness) {
+            doubts.push(format!("a sheet of {t} mm fits the drawing, which is odd: check --unit and --thickness"));
         }
         if let Some(clearance) = self.clearance().filter(|clearance| *clearance > WIDE * thickness) {
             let (gap, times) = (trimmed(clearance, 3), clearance / thickness);

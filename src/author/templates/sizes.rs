@@ -20,7 +20,7 @@ impl Values {
     /// Sets a holder that presses on a flat from the end of the shoulder to the edge \[mm\], by a pressure \[MPa\].
     pub fn holder(&mut self, geometry: Geometry, [end, edge]: [f64; 2], pressure: &Picked) -> Result<(), CaseError> {
         let what = || {
-            let [end, edge] = [end, edge].map(plain);
+            let [end, edge] = [end, edge].map(|length| plain(significant(length, 4)));
             format!(
                 "the blank ends at {edge}, where the die's shoulder still bends it (up to {end}): there is nothing to hold"
             )
@@ -91,7 +91,7 @@ pub(super) fn draw_ratio(
     let most = tenths.take_while(|height| ratio(*height) <= limit).last();
     let help = most.map_or(or.to_owned(), |most| format!("--height of {} or less; or {or}", plain(most)));
     let what = || {
-        let [blank, punch] = [blank_for(height), punch].map(plain);
+        let [blank, punch] = [blank_for(height), punch].map(|length| plain(significant(length, 4)));
         let limit = rounded(limit);
         format!("a blank of {blank} radius for a punch of {punch} is a draw ratio of {wanted:.2}, above {limit}, {of}")
     };
@@ -108,8 +108,11 @@ pub(super) fn newtons(force: f64) -> String {
 
 pub(super) fn nose(inputs: &Inputs, sheet: &Sheet, punch: f64) -> Result<Picked, CaseError> {
     let nose = inputs.pick("nose", || rules::tool_radius(sheet.thickness));
-    let what = || format!("a nose radius of {} does not fit a punch of {}", plain(nose.value), plain(punch));
-    ensure(nose.value <= punch, what, "make --nose smaller (it is 6 thicknesses when not given) or the punch larger")?;
+    let [nose_radius, thickness, punch_radius] = [nose.value, sheet.thickness, punch].map(plain);
+    let what =
+        || format!("a nose radius of {nose_radius} does not fit a punch of {punch_radius}, sheet of {thickness}");
+    let help = "make --nose or --thickness smaller (a nose is 6 thicknesses when not given), or the punch larger";
+    ensure(nose.value <= punch, what, help)?;
     Ok(nose)
 }
 

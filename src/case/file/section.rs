@@ -2,7 +2,7 @@
 
 use super::*;
 use super::{counter::Counter, points::Points};
-use crate::geometry::{Arc, Fold};
+use crate::geometry::{Arc, Fold, with_radius};
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.01;
@@ -55,7 +55,7 @@ pub struct SectionTable {
 /// One step of a drawn section: `from` first, then `to` for straight lines, `arc_to` with `center` and `turn` for arcs.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] }))]
+#[schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"], "radius": ["arc_to"] }))]
 pub struct ProfileStep {
     /// First point: [r, z].
     from: Option<[Length; 2]>,
@@ -67,6 +67,8 @@ pub struct ProfileStep {
     center: Option<[Length; 2]>,
     /// Sense of the arc as one goes along it.
     turn: Option<Turn>,
+    /// Another radius of an arc between two lines, which stay and meet it: for `--set` and studies.
+    radius: Option<Positive<Length>>,
 }
 
 /// Sense of an arc as one goes along it, r to the right and z upward.
@@ -129,7 +131,7 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, 
     let mut start = None;
     for (i, step) in steps.iter().enumerate() {
         let fail = |what: &str, help: &str| Err(source.error(&format!("{path}.{i}"), what, help));
-        let ProfileStep { from, to, arc_to, center, turn } = *step;
+        let ProfileStep { from, to, arc_to, center, turn, .. } = *step;
         let end = match (i, from, to, arc_to) {
             (0, Some(first), None, None) => point(first),
             (0, ..) => return fail("a profile begins with its first point", "write { from = [\"0 mm\", \"0 mm\"] }"),
@@ -163,6 +165,12 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, 
             return fail(&what, "check `turn`: it is seen with z upward; plots draw z downward");
         }
         pieces.push(Piece::Arc(arc));
+    }
+    for (i, radius) in steps.iter().enumerate().filter_map(|(i, step)| Some((i, step.radius?.value()))) {
+        let (what, help) = ("a `radius` is of an arc between two lines with room for it", "make it smaller");
+        let around = i.checked_sub(2).and_then(|before| pieces.get(before..=i));
+        let rounded = around.and_then(|around| with_radius(around, radius));
+        pieces.splice(i - 2..=i, rounded.ok_or_else(|| source.error(&format!("{path}.{i}.radius"), what, help))?);
     }
     Profile::new(pieces).map_err(|error| source.error(path, format!("profile: {error}"), "add steps"))
 }
