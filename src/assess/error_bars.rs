@@ -166,8 +166,19 @@ impl ErrorBars {
                 }
                 finding.light = finding.light.max(Light::Amber);
             }
+            finding.advice = joined([self.refinement(finding), std::mem::take(&mut finding.advice)], "; ");
         }
         findings
+    }
+
+    /// Refinement that a spring-back wants whose bar is wider than its tolerance; else empty.
+    fn refinement(&self, finding: &Finding) -> String {
+        let tolerance = finding.limits().and_then(|limits| limits.red).filter(|_| finding.key == "springback");
+        let number = self.number(Origin::Verdict, finding.key).filter(|number| number.half() > tolerance);
+        let Some((number, _)) = number.zip(tolerance) else { return String::new() };
+        let what =
+            "the error bar is wider than the tolerance: refine blank.elements, blank.layers or numerics.max_step";
+        format!("{what} ({})", number.made_of())
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.

@@ -13,6 +13,9 @@ const NEAR: f64 = 0.8;
 /// tens of degrees.
 const BESIDE: f64 = 8.0;
 
+/// Further measures of the row: what Numisheet '93 has, and the flange.
+const MEASURES: [&str; 4] = ["bottom_to_wall", "wall_to_flange", "curl_radius", FLANGE_ANGLE.key];
+
 struct Judged<'a> {
     change: &'a Change,
     wanted: f64,
@@ -45,20 +48,40 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let Some(worst) = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used())) else {
         return unjudged(limits, &changes);
     };
-    // A longer travel does not turn a wall that lies against the punch's.
-    let advice = match wall {
-        Some(_) => {
-            "walls of punch and die that lean back by as much; or pull the wall straight by beads or a higher holder force"
-        }
-        None => "over-bend: `stampflow search --for over-bend`",
-    };
-    Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text), "; "))
+    let is_judged = |change: &&Change| judged.iter().any(|one| one.change.quantity.key == change.quantity.key);
+    let others = MEASURES.iter().filter_map(|key| changes.iter().find(|change| change.quantity.key == *key));
+    let others = others.filter(|change| !is_judged(change));
+    let others = others.map(|change| format!("{} {change}", change.quantity.label));
+    Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text).chain(others), "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .limit(joined(judged.iter().map(Judged::limit), "; "))
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(advice)
+        .advice(advice(run, worst, wall))
         .into()
+}
+
+/// Over-bend of the tools by one step of a fixed point, their angle less the error; and a search by runs.
+fn advice(run: &Run, worst: &Judged, wall: Option<f64>) -> String {
+    let (is_held, key) = (run.case.model().tool(Role::Holder).is_some(), worst.change.quantity.key);
+    let about = if is_held { "pull the wall straight by a bead" } else { "over-bend by runs" };
+    let search = format!("{about}: `stampflow search {} --for over-bend`", run.case.path.display());
+    let walls = if key == OPENING_ANGLE.key { 2.0 } else { 1.0 };
+    let [tools, back] = [worst.change.before.unwrap_or_default(), worst.missed].map(|both| both / walls);
+    let angle = |degrees: f64| Amount::new(degrees, Unit::Degree, Digits::Decimals(1));
+    let step = "one step, not a run: the tools' angle less the error";
+    match wall {
+        _ if ![OPENING_ANGLE.key, WALL_ANGLE.key].contains(&key) => search,
+        None => format!("over-bend to {} under the tools ({step}); or {search}", angle(walls * (tools - back))),
+        Some(wall) => {
+            let cam = if wall < back { ", past upright, so by a cam" } else { "" };
+            let fixed = if worst.of_punch { "; first write the part's own [springback] angle" } else { "" };
+            let [back, to] = [back, 90.0 + wall - back].map(angle);
+            let lean = format!("lean punch and die walls back by {back}, to {to} from the bottom{cam} ({step}){fixed}");
+            // A longer travel does not turn a wall that lies against the punch's.
+            if is_held { joined([search, lean], "; or ") } else { lean }
+        }
+    }
 }
 
 fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {

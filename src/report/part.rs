@@ -31,7 +31,7 @@ const HEIGHT: f64 = 330.0;
 pub(super) fn content(report: &Report) -> Markup {
     let sections: Vec<usize> = with_new_tools(report).take(SECTIONS).collect();
     let views = report.stages.iter().enumerate().rev();
-    let results = RESULTS.iter().filter_map(|(file, about)| {
+    let picture = |(file, about): &(&str, &str)| {
         let (i, mut chart) = views.clone().find_map(|(i, (view, _))| Some((i, plot(view, file)?.0)))?;
         chart.panels.truncate(1);
         chart.notes.clear();
@@ -41,11 +41,15 @@ pub(super) fn content(report: &Report) -> Markup {
             }
         }
         Some(figure_in_column(&chart, &format!("{}{about}", report.stage(i))))
-    });
+    };
+    let released = picture(&("springback.png", "spring-back"));
     html! {
         (stages(report))
-        div.pictures.{ "of-" (sections.len()) } { @for i in &sections { (start(report, *i)) } }
-        div.pictures { @for picture in results { (picture) } }
+        div.pictures.{ "of-" (sections.len() + usize::from(released.is_some())) } {
+            @for i in &sections { (start(report, *i)) }
+            @if let Some(picture) = released { (picture) }
+        }
+        div.pictures { @for picture in RESULTS.iter().filter_map(picture) { (picture) } }
     }
 }
 

@@ -15,6 +15,8 @@ pub(super) struct Goal {
     pub condition: Option<&'static str>,
     /// Quantity whose value the user gives.
     pub quantity: Option<&'static str>,
+    /// Target by the case itself.
+    pub wanted: Option<String>,
     pub side: Option<Side>,
     pub holder: Option<HolderRule>,
 }
@@ -71,8 +73,10 @@ const RATIOS: [f64; 2] = [1.2, 3.0];
 const BEYOND: f64 = 0.3;
 /// Least blank radius over the outer end of the die shoulder \[–\].
 const FLANGE: f64 = 1.02;
-/// Largest bead force over the sheet's strength \[–\].
-const RESTRAINT: f64 = 0.5;
+/// Largest bead force over the sheet's strength \[–\]: a wall yields under it.
+const RESTRAINT: f64 = 0.8;
+/// Distance of a new bead from the die's shoulder over the thickness \[–\]: declared.
+const BEAD: f64 = 5.0;
 
 impl Goal {
     /// The request of a named goal for a case.
@@ -141,16 +145,32 @@ fn radius(model: &Model) -> Result<Goal, StudyError> {
     Ok(Goal::keep(range("tools.die.shoulder", ends, "mm"), "no red", Side::Smallest))
 }
 
+/// Travel that bends legs in air to the wanted angle of the case; of a wall drawn under a holder the bead that pulls it into
+/// 80 % of its tolerance, in the flange where the case has none.
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let is_released = case.stages.last().is_some_and(|stage| stage.model.release.is_some());
     need(is_released, "a stage that takes the tools away: [[stages]] with release = true")?;
-    Ok(Goal::reach(travels(case.model(), [0.6, 1.3])?, "opening_angle"))
+    let (model, limits) = (case.model(), &case.springback);
+    let Some(held) = held_from(model) else {
+        let wanted = limits.angle.map(|angle| format!("opening_angle={angle} deg"));
+        return Ok(Goal { wanted, ..Goal::reach(travels(model, [0.6, 1.3])?, "opening_angle") });
+    };
+    let tolerance = limits.wall_tolerance.or(limits.tolerance.map(|both| 0.5 * both)).unwrap_or_default();
+    let wanted = limits.angle.map(|angle| format!("wall_angle={} deg", 0.5 * angle + 0.8 * tolerance));
+    let at = significant(held + BEAD * model.blank.thickness, 4);
+    let bead = format!("tools.beads=[{{at=\"{at} mm\", restraining=\"0 N/mm\"}}]");
+    let settings = if model.beads.is_empty() { vec![bead] } else { Vec::new() };
+    Ok(Goal { settings, wanted, ..Goal::reach(restraints(model), "wall_angle") })
 }
 
 fn bead_force(model: &Model) -> Result<Goal, StudyError> {
     need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
+    Ok(Goal::reach(restraints(model), "draw_in"))
+}
+
+fn restraints(model: &Model) -> String {
     let largest = RESTRAINT * flange_strength(model) * model.blank.thickness;
-    Ok(Goal::reach(range("tools.beads.0.restraining", [0.0, largest], "N/mm"), "draw_in"))
+    range("tools.beads.0.restraining", [0.0, largest], "N/mm")
 }
 
 fn one_stage(case: &Case) -> Result<&Model, StudyError> {

@@ -57,6 +57,8 @@ impl LimitSearch {
             variables.iter_mut().for_each(|(_, range)| range.ends.reverse());
         }
         check_distinct(variables.iter().map(|(variable, _)| variable), "is varied twice", "give each key once")?;
+        let target = request.target.clone().or(goal.wanted.clone().filter(|_| request.condition.is_none()));
+        let request = &SearchRequest { target, ..request.clone() };
         let aim = aim(request, &goal)?;
         let is_limit = request.target.is_none();
         let side = request.side.or(goal.side).or((!is_limit).then_some(Side::Smallest));

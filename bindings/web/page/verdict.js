@@ -9,7 +9,7 @@ const NOT_SOLVED = "without `--no-advice` it is solved with less and more";
 const OURS = [
   [NOT_SOLVED, "move the slider Friction down and up, and look at what changes", "friction"],
   [NOT_SOLVED, "only the command line solves it, with half the hardening beyond: download the case and run it there", "hardening_range"],
-  ["`stampflow search --for over-bend`", "give the tools a sharper angle, and look at the next result"],
+  [/`stampflow search [^`]*`/, "change it, and look at the next result"],
   ["--material NAME", "choose it under Sheet"],
   ["(strain_paths.csv of `run`)", "(chart Forming limit)"],
 ];
