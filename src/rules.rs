@@ -171,9 +171,10 @@ pub fn blank_of(area: f64) -> f64 {
     (area / PI).sqrt()
 }
 
-/// Travel at which the rim of a cup of this height with its trim stands two thicknesses behind the die's shoulder.
+/// Travel at which the rim of a cup of this height with its trim stands a shoulder's radius and two thicknesses behind the
+/// die's shoulder: with larger radii it gets through too.
 pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
-    Picked::by(height + shoulder + 2.0 * thickness, "until the rim is through the die's shoulder: no flange is left")
+    Picked::by(height + 2.0 * (shoulder + thickness), "at most: it ends when the rim is through the die's shoulder")
 }
 
 /// Holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: the largest of three.

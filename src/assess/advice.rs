@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 const MOST: usize = 3;
 
 /// Least gain of a number that is worth a change \[–\]: declared.
-const WORTH: f64 = 0.1;
+const WORTH: f64 = 0.05;
 
 /// Rows that no change of a size moves: input that is missing, and the solution itself.
 pub(super) const NO_DESIGN: [&str; 4] = ["friction", "hardening_range", "yield_condition", "solution_quality"];
@@ -75,11 +75,15 @@ fn score(findings: &[Finding]) -> (Light, usize, usize) {
     (lights().max().unwrap_or(Light::Grey), count(Light::Red), count(Light::Amber))
 }
 
-/// Gain of a row in another verdict: lights, and less than one for its number alone; `None` if it is not worth a change.
+/// Gain of a row in another verdict: lights, and less than one for the number alone of a part that is not refused; `None` if
+/// it is not worth a change.
 fn gain(row: &Finding, others: &[Finding]) -> Option<f64> {
     let new = judgements(others).find(|new| new.key == row.key).filter(|new| new.light > Light::Grey)?;
     if new.light != row.light {
         return (new.light < row.light).then(|| (row.light as usize - new.light as usize) as f64);
+    }
+    if row.light == Light::Red {
+        return None;
     }
     let (from, to) = (row.value()?, new.value()?);
     let by = if row.limits()?.sense == Sense::AtMost { from - to } else { to - from } / from.abs();

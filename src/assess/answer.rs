@@ -152,7 +152,7 @@ impl FailureMode {
 /// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, draw-in, opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let end = stages.last().and_then(|stage| stage.steps.last());
-    let height = stages.last().and_then(|stage| part_height(stage.frames.last()?));
+    let height = stages.last().filter(|_| !is_torn).and_then(|stage| part_height(stage.frames.last()?));
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages),

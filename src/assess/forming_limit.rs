@@ -62,16 +62,19 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         return Some(unjudged(&name, open, &place(run.stages, open.s0)));
     }
     let worst = assessment.worst();
-    let (at, margin) = (place(run.stages, worst.s0), Amount::ratio(worst.margin().abs()));
-    let side = if worst.margin() < 0.0 { "beyond it" } else { "left" };
-    let uses = format!("uses {{}} of the limit; {at}, {margin} of major true strain {side}");
-    let reached = assessment.reached.map_or_else(String::new, |reached| {
-        let when = match stage.model.travel > 0.0 {
-            true => format!("{} of travel", Amount::place(reached.travel)),
-            false => Amount::time(reached.time).to_string(),
-        };
-        format!("first reached at {when}, {}", place(run.stages, reached.s0))
-    });
+    let text = match assessment.reached {
+        None => {
+            let (at, margin) = (place(run.stages, worst.s0), Amount::ratio(worst.margin().abs()));
+            format!("uses {{}} of the limit; {at}, {margin} of major true strain left")
+        }
+        Some(reached) => {
+            let when = match stage.model.travel > 0.0 {
+                true => format!("{} of travel", Amount::place(reached.travel)),
+                false => Amount::time(reached.time).to_string(),
+            };
+            format!("uses {{}} of the limit; first reached at {when}, {}", place(run.stages, reached.s0))
+        }
+    };
     // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let faces = Amount::ratio((1.0 + 0.5 * bend).ln());
@@ -80,7 +83,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     } else {
         String::new()
     };
-    let judged = judged(joined([uses, reached, faces], "; ")).number(Amount::share(worst.ratio()));
+    let judged = judged(joined([text, faces], "; ")).number(Amount::share(worst.ratio()));
     let judged = judged.at_most(100.0 * CAREFUL, 100.0);
     let light = match assessment.reached {
         Some(_) => Light::Red,

@@ -72,11 +72,16 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     })?;
     let stage = &run.stages[i];
     let model = &stage.model;
+    // What comes after a tear is another sheet.
+    let (step, lead) = match stage.steps.iter().find(|step| step.tearing_index > TEARING[1]) {
+        Some(first) => (first, "it tears "),
+        None => (step, ""),
+    };
     let [carries, bears] = step.tearing_forces.map(|force| Amount::force(force, Unit::NPerMm));
     let place = on_part(stage, step.tearing_s0);
     let instant =
         if model.travel > 0.0 { format!(", after {} of travel", Amount::place(step.travel)) } else { String::new() };
-    let text = format!("{{}} of what it bears; {place}{instant}: {carries} of {bears}");
+    let text = format!("{{}} of what it bears; {lead}{place}{instant}: {carries} of {bears}");
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
     (index > 0.0).then(|| {
@@ -84,6 +89,7 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
             .number(Amount::share(index))
             .at_most(near, tears)
             .source("Considère in plane strain, bent over the punch; 90 %: declared")
+            .advice("one draw more, larger radii, or less friction of die and holder")
     })
 }
 

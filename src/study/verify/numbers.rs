@@ -10,6 +10,9 @@ use crate::numerics::interpolated;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, Digits, Quantity};
 
+/// Numbers that a neck decides once there is one.
+const OF_A_NECK: [&str; 4] = ["thinnest", "thinning", "forming_limit", "hardening_range"];
+
 /// Numbers, curves and end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
@@ -117,8 +120,10 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
     });
     let answer = answer.iter().filter(|number| !is_input(number.key));
     let answer = answer.map(|n| Number::new(Origin::Answer, Quantity::new(n.key, n.label, n.amount)));
-    let all = answer.chain(part).chain(judged);
-    all.filter(|number| number.quantity.amount.value.is_finite()).collect()
+    let is_torn = stages.iter().any(|stage| stage.neck.is_some());
+    let all = answer.chain(part).chain(judged).filter(|number| number.quantity.amount.value.is_finite());
+    let is_lost = |number: &Number| is_torn && OF_A_NECK.contains(&number.quantity.key);
+    all.map(|n| if is_lost(&n) { n.without_bar("in a neck it depends on the mesh") } else { n }).collect()
 }
 
 /// Force at half travel, places and travels, the largest thickness, and the angles that the part springs back to.
