@@ -1,6 +1,6 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
-use super::page::{Row, Section, figure, list, table, word};
+use super::page::{Row, Section, figure_in_column, list, table, word};
 use super::{PROGRAM, Report, results::figures};
 use crate::assess::error_bars::{Number, Origin};
 use crate::assess::{Finding, Kind, Light, check::Line, first_clause, judgements};
@@ -118,12 +118,25 @@ pub(super) fn versus(all: &SideBySide) -> Section {
         Cell::Light(light, _) => word(*light),
         cell => cell.to_string(),
     };
-    let rows: Vec<[String; 4]> = differences.rows.iter().map(|row| [0, 1, 2, 3].map(|i| text(&row[i]))).collect();
+    let legend = all.legend();
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    for cells in &differences.rows {
+        let [quantity, run, value, difference] = [0, 1, 2, 3].map(|i| text(&cells[i]));
+        if rows.last().is_none_or(|row| row[0] != quantity) {
+            rows.push([vec![quantity], vec!["–".to_owned(); legend.len()]].concat());
+        }
+        let column = legend.iter().position(|entry| entry.split(':').next() == Some(&run));
+        let cell = if difference.is_empty() { value } else { format!("{value} ({difference})") };
+        if let (Some(column), Some(row)) = (column, rows.last_mut()) {
+            row[1 + column] = cell;
+        }
+    }
+    let head = ["Quantity"].into_iter().chain(legend.iter().map(String::as_str)).collect::<Vec<_>>();
     let content = html! {
-        (list(&all.legend(), ""))
-        (table(&["Quantity", "Run", "Value", "Difference"], rows))
-        @for (_, about, chart) in all.charts() {
-            (figure(&Chart { title: String::new(), ..chart }, about))
+        (table(&head, rows.into_iter().map(|cells| Row { cells, ..Row::default() })))
+        p { "In parentheses the difference from the first." }
+        div.pictures {
+            @for (_, about, chart) in all.charts() { (figure_in_column(&Chart { title: String::new(), ..chart }, about)) }
         }
     };
     Section::new("Compared", content)
