@@ -86,31 +86,3 @@ pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
         .advice("give more time, travel or pressure")
         .into()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: nothing holds a punch back; the forces of the first draw's tools fade; the bend's gap is less than its sheet at the
-    /// end of its way.
-    #[test]
-    fn what_is_drawn_back_goes_all_the_way_and_what_bottoms_ends_as_closed() {
-        for (name, overrides, kind, is_remedied) in [
-            ("drawn_back", &[][..], StopKind::FullTravel, false),
-            ("redrawn", &[], StopKind::FullTravel, false),
-            ("w_bend", &["blank.elements=36", "tools.punch.travel=36.8 mm"], StopKind::ToolsClosed, true),
-            ("w_bend", &["solver.min_step=5e-4"], StopKind::ToolsClosed, false),
-        ] {
-            let path = format!("{}/tests/suite/stops/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-            let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-            let case = crate::case::load(path, &overrides).expect("sound");
-            let stages = crate::solver::solve(&case.stages, &mut ());
-            let (last, found) = (stages.last().expect("a stage"), super::super::after(&case, &stages));
-            let light = |key: &str| found.iter().find(|finding| finding.key == key).map(|finding| finding.light);
-            assert_eq!((last.stop.kind, light("remedied").is_some()), (kind, is_remedied), "{}", last.stop);
-            let deepest = last.steps.iter().map(|step| step.penetration).fold(0.0, f64::max);
-            assert_eq!(light("solution_quality") == Some(Light::Red), deepest > 0.1, "{deepest}");
-            assert!(last.largest_work() >= stages[0].largest_work());
-        }
-    }
-}

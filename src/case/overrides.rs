@@ -13,8 +13,7 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         return Ok(text.to_owned());
     }
     let Ok(mut document) = text.parse::<DocumentMut>() else { return Ok(text.to_owned()) };
-    for written in overrides.iter().flat_map(|written| spread(&document, written)).collect::<Vec<_>>() {
-        let written = &written;
+    for written in &overrides.iter().flat_map(|written| spread(&document, written)).collect::<Vec<_>>() {
         let fail = |what: String, help: String| CaseError::bare(format!("override `{written}`: {what}"), help);
         let usage = "write KEY=VALUE, such as tools.punch.friction=0.1 or blank.thickness=\"0.9 mm\"";
         let (path, value) =
@@ -138,8 +137,8 @@ impl Case {
     /// Its hardening law as a value that `material.hardening` may be set to; `None` where the text has none.
     pub fn hardening(&self) -> Option<Value> {
         let law = |text: &str| {
-            let case = text.parse::<toml::Table>().ok()?;
-            case.get("material")?.get("hardening")?.to_string().parse().ok()
+            let case = text.parse::<DocumentMut>().ok()?;
+            at(&case, "material.hardening")?.clone().into_value().ok()
         };
         law(&self.text).or_else(|| law(&self.sheet()?.text))
     }
@@ -147,9 +146,8 @@ impl Case {
     /// The sheet of the library that it names.
     pub fn sheet(&self) -> Option<library::Entry> {
         let document = self.text.parse::<DocumentMut>().ok()?;
-        let material = document.get("material")?;
-        let name = material.as_str().or_else(|| material.get("name")?.as_str())?;
-        library::material(name).ok()
+        let name = at(&document, MATERIAL).filter(|item| item.is_str()).or_else(|| at(&document, "material.name"))?;
+        library::material(name.as_str()?).ok()
     }
 }
 

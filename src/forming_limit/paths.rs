@@ -83,28 +83,3 @@ impl Paths {
         self.instants.last().is_some_and(|last| last.strains[element][1] > last.strains[element][0])
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: the same instants recorded without a way back.
-    #[test]
-    fn paths_taken_back_and_recorded_again_are_the_same() {
-        let instant = |i: usize| Instant { time: i as f64, travel: i as f64, strains: vec![[i as f64; 2]] };
-        let recorded = |mut paths: Paths, numbers: std::ops::Range<usize>| {
-            numbers.for_each(|i| paths.record(instant(i)));
-            paths
-        };
-        let begun = || Paths::starting(vec![0.5]);
-        for (all, count) in [(6, 1), (6, 5), (1999, 1990), (2100, 2001), (2100, 1900), (9000, 8100), (9000, 7900)] {
-            let whole = recorded(begun(), 0..all);
-            let mut cut = whole.clone();
-            cut.truncate(count, instant(count - 1));
-            let straight = recorded(begun(), 0..count);
-            assert!(cut.stride() != straight.stride() || cut == straight, "{all} {count}");
-            assert_eq!(cut.instants.last(), straight.instants.last());
-            assert_eq!(recorded(cut, count..all), whole, "{all} {count}");
-        }
-    }
-}

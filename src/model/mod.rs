@@ -166,19 +166,6 @@ impl Model {
         })
     }
 
-    /// Sets the punch travel \[mm\] at the same speed or schedule, extended at its last speed; keeps a frame at the end only.
-    pub fn drive_to(&mut self, travel: f64) {
-        self.travel = travel;
-        if let Some(schedule) = &mut self.schedule {
-            *schedule = schedule.up_to(travel);
-            self.duration = schedule.reaches(travel);
-            self.speed = travel / self.duration;
-        } else {
-            self.duration = travel / self.speed;
-        }
-        self.frames = vec![self.duration];
-    }
-
     /// Punch travel \[mm\] at a time of the run \[s\].
     pub fn travel_at(&self, time: f64) -> f64 {
         match &self.schedule {

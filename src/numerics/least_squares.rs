@@ -189,39 +189,3 @@ fn square(residuals: &[f64]) -> f64 {
     let sum: f64 = residuals.iter().map(|r| r * r).sum();
     if sum.is_finite() { sum } else { f64::INFINITY }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn minimum(parameters: &[Parameter], residuals: impl Fn(&[f64]) -> Vec<f64>) -> Minimum {
-        let mut all = |points: &[Vec<f64>]| points.iter().map(|point| Some(residuals(point))).collect();
-        minimise(parameters, &mut all, 200, 1e-12).expect("residuals")
-    }
-
-    fn parameter(start: f64, low: f64, high: f64) -> Parameter {
-        Parameter { start, low, high, step: 1e-6 }
-    }
-
-    /// Trust: Rosenbrock's valley has its minimum, 0, at (1, 1); with x ≤ 0.5 it lies at (0.5, 0.25).
-    #[test]
-    fn the_end_of_a_bent_valley_is_found_and_a_bound_is_kept() {
-        let valley = |x: &[f64]| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]];
-        for (high, expected, free) in [(5.0, [1.0, 1.0], [true, true]), (0.5, [0.5, 0.25], [false, true])] {
-            let found = minimum(&[parameter(-1.2, -5.0, high), parameter(1.0, -5.0, 5.0)], valley);
-            assert!(found.values.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-6), "{:?}", found.values);
-            assert_eq!((found.free, found.ended), (free.to_vec(), Ended::Found));
-        }
-    }
-
-    /// Trust: a straight line has its textbook variances: s²/Σ(x − x̄)² of the slope, and covariance −x̄ of it.
-    #[test]
-    fn the_covariance_of_a_line_is_that_of_textbooks() {
-        let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [1.1, 2.9, 5.2, 6.8, 9.1]);
-        let line = |p: &[f64]| x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect();
-        let found = minimum(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], line);
-        let covariance = found.covariance(found.variance()).expect("told apart");
-        let expected = found.variance() / 10.0;
-        assert!((covariance[(1, 1)] - expected).abs() < 1e-9 && (covariance[(0, 1)] + 2.0 * expected).abs() < 1e-9);
-    }
-}

@@ -46,15 +46,6 @@ impl PiecewiseLinear {
         line.map_or(0.0, |line| (line[1].1 - line[0].1) / (line[1].0 - line[0].0))
     }
 
-    /// Integral up to the place where the rising value comes to `value`, the last line extended as needed.
-    pub fn up_to(&self, value: f64) -> Self {
-        let kept = self.points.partition_point(|p| p.1 < value).min(self.points.len() - 1).max(1);
-        let mut points = self.points[..kept].to_vec();
-        let ((x0, v0), (x1, v1)) = (points[kept - 1], self.points[kept]);
-        points.push((x0 + (x1 - x0) * (value - v0) / (v1 - v0), value));
-        Self { points }
-    }
-
     /// Rising from 0 at 0 to its value at `x`, unchanged beyond.
     pub fn rising_to(&self, x: f64) -> Self {
         let beyond = self.points.iter().copied().filter(|p| p.0 > x);

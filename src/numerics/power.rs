@@ -54,19 +54,3 @@ impl Power {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    /// Trust: products and square roots are right to some round-offs, and so is the library's power.
-    #[test]
-    fn shortcuts_are_powers() {
-        for exponent in [2.0, 3.0, 4.0, 6.0, 6.5, 8.0, 16.0] {
-            let power = super::Power::new(exponent);
-            for x in [1e-8, 0.3, 1.0, 1.9_f64] {
-                approx::assert_relative_eq!(power.less_two(x), x.powf(exponent - 2.0), max_relative = 1e-14);
-                approx::assert_relative_eq!(power.root(x), x.powf(1.0 / exponent), max_relative = 1e-14);
-                approx::assert_relative_eq!(power.inverse_square(x), x.powf(-2.0 / exponent), max_relative = 1e-14);
-            }
-        }
-    }
-}

@@ -42,28 +42,3 @@ pub fn rank_correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     let deviations = (&x).population_std_dev() * (&y).population_std_dev();
     (deviations > 0.0).then(|| x.population_covariance(y) / deviations)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-
-    /// Trust: Wilson's interval of 3 of 20 in textbooks (0.0524, 0.3604); of none in n tries z²/(n + z²); ranks by hand.
-    #[test]
-    fn intervals_and_ranks_are_those_of_textbooks() {
-        let square = 1.959_964f64.powi(2);
-        for (hits, tries, low, high) in [(3, 20, 0.0524, 0.3604), (0, 100, 0.0, square / (100.0 + square))] {
-            let [_, from, to] = wilson(hits, tries).expect("tries");
-            assert_relative_eq!(from, low, max_relative = 2e-3);
-            assert_relative_eq!(to, high, max_relative = 2e-3);
-        }
-        let x = [1.0, 2.0, 3.0, f64::NAN];
-        for (y, expected) in
-            [([1.0, 8.0, 27.0, 0.0], 1.0), ([3.0, 2.0, 1.0, 9.0], -1.0), ([1.0, 1.0, 2.0, 9.0], 0.75f64.sqrt())]
-        {
-            assert_relative_eq!(rank_correlation(&x, &y).expect("varies"), expected, max_relative = 1e-12);
-        }
-        assert_eq!(rank_correlation(&x, &[1.0; 4]), None);
-        assert_eq!(quantile(&[1.0, 2.0, 3.0, 4.0], 0.5), 2.5);
-    }
-}

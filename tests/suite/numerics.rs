@@ -2,9 +2,11 @@
 
 use crate::common::prelude::*;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use stampflow::numerics::Grid;
 use stampflow::numerics::block_tridiagonal::{MAX_SHARED, System};
+use stampflow::numerics::least_squares::{Ended, Minimum, Parameter, minimise};
 use stampflow::numerics::quadrature::lobatto as rule;
+use stampflow::numerics::statistics::{quantile, rank_correlation, wilson};
+use stampflow::numerics::{Grid, Power};
 
 /// Trust: √2 to the last digits, from either side; a bracket is 2^−n of the first.
 #[test]
@@ -29,15 +31,12 @@ fn values_are_interpolated_and_held() {
 }
 
 #[test]
-fn a_rising_value_is_found_cut_and_drawn_out() {
+fn a_rising_value_is_found() {
     let history = PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 10.0), (3.0, 30.0)]).expect("rising");
     for (x, value) in [(0.0, 0.0), (1.0, 5.0), (2.0, 10.0), (2.5, 20.0), (3.0, 30.0)] {
         assert_eq!((history.at(x), history.reaches(value)), (value, x));
     }
     assert_eq!([0.0, 1.0, 2.0, 2.1, 3.0, 4.0].map(|x| history.slope_before(x)), [0.0, 5.0, 5.0, 20.0, 20.0, 0.0]);
-    assert_eq!(history.up_to(4.0).points(), [(0.0, 0.0), (0.8, 4.0)]);
-    assert_eq!(history.up_to(10.0).points(), [(0.0, 0.0), (2.0, 10.0)]);
-    assert_eq!(history.up_to(40.0).points(), [(0.0, 0.0), (2.0, 10.0), (3.5, 40.0)]);
 }
 
 /// Trust: by construction.
@@ -120,4 +119,67 @@ fn agrees_with_a_dense_solve() {
             assert!((s.corner_rhs[k] - exact[3 * n + k]).abs() < 1e-12);
         }
     }
+}
+
+/// Trust: products and square roots are right to some round-offs, and so is the library's power.
+#[test]
+fn shortcuts_are_powers() {
+    for exponent in [2.0, 3.0, 4.0, 6.0, 6.5, 8.0, 16.0] {
+        let power = Power::new(exponent);
+        for x in [1e-8, 0.3, 1.0, 1.9_f64] {
+            assert_relative_eq!(power.less_two(x), x.powf(exponent - 2.0), max_relative = 1e-14);
+            assert_relative_eq!(power.root(x), x.powf(1.0 / exponent), max_relative = 1e-14);
+            assert_relative_eq!(power.inverse_square(x), x.powf(-2.0 / exponent), max_relative = 1e-14);
+        }
+    }
+}
+
+/// Trust: Wilson's interval of 3 of 20 in textbooks (0.0524, 0.3604); of none in n tries z²/(n + z²); ranks by hand.
+#[test]
+fn intervals_and_ranks_are_those_of_textbooks() {
+    let square = 1.959_964f64.powi(2);
+    for (hits, tries, low, high) in [(3, 20, 0.0524, 0.3604), (0, 100, 0.0, square / (100.0 + square))] {
+        let [_, from, to] = wilson(hits, tries).expect("tries");
+        assert_relative_eq!(from, low, max_relative = 2e-3);
+        assert_relative_eq!(to, high, max_relative = 2e-3);
+    }
+    let x = [1.0, 2.0, 3.0, f64::NAN];
+    for (y, expected) in
+        [([1.0, 8.0, 27.0, 0.0], 1.0), ([3.0, 2.0, 1.0, 9.0], -1.0), ([1.0, 1.0, 2.0, 9.0], 0.75f64.sqrt())]
+    {
+        assert_relative_eq!(rank_correlation(&x, &y).expect("varies"), expected, max_relative = 1e-12);
+    }
+    assert_eq!(rank_correlation(&x, &[1.0; 4]), None);
+    assert_eq!(quantile(&[1.0, 2.0, 3.0, 4.0], 0.5), 2.5);
+}
+
+fn minimum(parameters: &[Parameter], residuals: impl Fn(&[f64]) -> Vec<f64>) -> Minimum {
+    let mut all = |points: &[Vec<f64>]| points.iter().map(|point| Some(residuals(point))).collect();
+    minimise(parameters, &mut all, 200, 1e-12).expect("residuals")
+}
+
+fn parameter(start: f64, low: f64, high: f64) -> Parameter {
+    Parameter { start, low, high, step: 1e-6 }
+}
+
+/// Trust: Rosenbrock's valley has its minimum, 0, at (1, 1); with x ≤ 0.5 it lies at (0.5, 0.25).
+#[test]
+fn the_end_of_a_bent_valley_is_found_and_a_bound_is_kept() {
+    let valley = |x: &[f64]| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]];
+    for (high, expected, free) in [(5.0, [1.0, 1.0], [true, true]), (0.5, [0.5, 0.25], [false, true])] {
+        let found = minimum(&[parameter(-1.2, -5.0, high), parameter(1.0, -5.0, 5.0)], valley);
+        assert!(found.values.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-6), "{:?}", found.values);
+        assert_eq!((found.free, found.ended), (free.to_vec(), Ended::Found));
+    }
+}
+
+/// Trust: a straight line has its textbook variances: s²/Σ(x − x̄)² of the slope, and covariance −x̄ of it.
+#[test]
+fn the_covariance_of_a_line_is_that_of_textbooks() {
+    let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [1.1, 2.9, 5.2, 6.8, 9.1]);
+    let line = |p: &[f64]| x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect();
+    let found = minimum(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], line);
+    let covariance = found.covariance(found.variance()).expect("told apart");
+    let expected = found.variance() / 10.0;
+    assert!((covariance[(1, 1)] - expected).abs() < 1e-9 && (covariance[(0, 1)] + 2.0 * expected).abs() < 1e-9);
 }

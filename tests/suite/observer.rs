@@ -2,7 +2,9 @@
 
 use crate::common::prelude::*;
 use stampflow::model::ContactMethod;
+use stampflow::plot::{Extra, FrameRecorder};
 use stampflow::solver::Observer;
+use stampflow::solver::trace::{TraceRequest, trace};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -31,7 +33,8 @@ static COUNTED: Counted = Counted;
 /// Quickstart's cup, a tenth of it.
 fn cup() -> Model {
     let mut model = shipped::shipped("quickstart", &[]);
-    model.drive_to(0.1 * model.travel);
+    let travel = 0.1 * model.travel;
+    drive_to(&mut model, travel);
     model
 }
 
@@ -114,4 +117,56 @@ fn an_interrupted_run_keeps_what_it_has_computed() {
     // In the middle of the fourth step, and of the first.
     check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: of_steps(3) + 2 }), 3);
     check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: 1 }), 0);
+}
+
+/// Records of a stage, and the number of restarts.
+struct Seen {
+    recorder: FrameRecorder,
+    steps: Vec<StepRecord>,
+    iterations: Vec<IterationRecord>,
+    states: Vec<f64>,
+    restarts: usize,
+}
+
+impl Observer for Seen {
+    fn step(&mut self, record: &StepRecord) {
+        self.steps.push(*record);
+    }
+    fn state(&mut self, model: &Model, state: &State) {
+        self.states.push(state.time);
+        self.recorder.state(model, state);
+    }
+    fn iteration(&mut self, iterate: &stampflow::solver::Iterate) {
+        self.iterations.push(iterate.record());
+    }
+    fn restart(&mut self, model: &Model, state: &State, step: usize) {
+        self.restarts += 1;
+        self.steps.truncate(step);
+        self.states.truncate(step + 1);
+        self.iterations.retain(|row| row.step <= step);
+        self.recorder.restart(model, state, step);
+    }
+}
+
+/// Trust: the results of the run; its last stretch is lost and taken with other settings.
+#[test]
+fn an_observer_sees_a_remedied_run_as_its_results_have_it() {
+    let overrides = ["blank.elements=36", "tools.punch.travel=36.8 mm"].map(str::to_owned);
+    let case = case::load("tests/suite/stops/w_bend.toml", &overrides).expect("sound");
+    let recorder = FrameRecorder::new(vec![Extra::Vtu]);
+    let mut seen = Seen { recorder, steps: vec![], iterations: vec![], states: vec![], restarts: 0 };
+    let run = &solver::solve(&case.stages, &mut seen)[0];
+    assert!(seen.restarts > 0 && seen.restarts == run.remedied.len());
+    assert_eq!(seen.steps, run.steps);
+    let times: Vec<f64> = run.steps.iter().map(|step| step.time).collect();
+    assert_eq!(seen.states[1..], times);
+    let frames: Vec<f64> = seen.recorder.of_stage(0, run).iter().map(|frame| frame.time).collect();
+    assert!(frames.is_sorted_by(|a, b| a < b) && frames[1..].iter().all(|time| times.contains(time)), "{frames:?}");
+    let of_step = |n: usize| seen.iterations.iter().filter(move |row| row.step == n);
+    assert!(run.steps.iter().all(|step| of_step(step.step).count() >= step.iterations));
+    let last = run.steps[run.steps.len() - 1];
+    let request = TraceRequest { stage: 1, step: last.step, matrices: vec![], tolerance: None };
+    let traced = trace(&case.stages, &request, &mut ()).expect("a step");
+    let end = traced.histories[0].end.as_ref().expect("equilibrium");
+    assert_eq!((traced.record, end.time), (last, last.time));
 }

@@ -140,3 +140,25 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     assert_eq!((short.stop.kind, judged.light), (StopKind::FullTravel, Light::Amber));
     assert!(judged.statement().contains("not through the die"), "{judged:?}");
 }
+
+/// Trust: nothing holds a punch back; the forces of the first draw's tools fade; the bend's gap is less than its sheet at the
+/// end of its way.
+#[test]
+fn what_is_drawn_back_goes_all_the_way_and_what_bottoms_ends_as_closed() {
+    for (name, overrides, kind, is_remedied) in [
+        ("drawn_back", &[][..], StopKind::FullTravel, false),
+        ("redrawn", &[], StopKind::FullTravel, false),
+        ("w_bend", &["blank.elements=36", "tools.punch.travel=36.8 mm"], StopKind::ToolsClosed, true),
+        ("w_bend", &["solver.min_step=5e-4"], StopKind::ToolsClosed, false),
+    ] {
+        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
+        let case = case::load(format!("tests/suite/stops/{name}.toml"), &overrides).expect("sound");
+        let stages = solve(&case.stages, &mut ());
+        let (last, found) = (stages.last().expect("a stage"), assess::after(&case, &stages));
+        let light = |key: &str| found.iter().find(|finding| finding.key == key).map(|finding| finding.light);
+        assert_eq!((last.stop.kind, light("remedied").is_some()), (kind, is_remedied), "{}", last.stop);
+        let deepest = last.steps.iter().map(|step| step.penetration).fold(0.0, f64::max);
+        assert_eq!(light("solution_quality") == Some(Light::Red), deepest > 0.1, "{deepest}");
+        assert!(last.largest_work() >= stages[0].largest_work());
+    }
+}

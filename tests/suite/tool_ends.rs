@@ -30,7 +30,7 @@ fn v_bend(seed: u64) -> (Model, f64) {
         tool(Role::Punch, punch, Motion::Travel),
         tool(Role::Die, Profile::die(reach - shoulder, shoulder, t), Motion::Fixed),
     ];
-    model.drive_to(travel);
+    drive_to(&mut model, travel);
     if rng.bool() {
         model.mode = Mode::ElastoViscoplastic;
         model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });

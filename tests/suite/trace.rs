@@ -102,3 +102,15 @@ fn cut_off_and_contact_are_counted() {
     let sum: f64 = iterate.contacts.iter().map(|contact| contact.force[1]).sum();
     assert!(sum.abs() < 1e-3 * midst.record.punch_force, "{sum} of {}", midst.record.punch_force);
 }
+
+/// Trust: sequences by their definitions.
+#[test]
+fn the_order_of_a_sequence_is_found() {
+    for (order, left, increments) in
+        [(2.0, 0.0625, [0.5, 0.25, 0.0625, 0.003_906_25]), (1.0, 0.9, [1.0, 0.9, 0.81, 0.729])]
+    {
+        let rate = ConvergenceRate::new(&increments.map(Some)).expect("a rate");
+        assert!((rate.order.expect("an order") - order).abs() < 1e-9 && (rate.left - left).abs() < 1e-9);
+    }
+    assert_eq!(ConvergenceRate::new(&[Some(1.0), None, Some(0.1), Some(0.01)]), None);
+}

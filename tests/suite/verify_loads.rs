@@ -413,7 +413,7 @@ fn tools_that_meet_end_the_run() {
     // Wider than the throat allows for half a thickness: the wall of the punch meets the shoulder's circle.
     model.tools[0].profile = Profile::crowned_punch(30.9, 60.0, 25.0, 1.0);
     model.stop.localised = false;
-    model.drive_to(40.0);
+    drive_to(&mut model, 40.0);
     let run = solver::run(&model, &mut ());
     assert_eq!(run.stop.kind, StopKind::ToolsClosed);
     let travel = run.end.travel;

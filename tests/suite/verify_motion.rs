@@ -71,15 +71,3 @@ fn force_follows_the_speed_to_the_power_of_the_rate() {
     }
     assert!(compared > 20, "{compared} steps at the higher speed");
 }
-
-#[test]
-fn driving_further_or_less_far_keeps_the_history() {
-    let mut model = cup(r#"[["0 s", "0 mm"], ["10 s", "5 mm"], ["14 s", "25 mm"]]"#, &[]);
-    assert_eq!((model.travel, model.duration), (25.0, 14.0));
-    for (travel, duration, early) in [(30.0, 15.0, 0.25), (15.0, 12.0, 0.25), (4.0, 8.0, 0.25)] {
-        model.drive_to(travel);
-        assert_eq!((model.travel, model.duration, model.frames.as_slice()), (travel, duration, [duration].as_slice()));
-        assert_eq!((model.travel_at(0.5), model.travel_at(duration), model.time_at(travel)), (early, travel, duration));
-        assert_eq!(model.speed, travel / duration);
-    }
-}

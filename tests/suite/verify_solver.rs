@@ -121,10 +121,10 @@ fn volume_is_constant() {
 fn all_iteration_matrices_find_the_same_state() {
     for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let mut model = shipped::shipped(name, &[]);
-        model.drive_to(15.0);
+        drive_to(&mut model, 15.0);
         let start = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ()).end;
         let step = 0.05;
-        model.drive_to(15.0 + step);
+        drive_to(&mut model, 15.0 + step);
         let after = |iteration: Iteration| {
             let mut model = model.clone();
             model.settings = Settings {

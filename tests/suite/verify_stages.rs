@@ -6,7 +6,7 @@ use stampflow::solver::solve;
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
 fn cup(travel: f64) -> Model {
     let mut model = shipped::shipped("quickstart", &["blank.elements=60", "blank.grading=uniform"]);
-    model.drive_to(travel);
+    drive_to(&mut model, travel);
     model
 }
 
@@ -24,7 +24,7 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
             tool.motion = Motion::Fixed;
         }
     }
-    model.drive_to(axial.hypot(aside));
+    drive_to(&mut model, axial.hypot(aside));
     model
 }
 

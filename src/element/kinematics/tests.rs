@@ -1,36 +1,10 @@
-//! Rows and geometric stiffness against differences, rigid motions, areas.
+//! Rigid motions, and areas.
 
 use super::*;
 use approx::assert_relative_eq;
 
 const A: Node = [11.0, 2.0, 0.2];
 const B: Node = [12.1, 2.7, 0.5];
-
-/// Trust: central differences, h = 1e-5: truncation near 1e-10.
-#[test]
-fn rows_and_geometric_stiffness_are_derivatives() {
-    let (step, h) = ([0.05, 0.11, 0.03, -0.02, 0.31, -0.05], 1e-5);
-    let s = Generalised::from([3.0, -2.0, 0.7, 1.3, -0.9]);
-    for (geometry, theory) in [Geometry::Axisymmetric, Geometry::PlaneStrain]
-        .into_iter()
-        .flat_map(|geometry| [(geometry, Theory::Bending), (geometry, Theory::Membrane)])
-    {
-        let reference = Reference::new(geometry, theory, A, B);
-        let at = |j: usize, h: f64| {
-            let mut d = step;
-            d[j] += h;
-            reference.moved([d[0], d[1], d[2]], [d[3], d[4], d[5]]).expect("sound")
-        };
-        let (rows, k) = (at(0, 0.0).strain_displacement(), at(0, 0.0).geometric_stiffness(&s));
-        for j in 0..6 {
-            let (plus, minus) = (at(j, h), at(j, -h));
-            let by = (plus.strain - minus.strain) / (2.0 * h);
-            assert_relative_eq!(rows.column(j).into_owned(), by, epsilon = 1e-8);
-            let second = (plus.strain_displacement() - minus.strain_displacement()).tr_mul(&s) / (2.0 * h);
-            assert_relative_eq!(k.column(j).into_owned(), second, epsilon = 1e-7);
-        }
-    }
-}
 
 /// Trust: a rigid motion strains nothing, to round-off, however large: along the axis for a body of
 /// revolution, any turn and shift in plane strain.

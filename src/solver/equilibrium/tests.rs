@@ -5,8 +5,8 @@ use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
 use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw, hardening::Swift};
 use crate::model::{
-    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
-    Settings, Tool,
+    Bead, Blank, Face, Friction, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl,
+    Role, Settings, Tool,
 };
 use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
 use crate::solver::{run, run_context::RunContext, state::State};
@@ -90,8 +90,8 @@ fn matrix_is_the_derivative_of_the_residual() {
     }
 }
 
-/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C, and for the elastoplastic law with
-/// back-stresses that do not fade, on a sheet whose volume has changed.
+/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C under tools with other friction laws than
+/// Coulomb's, and for the elastoplastic law with back-stresses that do not fade, on a sheet whose volume has changed.
 #[test]
 fn matrix_of_other_metals_is_the_derivative_of_the_residual() {
     for theory in [Theory::Bending, Theory::Membrane] {
@@ -101,6 +101,8 @@ fn matrix_of_other_metals_is_the_derivative_of_the_residual() {
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
         voided.material.thermal = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
         voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
+        let laws = Friction::examples().into_iter().filter(|(_, law)| !matches!(law, Friction::Coulomb(_)));
+        voided.tools.iter_mut().zip(laws).for_each(|(tool, (_, law))| tool.friction = law);
         let state = formed(&voided);
         assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);

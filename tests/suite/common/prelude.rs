@@ -8,7 +8,7 @@ pub use crate::common::{
     page::{agreement, at_most, percent, plain, signed, told},
     random_die,
     shipped::{self, DRAWN, last, made, parsed, peak, shipped_case, solve, solved, solved_once},
-    simple,
+    simple::{self, drive_to},
 };
 pub use approx::assert_relative_eq;
 pub use fastrand::Rng;

@@ -1,43 +1,27 @@
 //! Small models built in code, for tests against closed forms.
 
 use crate::common::prelude::*;
-use stampflow::model::{Blank, StopRules};
+use stampflow::model::Blank;
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
 pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
-    Model {
-        title: "pulled sheet".into(),
-        notes: vec![],
-        geometry,
-        depth: None,
-        blank: Blank {
-            length: 40.0,
-            hole: 0.0,
-            thickness: 1.0,
-            elements: 8,
-            grading: Grading::Uniform,
-            theory,
-            layers: if theory == Theory::Membrane { 1 } else { 5 },
-            rule: ThicknessRule::Lobatto,
-            edge: Edge::Pulled { speed: 1.0 },
-        },
-        material: Material::plain(Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid"))),
-        tools: vec![],
-        beads: vec![],
-        gas: vec![],
-        heat: None,
-        travel,
-        schedule: None,
-        speed: 1.0,
-        duration: travel,
-        stop: StopRules::default(),
-        timed: true,
-        frames: vec![travel],
-        settings: Settings::default(),
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
-    }
+    let material = Material::plain(Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid")));
+    let blank = Blank {
+        elements: 8,
+        grading: Grading::Uniform,
+        theory,
+        layers: if theory == Theory::Membrane { 1 } else { 5 },
+        rule: ThicknessRule::Lobatto,
+        edge: Edge::Pulled { speed: 1.0 },
+        ..Blank::new(40.0, 1.0)
+    };
+    Model { geometry, timed: true, ..Model::new(blank, material, vec![], travel) }
+}
+
+/// Lets the punch of a model travel so far [mm] at its speed.
+pub fn drive_to(model: &mut Model, travel: f64) {
+    (model.travel, model.duration) = (travel, travel / model.speed);
+    model.frames = vec![model.duration];
 }
 
 /// A strip too strong to yield, drawn by a flat punch over a die shoulder of 10 mm with friction `mu` there:
