@@ -114,9 +114,13 @@ impl<'a> Cup<'a> {
             true => (1, "a larger --punch-radius; a flange or a recess is made in one draw here"),
             false => (rules::MOST_DRAWS - stepped, "a larger --punch-radius"),
         };
-        let of = format!("what {most} {} of {} can do (4ming)", if most == 1 { "draw" } else { "draws" }, metal.name);
-        let ratio = draw_ratio(|height| part.blank(height), part.height, part.radius, (metal.total(most), &of), or)?;
-        let first = metal.draws(ratio).unwrap_or(most).max(least) + stepped;
+        // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
+        let (limit, of) = match is_single {
+            true => (rules::LIMITING_RATIO, "what one draw of a flange or a recess can do (declared)".to_owned()),
+            false => (metal.total(most), format!("what {most} draws of {} can do (4ming)", metal.name)),
+        };
+        let ratio = draw_ratio(|height| part.blank(height), part.height, part.radius, (limit, &of), or)?;
+        let first = metal.draws(ratio).unwrap_or(most).min(most).max(least) + stepped;
         for draws in first..=if is_single { first } else { first + 1 } {
             if let (plan, true) = self.tried(draws)? {
                 return self.values(&plan, "");
