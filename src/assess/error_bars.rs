@@ -176,8 +176,7 @@ impl ErrorBars {
         let tolerance = finding.limits().and_then(|limits| limits.red).filter(|_| finding.key == "springback");
         let number = self.number(Origin::Verdict, finding.key).filter(|number| number.half() > tolerance);
         let Some((number, _)) = number.zip(tolerance) else { return String::new() };
-        let what =
-            "the error bar is wider than the tolerance: refine blank.elements, blank.layers or numerics.max_step";
+        let what = "the error bar is wider than the tolerance: refine blank.elements, blank.layers or solver.max_step";
         format!("{what} ({})", number.made_of())
     }
 

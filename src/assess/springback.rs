@@ -52,7 +52,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let others = MEASURES.iter().filter_map(|key| changes.iter().find(|change| change.quantity.key == *key));
     let others = others.filter(|change| !is_judged(change));
     let others = others.map(|change| format!("{} {change}", change.quantity.label));
-    Finding::judged("springback", "Spring-back", joined(judged.iter().map(Judged::text).chain(others), "; "))
+    let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others);
+    Finding::judged("springback", "Spring-back", joined(texts, "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .limit(joined(judged.iter().map(Judged::limit), "; "))
@@ -137,18 +138,18 @@ impl Judged<'_> {
         self.missed.abs() / self.tolerance
     }
 
-    /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
+    /// `Opening angle 90.0° → 94.9°, each wall opens by 2.5°`.
     fn text(&self) -> String {
         let quantity = self.change.quantity;
-        let missed = format!("{} {}, off by {}", quantity.label, self.change, quantity.signed_text(self.missed));
+        let from = format!("{} {}", quantity.label, self.change);
         let share = match quantity.key {
             key if key == OPENING_ANGLE.key => 0.5,
             key if key == WALL_ANGLE.key => 1.0,
-            _ => return missed,
+            _ => return from,
         };
-        let Some(change) = self.change.change() else { return missed };
+        let Some(change) = self.change.change() else { return from };
         let verb = if change < 0.0 { "closes" } else { "opens" };
-        format!("{missed}, each wall {verb} by {}", quantity.difference_text(share * change.abs()))
+        format!("{from}, each wall {verb} by {}", quantity.difference_text(share * change.abs()))
     }
 
     /// `0.0° ± 1.0° of the punch's wall`.
