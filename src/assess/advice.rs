@@ -56,13 +56,13 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 }
 
 impl Tried {
-    /// `die radius 8 mm: 21 → 14 %, green`.
+    /// `die radius 8 mm: 21 → 14 %`; the row's limit stands beside it.
     fn text(&self, row: &Finding) -> String {
         let Self { words, findings, .. } = self;
         let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return words.clone() };
         let amount = |row: &Finding| Some(row.quantity.as_ref().filter(|own| own.limits.is_some())?.amount);
         match amount(row).zip(amount(new)) {
-            Some((from, to)) => format!("{words}: {} → {to}, {}", from.parts().0, new.light.name()),
+            Some((from, to)) => format!("{words}: {} → {to}", from.parts().0),
             None => format!("{words}: {} → {}", row.light.name(), new.light.name()),
         }
     }

@@ -88,6 +88,7 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
         _ if is("springback", Light::Grey) && stages.iter().any(|stage| stage.model.release.is_some()) => {
             "it does not tear; its spring-back is not judged".into()
         }
+        _ if is("wall_wrinkles", Light::Grey) => "it does not tear; whether its free wall puckers is not judged".into(),
         _ => "it does not tear, and nothing speaks against it".into(),
     }
 }
@@ -162,8 +163,9 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
-        end.filter(|_| stages.last().is_none_or(|stage| stage.stop.kind != StopKind::LeftDie)).map(|end| {
-            Quantity::new("draw_in", "Draw-in", Amount::draw_in(end.draw_in)).at("of the edge, on each side")
+        formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie).and_then(|(_, stage)| {
+            let drawn = Amount::draw_in(stage.steps.last()?.draw_in);
+            Some(Quantity::new("draw_in", "Draw-in", drawn).at("of the edge, on each side"))
         }),
         ring(case, stages),
     ];

@@ -7,6 +7,7 @@ use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
 use crate::plot::chart::{Scale, bounds};
 use crate::plot::{Chart, axis::capitalised};
 use crate::solver::solution::StepRecord;
+use crate::units::joined;
 use maud::{Markup, html};
 
 /// Most issues that leave room for the pictures.
@@ -32,6 +33,7 @@ pub(super) fn content(report: &Report) -> Markup {
     let with = |light| judgements(&report.findings).filter(move |finding| finding.light == light);
     let issues: Vec<&Finding> = with(Light::Red).chain(with(Light::Amber)).collect();
     let left = issues.len().saturating_sub(ISSUES);
+    let unchecked = joined(with(Light::Grey).map(|row| row.label.to_lowercase()), ", ");
     html! {
         p.sentence.{ "on-" (answer.light.name()) } {
             span.{ (answer.light.name()) } { (word(answer.light)) } " " (capitalised(&answer.sentence)) "."
@@ -40,6 +42,7 @@ pub(super) fn content(report: &Report) -> Markup {
             ul.issues { @for issue in issues.iter().take(ISSUES) { (issue_of(issue)) } }
         }
         @if left > 0 { p { (left) " more below: see Verdict." } }
+        @if !unchecked.is_empty() { p { "Not checked: " (unchecked) "." } }
         dl.numbers {
             @for number in &answer.numbers {
                 div {

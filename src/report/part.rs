@@ -9,7 +9,7 @@ use crate::solver::solution::Frame;
 use maud::{Markup, html};
 
 /// Columns of the table of stages, by the keys of the summary.
-const COLUMNS: [(&str, &str); 7] = [
+const COLUMNS: [(&str, &str); 8] = [
     ("Travel", "travel"),
     ("Punch, peak", "peak_punch_force"),
     ("Holder, peak", "peak_holder_force"),
@@ -17,6 +17,7 @@ const COLUMNS: [(&str, &str); 7] = [
     ("Thinnest", "thinnest"),
     ("Draw-in", "draw_in"),
     ("Limit used", "forming_ratio"),
+    ("Tearing", "tearing_index"),
 ];
 
 /// Pictures of results, by their files.

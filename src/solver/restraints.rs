@@ -6,14 +6,19 @@ use std::cmp::Ordering;
 
 /// Length over which a restraint fades as the edge passes, over the thickness \[–\].
 const FADE: f64 = 3.0;
+/// The same over the width that a narrower flange has at first \[–\]: its outermost contact point lies inside the edge.
+const NARROW: f64 = 0.9;
 
-/// Share of the force on a sheet that reaches so far beyond \[mm\], and its slope \[1/mm\].
-pub fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
-    let share = beyond / (FADE * thickness);
-    ValueAndSlope {
-        value: share.clamp(0.0, 1.0),
-        slope: if (0.0..1.0).contains(&share) { 1.0 / (FADE * thickness) } else { 0.0 },
-    }
+/// Length over which the force of a tool fades that lies on the sheet from `inner` to its edge \[mm\].
+pub fn fade(model: &Model, inner: f64) -> f64 {
+    let (usual, width) = (FADE * model.blank.thickness, model.blank.length - inner);
+    if width > 0.0 { usual.min(NARROW * width) } else { usual }
+}
+
+/// Share of the force on a sheet that reaches so far beyond \[mm\], and its slope \[1/mm\]; it fades over a length \[mm\].
+pub fn fading(beyond: f64, over: f64) -> ValueAndSlope {
+    let share = beyond / over;
+    ValueAndSlope { value: share.clamp(0.0, 1.0), slope: if (0.0..1.0).contains(&share) { 1.0 / over } else { 0.0 } }
 }
 
 /// Width of the sheet left under a pressed tool that it runs out from.
@@ -54,7 +59,7 @@ impl BeadPosition {
         let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;
         let share = (bead.at - nodes[element][0]) / (nodes[element + 1][0] - nodes[element][0]);
         let beyond = nodes[nodes.len() - 1][0] - bead.at;
-        let length = fading(beyond, model.blank.thickness).value * bead.line(model.geometry);
+        let length = fading(beyond, fade(model, bead.at)).value * bead.line(model.geometry);
         Some(Self { element, weights: [1.0 - share, share], length })
     }
 }

@@ -9,7 +9,7 @@
 
 use super::{bead, sheet::STABILISATION};
 use crate::model::{Motion, Role};
-use crate::solver::restraints::{Grip, fading};
+use crate::solver::restraints::{Grip, fade, fading};
 use crate::solver::{evaluation::Evaluation, state::waiting_displacement, step::Step, trial::Trial};
 
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
@@ -34,7 +34,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
             force -= closing;
         }
         let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, step.model.blank.theory);
-        let share = fading(grip.width, model.blank.thickness);
+        let share = fading(grip.width, fade(model, tool.inner));
         system.corner[(k, k)] += share.value * springs;
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
             system.rows[i][k].x -= share.slope * weight * force;
