@@ -160,9 +160,10 @@ impl ErrorBars {
             if let Some(clause) = clause {
                 finding.text = format!("{clause}: {}", finding.text);
                 if finding.light < Light::Amber {
-                    let refine = "take the worse end as the true one, or refine until all runs end alike";
-                    let margin = "more margin, or a smaller error bar: `stampflow verify` says what it is made of";
-                    finding.advice = if finding.key == RUN { refine } else { margin }.to_owned();
+                    finding.advice = match finding.key {
+                        RUN => "take the worse end as the true one, or refine until all runs end alike".to_owned(),
+                        key => format!("more margin, or {}", self.finer(key)),
+                    };
                 }
                 finding.light = finding.light.max(Light::Amber);
             }
@@ -174,10 +175,19 @@ impl ErrorBars {
     /// Refinement that a spring-back wants whose bar is wider than its tolerance; else empty.
     fn refinement(&self, finding: &Finding) -> String {
         let tolerance = finding.limits().and_then(|limits| limits.red).filter(|_| finding.key == "springback");
-        let number = self.number(Origin::Verdict, finding.key).filter(|number| number.half() > tolerance);
-        let Some((number, _)) = number.zip(tolerance) else { return String::new() };
-        let what = "the error bar is wider than the tolerance: refine blank.elements, blank.layers or solver.max_step";
-        format!("{what} ({})", number.made_of())
+        let half = self.number(Origin::Verdict, finding.key).and_then(Number::half);
+        match half.zip(tolerance) {
+            Some((half, tolerance)) if half > tolerance => {
+                format!("the error bar is wider than the tolerance: {}", self.finer(finding.key))
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// Refinement that makes the bar of a row smaller.
+    fn finer(&self, key: &str) -> String {
+        let made = self.number(Origin::Verdict, key).map_or_else(String::new, Number::made_of);
+        format!("a finer run (solver.max_step, blank.elements, blank.layers); the bar is made of {made}")
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.
