@@ -130,7 +130,7 @@ pub fn advised(part: &BaseCase) -> Option<Advised> {
     Some(Advised { light: worst, first })
 }
 
-/// Whether the line of the verdict has the number and the light that the advice says, once it is followed.
+/// Whether the line of the verdict has the number, or the light, that the advice says, once it is followed.
 fn keeps(part: &BaseCase, old: &Solution, row: &Finding, text: &str) -> bool {
     let (change, gain) = text.split_once(": ").expect("a change and its gain");
     let (words, keys) = SIZES.iter().find(|(words, _)| change.starts_with(words)).unwrap_or_else(|| panic!("{text}"));
@@ -142,5 +142,5 @@ fn keeps(part: &BaseCase, old: &Solution, row: &Finding, text: &str) -> bool {
     let is_better = new.light < row.light || new.light == row.light && new.value() != row.value();
     let said = gain.split_once(" → ").expect("a gain").1;
     let number = new.quantity.as_ref().map(|quantity| quantity.amount.to_string()).unwrap_or_default();
-    is_better && (said == format!("{number}, {}", new.light.name()) || said == new.light.name())
+    is_better && (said == number || said == new.light.name())
 }

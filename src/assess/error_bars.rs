@@ -140,6 +140,9 @@ pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorB
 }
 
 impl ErrorBars {
+    /// Sentence on an answer without them.
+    pub const NONE: &str = "without error bars, which `check --run` and `report` judge by too";
+
     /// Number by its origin and key.
     pub fn number(&self, origin: Origin, key: &str) -> Option<&Number> {
         self.numbers.iter().find(|number| number.origin == origin && number.quantity.key == key)

@@ -69,8 +69,7 @@ impl Solved {
     pub fn screen(&self, verdict: ScreenText) -> ScreenText {
         let Self { solution, verification, answer, findings } = self;
         let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);
-        let none = "without error bars: `check --run` and `report` have them, and may find a row amber by its bar";
-        let bars = verification.as_ref().map_or_else(|| vec![none.to_owned()], ErrorBars::sentences);
+        let bars = verification.as_ref().map_or_else(|| vec![ErrorBars::NONE.to_owned()], ErrorBars::sentences);
         let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
         let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();
         let text = self.sentence("") + list(size_doubts(&solution.case)) + "\n" + judged(findings);
