@@ -46,8 +46,8 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
     }
     for (i, row) in findings.iter_mut().enumerate() {
         let own = texts.iter().filter(|(of, _)| *of == i).map(|(_, text)| text.as_str());
-        // The over-bend is no size of the case.
-        let kept = (row.key == "springback").then_some(row.advice.as_str());
+        // The over-bend and the cut of a hole are no sizes of the case.
+        let kept = ["springback", "edge"].contains(&row.key).then_some(row.advice.as_str());
         let own: Vec<&str> = kept.into_iter().chain(own).collect();
         if !own.is_empty() {
             row.advice = own.join("; or ");

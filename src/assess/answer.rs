@@ -33,9 +33,11 @@ impl Answer {
         let end = end.filter(|stop| stop.is_complete() && stop.kind != StopKind::FullTravel);
         let failures = FailureMode::all(stages, findings);
         let tear = tear(stages);
+        let edge = judgements(findings).find(|finding| finding.key == "edge").map(Finding::statement);
+        let hole = edge.map_or_else(String::new, |edge| first_clause(&edge).to_owned());
         Self {
             light,
-            sentence: sentence(stages, findings, &failures, tear.as_ref()),
+            sentence: joined([sentence(stages, findings, &failures, tear.as_ref()), hole], "; "),
             end: end.map_or_else(String::new, ToString::to_string),
             numbers: numbers(case, stages, tear.is_some()),
             failures,
@@ -129,13 +131,13 @@ impl FailureMode {
 
     /// All modes of a solved case, the most important first; empty if the part is sound.
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
-        use StopKind::{Coalesced, LoadMaximum, Localised, NoEquilibrium, PressureMaximum};
+        use StopKind::{Coalesced, EdgeLimit, LoadMaximum, Localised, NoEquilibrium, PressureMaximum};
         let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
-        let is_tear = matches!(stop.kind, Localised | Coalesced | LoadMaximum | PressureMaximum);
+        let is_tear = matches!(stop.kind, Localised | Coalesced | EdgeLimit | LoadMaximum | PressureMaximum);
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
             "stop" if is_tear => Self::Tears,
-            "thinning" | "localisation" | "forming_limit" | "fracture" | "tearing" => Self::Tears,
+            "thinning" | "localisation" | "forming_limit" | "fracture" | "edge" | "tearing" => Self::Tears,
             "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,
@@ -219,11 +221,15 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
 }
 
-/// Diameter of the hole at the end, and by how much its edge is longer.
+/// Clear diameter of the hole at the end, and the thickness of its edge beside t₀ (d₀/d)^(1/(1 + r̄)), that of simple tension.
 fn hole(stage: &StageSolution) -> Option<Quantity> {
-    let (before, now) = (stage.model.blank.hole, stage.frames.last()?.nodes.first()?.r);
-    let about = format!("in diameter, its edge {} longer", Amount::share(now / before - 1.0));
-    (before > 0.0).then(|| Quantity::new("hole", "Hole", Amount::size(2.0 * now)).at(about))
+    let (blank, hole) = (&stage.model.blank, stage.steps.last()?.hole);
+    let (edge, node) = (stage.frames.last()?.elements.first()?, stage.frames.last()?.nodes.first()?);
+    let share = 1.0 / (1.0 + stage.model.material.yield_criterion.ratio());
+    let tension = blank.thickness * (blank.hole / node.r).powf(share);
+    let [edge, tension] = [edge.thickness, tension].map(Amount::thickness);
+    let about = format!("clear in diameter, its edge {edge} thick, {tension} in simple tension");
+    (hole > 0.0).then(|| Quantity::new("hole", "Hole", Amount::place(hole)).at(about))
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {

@@ -8,6 +8,7 @@ mod answer;
 mod bends;
 pub mod check;
 mod draw;
+mod edge;
 pub mod error_bars;
 pub mod estimate;
 mod finding;
@@ -65,6 +66,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tear::localisation,
     forming_limit::margin,
     fracture::judge,
+    edge::judge,
     tear::tearing,
     draw::redraw,
     draw::wrinkling,

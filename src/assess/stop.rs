@@ -39,7 +39,11 @@ fn advice(last: &StageSolution) -> &'static str {
         StopKind::FullTravel | StopKind::ContactShare | StopKind::HolderClosed | StopKind::LeftDie => "",
         StopKind::Interrupted => "let it run to its end",
         StopKind::Refused => "a value that the solver can take",
-        StopKind::Localised | StopKind::Coalesced | StopKind::LoadMaximum | StopKind::PressureMaximum => "",
+        StopKind::Localised
+        | StopKind::Coalesced
+        | StopKind::LoadMaximum
+        | StopKind::PressureMaximum
+        | StopKind::EdgeLimit => "",
         StopKind::Mechanism => {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }

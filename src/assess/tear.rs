@@ -103,7 +103,7 @@ pub(super) struct Tear<'a> {
     verb: &'static str,
 }
 
-/// First tear: where the forming limit, the tearing index or the critical damage is first reached, or where the run ended by one.
+/// First tear: where the limit of forming, of a hole's edge, of tearing or of damage is first reached, or where the run ended by one.
 pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     let mut tears = formed(stages).filter_map(|(stage, on)| {
         let event = |verb, instant, s0| Tear { stage, on, instant, s0, verb };
@@ -113,6 +113,7 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
         let end = [on.end.time, on.end.travel];
         let all = [
             fracture::reached(on).map(|step| at("breaks", step, step.damage_s0)),
+            edge::reached(on).map(|instant| event("cracks at the edge of its hole", instant, None)),
             reached.map(|limit| event("tears", [limit.time, limit.travel], Some(limit.s0))),
             on.steps.iter().find(|step| step.tearing_index > TEARING[1]).map(|step| at("tears", step, step.tearing_s0)),
             on.neck.map(|neck| event("tears", [neck.time, neck.travel], Some(neck.s0))),

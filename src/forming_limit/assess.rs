@@ -23,6 +23,8 @@ pub struct Judged {
     pub limit: f64,
     /// Whether the curve has ended before this minor strain.
     pub beyond_end: bool,
+    /// Whether it belongs to the edge of a hole, which has a limit of its own.
+    pub of_edge: bool,
     /// Distance of its path from straight, as [`CROOKED`]; 0 for a path shorter than [`SHORTEST`] \[–\].
     pub crookedness: f64,
 }
@@ -40,7 +42,7 @@ impl Judged {
 
     /// Whether nothing is known of it: beyond the end of the curve, and strained more than at its end.
     pub fn is_open(&self) -> bool {
-        self.beyond_end && self.major > self.limit
+        !self.of_edge && self.beyond_end && self.major > self.limit
     }
 
     /// Whether its path is too far from straight for the curve to be taken at its word.
@@ -75,7 +77,8 @@ impl Assessment {
     /// # Panics
     /// Never: there is one element at least.
     pub fn worst(&self) -> &Judged {
-        let order = |a: &&Judged, b: &&Judged| a.is_open().cmp(&b.is_open()).then(a.margin().total_cmp(&b.margin()));
+        let last = |one: &Judged| (one.of_edge, one.is_open());
+        let order = |a: &&Judged, b: &&Judged| last(a).cmp(&last(b)).then(a.margin().total_cmp(&b.margin()));
         self.elements.iter().min_by(order).expect("an assessment has elements")
     }
 
@@ -111,10 +114,12 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
             hoop_is_major: paths.hoop_is_major(e),
             limit: curve.major_at(minor),
             beyond_end: !curve.knows(minor),
+            of_edge: paths.is_of_edge(e),
             crookedness: crookedness(&path),
         }
     };
-    let crossings = paths.s0.iter().enumerate().filter_map(|(e, &s0)| crossing(curve, paths, e, s0));
+    let inner = paths.s0.iter().enumerate().filter(|(e, _)| !paths.is_of_edge(*e));
+    let crossings = inner.filter_map(|(e, &s0)| crossing(curve, paths, e, s0));
     let reached = crossings.min_by(|a, b| a.time.total_cmp(&b.time));
     Some(Assessment { elements: paths.s0.iter().enumerate().map(judged).collect(), reached })
 }

@@ -18,6 +18,8 @@ pub struct Instant {
 pub struct Paths {
     /// Initial distance of the elements' middles from the axis \[mm\].
     pub s0: Vec<f64>,
+    /// Initial distance from the axis \[mm\] up to which a sheet is the edge of its hole, and whether that has a limit.
+    pub edge: (f64, bool),
     /// The kept instants, rising in time.
     pub instants: Vec<Instant>,
     /// Number of halvings of [`Self::stride`], and of instants so far.
@@ -81,5 +83,12 @@ impl Paths {
     /// Whether the hoop strain of an element is the larger one in the end.
     pub fn hoop_is_major(&self, element: usize) -> bool {
         self.instants.last().is_some_and(|last| last.strains[element][1] > last.strains[element][0])
+    }
+
+    /// Whether an element is judged as the edge of a hole: within a thickness, over which the shell smears the force of a punch
+    /// on the edge; where the edge has a limit, wherever the hoop strain is the only stretch, as in the test of that limit.
+    pub fn is_of_edge(&self, element: usize) -> bool {
+        let is_flange = |last: &Instant| last.strains[element][0] < 0.0 && self.hoop_is_major(element);
+        self.s0[element] < self.edge.0 || (self.edge.1 && self.instants.last().is_some_and(is_flange))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Theory;
 use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
+use crate::units::{As, NonNegative, Positive, Ratio};
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +11,8 @@ pub struct Blank {
     pub length: f64,
     /// Radius of a hole around the axis, whose edge is free \[mm\]; 0 without one.
     pub hole: f64,
+    /// Expansion that the edge of the hole bears; `None` where it is not known.
+    pub edge_limit: Option<EdgeLimit>,
     /// Initial thickness \[mm\].
     pub thickness: f64,
     /// Number of elements from the axis to the edge.
@@ -24,6 +27,18 @@ pub struct Blank {
     pub rule: ThicknessRule,
     /// How the outer edge is held.
     pub edge: Edge,
+}
+
+/// Expansion that the edge of a hole bears before it cracks: what the hole expansion test of ISO 16630 (not read) measures.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EdgeLimit {
+    /// Limiting hole expansion ratio (d − d₀)/d₀ of this sheet and this edge, punched or reamed.
+    #[serde(with = "As::<Positive<Ratio>>")]
+    pub expansion: f64,
+    /// Scatter of this ratio, in its own percent: from `expansion` less it on the edge may crack; 0 % when not given.
+    #[serde(default, with = "As::<NonNegative<Ratio>>")]
+    pub scatter: f64,
 }
 
 /// Integration rule through the thickness, the same in all stages.
@@ -43,6 +58,7 @@ impl Blank {
         Self {
             length,
             hole: 0.0,
+            edge_limit: None,
             thickness,
             elements: 100,
             grading: Grading::Radii,

@@ -122,6 +122,8 @@ impl Model {
         let blank = &self.blank;
         numbers("blank", [("thickness", blank.thickness, POSITIVE), ("length", blank.length, POSITIVE)])?;
         number("blank.hole", blank.hole, [0.0, blank.length])?;
+        needs("blank.edge_limit", blank.edge_limit.is_none() || blank.hole > 0.0, "blank.hole")?;
+        needs("stop.edge_limit", !self.stop.edge_limit || blank.edge_limit.is_some(), "blank.edge_limit")?;
         count("blank.elements", blank.elements, ELEMENTS)?;
         count("blank.layers", blank.layers, if blank.theory == Theory::Membrane { 1..=1 } else { POINTS })?;
         match blank.edge {

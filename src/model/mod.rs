@@ -14,7 +14,7 @@ pub mod stage;
 pub mod tool_sizes;
 mod tools;
 
-pub use blank::{Blank, Edge, Grading, ThicknessRule};
+pub use blank::{Blank, Edge, EdgeLimit, Grading, ThicknessRule};
 pub use check::ModelError;
 pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};

@@ -124,6 +124,8 @@ pub struct StopRules {
     /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every
     /// stage whose travel is long enough. False when not given: then a run ends early as soon as the rim comes to the throat.
     pub drawn_through: bool,
+    /// Ends where the hole's edge comes to blank.edge_limit and cracks; false when not given.
+    pub edge_limit: bool,
     /// Ends, as wished, when the holder presses with this force \[N, or N/mm of depth\]: it has closed. Not of a case file.
     #[serde(skip)]
     #[schemars(skip)]
@@ -132,6 +134,7 @@ pub struct StopRules {
 
 impl Default for StopRules {
     fn default() -> Self {
-        Self { localised: true, load_drop: None, contact_share: None, drawn_through: false, holder_force: None }
+        let (load_drop, contact_share, holder_force) = Default::default();
+        Self { localised: true, load_drop, contact_share, drawn_through: false, edge_limit: false, holder_force }
     }
 }

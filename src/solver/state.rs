@@ -160,6 +160,13 @@ impl State {
         Point::new(b[0] - a[0], b[1] - a[1])
     }
 
+    /// Clear diameter of the hole, between its inner faces \[mm\]; 0 without one.
+    pub fn hole(&self) -> f64 {
+        let (along, r) = (self.along(0), self.nodes[0][0]);
+        let half = 0.5 * self.thickness[0] * along.y.abs() / along.norm();
+        if self.s0[0] > 0.0 { 2.0 * (r - half) } else { 0.0 }
+    }
+
     /// Initial distance of the middle of element `e` from the axis \[mm\].
     pub fn middle(&self, e: usize) -> f64 {
         0.5 * (self.s0[e] + self.s0[e + 1])
@@ -223,6 +230,9 @@ impl State {
             return Paths::default();
         }
         let mut paths = Paths::starting((0..self.thickness.len()).map(|e| self.middle(e)).collect());
+        let blank = &model.blank;
+        let edge = if blank.hole > 0.0 { blank.hole + blank.thickness } else { 0.0 };
+        paths.edge = (edge, blank.edge_limit.is_some());
         paths.record(self.instant());
         paths
     }

@@ -24,6 +24,7 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
         pad_force: -force_of(Role::Pad),
         edge_force: if model.blank.edge == Edge::Free { 0.0 } else { times * evaluation.edge_reaction.x },
         draw_in: model.blank.length - evaluation.nodes[n - 1][0],
+        hole: next.hole(),
         thinnest: thickness[thinnest],
         thinnest_s0: next.middle(thinnest),
         pole_height: evaluation.nodes[0][1],

@@ -111,7 +111,7 @@ impl Termination {
     }
 
     /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.
-    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(f64, StopKind); 7] {
+    fn excesses(&self, model: &Model, state: &State, record: &StepRecord) -> [(f64, StopKind); 8] {
         let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
         let through = self.throat.as_ref().map_or(f64::NAN, |throat| {
             let [r, z, _] = state.nodes[state.nodes.len() - 1];
@@ -125,11 +125,13 @@ impl Termination {
             .neck
             .filter(|_| model.stop.localised)
             .map_or(f64::NAN, |neck| Self::lasted(self.necking_since, model, state).max(1.0 - neck.share / GONE));
+        let edge_limit = model.blank.edge_limit.filter(|_| model.stop.edge_limit).map(|limit| limit.expansion);
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
             (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
             (through, if model.stop.drawn_through { StopKind::LeftDie } else { StopKind::DrawnThrough }),
             (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), StopKind::Coalesced),
+            (beyond(record.hole / (2.0 * model.blank.hole) - 1.0, edge_limit), StopKind::EdgeLimit),
             (beyond(record.contact_share, model.stop.contact_share), StopKind::ContactShare),
             (beyond(1.0 - record.punch_force / self.peak, drop), StopKind::LoadMaximum),
             (localised, StopKind::Localised),
@@ -168,6 +170,10 @@ impl Termination {
                      voids"
                 );
                 return Some(Stop::at(kind, record.porous_s0, text));
+            }
+            StopKind::EdgeLimit => {
+                let hole = Amount::place(record.hole);
+                format!("edge cracked: at {travel} of travel the hole is {hole} wide, the limit of its expansion")
             }
             StopKind::ContactShare => {
                 let (share, limit) = (Amount::share(record.contact_share), model.stop.contact_share?);

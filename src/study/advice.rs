@@ -16,9 +16,10 @@ const WORK: usize = 30_000_000;
 type Change = (&'static str, &'static [&'static str], fn(f64) -> f64);
 
 /// Changes in the order of trial: steps of a shop's try-out, good lubrication (0.05), a dry punch (0.15); declared.
-const CHANGES: [Change; 20] = [
+const CHANGES: [Change; 21] = [
     ("die radius", &["tools.die.shoulder"], |x| x * 4.0 / 3.0),
     ("punch nose", &["tools.punch.flat.nose"], |x| x * 4.0 / 3.0),
+    ("hole diameter", &["blank.hole_diameter"], |x| 1.1 * x),
     ("holder force", &["tools.holder.force"], |x| 0.7 * x),
     ("holder force", &["tools.holder.force"], |x| 1.5 * x),
     ("friction of die and holder", &["tools.die.friction", "tools.holder.friction"], |x| x.min(0.05)),

@@ -13,6 +13,8 @@ const OTHERS: &[(&str, &[(&str, &str)])] = &[
     ("stretch-dome", &[("height", "20 mm"), ("thickness", "1.2 mm"), ("friction", "0.15")]),
     ("bulge", &[("opening", "60 mm"), ("height", "20 mm")]),
     ("erichsen", &[("thickness", "0.6 mm"), ("k", "700 MPa"), ("n", "0.15"), ("friction", "0.05")]),
+    ("hole-expansion", &[("thickness", "1.5 mm"), ("hole-diameter", "12 mm"), ("shoulder", "10 mm")]),
+    ("collar", &[("diameter", "60 mm"), ("height", "14 mm"), ("thickness", "1.5 mm"), ("punch", "conical")]),
     ("hat-section", &[("height", "30 mm"), ("holder-pressure", "5 MPa")]),
     ("box-section", &[("flange", "15 mm"), ("thickness", "0.8 mm")]),
     ("joggle", &[("depth", "1 mm"), ("thickness", "1.5 mm")]),

@@ -13,6 +13,7 @@
 mod clamped;
 mod cup;
 mod cups;
+mod holes;
 mod inputs;
 mod redraw;
 mod sheet;
@@ -59,7 +60,7 @@ struct Header {
 
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
-    let files: [(&str, &str, Sizes); 12] = [
+    let files: [(&str, &str, Sizes); 14] = [
         ("cup", include_str!("cup.toml"), cup::cup),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
@@ -67,6 +68,8 @@ pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
         ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
+        ("hole-expansion", include_str!("hole_expansion.toml"), holes::hole_expansion),
+        ("collar", include_str!("collar.toml"), holes::collar),
         ("hat-section", include_str!("hat_section.toml"), strips::hat_section),
         ("box-section", include_str!("box_section.toml"), strips::box_section),
         ("joggle", include_str!("joggle.toml"), strips::joggle),

@@ -14,7 +14,7 @@ const CORRECTED: &str = "as runs of this case need";
 /// Values of a template for two sizes \[mm\] that runs of its first `stages` correct, each by what the part then `misses` \[mm\].
 ///
 /// A case that does not run to its end keeps the first sizes.
-fn corrected(
+pub(super) fn corrected(
     template: &str,
     stages: usize,
     first: [f64; 2],

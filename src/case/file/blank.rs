@@ -17,6 +17,8 @@ pub struct Blank {
     hole: Option<Positive<Length>>,
     /// Diameter of the hole, instead of `hole`.
     hole_diameter: Option<Positive<Length>>,
+    /// Expansion that the edge of the hole bears, measured, for the verdict.
+    edge_limit: Option<model::EdgeLimit>,
     /// Length of the part across the section (plane strain): forces and works are then of the whole part, else per mm of it.
     pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
@@ -113,7 +115,7 @@ impl CaseFile {
             count(source, "blank.layers", file.layers.unwrap_or(usual), 3..=101)?
         };
         let elements = count(source, "blank.elements", file.elements.unwrap_or(100), 2..=2000)?;
-        let Blank { grading, theory, edge, .. } = *file;
-        Ok(model::Blank { length, hole, thickness, elements, grading, theory, layers, rule, edge })
+        let Blank { grading, theory, edge, edge_limit, .. } = *file;
+        Ok(model::Blank { length, hole, edge_limit, thickness, elements, grading, theory, layers, rule, edge })
     }
 }

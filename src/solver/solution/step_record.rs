@@ -22,6 +22,8 @@ pub struct StepRecord {
     pub edge_force: f64,
     /// Draw-in: inward move of the blank's edge \[mm\].
     pub draw_in: f64,
+    /// Clear diameter of the hole, between its inner faces \[mm\]; 0 without one.
+    pub hole: f64,
     /// Thickness of the thinnest element \[mm\].
     pub thinnest: f64,
     /// Initial distance of the thinnest element from the axis \[mm\].

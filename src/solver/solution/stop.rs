@@ -23,6 +23,8 @@ pub enum StopKind {
     Localised,
     /// Voids have coalesced through the thickness.
     Coalesced,
+    /// The hole's edge has come to its limit of expansion.
+    EdgeLimit,
     /// The blank's edge has passed the die's throat.
     DrawnThrough,
     /// The rim has left the die's shoulder, as the case requests.
@@ -52,6 +54,7 @@ impl StopKind {
             Self::Arched => "arched",
             Self::Localised => "localised",
             Self::Coalesced => "voids coalesced",
+            Self::EdgeLimit => "edge cracked",
             Self::DrawnThrough | Self::LeftDie => "drawn through",
             Self::HolderClosed => "holder closed",
             Self::ToolsClosed => "tools closed",

@@ -1,0 +1,98 @@
+//! Sheets with a hole: the hole expansion test, and the collar.
+
+use super::strips::corrected;
+use super::*;
+use crate::measure::part_height;
+
+/// Half of the included angle of conical punches, 60° (ISO 16630, not read) \[rad\].
+const HALF: f64 = PI / 6.0;
+
+/// Cone from its apex, a corner and an upright wall down to a depth, as TOML; and the depth at which the wall begins \[mm\].
+fn cone(radius: f64, corner: f64, depth: f64) -> (String, f64) {
+    let (sin, cos) = HALF.sin_cos();
+    let upright = (corner + (radius - corner) * cos) / sin;
+    let center = Point::new(radius - corner, -upright);
+    let steps = [
+        (center + corner * Point::new(cos, sin), None),
+        (Point::new(radius, -upright), Some((center, false))),
+        (Point::new(radius, -upright - depth), None),
+    ];
+    (profile_text(Point::zeros(), &steps, exact), upright)
+}
+
+/// Sets the hole and what its edge bears.
+fn edge(sizes: &mut Values, inputs: &Inputs, hole: &Picked) {
+    sizes.set("hole_diameter", mm(2.0 * hole.value), &hole.why);
+    if let Some(limit) = inputs.number("edge-limit") {
+        let [expansion, scatter] = [limit, inputs.value("edge-scatter")].map(|ratio| rounded(100.0 * ratio));
+        let text = format!("{{ expansion = \"{expansion} %\", scatter = \"{scatter} %\" }}");
+        sizes.set("edge_limit", text, "hole expansion ratio");
+    }
+}
+
+pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let [hole, throat] = inputs.values(["hole", "throat"]);
+    let widest = throat - 2.0 * t;
+    let what = || format!("a hole of {} leaves no room in a die of {}", plain(2.0 * hole), plain(2.0 * throat));
+    ensure(hole >= t && widest >= 2.0 * hole, what, "make --throat larger, or --hole other: a thickness at least")?;
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let (end, rim) = (throat + shoulder.value, Point::new(throat, -throat / HALF.tan()));
+    let whole =
+        inputs.number("edge-limit").map(|_| Picked::by((widest - hole) / HALF.tan(), "until the cone is near the die"));
+    let travel = inputs.pick("travel", || whole.unwrap_or(Picked::by(inputs.value("travel"), "declared")));
+    let mut sizes = sheet.values(false);
+    sizes.die(&Picked::by(2.0 * end, "twice what is formed, declared"), &Picked::input(throat), &shoulder, hole);
+    sizes.elements(2.0 * end, f64::min(shoulder.value, hole), 2);
+    edge(&mut sizes, inputs, &Picked::input(hole));
+    sizes.set("punch", profile_text(Point::zeros(), &[(rim, None)], exact), "");
+    sizes.set("clamp", newtons(inputs.value("clamp")), "");
+    sizes.lengths([("holder", &Picked::by(end, "where the die's shoulder ends")), ("travel", &travel)]);
+    Ok(sizes)
+}
+
+/// Collar that is as high as was wanted.
+pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let [radius, height] = inputs.values(["radius", "height"]);
+    let nose = nose(inputs, sheet, radius)?;
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let clearance =
+        inputs.pick("clearance", || Picked::by(t, "the sheet's thickness: the rim, which thins, is not ironed"));
+    let shape = inputs.name("punch").unwrap_or("flat");
+    let what = || format!("a punch that is {shape} is not known");
+    ensure(["flat", "conical", "spherical"].contains(&shape), what, "--punch flat, conical or spherical")?;
+    let throat = throat(radius, &clearance);
+    let end = throat.value + shoulder.value;
+    let upright = height - shoulder.value - t;
+    let what = || format!("a height of {} leaves no wall above the die's shoulder", plain(height));
+    ensure(upright >= t, what, "make --height larger or --shoulder smaller")?;
+    // The middle keeps its length, an ironed wall its volume.
+    let share = f64::min(1.0, clearance.value / t);
+    let first = end - rules::quarter_bend(shoulder.value, t) - share * upright;
+    let what = || format!("no hole is left for a collar {} high", plain(height));
+    ensure(first >= t, what, "make --height or --shoulder smaller, or --radius larger")?;
+    let values = |[hole, _]: [f64; 2]| {
+        let corner = nose.value;
+        let (cone, upright) = cone(radius, corner, 4.0 * height);
+        // Depth of its wall below where a punch is placed: a cone on the edge of the hole, others with their face on the sheet.
+        let (punch, depth) = match shape {
+            "conical" => (format!("profile = {cone}"), upright - hole / HALF.tan()),
+            "spherical" => (format!("hemispherical = {{ radius = {} }}", mm(radius)), radius),
+            _ => (format!("flat = {{ radius = {}, nose = {} }}", mm(radius), mm(corner)), corner),
+        };
+        let mut sizes = sheet.values(false);
+        let blank = Picked::by(end, "clamped where the die's shoulder ends, as by a pad");
+        sizes.die(&blank, &throat, &shoulder, nose.value);
+        sizes.set("diameter", plain(2.0 * radius), "");
+        sizes.set("wall_height", plain(height), "");
+        sizes.set("punch", punch, &if shape == "spherical" { String::new() } else { nose.reason("nose: ") });
+        edge(&mut sizes, inputs, &Picked::by(hole, "as runs of this case need for the height"));
+        sizes.lengths([(
+            "travel",
+            &Picked::by(depth + height + 2.0 * t, "the punch's wall comes 2 thicknesses past the rim"),
+        )]);
+        Ok(sizes)
+    };
+    corrected("collar", 1, [first, 0.0], values, |end| Some([share * (part_height(end)? - height), 0.0]))
+}
