@@ -172,8 +172,7 @@ impl Termination {
                 return Some(Stop::at(kind, record.porous_s0, text));
             }
             StopKind::EdgeLimit => {
-                let hole = Amount::place(record.hole);
-                format!("edge cracked: at {travel} of travel the hole is {hole} wide, the limit of its expansion")
+                format!("edge cracked: at {travel} the hole is Ø {}, its limit", Amount::place(record.hole))
             }
             StopKind::ContactShare => {
                 let (share, limit) = (Amount::share(record.contact_share), model.stop.contact_share?);

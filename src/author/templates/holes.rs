@@ -38,9 +38,10 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
     ensure(hole >= t && widest >= 2.0 * hole, what, "make --throat larger, or --hole other: a thickness at least")?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let (end, rim) = (throat + shoulder.value, Point::new(throat, -throat / HALF.tan()));
-    let whole =
-        inputs.number("edge-limit").map(|_| Picked::by((widest - hole) / HALF.tan(), "until the cone is near the die"));
-    let travel = inputs.pick("travel", || whole.unwrap_or(Picked::by(inputs.value("travel"), "declared")));
+    let travel = inputs.pick("travel", || match inputs.number("edge-limit") {
+        Some(_) => Picked::by((widest - hole) / HALF.tan(), "beyond the limit, as far as the die lets the cone"),
+        None => Picked::by(inputs.value("travel"), "declared"),
+    });
     let mut sizes = sheet.values(false);
     sizes.die(&Picked::by(2.0 * end, "twice what is formed, declared"), &Picked::input(throat), &shoulder, hole);
     sizes.elements(2.0 * end, f64::min(shoulder.value, hole), 2);
@@ -57,10 +58,9 @@ pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let [radius, height] = inputs.values(["radius", "height"]);
     let nose = nose(inputs, sheet, radius)?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
-    let clearance =
-        inputs.pick("clearance", || Picked::by(t, "the sheet's thickness: the rim, which thins, is not ironed"));
+    let clearance = inputs.pick("clearance", || Picked::by(t, "a thickness, the rim is thinner"));
     let shape = inputs.name("punch").unwrap_or("flat");
-    let what = || format!("a punch that is {shape} is not known");
+    let what = || format!("no punch is {shape}");
     ensure(["flat", "conical", "spherical"].contains(&shape), what, "--punch flat, conical or spherical")?;
     let throat = throat(radius, &clearance);
     let end = throat.value + shoulder.value;
@@ -73,25 +73,22 @@ pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let what = || format!("no hole is left for a collar {} high", plain(height));
     ensure(first >= t, what, "make --height or --shoulder smaller, or --radius larger")?;
     let values = |[hole, _]: [f64; 2]| {
-        let corner = nose.value;
-        let (cone, upright) = cone(radius, corner, 4.0 * height);
+        let (cone, upright) = cone(radius, nose.value, 4.0 * height);
         // Depth of its wall below where a punch is placed: a cone on the edge of the hole, others with their face on the sheet.
         let (punch, depth) = match shape {
             "conical" => (format!("profile = {cone}"), upright - hole / HALF.tan()),
             "spherical" => (format!("hemispherical = {{ radius = {} }}", mm(radius)), radius),
-            _ => (format!("flat = {{ radius = {}, nose = {} }}", mm(radius), mm(corner)), corner),
+            _ => (format!("flat = {{ radius = {}, nose = {} }}", mm(radius), mm(nose.value)), nose.value),
         };
         let mut sizes = sheet.values(false);
         let blank = Picked::by(end, "clamped where the die's shoulder ends, as by a pad");
         sizes.die(&blank, &throat, &shoulder, nose.value);
         sizes.set("diameter", plain(2.0 * radius), "");
         sizes.set("wall_height", plain(height), "");
-        sizes.set("punch", punch, &if shape == "spherical" { String::new() } else { nose.reason("nose: ") });
+        sizes.set("punch", punch, "");
         edge(&mut sizes, inputs, &Picked::by(hole, "as runs of this case need for the height"));
-        sizes.lengths([(
-            "travel",
-            &Picked::by(depth + height + 2.0 * t, "the punch's wall comes 2 thicknesses past the rim"),
-        )]);
+        let travel = Picked::by(depth + height + 2.0 * t, "its wall comes 2 thicknesses past the rim");
+        sizes.lengths([("travel", &travel)]);
         Ok(sizes)
     };
     corrected("collar", 1, [first, 0.0], values, |end| Some([share * (part_height(end)? - height), 0.0]))

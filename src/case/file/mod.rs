@@ -114,7 +114,7 @@ impl CaseFile {
             let before = i.checked_sub(1).map(|before| &stages[before].model);
             // Values of the case have been checked above: these are the limits of the solver.
             stage.check(before).map_err(|error| {
-                let path = if i == 0 { String::new() } else { format!("stages.{}", i - 1) };
+                let path = if i == 0 { error.what.clone() } else { format!("stages.{}", i - 1) };
                 source.error(&path, error.to_string(), "the solver cannot take this: change the key that is named")
             })?;
         }
