@@ -69,6 +69,9 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     let thins = format!("it thins by {} {at}", Amount::share(thinning));
     match failures.first() {
         Some(FailureMode::Tears) => joined(["it thins too far".into(), at], " "),
+        Some(FailureMode::Wrinkles) if stages[0].model.tool(Role::Holder).is_none() => {
+            "it wrinkles: nothing holds the flange".into()
+        }
         Some(FailureMode::Wrinkles) => "it wrinkles: the holder presses too little for this flange".into(),
         Some(_) => format!("it does not tear, but is refused: {red}"),
         None if limit_is_amber && limit_used.is_none() => {

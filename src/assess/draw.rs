@@ -81,7 +81,8 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
         _ => {
             let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
             let text = format!("blank less punch diameter {{}}; nothing holds the flange; {itself}");
-            judged("Wrinkle index", text).number(Amount::thicknesses(beyond / t)).at_most(FREE[0], FREE[1])
+            let judged = judged("Wrinkle index", text).number(Amount::thicknesses(beyond / t));
+            judged.at_most(FREE[0], FREE[1]).advice("a holder that presses on the flange")
         }
     })
 }

@@ -26,7 +26,7 @@ pub(super) fn row(run: &Run) -> Option<Finding> {
 /// Friction without a source.
 pub(super) fn assumed(case: &Case) -> Option<Finding> {
     let most = largest_coefficient(case.model())?;
-    let text = "friction of {} at most is assumed: [friction] names no `source`";
+    let text = "friction of {} at most is assumed: the case's [friction] has no `source`";
     case.sources.friction.is_none().then(|| Finding::assumed(text).number(Amount::number(most)))
 }
 

@@ -8,10 +8,12 @@ use crate::rules::LIMITING_RATIO;
 use crate::units::significant;
 use std::ops::RangeInclusive;
 
-/// Widths of blanks \[mm\].
-pub const WIDTHS: RangeInclusive<f64> = 1.0..=3000.0;
-/// Thickness of the thinnest foil that is formed \[mm\].
-const THINNEST: f64 = 0.01;
+/// Widths of blanks and tools \[mm\].
+pub const WIDTHS: RangeInclusive<f64> = 10.0..=1000.0;
+/// Thicknesses of sheets \[mm\].
+pub const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
+/// Width of the widest blank that a template writes \[mm\].
+pub const WIDEST: f64 = 3000.0;
 /// Width of a blank over its thickness \[–\].
 const SLENDER: f64 = 3000.0;
 /// Draw ratio from which on the blank's radius may be its diameter \[–\]: half of it is still drawn, and the whole is beyond
@@ -37,19 +39,21 @@ pub fn across(model: &Model) -> f64 {
 }
 
 fn width(model: &Model) -> Option<Finding> {
-    let width = across(model);
-    let text = "the blank is {} wide, which is odd for a stamping";
-    let warning = Finding::warning("width", "Width", text).number(Amount::size(width));
-    let warning = match width > *WIDTHS.end() {
-        true => warning.at_most(*WIDTHS.end(), None),
-        false => warning.at_least(*WIDTHS.start(), None),
-    };
-    warning.advice("is the unit of its size right?").if_beyond()
+    let warning = Finding::warning("width", "Width", "the blank is {} wide, which is odd for a stamping");
+    within(warning, across(model), WIDTHS).advice("is the unit of its size right?").if_beyond()
+}
+
+fn within(warning: Finding, size: f64, range: RangeInclusive<f64>) -> Finding {
+    let warning = warning.number(Amount::size(size));
+    match size > *range.end() {
+        true => warning.at_most(*range.end(), None),
+        false => warning.at_least(*range.start(), None),
+    }
 }
 
 fn thickness(model: &Model) -> Option<Finding> {
-    let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, thinner than foil");
-    let warning = warning.number(Amount::size(model.blank.thickness)).at_least(THINNEST, None);
+    let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, which is odd for a stamping");
+    let warning = within(warning, model.blank.thickness, THICKNESSES);
     warning.advice("is the unit of its thickness right?").if_beyond()
 }
 

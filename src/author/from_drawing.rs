@@ -7,18 +7,22 @@ mod sizes;
 use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{Inputs, LAW, mild_steel};
 use crate::assess::size_doubts;
-use crate::case::{self, Case, CaseError, library};
+use crate::case::{self, Case, CaseError, library, overrides};
 use crate::import::{self, ImportError, Options, Section, Sections};
 use crate::material::Material;
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Extent, Geometry, Role};
 use crate::units::rounded;
 use crate::writer::{Values, comment, drawn_profile, exact, forming_limit};
-use sizes::DrawnTools;
+use sizes::{DrawnTools, placeholder};
+use std::fmt;
 use std::path::Path;
 
+/// Reach of a part past the throat over the thickness \[–\] that still has left the die: contact gives way a little.
+const SLACK: f64 = 0.5;
+
 /// Options of an import, and sizes that are known besides the drawing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Import {
     /// Options of the reader.
     pub options: Options,
@@ -32,6 +36,10 @@ pub struct Import {
     pub blank: Option<f64>,
     /// Travel of the punch \[mm\]; a placeholder where `None`.
     pub travel: Option<f64>,
+    /// Coulomb's coefficient of every tool \[–\]; a placeholder where `None`.
+    pub friction: Option<f64>,
+    /// `KEY=VALUE` settings of the case.
+    pub overrides: Vec<String>,
 }
 
 /// A case made from a drawing.
@@ -66,11 +74,22 @@ impl Import {
         let given = [self.thickness.or(drawn(2)), self.blank.or(drawn(1)), self.travel];
         let tools = DrawnTools::new(self.geometry, sections.first.tools.iter().collect(), given);
         let (size, mut doubts) = (tools.size(), tools.doubts(sections.unit, self.thickness.is_none()));
-        let text = self.text(drawing, &sections, &tools, &metal);
+        let is_through = self.geometry == Geometry::Axisymmetric && sections.later.is_empty();
+        let throat = tools.tool(Role::Die).and_then(|die| throat(&die)).filter(|_| is_through);
+        let through =
+            throat.zip(sections.part_edge).filter(|(throat, edge)| *edge < throat + SLACK * tools.thickness.value);
+        let through = through.map(|_| "stop.drawn_through=true".to_owned());
+        let overrides: Vec<String> = through.into_iter().chain(self.overrides.iter().cloned()).collect();
+        let text = overrides::apply(&self.text(drawing, &sections, &tools, &metal), &overrides).map_err(refused)?;
         let case = case(&text, &drawing.display().to_string(), &tools, &doubts).map_err(refused)?;
         // A doubt of the drawing is the cause of those of the case.
         if let (true, Some(case)) = (doubts.is_empty(), &case) {
             doubts = size_doubts(case);
+        }
+        if self.geometry == Geometry::Axisymmetric && tools.tool(Role::Holder).is_none() {
+            let what =
+                "no holder is drawn, and nothing holds the flange: add one, or name its layer with --layer NAME=holder";
+            doubts.push(what.to_owned());
         }
         let derived = case.iter().flat_map(|case| &case.derived).map(ToString::to_string);
         let notes = doubts.iter().chain(&sections.notes).cloned().chain(derived).collect();
@@ -79,7 +98,8 @@ impl Import {
 
     fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
         let DrawnTools { thickness, blank, travel, .. } = first;
-        let mut values = tool_values(&sections.first.tools);
+        let friction = Picked::or(self.friction, || placeholder(friction(), "Coulomb's coefficient"));
+        let mut values = tool_values(&sections.first.tools, &friction);
         let notes: String = sections.notes.iter().map(|note| comment(&format!("- {note}"))).collect();
         values.set("notes", notes.trim_end(), "");
         let title = format!("Tools of {}", file_name(drawing));
@@ -88,17 +108,24 @@ impl Import {
         values.set("geometry", format!("{:?}", self.geometry.key()), "");
         let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
         let blank_key = format!("blank (--set blank.{key})");
+        let is_set = |key: &str| self.overrides.iter().any(|set| set.trim_start().starts_with(key));
+        let has_holder = first.tool(Role::Holder).is_some();
         let open = [
-            ("material (--material)", self.material.is_none()),
-            ("friction (--set friction)", true),
-            ("thickness (--set blank.thickness)", !thickness.is_given()),
-            (&blank_key, !blank.is_given()),
-            ("travel (--set tools.punch.travel)", travel.as_ref().is_some_and(|travel| !travel.is_given())),
-            ("holder pressure (--set tools.holder.pressure)", first.tool(Role::Holder).is_some()),
+            ("material (--material)", self.material.is_none() && !is_set("material")),
+            ("friction (--set friction)", !friction.is_given() && !is_set("friction=")),
+            ("thickness (--set blank.thickness)", !thickness.is_given() && !is_set("blank.thickness")),
+            (&blank_key, !blank.is_given() && !is_set("blank.radius") && !is_set("blank.d") && !is_set("blank.half")),
+            (
+                "travel (--set tools.punch.travel)",
+                travel.as_ref().is_some_and(|travel| !travel.is_given()) && !is_set("tools.punch.travel"),
+            ),
+            ("holder pressure (--set tools.holder.pressure)", has_holder && !is_set("tools.holder.")),
             ("travels and holder forces of the later stages (--set stages.0.punch.move)", !sections.later.is_empty()),
         ];
         let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();
-        values.set("open", open.join(", "), "");
+        if !open.is_empty() {
+            values.set("open", open.join(", "), "");
+        }
         let name = (!sections.later.is_empty()).then(|| "first".to_owned());
         if let Some(name) = sections.first.number.map(stage).or(name) {
             values.set("stage", format!("{name:?}"), "");
@@ -117,13 +144,38 @@ impl Import {
         let why = format!("placeholder: {rule}, between holder and die; change it, or give a force");
         values.set("pressure", format!("\"{pressure} MPa\""), &why);
         if first.tool(Role::Punch).is_none() {
-            values.set("no_punch", friction(), "");
+            values.set("no_punch", friction.value, "");
         }
-        let stages = later_stages(sections, first, pressure);
+        let stages = later_stages(sections, first, pressure, &friction);
         if !stages.is_empty() {
             values.set("stages", stages.join("\n").trim_end(), "");
         }
         values.fill(include_str!("from_drawing/case.toml"))
+    }
+}
+
+impl fmt::Display for Imported {
+    /// Tools, sizes, and how the drawing was understood.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let later = self.sections.later.iter().flat_map(|later| &later.tools);
+        for Section { role, profile, made_of, .. } in self.sections.first.tools.iter().chain(later) {
+            let pieces = profile.pieces().len();
+            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
+            writeln!(f, "{:<8}{pieces} {drawn} from {made_of}", role.name())?;
+        }
+        writeln!(f, "size    {}", self.size)?;
+        self.notes.iter().skip(self.doubts.len()).try_for_each(|note| writeln!(f, "  - {note}"))
+    }
+}
+
+impl Imported {
+    /// Lines on what is left to give.
+    pub fn next(&self) -> impl Iterator<Item = String> {
+        let model = self.case.as_ref().map(Case::model);
+        let open = model.and_then(|model| model.placeholders()).map(|open| format!("placeholders: {open}"));
+        let cup = model.filter(|model| model.tool(Role::Holder).is_some() && !model.stop.drawn_through);
+        let through = cup.map(|_| "a part that is pushed through the die: import it with --drawn-through".to_owned());
+        open.into_iter().chain(through)
     }
 }
 
@@ -156,7 +208,7 @@ fn refused(error: CaseError) -> ImportError {
 }
 
 /// Each later operation with new tools; the die stays where none is drawn, and with it the holder.
-fn later_stages(sections: &Sections, first: &DrawnTools, pressure: f64) -> Vec<String> {
+fn later_stages(sections: &Sections, first: &DrawnTools, pressure: f64, friction: &Picked) -> Vec<String> {
     let (mut before, mut stages) = (first.clone(), Vec::new());
     for later in &sections.later {
         let has = |role: Role| later.tool(role).is_some();
@@ -169,7 +221,7 @@ fn later_stages(sections: &Sections, first: &DrawnTools, pressure: f64) -> Vec<S
         let staying = before.sections.iter().copied().filter(|section| stays(section.role));
         let given = [Some(first.thickness.value), Some(first.blank.value), None];
         let now = DrawnTools::new(first.geometry, later.tools.iter().chain(staying).collect(), given);
-        let mut values = tool_values(&later.tools);
+        let mut values = tool_values(&later.tools, friction);
         values.set("label", later.number.map_or_else(String::new, stage), "");
         if before.tool(Role::Holder).is_some() && now.tool(Role::Holder).is_none() {
             values.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
@@ -211,9 +263,9 @@ fn pressure(tools: &DrawnTools, metal: &Material) -> (f64, &'static str) {
 }
 
 /// Source, profile and friction of each tool.
-fn tool_values(tools: &[Section]) -> Values {
+fn tool_values(tools: &[Section], friction: &Picked) -> Values {
     let mut values = Values::default();
-    values.set("friction", friction(), "placeholder: Coulomb's coefficient; change it");
+    values.set("friction", friction.value, &reason(friction));
     for Section { role, profile, made_of, .. } in tools {
         values.set(role.name(), made_of, "");
         values.set(&format!("{}_profile", role.name()), drawn_profile(profile), "");

@@ -4,7 +4,7 @@ pub mod comparison;
 mod error;
 pub(crate) mod file;
 pub mod library;
-mod overrides;
+pub(crate) mod overrides;
 mod schema;
 mod source;
 mod sources;

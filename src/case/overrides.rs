@@ -1,14 +1,14 @@
 //! Values in the text of a case: `KEY=VALUE` of the command line is written into it before it is read, studies read them.
 
-use super::{Case, CaseError, library, source::is_radius_and_diameter};
+use super::{Case, CaseError, library, source::alternatives};
 use crate::units::did_you_mean;
-use toml_edit::{DocumentMut, Item, Table, Value};
+use toml_edit::{Decor, DocumentMut, Item, Table, Value};
 
 /// The table that may be replaced as a whole, by the name of a sheet.
 const MATERIAL: &str = "material";
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.
-pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseError> {
+pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseError> {
     if overrides.is_empty() {
         return Ok(text.to_owned());
     }
@@ -47,8 +47,7 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
             continue;
         }
         if let Some(table) = here.as_table_like_mut() {
-            let twin = table.iter().map(|(old, _)| old.to_owned()).find(|old| is_radius_and_diameter(old, key));
-            twin.and_then(|twin| table.remove(&twin));
+            alternatives(key).for_each(|other| drop(table.remove(other)));
         }
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }
@@ -84,9 +83,7 @@ fn replace_material(document: &mut DocumentMut, name: &str) {
         table.set_position(old.position().or_else(|| old.iter().find_map(|(_, item)| item.as_table()?.position())));
     }
     table.insert("name", Item::Value(name.into()));
-    if let Some(mode) = mode {
-        table.insert("mode", Item::Value(mode));
-    }
+    mode.and_then(|mode| table.insert("mode", Item::Value(mode)));
     document.insert(MATERIAL, Item::Table(table));
 }
 
@@ -108,7 +105,7 @@ fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
     (entry.is_table_like() || entry.is_array() || entry.is_array_of_tables()).then_some(entry)
 }
 
-/// Sets a key of a table (new or not) or an entry of an array (that exists); comments around it stay.
+/// Sets a key of a table (new or not) or an entry of an array (that exists); comments stay, but a placeholder's.
 fn set(item: &mut Item, key: &str, mut value: Value) -> Option<()> {
     if let (Ok(index), false) = (key.parse::<usize>(), item.is_table_like()) {
         *item.get_mut(index)? = Item::Value(value);
@@ -116,7 +113,8 @@ fn set(item: &mut Item, key: &str, mut value: Value) -> Option<()> {
     }
     let table = item.as_table_like_mut()?;
     if let Some(old) = table.get(key).and_then(Item::as_value) {
-        *value.decor_mut() = old.decor().clone();
+        let is_placeholder = old.decor().suffix().and_then(|text| text.as_str()?.find("# placeholder")).is_some();
+        *value.decor_mut() = if is_placeholder { Decor::new(" ", "") } else { old.decor().clone() };
     }
     table.insert(key, Item::Value(value));
     Some(())

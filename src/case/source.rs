@@ -219,26 +219,31 @@ fn path_at(value: &DeValue, span: &Range<usize>) -> Option<String> {
     })
 }
 
-/// Keys of lengths from the axis, each with the key of its diameter.
-const DIAMETERS: [(&str, &str); 6] = [
-    ("radius", "diameter"),
-    ("throat", "throat_diameter"),
-    ("mouth", "mouth_diameter"),
-    ("inner_radius", "inner_diameter"),
-    ("at", "diameter"),
-    ("trim", "trim_diameter"),
+/// Keys of which a table has one; the first six are lengths from the axis, each with the key of its diameter.
+const ALTERNATIVES: [&[&str]; 10] = [
+    &["radius", "diameter"],
+    &["throat", "throat_diameter"],
+    &["mouth", "mouth_diameter"],
+    &["inner_radius", "inner_diameter"],
+    &["at", "diameter"],
+    &["trim", "trim_diameter"],
+    &["force", "pressure", "gap", "spring"],
+    &["cone", "tractrix"],
+    &["frames", "count"],
+    &["tolerance", "wall_tolerance"],
 ];
 
 /// Path of the diameter that may be given instead of a radius.
 fn diameter_key(path: &str) -> Option<String> {
     let (table, key) = path.rsplit_once('.')?;
-    let (_, diameter) = DIAMETERS.iter().find(|(radius, _)| *radius == key)?;
-    Some(format!("{table}.{diameter}"))
+    let keys = ALTERNATIVES[..6].iter().find(|keys| keys[0] == key)?;
+    Some(format!("{table}.{}", keys[1]))
 }
 
-/// True if two keys of a table give the same length, one from the axis and one across.
-pub(super) fn is_radius_and_diameter(one: &str, other: &str) -> bool {
-    DIAMETERS.iter().any(|pair| *pair == (one, other) || *pair == (other, one))
+/// Keys that a table cannot have beside one, such as the diameter beside the radius.
+pub(super) fn alternatives(key: &str) -> impl Iterator<Item = &'static str> {
+    let keys = ALTERNATIVES.iter().filter(move |keys| keys.contains(&key)).flat_map(|keys| keys.iter());
+    keys.copied().filter(move |other| *other != key)
 }
 
 /// Keys of texts, in which "6 t" is no length, and of forces, in which "250 t" is no length either.

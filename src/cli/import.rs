@@ -1,8 +1,8 @@
 //! `stampflow import`: from a drawing to a case file.
 
 use super::*;
-use stampflow::author::{Import, Imported};
-use stampflow::import::{self, Heading, Operation, Options, Section, Sections};
+use stampflow::author::Import;
+use stampflow::import::{self, Heading, Operation, Options, Section};
 
 options! {
     /// Write a case file with the tools of a drawing (DXF)
@@ -32,12 +32,21 @@ options! {
             "Radius of the blank, in plane strain its half-length [default: a placeholder]",
         travel: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
             "Punch travel [default: a placeholder]",
+        friction: Option<f64> = "NUMBER" [long, value_parser = |text: &str| text.parse().map(stampflow::units::Fraction::value)]
+            "Coulomb's coefficient of every tool, 0 to 1 [default: a placeholder]",
+        holder_force: Option<String> = "FORCE" [long] "Holder's force, such as \"9.6 kN\" [default: a placeholder]",
+        drawn_through: bool [long] "The part is pushed through the die [default: if the drawing's layer SHEET shows it]",
+        set: Vec<String> = "KEY=VALUE" [long] "Set a value of the case, as often as needed",
     } json: Json;
 }
 
 pub fn import(args: Args) -> Result<Code> {
     let Args { drawing, out, force, layers, unit, axis, punch_moves, join, tolerance, .. } = args;
-    let Args { geometry, material, thickness, blank, travel, json: Json { json }, .. } = args;
+    let Args { geometry, material, thickness, blank, travel, friction, .. } = args;
+    let Args { holder_force, drawn_through, set, json: Json { json }, .. } = args;
+    let holder = holder_force.map(|force| format!("tools.holder.force={force:?}"));
+    let through = drawn_through.then(|| "stop.drawn_through=true".to_owned());
+    let overrides = holder.into_iter().chain(through).chain(set).collect();
     let bytes = Disk.read(&drawing, import::LARGEST).map_err(|error| {
         let is_large = error.kind() == std::io::ErrorKind::FileTooLarge;
         let help = if is_large { "save the tools' layers only" } else { "give the path of a DXF file" };
@@ -49,7 +58,7 @@ pub fn import(args: Args) -> Result<Code> {
     let is_free = |path| place::free(path, force, std::slice::from_ref(&drawing), "-o");
     is_free(&out).and_then(|()| is_free(&picture))?;
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
-    let mut import = Import { options, geometry, material, thickness, blank, travel };
+    let mut import = Import { options, geometry, material, thickness, blank, travel, friction, overrides };
     let mut imported = import.read(&bytes, &drawing);
     let can_ask = unit.is_none() && !json && stdin().is_terminal();
     if let Some(error) = imported.as_ref().err().filter(|error| can_ask && error.help.contains("--unit")) {
@@ -61,29 +70,19 @@ pub fn import(args: Args) -> Result<Code> {
     let imported = imported.with_context(|| drawing.display().to_string())?;
     write(&out, imported.text.as_bytes()).map_err(unusable("-o"))?;
     write(&picture, &png(&imported.picture(&drawing))).map_err(unusable("-o"))?;
-    let Imported { sections: Sections { first, later, .. }, size, case, doubts, notes, .. } = imported;
-    doubts.iter().filter(|_| !json).for_each(|doubt| warn(format!("warning: {doubt}")));
+    imported.doubts.iter().filter(|_| !json).for_each(|doubt| warn(format!("warning: {doubt}")));
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();
     let stage = |stage: &Operation| json!({ "name": stage.name(), "tools": tools(&stage.tools) });
-    let stages = json!({ "tools": tools(&first.tools), "later": later.iter().map(stage).collect::<Value>() });
-    let value = with(json!({ "case": out, "picture": picture, "size": size, "notes": notes }), stages);
-    let printed = emit(json, value, || {
-        let tools = first.tools.iter().chain(later.iter().flat_map(|later| &later.tools)).map(|tool| {
-            let pieces = tool.profile.pieces().len();
-            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
-            format!("{:<8}{pieces} {drawn} from {}\n", tool.role.name(), tool.made_of)
+    let later = imported.sections.later.iter().map(stage).collect::<Value>();
+    let value = json!({ "case": out, "picture": picture, "size": imported.size, "notes": imported.notes });
+    let printed =
+        emit(json, with(value, json!({ "tools": tools(&imported.sections.first.tools), "later": later })), || {
+            let (out, picture) = (out.display(), picture.display());
+            let next: String = imported.next().map(|line| format!("\n{line}")).collect();
+            format!("{imported}\n{out} and {picture} are written{next}\nnext: stampflow check {out}").into()
         });
-        let notes = notes.iter().skip(doubts.len()).map(|note| format!("  - {note}\n"));
-        let text: String = tools.chain([format!("size    {size}\n")]).chain(notes).collect();
-        let (out, picture) = (out.display(), picture.display());
-        let next = |open| format!("\nplaceholders: {open}\nchange them in the case or so: stampflow check {out}");
-        let next = case.iter().find_map(|case| case.model().placeholders()).map_or_else(String::new, next);
-        format!("{text}\n{out} and {picture} are written{next}").into()
-    });
-    ensure!(
-        case.is_some(),
-        "no punch is drawn, and the case cannot be run: add one, or import with --layer NAME=punch"
-    );
+    let what = "no punch is drawn, and the case cannot be run: add one, or import with --layer NAME=punch";
+    ensure!(imported.case.is_some(), what);
     printed
 }

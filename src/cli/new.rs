@@ -36,7 +36,7 @@ fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item 
     };
     let arg = value(&choice.key, format!("{} [default: {}]", choice.about, choice.default));
     let diameter = choice.diameter.as_deref().map(|key| {
-        let arg = value(key, format!("its diameter, instead of --{}", choice.key)).conflicts_with(choice.key.as_str());
+        let arg = value(key, format!("twice that, instead of --{}", choice.key)).conflicts_with(choice.key.as_str());
         if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg }
     });
     std::iter::once(arg).chain(diameter)

@@ -7,10 +7,11 @@ pub mod surface;
 use std::str::FromStr;
 
 /// Kind of section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Geometry {
     /// Body of revolution.
+    #[default]
     Axisymmetric,
     /// A section that is the same at every depth; one half of it is solved, symmetric to the other.
     PlaneStrain,

@@ -99,6 +99,8 @@ pub struct Sections {
     pub later: Vec<Operation>,
     /// Hole, edge and thickness of the blank \[mm\], where its layer is drawn.
     pub blank: Option<[f64; 3]>,
+    /// Largest distance of the finished part from the axis \[mm\], where its layer SHEET is drawn.
+    pub part_edge: Option<f64>,
     /// Unit of the drawing.
     pub unit: DrawingUnit,
     /// How the drawing was understood: unit, direction, halves, joints, omissions.
@@ -113,9 +115,10 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let mut entities = blocks::exploded(&drawing)?;
     let blank = stroke::blank(&entities, options, &frame);
     if let Some([_, edge, thickness]) = blank {
-        entities.retain(|placed| !stroke::is_blank(placed));
+        entities.retain(|placed| !stroke::is_on(placed, "blank"));
         frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
     }
+    let part_edge = stroke::bounds("sheet", &entities, options, &frame).map(|part| part.high.x);
     let layers = layers::layers(&entities, options, &frame)?;
     let mut tools: Vec<ToolId> = layers.values().copied().collect();
     tools.sort_unstable();
@@ -148,5 +151,5 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
         let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
         return Err(ImportError::new(what, help));
     }
-    Ok(Sections { first: later.remove(0), later, blank, unit: frame.unit, notes: frame.notes.into_inner() })
+    Ok(Sections { first: later.remove(0), later, blank, part_edge, unit: frame.unit, notes: frame.notes.into_inner() })
 }

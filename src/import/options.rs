@@ -60,6 +60,7 @@ impl FromStr for DrawingUnit {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        let text = if ["inch", "inches"].contains(&text) { "in" } else { text };
         let symbol = Self::ALL.into_iter().find(|symbol| *symbol == text);
         let unit = symbol.and_then(|symbol| Some(Self(symbol, parse(&format!("1 {symbol}")).ok()?.value)));
         unit.ok_or_else(|| format!("give {}", Self::ALL.join(", ")))

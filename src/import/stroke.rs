@@ -70,16 +70,21 @@ pub(super) fn strokes(
     Ok(strokes)
 }
 
-pub(super) fn is_blank(placed: &Placed) -> bool {
-    !placed.source.on_paper && placed.source.layer.eq_ignore_ascii_case("blank")
+pub(super) fn is_on(placed: &Placed, layer: &str) -> bool {
+    !placed.source.on_paper && placed.source.layer.eq_ignore_ascii_case(layer)
 }
 
-/// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it; not if `--layer` names it.
-pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<[f64; 3]> {
-    let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case("blank"));
-    let curves = entities.iter().filter(|placed| is_free && is_blank(placed) && placed.entity.is_curve());
+/// Box around what a layer of that name draws; not if `--layer` names it.
+pub(super) fn bounds(layer: &str, entities: &[Placed], options: &Options, frame: &Frame) -> Option<Bounds> {
+    let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case(layer));
+    let curves = entities.iter().filter(|placed| is_free && is_on(placed, layer) && placed.entity.is_curve());
     let pieces: Vec<Piece> = curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten().collect();
-    let Bounds { low, high } = Bounds::around(&pieces)?;
+    Bounds::around(&pieces)
+}
+
+/// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it.
+pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<[f64; 3]> {
+    let Bounds { low, high } = bounds("blank", entities, options, frame)?;
     let [hole, edge, thickness] = [low.x.max(0.0), high.x, high.y - low.y].map(rounded);
     (thickness > frame.join && thickness < THIN * edge).then_some([hole, edge, thickness])
 }

@@ -1,7 +1,7 @@
 //! First page: verdict, what to change, key numbers, the part and the load.
 
 use super::Report;
-use super::page::{figure, word};
+use super::page::{figure, in_words, word};
 use super::results::{PART, plot};
 use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
 use crate::plot::chart::{Scale, bounds};
@@ -56,7 +56,7 @@ pub(super) fn content(report: &Report) -> Markup {
 }
 
 fn issue_of(issue: &Finding) -> Markup {
-    let found = issue.statement();
+    let found = in_words(&issue.statement());
     let limit = first_clause(&issue.limit);
     html! {
         li {
@@ -64,7 +64,7 @@ fn issue_of(issue: &Finding) -> Markup {
                 span.{ (issue.light.name()) } { (word(issue.light)) } " " strong { (issue.label) } ": " (found)
                 @if !limit.is_empty() { " (limit: " (limit) ")" }
             }
-            @if !issue.advice.is_empty() { p.advice { "What to change: " (issue.advice) } }
+            @if !issue.advice.is_empty() { p.advice { "What to change: " (in_words(&issue.advice)) } }
         }
     }
 }

@@ -12,6 +12,9 @@ const STYLE: &str = include_str!("style.css");
 /// Longest cell that has room beside others on a phone \[letters\].
 const SHORT: usize = 24;
 
+/// Tables of a case file that texts name.
+const KEYS: [&str; 7] = ["press", "friction", "material", "forming_limit", "springback", "stop", "finished"];
+
 /// Half the width between the margins of A4 \[mm\].
 const COLUMN: f64 = 88.0;
 
@@ -112,6 +115,19 @@ fn drawn(svg: &str, caption: &str) -> Markup {
     }
 }
 
+/// Text for readers who have neither the case file nor the program: without its marks, and without commands.
+pub(super) fn in_words(text: &str) -> String {
+    let mut words = String::new();
+    for (i, part) in text.split('`').enumerate() {
+        if i % 2 == 1 && part.starts_with("stampflow ") {
+            words.truncate(words.trim_end_matches([':', ' ']).len());
+        } else {
+            words += part;
+        }
+    }
+    KEYS.iter().fold(words, |words, key| words.replace(&format!("[{key}]"), key))
+}
+
 /// Table; on a phone the cells of wide ones stand below each other under their columns' names.
 pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = R>) -> Markup {
     let rows: Vec<Row> = rows.into_iter().map(Into::into).collect();
@@ -126,7 +142,7 @@ pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = 
                         tr.belongs[row.belongs] {
                             @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
                                 td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[is_wide.then_some(name)] {
-                                    (cell)
+                                    (in_words(cell))
                                 }
                             }
                         }
@@ -140,7 +156,7 @@ pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = 
 /// List, or a sentence if it is empty.
 pub(super) fn list(entries: &[String], none: &str) -> Markup {
     html! {
-        @if entries.is_empty() { p { (none) } } @else { ul { @for entry in entries { li { (entry) } } } }
+        @if entries.is_empty() { p { (none) } } @else { ul { @for entry in entries { li { (in_words(entry)) } } } }
     }
 }
 

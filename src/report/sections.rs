@@ -99,9 +99,11 @@ fn case(report: &Report) -> Markup {
         Some(last) => format!("stopped early: {}", last.stop),
         None => "not begun".to_owned(),
     };
+    // The title block stands on the first page.
+    let overrides = case.overrides.iter().filter(|set| !set.starts_with("report"));
     let rows = [
         ("Case file", case.path.display().to_string()),
-        ("Set on the command line", case.overrides.join(", ")),
+        ("Set on the command line", joined(overrides.cloned(), ", ")),
         ("Section", section_of(case.model().extent())),
         ("Stages", if case.later().is_empty() { String::new() } else { stages }),
         ("Run", ended),

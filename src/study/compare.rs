@@ -169,11 +169,12 @@ impl SideBySide {
         table
     }
 
-    /// Numbers of all runs, but those that only the verdict has.
+    /// Numbers of all runs; of those that only the verdict has the ones that decide whether it tears.
     fn numbers(&self) -> Vec<&Number> {
         let mut numbers: Vec<&Number> = Vec::new();
         for number in self.members.iter().flat_map(|member| &member.outcome.numbers) {
-            let is_new = number.origin != Origin::Verdict && !numbers.iter().any(|known| known.is(number));
+            let decides = ["tearing", "forming_limit"].contains(&number.quantity.key);
+            let is_new = (decides || number.origin != Origin::Verdict) && !numbers.iter().any(|known| known.is(number));
             numbers.extend(is_new.then_some(number));
         }
         numbers

@@ -1,13 +1,12 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
 use super::*;
+use crate::assess::HolderRule;
 use crate::assess::estimate::{flange_strength, held_from};
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
-use crate::rules::holder_pressure;
-use std::f64::consts::PI;
 
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Goal {
     /// Overrides of all runs.
     pub settings: Vec<String>,
@@ -17,52 +16,14 @@ pub(super) struct Goal {
     pub quantity: Option<&'static str>,
     /// Target by the case itself.
     pub wanted: Option<String>,
+    /// Distance from the wanted value that the part's tolerance allows, in the unit of the quantity.
+    pub tolerance: f64,
+    /// Remark on what the runs add to the case.
+    pub note: Option<String>,
+    /// Change that makes up for what is missing of the wanted value.
+    pub remedy: Option<&'static str>,
     pub side: Option<Side>,
     pub holder: Option<HolderRule>,
-}
-
-/// Holder force of a blank by the rules of [`holder_pressure`] without the usual one, which may be twice as much.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct HolderRule {
-    /// Radius of the punch's mouth, and inner edge of the flat between holder and die \[mm\].
-    punch: f64,
-    end: f64,
-    thickness: f64,
-    /// \[MPa\]
-    strength: f64,
-    /// Whether the case gives the holder a pressure.
-    by_pressure: bool,
-}
-
-impl HolderRule {
-    /// `None` without a pressed holder, and where the command line gives its force.
-    fn new(case: &Case, punch: f64) -> Option<Self> {
-        let model = case.model();
-        let is_given = case.overrides.iter().any(|key| key.starts_with("tools.holder.") && !key.contains("friction"));
-        let holder = model.tool(Role::Holder).filter(|holder| matches!(holder.motion, Motion::Pressed(_)))?;
-        let end = held_from(model)?.max(extent(holder).0);
-        let (thickness, strength) = (model.blank.thickness, flange_strength(model));
-        let by_pressure = !case.written("tools.holder.pressure").is_empty();
-        (!is_given).then_some(Self { punch, end, thickness, strength, by_pressure })
-    }
-
-    fn pressure(&self, blank: f64) -> f64 {
-        let flat = [self.end, blank];
-        holder_pressure(0.0, blank / self.punch, 2.0 * self.punch, flat, self.thickness, self.strength).value
-    }
-
-    /// Force on a blank of this radius \[mm\] at its start \[N\].
-    pub fn force(&self, blank: f64) -> f64 {
-        PI * (blank * blank - self.end * self.end) * self.pressure(blank)
-    }
-
-    /// Override of the case for a blank of this radius \[mm\].
-    pub fn setting(&self, blank: f64) -> String {
-        match self.by_pressure {
-            true => format!("tools.holder.pressure={:.5} MPa", self.pressure(blank)),
-            false => format!("tools.holder.force={:.0} N", self.force(blank).ceil()),
-        }
-    }
 }
 
 const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
@@ -159,8 +120,10 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let wanted = limits.angle.map(|angle| format!("wall_angle={} deg", 0.5 * angle + 0.8 * tolerance));
     let at = significant(held + BEAD * model.blank.thickness, 4);
     let bead = format!("tools.beads=[{{at=\"{at} mm\", restraining=\"0 N/mm\"}}]");
-    let settings = if model.beads.is_empty() { vec![bead] } else { Vec::new() };
-    Ok(Goal { settings, wanted, ..Goal::reach(restraints(model), "wall_angle") })
+    let note = format!("The new bead lies {} from the middle.", Amount::place(at));
+    let (settings, note) = if model.beads.is_empty() { (vec![bead], Some(note)) } else { Default::default() };
+    let (tolerance, remedy) = (0.2 * tolerance, Some("lean the walls of punch and die back by"));
+    Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(restraints(model), "wall_angle") })
 }
 
 fn bead_force(model: &Model) -> Result<Goal, StudyError> {

@@ -2,11 +2,11 @@
 
 use super::bracket::{Search, Trial};
 use super::charts::Charts;
-use super::goals::{Goal, HolderRule};
+use super::goals::Goal;
 use super::variable::{SearchRange, check_distinct};
 use super::*;
 use crate::assess::estimate;
-use crate::plot::{Axis, chart::bounds};
+use crate::plot::{Axis, axis::capitalised};
 
 /// Request of a search, as on the command line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,8 +36,7 @@ pub struct LimitSearch {
     values: Vec<f64>,
     /// Condition to keep, or target to reach.
     aim: Condition,
-    /// Force of the holder by the first variable, a blank's radius.
-    holder: Option<HolderRule>,
+    goal: Goal,
 }
 
 /// A target that is missed by less is met, over its size \[–\].
@@ -69,7 +68,8 @@ impl LimitSearch {
         let plan = Plan::new(base, &format!("{variables:?}{request:?}"), columns, 0);
         let search = Search { range: variables[0].1, tolerance, is_limit, side };
         let holder = goal.holder.filter(|_| request.vary.is_none());
-        let limit = Self { plan, variables, search, values: Vec::new(), aim, holder };
+        let goal = Goal { holder, ..goal };
+        let limit = Self { plan, variables, search, values: Vec::new(), aim, goal };
         if request.vary.is_some() {
             limit.plan.base.check_effective(&limit.trial(0, limit.search.at(0.5)).settings)?;
         }
@@ -95,8 +95,45 @@ impl LimitSearch {
                 (found, place(best), place(other))
             }
             Bracket::Everywhere(x) | Bracket::Open(x) => (found, place(x), None),
-            Bracket::Nowhere | Bracket::Failed => (found, None, None),
+            Bracket::Nowhere | Bracket::Failed => {
+                let nearest = self.nearest(runs).filter(|(_, missed)| missed.abs() <= self.goal.tolerance);
+                (found, nearest.map(|(place, _)| place), None)
+            }
         }
+    }
+
+    /// Run that comes nearest to the target, and by how much it misses.
+    fn nearest(&self, runs: &RunTable) -> Option<(usize, f64)> {
+        self.target()?;
+        let missed = self.trials(runs).into_iter().enumerate().filter_map(|(i, trial)| Some((i, trial.1?)));
+        missed.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+    }
+
+    /// Failure of a run: `at 633.6 N/mm it tears (101 %)`.
+    fn failure(&self, runs: &RunTable, run: &Run) -> Option<String> {
+        let at = self.variable().display(run.value(0));
+        let pulled = runs.response("tearing").ok().filter(|place| run.numbers[*place] >= 100.0);
+        let pulled = pulled.map_or_else(String::new, |place| format!(" ({})", runs.display(place, run.numbers[place])));
+        match run.failures.first()? {
+            FailureMode::Tears => Some(format!("at {at} it tears{pulled}")),
+            FailureMode::NoResult => Some(format!("at {at} it comes to no result")),
+            _ => Some(format!("at {at} red is {}", runs.worst_rows(run))),
+        }
+    }
+
+    /// Sentence on the nearest run to a target that none reaches, and on the run beside it that fails.
+    fn unreached(&self, runs: &RunTable, place: usize, wanted: &str) -> Option<String> {
+        let (best, missed) = self.nearest(runs).map(|(best, missed)| (&runs.runs[best], missed))?;
+        let (x, value) = (best.value(0), runs.display(place, best.numbers[place]));
+        let failed = runs.runs.iter().filter(|run| run.tears() || !run.is_known());
+        let beside = failed.min_by(|a, b| (a.value(0) - x).abs().total_cmp(&(b.value(0) - x).abs()));
+        let beside = beside.and_then(|run| self.failure(runs, run)).unwrap_or_default();
+        let at = self.variable().display(x);
+        let remedy = self.goal.remedy.filter(|_| missed > 0.0).map_or_else(String::new, |remedy| {
+            format!(" Take it to {at} and {remedy} {}.", runs.display(place, missed))
+        });
+        let (key, nearest) = (self.variable().label(), joined([format!("{value} at {at}"), beside], ", "));
+        Some(format!("{key}: {} of {wanted} is not reached: {nearest}.{remedy}", self.aim.text))
     }
 
     fn trials(&self, runs: &RunTable) -> Vec<Trial> {
@@ -119,7 +156,7 @@ impl LimitSearch {
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
         let settings = self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value));
-        let settings = settings.chain(self.holder.map(|rule| rule.setting(x)));
+        let settings = settings.chain(self.goal.holder.map(|rule| rule.setting(x)));
         Design { index, settings: settings.collect(), values }
     }
 
@@ -134,7 +171,7 @@ impl LimitSearch {
                 let (x, value) = (at(runs.runs[best].value(0)), runs.runs[best].numbers[place]);
                 return format!("{key} = {x}: {name} is {}, wanted {wanted}.", runs.display(place, value));
             }
-            (_, Some((_, wanted)), None) => return format!("{key}: {name} is {wanted} nowhere from {low} to {high}."),
+            (_, Some((place, wanted)), None) => return self.unreached(runs, place, &wanted).unwrap_or_default(),
             (Bracket::Between([inner, outer]), ..) => {
                 let side = if self.search.side == Side::Largest { "up to" } else { "from" };
                 format!("{side} {}, not at {}", at(inner), at(outer))
@@ -160,11 +197,8 @@ impl LimitSearch {
                 notes.push(format!("It jumps from {from} to {to} there."));
             }
         }
-        if let (Some((place, _)), Bracket::Nowhere) = (self.target(), found) {
-            let (low, high) = bounds(runs.runs.iter().filter(|run| !run.tears()).filter_map(|run| run.response(place)));
-            let [low, high] = [low, high].map(|value| runs.display(place, value));
-            notes.push(format!("It goes from {low} to {high} there."));
-        }
+        notes.extend(other.and_then(|other| self.failure(runs, other)).map(|text| capitalised(&text) + "."));
+        notes.extend(self.goal.note.clone());
         let draw_ratio = |run: &Run| {
             let case = self.plan.base.case(&self.trial(0, run.value(0)).settings).ok()?;
             estimate::draw_ratio(case.model())
@@ -173,7 +207,7 @@ impl LimitSearch {
         if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
         }
-        notes.extend(self.holder.zip(best).map(|(rule, best)| {
+        notes.extend(self.goal.holder.zip(best).map(|(rule, best)| {
             let force = Amount::force(rule.force(best.value(0)), Unit::N);
             format!("The holder's force follows Siebel's rule as the blank grows: {force} there.")
         }));
@@ -223,7 +257,7 @@ impl Study for LimitSearch {
             headline: self.headline(runs),
             notes: self.notes(runs),
             tables: Vec::new(),
-            found: matches!(found, Bracket::Between(_) | Bracket::Everywhere(_)),
+            found: best.is_some() && !matches!(found, Bracket::Open(_)),
             charts: self.charts(runs, best),
         }
     }

@@ -10,6 +10,7 @@
 
 use super::*;
 use crate::plot::Spacing;
+use crate::units::{Digits, DisplaySettings};
 use std::collections::BTreeSet;
 
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;
@@ -114,7 +115,10 @@ impl Variable {
     }
 
     pub fn display(&self, value: f64) -> String {
-        with_unit(significant(value, 6).to_string(), &self.unit)
+        let (unit, factor) = self.axis_unit();
+        let is_us = DisplaySettings::current() == DisplaySettings::Us && unit != Unit::None;
+        let amount = Amount::new(factor * value, unit, Digits::Significant(4));
+        if is_us { amount.to_string() } else { with_unit(significant(value, 6).to_string(), &self.unit) }
     }
 
     /// Name for tables and axes; the key if it has none.

@@ -122,7 +122,9 @@ impl Amount {
         let magnitude = |n: usize| magnitude(value, n);
         let decimals = match self.digits {
             // An inch wants two more for the same resolution.
-            Decimals(n) | Given(n) => n as i32 + if to.symbol == "in" { 2 } else { 0 },
+            Decimals(n) => n as i32 + if to.symbol == "in" { 2 } else { 0 },
+            Given(n) if to.symbol == "in" => (n as i32 + 2).min(if value.abs() < 0.1 { 4 } else { 3 }),
+            Given(n) => n as i32,
             Significant(n) => (n as i32 - 1 - magnitude(n)).max(0),
         };
         let bar = self.bar.map(|bar| (bar * to.factor).abs()).filter(|bar| bar.is_finite());

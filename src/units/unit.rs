@@ -21,7 +21,7 @@ units! {
     None: "–", "";
     Percent: "%", "percent";
     Thicknesses: "t", "";
-    Mm: "mm", "mm um cm m in";
+    Mm: "mm", "mm um cm m in inch inches";
     Mm2: "mm²", "";
     Mm3: "mm³", "";
     N: "N", "N kN MN lbf tonf tonf_us tonf_uk";

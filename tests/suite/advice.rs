@@ -32,7 +32,7 @@ fn friction_is_amber_if_a_line_hangs_on_it() {
     }
     let case = shipped_case("quickstart", &[]);
     let notes = assess::sentences(&assess::before(&case), Kind::Assumption);
-    assert!(notes.iter().any(|note| note.contains("names no `source`")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("has no `source`")), "{notes:?}");
     assert_eq!(judge(&case.solve(&mut ()), None, true, &()).0.light, Light::Green);
 }
 

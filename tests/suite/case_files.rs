@@ -214,6 +214,8 @@ fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
     let across = parsed(&across, &[]);
     assert_eq!(across.model(), radii.model());
     let set = load("cases/quickstart.toml", &["blank.diameter=104 mm"]);
+    let pressed = load("cases/quickstart.toml", &["tools.holder.pressure=2 MPa"]);
+    assert!(pressed.text.contains("2 MPa") && !pressed.text.contains("10 kN"), "an override replaces the force");
     assert_eq!(set.model().blank.length, 52.0, "an override replaces the radius");
 }
 

@@ -280,6 +280,35 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
     assert!(check_value(&picked, "clearance") >= 1.0 && check_value(&picked, "draw ratio") < 2.0);
 }
 
+/// Trust: the cup of `new`, pushed through its die, is green.
+#[test]
+fn an_exported_cup_comes_back_green() {
+    let dir = TempDir::new().unwrap();
+    let own = [
+        "import",
+        "tools.dxf",
+        "--material",
+        "dc04",
+        "--friction",
+        "0.08",
+        "--holder-force",
+        "9572 N",
+        "--travel",
+        "50 mm",
+    ];
+    let run = ["run", "tools.toml", "--quiet"];
+    for words in [&["new", "cup", "-o", "cup.toml"][..], &["export", "cup.toml", "--quiet"], &own, &run] {
+        let done = stampflow(dir.path(), words);
+        let printed = text(&done.stdout);
+        assert!(
+            done.status.success() && !printed.contains("placeholders"),
+            "{words:?}: {printed}{}",
+            text(&done.stderr)
+        );
+        assert!(words[0] != "run" || printed.contains("GREEN"), "{printed}");
+    }
+}
+
 /// Inches read as mm: the punch is 1.18 mm and the gap 0.05 mm.
 #[test]
 fn a_wrong_unit_is_doubted() {

@@ -7,7 +7,6 @@ use serde::Deserialize;
 use stampflow::author::Import;
 use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, ImportError, Options};
-use stampflow::model::Geometry;
 use stampflow::units::{Dimensioned, Length, Positive};
 use std::{collections::BTreeMap, path::PathBuf, str::FromStr};
 
@@ -64,11 +63,12 @@ impl Request {
                 tolerance: size("tolerance", self.tolerance)?.unwrap_or(default.tolerance),
                 punch_moves: read("punch_moves", self.punch_moves)?,
             },
-            geometry: read("geometry", self.geometry)?.unwrap_or(Geometry::Axisymmetric),
+            geometry: read("geometry", self.geometry)?.unwrap_or_default(),
             material: self.material,
             thickness: size("thickness", self.thickness)?,
             blank: size("blank_radius", self.blank_radius)?,
             travel: size("travel", self.travel)?,
+            ..Import::default()
         })
     }
 }

@@ -7,7 +7,7 @@ use stampflow::author::Import;
 use stampflow::author::templates::{Choice, TEMPLATES, Template, find};
 use stampflow::case::{Case, CaseError, files::Memory, library, parse_with};
 use stampflow::import::{DrawingUnit, ImportError, Options};
-use stampflow::model::{Geometry, Model};
+use stampflow::model::Model;
 use std::{collections::BTreeMap, path::Path};
 use toml_edit::DocumentMut;
 
@@ -132,8 +132,8 @@ fn templates() -> Value {
 /// Text of a case around the tools of a drawing, with placeholders, and how the drawing was understood.
 fn drawing(name: &str, unit: Option<&str>, file: &[u8]) -> Result<Value, Failure> {
     let unit = unit.map(str::parse).transpose().map_err(Failure::new)?;
-    let (options, geometry) = (Options { unit, ..Options::default() }, Geometry::Axisymmetric);
-    let import = Import { options, geometry, material: None, thickness: None, blank: None, travel: None };
+    let options = Options { unit, ..Options::default() };
+    let import = Import { options, ..Import::default() };
     let imported = import.read(file, Path::new(name))?;
     Ok(json!({ "text": imported.text, "notes": imported.notes }))
 }

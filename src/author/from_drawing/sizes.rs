@@ -1,12 +1,12 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
+use crate::assess::size::{THICKNESSES, WIDTHS};
 use crate::import::{DrawingUnit, Section};
 use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::rules::Picked;
 use crate::table::worded;
 use crate::units::{rounded, trimmed};
-use std::ops::RangeInclusive;
 
 /// Placeholder thickness \[mm\].
 const THICKNESS: f64 = 1.0;
@@ -14,10 +14,6 @@ const THICKNESS: f64 = 1.0;
 const CLEARANCE: f64 = 1.25;
 /// Clearance over thickness above which thickness and unit are doubted [–].
 const WIDE: f64 = 3.0;
-/// Widths of a drawing outside of which its unit is doubted \[mm\].
-const WIDTHS: RangeInclusive<f64> = 10.0..=1000.0;
-/// Placeholder thicknesses outside of which the unit is doubted \[mm\].
-const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
 /// Travel over the punch's size [–], with a die and without.
@@ -33,7 +29,7 @@ pub(super) struct DrawnTools<'a> {
     pub travel: Option<Picked>,
 }
 
-fn placeholder(value: f64, why: &str) -> Picked {
+pub(super) fn placeholder(value: f64, why: &str) -> Picked {
     Picked { value, why: why.to_owned() }
 }
 

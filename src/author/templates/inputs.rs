@@ -20,7 +20,7 @@ pub struct Choice {
     pub default: String,
     /// Description in one line.
     pub about: String,
-    /// Option that takes the diameter in place of this radius.
+    /// Option that takes the diameter in place of this radius, or the whole width in place of the half.
     pub diameter: Option<String>,
 }
 

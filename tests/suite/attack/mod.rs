@@ -181,15 +181,7 @@ fn check_case(text: &str, files: &dyn Files) -> bool {
 }
 
 fn check_drawing(bytes: &[u8]) -> bool {
-    let import = Import {
-        options: Options::default(),
-        geometry: Geometry::Axisymmetric,
-        material: None,
-        thickness: None,
-        blank: None,
-        travel: None,
-    };
-    match import.read(bytes, Path::new("mutated.dxf")) {
+    match Import::default().read(bytes, Path::new("mutated.dxf")) {
         Ok(imported) => imported.case.is_some_and(|case| check_read(Ok(case), WORK)),
         Err(error) => {
             let length = error.to_string().chars().count();
