@@ -149,11 +149,11 @@ fn part(stages: &[StageSolution]) -> Vec<Number> {
         if !stage.stop.is_complete() && stage.model.travel > 0.0 {
             numbers.push(place("end_travel", "Travel at its end", last.travel));
         }
-        numbers.push(place("thinnest_place", "Thinnest, on the flat blank at", last.thinnest_s0));
+        numbers.push(place("thinnest_place", "Thinnest at (blank)", last.thinnest_s0));
     }
     if let Some((thickness, s0)) = stage.frames.last().and_then(thickest) {
         numbers.push(number("thickest", "Thickest", Amount::thickness(thickness)));
-        numbers.push(place("thickest_place", "Thickest, on the flat blank at", s0));
+        numbers.push(place("thickest_place", "Thickest at (blank)", s0));
     }
     if let Some([before, after]) = stage.released() {
         numbers.extend(changes(&Shape::of(before), &Shape::of(after)).into_iter().filter_map(|change| {
