@@ -242,3 +242,31 @@ pub fn bulge_pressure(opening: f64, height: f64, thickness: f64, stress: impl Fn
     let radius = 0.5 * opening * opening * cap / height;
     2.0 * stress(strain) * thickness * (-strain).exp() / radius
 }
+
+/// Holder force of a blank by the rules of [`holder_pressure`] without the usual one, which may be twice as much.
+#[derive(Clone, Copy, Debug)]
+pub struct HolderRule {
+    /// Radius of the punch's mouth, and inner edge of the flat between holder and die \[mm\].
+    pub punch: f64,
+    /// Inner edge of the flat \[mm\].
+    pub end: f64,
+    /// \[mm\]
+    pub thickness: f64,
+    /// \[MPa\]
+    pub strength: f64,
+    /// Whether the case gives the holder a pressure.
+    pub by_pressure: bool,
+}
+
+impl HolderRule {
+    /// Pressure on a blank of this radius \[mm\] at its start \[MPa\].
+    pub fn pressure(&self, blank: f64) -> f64 {
+        let flat = [self.end, blank];
+        holder_pressure(0.0, blank / self.punch, 2.0 * self.punch, flat, self.thickness, self.strength).value
+    }
+
+    /// Force on a blank of this radius \[mm\] at its start \[N\].
+    pub fn force(&self, blank: f64) -> f64 {
+        PI * (blank * blank - self.end * self.end) * self.pressure(blank)
+    }
+}

@@ -15,7 +15,6 @@ mod finding;
 mod forming_limit;
 mod fracture;
 mod holder;
-mod holder_rule;
 mod material;
 mod press;
 pub mod sensitivity;
@@ -30,7 +29,6 @@ pub use answer::{Answer, FailureMode, largest_force};
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
-pub use holder_rule::HolderRule;
 pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 

@@ -18,9 +18,6 @@ use sizes::{DrawnTools, placeholder};
 use std::fmt;
 use std::path::Path;
 
-/// Reach of a part past the throat over the thickness \[–\] that still has left the die: contact gives way a little.
-const SLACK: f64 = 0.5;
-
 /// Options of an import, and sizes that are known besides the drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Import {
@@ -66,19 +63,17 @@ impl Import {
     /// Fails when the drawing cannot be read, the sheet is unknown, or the tools make no case.
     pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported, ImportError> {
         let sections = import::read(bytes, &self.options)?;
-        let metal = match self.material.as_deref() {
-            Some(name) => library::material(name).map_err(refused)?.material,
-            None => mild_steel(),
-        };
+        let sheet = self.material.as_deref().map(library::material).transpose().map_err(refused)?;
+        let metal = sheet.map_or_else(mild_steel, |sheet| sheet.material);
         let drawn = |i: usize| sections.blank.map(|sizes| sizes[i]);
         let given = [self.thickness.or(drawn(2)), self.blank.or(drawn(1)), self.travel];
         let tools = DrawnTools::new(self.geometry, sections.first.tools.iter().collect(), given);
         let (size, mut doubts) = (tools.size(), tools.doubts(sections.unit, self.thickness.is_none()));
-        let is_through = self.geometry == Geometry::Axisymmetric && sections.later.is_empty();
-        let throat = tools.tool(Role::Die).and_then(|die| throat(&die)).filter(|_| is_through);
-        let through =
-            throat.zip(sections.part_edge).filter(|(throat, edge)| *edge < throat + SLACK * tools.thickness.value);
-        let through = through.map(|_| "stop.drawn_through=true".to_owned());
+        let is_round = self.geometry == Geometry::Axisymmetric;
+        let throat =
+            tools.tool(Role::Die).and_then(|die| throat(&die)).filter(|_| is_round && sections.later.is_empty());
+        let reach = throat.map_or(0.0, |throat| throat + 0.5 * tools.thickness.value); // contact gives way, declared
+        let through = sections.part_edge.filter(|edge| *edge < reach).map(|_| "stop.drawn_through=true".to_owned());
         let overrides: Vec<String> = through.into_iter().chain(self.overrides.iter().cloned()).collect();
         let text = overrides::apply(&self.text(drawing, &sections, &tools, &metal), &overrides).map_err(refused)?;
         let case = case(&text, &drawing.display().to_string(), &tools, &doubts).map_err(refused)?;
@@ -86,10 +81,9 @@ impl Import {
         if let (true, Some(case)) = (doubts.is_empty(), &case) {
             doubts = size_doubts(case);
         }
-        if self.geometry == Geometry::Axisymmetric && tools.tool(Role::Holder).is_none() {
-            let what =
-                "no holder is drawn, and nothing holds the flange: add one, or name its layer with --layer NAME=holder";
-            doubts.push(what.to_owned());
+        if is_round && tools.tool(Role::Holder).is_none() {
+            doubts
+                .push("nothing holds the flange: draw a holder, or name its layer with --layer NAME=holder".to_owned());
         }
         let derived = case.iter().flat_map(|case| &case.derived).map(ToString::to_string);
         let notes = doubts.iter().chain(&sections.notes).cloned().chain(derived).collect();
@@ -98,7 +92,8 @@ impl Import {
 
     fn text(&self, drawing: &Path, sections: &Sections, first: &DrawnTools, metal: &Material) -> String {
         let DrawnTools { thickness, blank, travel, .. } = first;
-        let friction = Picked::or(self.friction, || placeholder(friction(), "Coulomb's coefficient"));
+        let friction =
+            Picked::or(self.friction, || placeholder(Inputs::of_sheet().value("friction"), "Coulomb's coefficient"));
         let mut values = tool_values(&sections.first.tools, &friction);
         let notes: String = sections.notes.iter().map(|note| comment(&format!("- {note}"))).collect();
         values.set("notes", notes.trim_end(), "");
@@ -109,17 +104,17 @@ impl Import {
         let key = if self.geometry == Geometry::Axisymmetric { "radius" } else { "half_length" };
         let blank_key = format!("blank (--set blank.{key})");
         let is_set = |key: &str| self.overrides.iter().any(|set| set.trim_start().starts_with(key));
-        let has_holder = first.tool(Role::Holder).is_some();
+        let has_travel = travel.as_ref().is_some_and(|travel| !travel.is_given());
         let open = [
             ("material (--material)", self.material.is_none() && !is_set("material")),
             ("friction (--set friction)", !friction.is_given() && !is_set("friction=")),
             ("thickness (--set blank.thickness)", !thickness.is_given() && !is_set("blank.thickness")),
             (&blank_key, !blank.is_given() && !is_set("blank.radius") && !is_set("blank.d") && !is_set("blank.half")),
+            ("travel (--set tools.punch.travel)", has_travel && !is_set("tools.punch.travel")),
             (
-                "travel (--set tools.punch.travel)",
-                travel.as_ref().is_some_and(|travel| !travel.is_given()) && !is_set("tools.punch.travel"),
+                "holder pressure (--set tools.holder.pressure)",
+                first.tool(Role::Holder).is_some() && !is_set("tools.holder."),
             ),
-            ("holder pressure (--set tools.holder.pressure)", has_holder && !is_set("tools.holder.")),
             ("travels and holder forces of the later stages (--set stages.0.punch.move)", !sections.later.is_empty()),
         ];
         let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();
@@ -127,14 +122,12 @@ impl Import {
             values.set("open", open.join(", "), "");
         }
         let name = (!sections.later.is_empty()).then(|| "first".to_owned());
-        if let Some(name) = sections.first.number.map(stage).or(name) {
-            values.set("stage", format!("{name:?}"), "");
-        }
+        let name = sections.first.number.map(|number| format!("op{number}")).or(name);
+        name.into_iter().for_each(|name| values.set("stage", format!("{name:?}"), ""));
         let lengths = [(key, blank), ("thickness", thickness)].into_iter().chain(travel.iter().map(|t| ("travel", t)));
         lengths.for_each(|(key, length)| values.set(key, exact(length.value), &reason(length)));
-        if let Some(hole) = sections.blank.map(|[hole, ..]| hole).filter(|hole| *hole > 0.0) {
-            values.set("hole", exact(hole), "");
-        }
+        let hole = sections.blank.map(|[hole, ..]| hole).filter(|hole| *hole > 0.0);
+        hole.into_iter().for_each(|hole| values.set("hole", exact(hole), ""));
         match &self.material {
             Some(name) => values.set("name", format!("{name:?}"), "of the library: stampflow materials"),
             None => values.swift(Inputs::of_sheet().values(LAW)),
@@ -155,27 +148,16 @@ impl Import {
 }
 
 impl fmt::Display for Imported {
-    /// Tools, sizes, and how the drawing was understood.
+    /// Tools, sizes, how the drawing was understood, and what is left to give.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let later = self.sections.later.iter().flat_map(|later| &later.tools);
-        for Section { role, profile, made_of, .. } in self.sections.first.tools.iter().chain(later) {
-            let pieces = profile.pieces().len();
-            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
-            writeln!(f, "{:<8}{pieces} {drawn} from {made_of}", role.name())?;
-        }
+        let Sections { first, later, .. } = &self.sections;
+        [first].into_iter().chain(later).try_for_each(|operation| write!(f, "{operation}"))?;
         writeln!(f, "size    {}", self.size)?;
-        self.notes.iter().skip(self.doubts.len()).try_for_each(|note| writeln!(f, "  - {note}"))
-    }
-}
-
-impl Imported {
-    /// Lines on what is left to give.
-    pub fn next(&self) -> impl Iterator<Item = String> {
-        let model = self.case.as_ref().map(Case::model);
-        let open = model.and_then(|model| model.placeholders()).map(|open| format!("placeholders: {open}"));
-        let cup = model.filter(|model| model.tool(Role::Holder).is_some() && !model.stop.drawn_through);
-        let through = cup.map(|_| "a part that is pushed through the die: import it with --drawn-through".to_owned());
-        open.into_iter().chain(through)
+        self.notes.iter().skip(self.doubts.len()).try_for_each(|note| writeln!(f, "  - {note}"))?;
+        let Some(model) = self.case.as_ref().map(Case::model) else { return Ok(()) };
+        model.placeholders().iter().try_for_each(|open| writeln!(f, "\nplaceholders: {open}"))?;
+        let is_cup = model.tool(Role::Holder).is_some() && !model.stop.drawn_through;
+        f.write_str(if is_cup { "a part that is pushed through the die: import it with --drawn-through\n" } else { "" })
     }
 }
 
@@ -214,21 +196,18 @@ fn later_stages(sections: &Sections, first: &DrawnTools, pressure: f64, friction
         let has = |role: Role| later.tool(role).is_some();
         let stays = |role: Role| match role {
             Role::Punch => false,
-            Role::Die => !has(Role::Die),
             Role::Holder => !has(Role::Holder) && !has(Role::Die),
-            Role::Pad => !has(Role::Pad),
+            role => !has(role),
         };
         let staying = before.sections.iter().copied().filter(|section| stays(section.role));
         let given = [Some(first.thickness.value), Some(first.blank.value), None];
         let now = DrawnTools::new(first.geometry, later.tools.iter().chain(staying).collect(), given);
         let mut values = tool_values(&later.tools, friction);
-        values.set("label", later.number.map_or_else(String::new, stage), "");
+        values.set("label", later.number.map_or_else(String::new, |number| format!("op{number}")), "");
         if before.tool(Role::Holder).is_some() && now.tool(Role::Holder).is_none() {
             values.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
         }
-        if let Some(travel) = &now.travel {
-            values.set("move", exact(travel.value), &reason(travel));
-        }
+        now.travel.iter().for_each(|travel| values.set("move", exact(travel.value), &reason(travel)));
         let (force, why) = force(&before, &now, pressure);
         values.set("force", force, &why);
         stages.push(values.fill(include_str!("from_drawing/stage.toml")));
@@ -271,14 +250,6 @@ fn tool_values(tools: &[Section], friction: &Picked) -> Values {
         values.set(&format!("{}_profile", role.name()), drawn_profile(profile), "");
     }
     values
-}
-
-fn friction() -> f64 {
-    Inputs::of_sheet().value("friction")
-}
-
-fn stage(number: u32) -> String {
-    format!("op{number}")
 }
 
 /// Reason of a placeholder; empty where the size was given.

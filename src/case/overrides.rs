@@ -2,7 +2,7 @@
 
 use super::{Case, CaseError, library, source::alternatives};
 use crate::units::did_you_mean;
-use toml_edit::{Decor, DocumentMut, Item, Table, Value};
+use toml_edit::{DocumentMut, Item, Table, Value};
 
 /// The table that may be replaced as a whole, by the name of a sheet.
 const MATERIAL: &str = "material";
@@ -46,9 +46,7 @@ pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
             replace_material(&mut document, name);
             continue;
         }
-        if let Some(table) = here.as_table_like_mut() {
-            alternatives(key).for_each(|other| drop(table.remove(other)));
-        }
+        alternatives(key).for_each(|other| drop(here.as_table_like_mut().and_then(|table| table.remove(other))));
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }
     Ok(document.to_string())
@@ -112,9 +110,9 @@ fn set(item: &mut Item, key: &str, mut value: Value) -> Option<()> {
         return Some(());
     }
     let table = item.as_table_like_mut()?;
-    if let Some(old) = table.get(key).and_then(Item::as_value) {
-        let is_placeholder = old.decor().suffix().and_then(|text| text.as_str()?.find("# placeholder")).is_some();
-        *value.decor_mut() = if is_placeholder { Decor::new(" ", "") } else { old.decor().clone() };
+    let old = table.get(key).and_then(Item::as_value);
+    if let Some(old) = old.filter(|old| !old.to_string().contains("# placeholder")) {
+        *value.decor_mut() = old.decor().clone();
     }
     table.insert(key, Item::Value(value));
     Some(())

@@ -242,8 +242,7 @@ fn diameter_key(path: &str) -> Option<String> {
 
 /// Keys that a table cannot have beside one, such as the diameter beside the radius.
 pub(super) fn alternatives(key: &str) -> impl Iterator<Item = &'static str> {
-    let keys = ALTERNATIVES.iter().filter(move |keys| keys.contains(&key)).flat_map(|keys| keys.iter());
-    keys.copied().filter(move |other| *other != key)
+    ALTERNATIVES.into_iter().filter(move |keys| keys.contains(&key)).flatten().copied().filter(move |one| *one != key)
 }
 
 /// Keys of texts, in which "6 t" is no length, and of forces, in which "250 t" is no length either.

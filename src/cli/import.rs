@@ -79,8 +79,7 @@ pub fn import(args: Args) -> Result<Code> {
     let printed =
         emit(json, with(value, json!({ "tools": tools(&imported.sections.first.tools), "later": later })), || {
             let (out, picture) = (out.display(), picture.display());
-            let next: String = imported.next().map(|line| format!("\n{line}")).collect();
-            format!("{imported}\n{out} and {picture} are written{next}\nnext: stampflow check {out}").into()
+            format!("{imported}\n{out} and {picture} are written; next: stampflow check {out}").into()
         });
     let what = "no punch is drawn, and the case cannot be run: add one, or import with --layer NAME=punch";
     ensure!(imported.case.is_some(), what);

@@ -33,6 +33,7 @@ pub use options::{DrawingUnit, Heading, Options, layer};
 use crate::geometry::{Point, Profile};
 use crate::model::Role;
 use layers::ToolId;
+use std::fmt;
 
 /// Reason why no section can be read from a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -87,6 +88,17 @@ impl Operation {
     /// Section of a tool, if drawn.
     pub fn tool(&self, role: Role) -> Option<&Section> {
         self.tools.iter().find(|tool| tool.role == role)
+    }
+}
+
+impl fmt::Display for Operation {
+    /// A line for each tool.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.tools.iter().try_for_each(|Section { role, profile, made_of, .. }| {
+            let pieces = profile.pieces().len();
+            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
+            writeln!(f, "{:<8}{pieces} {drawn} from {made_of}", role.name())
+        })
     }
 }
 

@@ -60,6 +60,16 @@ pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
     bisect(0.0, most, 30, |travel| gap(punch, other, travel).0 >= least)[0]
 }
 
+/// True if punch and die leave room for a sheet at a travel, both touching it when it is flat; its edge and thickness \[mm\].
+pub(crate) fn has_room(punch: &Tool, die: &Tool, [edge, thickness]: [f64; 2], travel: f64) -> bool {
+    let placed = |tool: &Tool, highest: bool, z: f64| {
+        let touching = tool.profile.extreme(highest, [0.0, edge]).map_or(0.0, |p| p.y);
+        Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
+    };
+    let (punch, die) = (placed(punch, true, -0.5 * thickness), placed(die, false, 0.5 * thickness));
+    gap(&punch, &die, travel).0 >= thickness
+}
+
 /// Radius where the die's shoulder ends \[mm\]: at the innermost line on the level of its outermost one, so that the groove of a
 /// bead is no shoulder; else where its last corner ends.
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {

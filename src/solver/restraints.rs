@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 /// Length over which a restraint fades as the edge passes, over the thickness \[–\].
 const FADE: f64 = 3.0;
-/// The same over the width that a narrower flange has at first \[–\]: its outermost contact point lies inside the edge.
+/// Length of fading over the width that a narrower flange has at first \[–\]: its outermost contact point lies inside the edge.
 const NARROW: f64 = 0.9;
 
 /// Length over which the force of a tool fades that lies on the sheet from `inner` to its edge \[mm\].

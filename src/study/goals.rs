@@ -1,10 +1,10 @@
 //! Searches with a name: variable, range and condition follow from the case.
 
 use super::*;
-use crate::assess::HolderRule;
 use crate::assess::estimate::{flange_strength, held_from};
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
+use crate::rules::HolderRule;
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Goal {
@@ -24,6 +24,25 @@ pub(super) struct Goal {
     pub remedy: Option<&'static str>,
     pub side: Option<Side>,
     pub holder: Option<HolderRule>,
+}
+
+/// Rule of the holder; `None` without a pressed holder, and where the command line gives its force.
+fn holder_rule(case: &Case, punch: f64) -> Option<HolderRule> {
+    let model = case.model();
+    let is_given = case.overrides.iter().any(|key| key.starts_with("tools.holder.") && !key.contains("friction"));
+    let holder = model.tool(Role::Holder).filter(|holder| matches!(holder.motion, Motion::Pressed(_)))?;
+    let end = held_from(model)?.max(extent(holder).0);
+    let (thickness, strength) = (model.blank.thickness, flange_strength(model));
+    let by_pressure = !case.written("tools.holder.pressure").is_empty();
+    (!is_given).then_some(HolderRule { punch, end, thickness, strength, by_pressure })
+}
+
+/// Override of the case for a blank of this radius \[mm\].
+pub(super) fn holder_setting(rule: HolderRule, blank: f64) -> String {
+    match rule.by_pressure {
+        true => format!("tools.holder.pressure={:.5} MPa", rule.pressure(blank)),
+        false => format!("tools.holder.force={:.0} N", rule.force(blank).ceil()),
+    }
 }
 
 const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
@@ -78,7 +97,7 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     let (blank, travel) = (range("blank.radius", ends, "mm"), range("tools.punch.travel", travels, "mm"));
     // No finished part, which the case may have, decides on a draw ratio.
     let settings = ["stop.drawn_through=true", "output.count=2", "finished={}"].map(str::to_owned).to_vec();
-    let holder = HolderRule::new(case, radius);
+    let holder = holder_rule(case, radius);
     let sound = "no tear and no wrinkles";
     Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), sound, Side::Largest) })
 }

@@ -2,7 +2,7 @@
 
 use super::bracket::{Search, Trial};
 use super::charts::Charts;
-use super::goals::Goal;
+use super::goals::{Goal, holder_setting};
 use super::variable::{SearchRange, check_distinct};
 use super::*;
 use crate::assess::estimate;
@@ -156,7 +156,7 @@ impl LimitSearch {
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));
         let values: Vec<String> = [x].into_iter().chain(others).map(written).collect();
         let settings = self.variables.iter().zip(&values).map(|((variable, _), value)| variable.setting(value));
-        let settings = settings.chain(self.goal.holder.map(|rule| rule.setting(x)));
+        let settings = settings.chain(self.goal.holder.map(|rule| holder_setting(rule, x)));
         Design { index, settings: settings.collect(), values }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::assess::size::{THICKNESSES, WIDTHS};
 use crate::import::{DrawingUnit, Section};
-use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat};
+use crate::model::tool_sizes::{extent, has_room, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::rules::Picked;
 use crate::table::worded;
@@ -98,10 +98,9 @@ impl<'a> DrawnTools<'a> {
         if let Some(clearance) = self.clearance().filter(|clearance| *clearance > WIDE * thickness) {
             let (gap, times) = (trimmed(clearance, 3), clearance / thickness);
             let placeholder = if is_given { "" } else { ", a placeholder" };
-            doubts.push(format!(
-                "the drawing leaves {gap} mm between punch and die, {times:.1} times the sheet's thickness of {t} mm{placeholder}: \
-                 check --unit and --thickness"
-            ));
+            let times = format!("{times:.1} times the sheet's thickness of {t} mm{placeholder}");
+            let what = format!("the drawing leaves {gap} mm between punch and die, {times}");
+            doubts.push(format!("{what}: check --unit and --thickness"));
         }
         doubts
     }
@@ -140,14 +139,7 @@ impl<'a> DrawnTools<'a> {
         let height = (punch.profile.last().y - punch.profile.first().y).abs();
         let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
         let most = if height > thickness { size.min(height) } else { size };
-        // Where the tools touch the flat sheet.
-        let placed = |tool: &Tool, highest: bool, z: f64| {
-            let touching = tool.profile.extreme(highest, [0.0, blank]).map_or(0.0, |p| p.y);
-            Tool { profile: tool.profile.shifted(z - touching), ..tool.clone() }
-        };
-        let punch = placed(punch, true, -0.5 * thickness);
-        let die = die.map(|die| placed(&die, false, 0.5 * thickness));
-        let has_room = |travel: &f64| die.as_ref().is_none_or(|die| gap(&punch, die, *travel).0 >= thickness);
+        let has_room = |travel: &f64| die.as_ref().is_none_or(|die| has_room(punch, die, [blank, thickness], *travel));
         let digits = |mm: f64| down(mm).max(rounded(mm.min(0.1)));
         let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(has_room);
         placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
