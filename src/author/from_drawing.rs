@@ -82,8 +82,7 @@ impl Import {
             doubts = size_doubts(case);
         }
         if is_round && tools.tool(Role::Holder).is_none() {
-            doubts
-                .push("nothing holds the flange: draw a holder, or name its layer with --layer NAME=holder".to_owned());
+            doubts.push("nothing holds the flange: draw a holder, or name its layer with --layer NAME=holder".into());
         }
         let derived = case.iter().flat_map(|case| &case.derived).map(ToString::to_string);
         let notes = doubts.iter().chain(&sections.notes).cloned().chain(derived).collect();
