@@ -68,16 +68,17 @@ fn a_hole_expands_to_the_limit_of_its_edge() {
     assert!(row.contains("expansion ratio 100 %") && sentence.starts_with("it cracks"), "{sentence}");
 }
 
-/// Trust: 0.2 mm are promised of the height, the diameter is that of the punch; a rim thins as in simple tension.
+/// Trust: 0.2 mm are promised of the height, the diameter is that of the punch. The rim of 11 mm is still widened where the sheet
+/// beside it has come to rest, which is no neck.
 #[test]
 fn a_collar_is_as_high_and_as_wide_as_was_wanted() {
     let ironed: &[_] = &[("clearance", "0.75 mm")];
     let [flat, conical, spherical] = ["flat", "conical", "spherical"].map(|punch| [("punch", punch)]);
     for given in [&flat[..], &conical, &spherical, ironed] {
-        let run = made("collar", given, &[]).solve(&mut ());
+        let run = made("collar", &[given, &[("height", "11 mm")]].concat(), &[]).solve(&mut ());
         let (stage, frame) = (&run.stages[0], run.stages[0].frames.last().expect("a frame"));
         let (height, wide) = (part_height(frame).expect("a height"), last(stage).hole);
-        assert!(run.is_complete() && (height - 10.0).abs() < 0.2, "{given:?}: {height}");
+        assert!(run.is_complete() && (height - 11.0).abs() < 0.2, "{given:?}: {height}");
         assert!((wide - 40.0).abs() < 0.2, "{given:?}: {wide}");
         assert_eq!(stage.steps.iter().any(|step| step.ironing > 0.05), given == ironed, "{given:?}");
     }

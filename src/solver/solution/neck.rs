@@ -59,11 +59,14 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let strains = thickness.iter().zip(&state.ironed).map(|(thickness, [_, ironed])| (thickness / t0).ln() + ironed);
     let strains: Vec<f64> = strains.collect();
     let n = thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
+    // What gets shorter along the meridian is no groove around it: the edge of a hole thins as it is widened.
+    let shortens = |e: usize| state.membrane[e][0] < 0.0;
+    let order = |a: &usize, b: &usize| shortens(*a).cmp(&shortens(*b)).then(strains[*a].total_cmp(&strains[*b]));
+    let thinnest = (0..n).min_by(order);
     let e = thinnest.expect("a blank has elements");
     let mut neck =
         Neck { s0: state.middle(e), share: strains[e].exp(), rate: 0.0, stands_out: false, took_over: false };
-    if neck.share > THINNED {
+    if neck.share > THINNED || shortens(e) {
         return neck;
     }
     let former = before.map(section);
