@@ -13,8 +13,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub const THIN: f64 = 5.0;
 /// Blank over punch that one draw of mild steel reaches \[–\]: a declared rule of thumb, above 4ming's table.
 pub const LIMITING_RATIO: f64 = 2.2;
-/// Draw ratio close to the limit: that of DC04 for a punch of 100 mm (4ming, table of draw ratios).
-pub const CAREFUL_RATIO: f64 = 2.0;
+/// What a draw ratio may be above one of 4ming's table, which has two decimals \[–\]; radii of cases are rounded.
+pub const ROUNDED_RATIO: f64 = 5e-3;
 /// Largest reduction of a wall's thickness by ironing in one pass \[–\].
 ///
 /// # References
@@ -50,7 +50,7 @@ const METALS: [Metal; 4] = [
     Metal { name: "aluminium (AlMg3)", young: 90e3, ratios: [2.0, 1.4], pressure: 1.2 },
     Metal { name: "copper and brass", young: 150e3, ratios: [2.0, 1.3], pressure: 2.0 },
     Metal { name: "stainless steel (1.4301)", young: 200e3, ratios: [2.0, 1.25], pressure: 2.5 },
-    Metal { name: "mild steel (DC04)", young: f64::INFINITY, ratios: [CAREFUL_RATIO, 1.3], pressure: 2.5 },
+    Metal { name: "mild steel (DC04)", young: f64::INFINITY, ratios: [2.0, 1.3], pressure: 2.5 },
 ];
 
 impl Metal {
@@ -69,10 +69,10 @@ impl Metal {
         first * (1.0 + (second - 1.0) * (draws as f64 - 1.0))
     }
 
-    /// Number of draws for a blank over the last cup; `None` for more than four.
-    pub fn draws(&self, ratio: f64) -> Option<usize> {
-        // Radii of cases are rounded.
-        (1..=MOST_DRAWS).find(|draws| ratio <= self.total(*draws) + 1e-3)
+    /// Number of draws for a blank over the last cup.
+    pub fn draws(&self, ratio: f64) -> usize {
+        let [first, second] = self.ratios;
+        1 + (((ratio - ROUNDED_RATIO) / first - 1.0) / (second - 1.0)).max(0.0).ceil() as usize
     }
 }
 
@@ -111,6 +111,17 @@ impl Picked {
         Self { value: (value * 1e3).round() / 1e3, why: why.into() }
     }
 
+    /// Number by a rule, to the nearest multiple of a step.
+    pub fn near(value: f64, step: f64, why: impl Into<String>) -> Self {
+        Self::by((value / step).round() * step, why)
+    }
+
+    /// Number by a rule, to the next multiple of a step.
+    pub fn up(value: f64, step: f64, why: impl Into<String>) -> Self {
+        // Sums of multiples have binary noise.
+        Self::by((value / step - 1e-6).ceil() * step, why)
+    }
+
     /// Number that the user has given.
     pub fn input(value: f64) -> Self {
         Self { value, why: String::new() }
@@ -143,13 +154,15 @@ pub fn drawn_shoulder(thickness: f64, ratio: f64, anisotropy: f64) -> Picked {
     let why = format!(
         "{RADIUS} thicknesses of the rim, t β^(1/(1 + r̄)) thick, β = {ratio:.2}: shells want {THIN} with a margin (declared)"
     );
-    Picked::by(0.01 * (100.0 * rim).ceil(), why)
+    // A small one goes up less: a short cup has little flat beside it.
+    Picked::up(rim, if rim > 6.0 { 0.5 } else { 0.1 }, why)
 }
 
 /// Gap between punch and die of a cup, t √β: the thickness of a rim that is drawn in unstretched (4ming, "Die clearance").
 pub fn drawing_clearance(thickness: f64, ratio: f64) -> Picked {
     let why = format!("t √β with the draw ratio β = {ratio:.2}, so that the rim is not ironed (4ming)");
-    Picked::by(thickness * ratio.sqrt(), why)
+    // In thin sheet 0.05 mm is a large part of the gap.
+    Picked::up(thickness * ratio.sqrt(), if thickness < 0.6 { 0.01 } else { 0.05 }, why)
 }
 
 /// Gap of a strip, which thickens nowhere, 1.1 t: a declared rule of thumb.
@@ -174,7 +187,11 @@ pub fn blank_of(area: f64) -> f64 {
 /// Travel at which the rim of a cup of this height with its trim stands a shoulder's radius and two thicknesses behind the
 /// die's shoulder: with larger radii it gets through too.
 pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
-    Picked::by(height + 2.0 * (shoulder + thickness), "at most: it ends when the rim is through the die's shoulder")
+    Picked::up(
+        height + 2.0 * (shoulder + thickness),
+        0.1,
+        "at most: it ends when the rim is through the die's shoulder",
+    )
 }
 
 /// Holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: the largest of three.

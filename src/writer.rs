@@ -1,5 +1,7 @@
 //! Text of a case file: a template with placeholders, filled with values and the reason beside each.
 
+pub mod redraw;
+
 use crate::forming_limit::{Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::{Material, flow::ROOM_TEMPERATURE};

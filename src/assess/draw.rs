@@ -6,7 +6,7 @@ use super::{holder::if_open, tear::is_upright};
 use crate::case::Finished;
 use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
-use crate::rules::{LIMITING_RATIO, Metal};
+use crate::rules::{Metal, ROUNDED_RATIO};
 
 /// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
 /// more; a force that was rounded after the rule may miss it by a percent.
@@ -19,9 +19,10 @@ const TOLERANCE: f64 = 0.2;
 const GAP: f64 = 1.2;
 
 pub(super) fn ratio(model: &Model) -> Option<Finding> {
-    let text = format!("the draw ratio of {{}} is above {LIMITING_RATIO}, about the limit of mild steel in one draw");
-    let warning = Finding::warning("draw_ratio", "Draw ratio", text).number(Amount::ratio(draw_ratio(model)?));
-    warning.at_most(LIMITING_RATIO, None).if_beyond()
+    let (ratio, Metal { name, ratios: [limit, _], .. }) = (draw_ratio(model)?, Metal::of(&model.material));
+    let text = format!("the draw ratio of {{}} is above {limit}, the limit of {name} in one draw (4ming)");
+    let warning = Finding::warning("draw_ratio", "Draw ratio", text).number(Amount::ratio(ratio)).at_most(limit, None);
+    warning.if_beyond().filter(|_| ratio > limit + ROUNDED_RATIO)
 }
 
 /// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes.
@@ -36,17 +37,21 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let draws = 1 + run.stages.iter().enumerate().filter(|(i, stage)| ratio_of(*i, stage).is_some()).count();
     let first = &run.stages[0].model;
     let (metal, total) = (Metal::of(&first.material), first.blank.length / run.stages.iter().rev().find_map(radius)?);
-    let needed = metal.draws(total);
-    let (text, is_deep) =
-        (format!("{{}} from punch to punch; {total:.2} in all"), needed.is_none_or(|least| least > draws));
-    let needed = needed.map_or("more than four".into(), |draws| draws.to_string());
-    let text =
-        if is_deep { format!("{text}, which takes {needed} draws of {}, not {draws}", metal.name) } else { text };
-    let limit = metal.ratios[1];
+    let (needed, [most, limit]) = (metal.draws(total), metal.ratios);
+    let begin = radius(&run.stages[0]).map_or(0.0, |punch| first.blank.length / punch);
+    let (is_wide, is_deep) = (begin > most + ROUNDED_RATIO, needed > draws);
+    let mut text = format!("{{}} from punch to punch; {total:.2} in all");
+    if is_deep {
+        text += &format!(", which takes {needed} draws of {}, not {draws}", metal.name);
+    }
+    if is_wide {
+        text += &format!("; {begin:.2} in the first draw, above {most}");
+    }
+    let is_within = ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide;
     Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
         .number(Amount::ratio(ratio))
         .at_most(limit, None)
-        .light(if ratio <= limit + 1e-3 && !is_deep { Light::Green } else { Light::Amber })
+        .light(if is_within { Light::Green } else { Light::Amber })
         .source("4ming, Forming handbook, table of draw ratios without annealing: 2 in the first draw, 1.3 of DC04 in the second")
         .into()
 }

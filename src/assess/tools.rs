@@ -4,7 +4,7 @@ use super::tear::{is_upright, place};
 use super::*;
 use crate::measure::thickest;
 use crate::model::Friction;
-use crate::rules::IRONING_LIMIT;
+use crate::rules::{IRONING_LIMIT, drawing_clearance};
 
 /// Coefficient of dry steel on steel \[–\].
 const DRY: f64 = 0.3;
@@ -45,7 +45,8 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let gap = estimate::clearance(&stage.model)? / blank.thickness;
         let upright = is_upright(stage).unwrap_or(false);
         let ratio = blank.length / extent(stage.model.tool(Role::Punch)?).1;
-        let wide = if upright { WIDE.max(ratio.sqrt()) } else { f64::INFINITY };
+        let rim = drawing_clearance(blank.thickness, ratio).value / blank.thickness;
+        let wide = if upright { WIDE.max(rim) } else { f64::INFINITY };
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
         let wall = wall.filter(|wall| upright && *wall < gap).map(Amount::thicknesses);
         let loose =

@@ -14,6 +14,12 @@ pub fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse::<f64>().map_or(value, |v| v + 0.0) // −0 becomes 0
 }
 
+/// A positive value, up to so many significant digits.
+pub fn rounded_up(value: f64, digits: i32) -> f64 {
+    let step = 10f64.powi(value.log10().floor() as i32 + 1 - digits);
+    rounded((value / step).ceil() * step)
+}
+
 /// At most so many decimals, without zeros at the end and without a minus before 0: `30.5`, `0`.
 pub fn trimmed(value: f64, decimals: i32) -> String {
     let scale = 10f64.powi(decimals);

@@ -58,14 +58,15 @@ fn finished(stages: &[StageSolution], height: f64) -> [f64; 2] {
 }
 
 /// Trust: 0.2 mm is what was promised; each rim is cut 2 thicknesses or 4 % of the height below where it was drawn to. The
-/// number of draws by hand, with ratios of 2 and 1.3 for steel.
+/// number of draws by hand, with ratios of 2 and 1.3 for steel, 1.25 for 1.4301 (corrected blank above 3, the limit of three).
 #[test]
 fn a_part_has_its_height_and_diameter_after_trimming() {
+    let can = [("punch-diameter", "38 mm"), ("height", "70 mm"), ("material", "1.4301"), ("thickness", "0.8 mm")];
     for (name, given, [height, diameter], draws) in [
-        ("cup", &[][..], [30.0, 60.0], 1),
+        ("cup", &can[..], [70.0, 38.0], 4),
+        ("cup", &[], [30.0, 60.0], 1),
         ("cup", &[("height", "50 mm")], [50.0, 60.0], 2),
         ("cup", &[("height", "15 mm"), ("punch-diameter", "120 mm"), ("material", "en-aw-5754")], [15.0, 120.0], 1),
-        ("cup", &[("height", "90 mm"), ("punch-radius", "25 mm")], [90.0, 50.0], 3),
         ("cup", &[("dome-radius", "60 mm"), ("thickness", "1.5 mm")], [30.0, 60.0], 1),
         ("cup", &[("recess", "3 mm")], [30.0, 60.0], 1),
         ("cup", &[("height", "40 mm"), ("step-diameter", "50 mm")], [40.0, 60.0], 2),
@@ -78,8 +79,9 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
         assert!((drawn - trim - height).abs() < 0.2, "{name} {given:?}: {drawn} mm high");
         assert!((inside - diameter).abs() < 0.2, "{name} {given:?}: {inside} mm wide");
         assert_eq!(stages.len(), draws, "{name} {given:?}");
-        let trims = |row: &assess::Finding| row.key == "trim_allowance" && row.light == Light::Green;
-        assert!(assess::after(&case, stages).iter().any(trims), "{name} {given:?}");
+        let sizes = |key: &str| ["trim_allowance", "redraw_ratio", "clearance"].contains(&key);
+        let found = assess::after(&case, stages);
+        assert!(found.iter().all(|row| !sizes(row.key) || row.light == Light::Green), "{name} {given:?}: {found:?}");
     }
     let flanged = case("cup", &[("height", "20 mm"), ("flange-diameter", "90 mm")]);
     let ([height, _], frames) = (finished(solved(&flanged), 20.0), &solved(&flanged)[0].frames);
@@ -132,8 +134,8 @@ fn the_holder_of_a_narrow_flange_keeps_its_rim_down() {
     assert!((narrow.value - 0.8523).abs() < 1e-4 && narrow.why.contains("R_m t/16"), "{narrow:?}");
     assert!((wide.value - 0.4875).abs() < 1e-9 && wide.why.contains("Siebel"), "{wide:?}");
     assert!(usual.value == 2.5 && usual.why.contains("usual"), "{usual:?}");
-    // A rim that is √1.44 as thick; six of it.
-    assert!((rules::drawn_shoulder(1.0, 1.44, 1.0).value - 7.2).abs() < 0.011);
+    // A rim that is √1.44 as thick; six of it, up to half a millimetre.
+    assert_eq!(rules::drawn_shoulder(1.0, 1.44, 1.0).value, 7.5);
 }
 
 /// Trust: what the verdict of a fresh case says; each light here depends on a number that a template has picked.

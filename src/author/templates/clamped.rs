@@ -28,6 +28,7 @@ pub(super) fn stretch_dome(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Cas
 pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let opening = inputs.value("opening");
+    inputs.either(["height", "pressure"])?;
     let height = inputs.number("height").unwrap_or(0.4 * opening);
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     // Even biaxial stress over yield stress; at the same plastic work the strain is smaller by it.

@@ -1,7 +1,9 @@
 //! Round part by its finished sizes: draws planned by a rule and tried by runs, which also correct the blank.
 
+mod stages;
+
+use super::sizes::Draw;
 use super::*;
-use super::{redraw::Ring, sizes::Draw};
 use crate::assess::{self, Answer, FailureMode};
 use crate::case::parse;
 use crate::part::Part;
@@ -14,6 +16,8 @@ const MET: f64 = 0.1;
 const NEAR: f64 = 1.0;
 /// Most draws that `--draws` takes.
 const MOST_GIVEN: usize = 6;
+/// Step of a blank's radius \[mm\]: its diameter is cut to 0.1 mm.
+const BLANK: f64 = 0.05;
 /// Least flat beside the slope of a recess \[mm\].
 const FLAT: f64 = 0.05;
 /// Height of an early cup over that of its blank's area at an even thickness \[–\].
@@ -26,6 +30,14 @@ struct Cup<'a> {
     metal: Metal,
     part: Part,
     nose: Picked,
+}
+
+/// How runs of a plan end.
+enum End {
+    Met,
+    Tears,
+    /// The corrected blank takes more draws.
+    Steep,
 }
 
 /// Radii of the punches, blank, and travel of the last punch where a flange or a step is left \[mm\].
@@ -55,18 +67,21 @@ pub(super) fn redraw(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     Cup::read(inputs, sheet)?.planned(2)
 }
 
+fn part(inputs: &Inputs, thickness: f64, nose: f64, height: f64) -> Part {
+    let (radius, given) = (inputs.value("punch-radius"), |key: &str| inputs.number(key));
+    let step = given("step-radius").map(|radius| [radius, given("step-height").unwrap_or(0.5 * height)]);
+    let flange = given("flange-radius").or(given("flange").map(|width| radius + thickness + width));
+    let inner = || given("recess-radius").unwrap_or(0.5 * (radius - nose));
+    let recess = given("recess").map(|depth| [inner(), depth]);
+    let trim = inputs.pick("trim", || rules::trim(flange.unwrap_or(height), thickness)).value;
+    Part { thickness, radius, nose, height, trim, flange, step, dome: given("dome-radius"), recess }
+}
+
 impl<'a> Cup<'a> {
     fn read(inputs: &'a Inputs, sheet: &'a Sheet) -> Result<Self, CaseError> {
-        let ([radius, height], thickness) = (inputs.values(["punch-radius", "height"]), sheet.thickness);
-        let given = |key: &str| inputs.number(key);
-        let step = given("step-radius").map(|radius| [radius, given("step-height").unwrap_or(0.5 * height)]);
-        let nose = nose(inputs, sheet, step.map_or(radius, |[narrow, _]| narrow))?;
-        let flange = given("flange-radius").or(given("flange").map(|width| radius + thickness + width));
-        let inner = || given("recess-radius").unwrap_or(0.5 * (radius - nose.value));
-        let recess = given("recess").map(|depth| [inner(), depth]);
-        let trim = inputs.pick("trim", || rules::trim(flange.unwrap_or(height), thickness)).value;
-        let dome = given("dome-radius");
-        let part = Part { thickness, radius, nose: nose.value, height, trim, flange, step, dome, recess };
+        let radius = inputs.value("punch-radius");
+        let nose = nose(inputs, sheet, inputs.number("step-radius").unwrap_or(radius))?;
+        let part = part(inputs, sheet.thickness, nose.value, inputs.value("height"));
         let cup = Self { inputs, sheet, metal: Metal::of(&sheet.metal), part, nose };
         cup.check().map(|()| cup)
     }
@@ -94,6 +109,12 @@ impl<'a> Cup<'a> {
         let first = self.inputs.number("first-radius");
         let what = || format!("the first punch is no wider than the last one of {}", plain(radius));
         ensure(first.is_none_or(|first| first > radius), what, "make --first-radius larger")?;
+        let outside = radius + thickness;
+        let what = || format!("the flange is narrower than the cup, which has {} of radius outside", plain(outside));
+        ensure(flange.is_none_or(|flange| flange > outside), what, "make the flange larger, or leave it out")?;
+        self.inputs.either(["flange", "flange-radius"])?;
+        self.inputs.only_with("step-height", "step-radius")?;
+        self.inputs.only_with("recess-radius", "recess")?;
         let kinds = [flange.is_some(), step.is_some(), recess.is_some()];
         let what = || "a part has one of flange, step and recess here".to_owned();
         ensure(kinds.into_iter().filter(|is| *is).count() < 2, what, "leave one out; a later stage can make it")
@@ -103,51 +124,71 @@ impl<'a> Cup<'a> {
     fn planned(&self, least: usize) -> Result<Values, CaseError> {
         let (part, metal, stepped) = (self.part, self.metal, usize::from(self.part.step.is_some()));
         let is_single = part.flange.is_some() || part.recess.is_some();
+        let first = self.inputs.number("first-radius");
+        let what = || "--first-radius is of two draws or more; a flange or a recess is made in one here".to_owned();
+        ensure(!is_single || first.is_none(), what, "leave it out")?;
+        let least = least.max(1 + usize::from(first.is_some()));
         if let Some(given) = self.inputs.number("draws") {
-            let (draws, most) = (given as usize, if is_single { 1 } else { MOST_GIVEN });
+            let (draws, most_given) = (given as usize, if is_single { 1 } else { MOST_GIVEN });
             let what = || format!("--draws {given} is no number of draws for this part");
-            let fits = draws as f64 == given && (1 + stepped..=most).contains(&draws);
-            ensure(fits, what, &format!("from {} to {most}", 1 + stepped))?;
-            return self.values(&self.tried(draws)?.0, "");
+            let fits = draws as f64 == given && (least + stepped..=most_given).contains(&draws);
+            ensure(fits, what, &format!("from {} to {most_given}", least + stepped))?;
+            return self.values(&self.tried(draws, true)?.0, "");
         }
-        let (most, or) = match is_single {
-            true => (1, "a larger --punch-radius; a flange or a recess is made in one draw here"),
-            false => (rules::MOST_DRAWS - stepped, "a larger --punch-radius"),
+        let (most, limit, of, or) = if is_single {
+            // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
+            let of = "what one draw of a flange or a recess can do (declared)";
+            let or = "a larger --punch-radius; a flange or a recess is made in one draw here";
+            (1, rules::LIMITING_RATIO, of.to_owned(), or.to_owned())
+        } else {
+            let most = rules::MOST_DRAWS - stepped;
+            let of = format!("what {most} draws, the most that are planned, take of {} (4ming)", metal.name);
+            let or = format!("a larger --punch-radius; or --draws {MOST_GIVEN} or less: its run judges them");
+            (most, metal.total(most), of, or)
         };
-        // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
-        let (limit, of) = match is_single {
-            true => (rules::LIMITING_RATIO, "what one draw of a flange or a recess can do (declared)".to_owned()),
-            false => (metal.total(most), format!("what {most} draws of {} can do (4ming)", metal.name)),
-        };
-        let ratio = draw_ratio(|height| part.blank(height), part.height, part.radius, (limit, &of), or)?;
-        let first = metal.draws(ratio).unwrap_or(most).min(most).max(least) + stepped;
+        let (nose, t) = (part.nose, part.thickness);
+        let blank = |height: f64| self::part(self.inputs, t, nose, height).blank(height);
+        let ratio = draw_ratio(blank, [nose + t, part.height], part.radius, (limit, &of), &or)?;
+        let first = metal.draws(ratio).min(most).max(least) + stepped;
+        let mut steep = None;
         for draws in first..=if is_single { first } else { first + 1 } {
-            if let (plan, true) = self.tried(draws)? {
-                return self.values(&plan, "");
+            match self.tried(draws, is_single)? {
+                (plan, End::Met) => return self.values(&plan, ""),
+                (_, End::Steep) => steep = Some(draws),
+                (_, End::Tears) => {}
             }
         }
         let warning = " Runs of it tear: a wider or lower part, a larger --nose or less friction helps.";
-        self.values(&self.plan(first), warning)
+        match steep {
+            Some(draws) => self.values(&self.tried(draws, true)?.0, ""),
+            None => self.values(&self.plan(first), warning),
+        }
     }
 
-    /// Radii in equal shares of what each draw takes, and the blank by area.
-    fn plan(&self, draws: usize) -> Plan {
-        let Part { radius: last, step, height, thickness, .. } = self.part;
-        let (blank, early) = (self.part.blank(height), draws - 1 - usize::from(step.is_some()));
+    /// Radii of the punches in equal shares of what each draw takes.
+    fn radii(&self, blank: f64, draws: usize) -> Vec<f64> {
+        let Part { radius: last, step, .. } = self.part;
+        let early = draws - 1 - usize::from(step.is_some());
         let share = (blank / last).ln() / self.metal.total(early + 1).ln();
-        let first = self.inputs.number("first-radius");
-        let radius = |i: usize| match first {
+        let radius = |i: usize| match self.inputs.number("first-radius") {
             Some(first) => first * (last / first).powf(i as f64 / early as f64),
-            None => 0.1 * (10.0 * blank / self.metal.total(i + 1).powf(share)).round(),
+            None => Picked::near(blank / self.metal.total(i + 1).powf(share), 0.05, "").value,
         };
-        let radii = (0..early).map(radius).chain([last]).chain(step.map(|[narrow, _]| narrow)).collect();
-        let why = "half of D, area of the mid-surface with what is trimmed (Guldin), corrected by runs of this case";
-        let travel = step.map_or(height - thickness, |[_, low]| low);
-        Plan { radii, blank: self.inputs.pick("blank-radius", || Picked::by(blank, why)), travel }
+        (0..early).map(radius).chain([last]).chain(step.map(|[narrow, _]| narrow)).collect()
     }
 
-    /// Plan whose run meets the sizes, and true; the uncorrected one and false if the sheet tears on the way.
-    fn tried(&self, draws: usize) -> Result<(Plan, bool), CaseError> {
+    /// Plan with the blank by area.
+    fn plan(&self, draws: usize) -> Plan {
+        let Part { step, height, thickness, .. } = self.part;
+        let why = "half of D, area of the mid-surface with what is trimmed (Guldin), corrected by runs of this case";
+        let blank = self.inputs.pick("blank-radius", || Picked::near(self.part.blank(height), BLANK, why));
+        let travel = step.map_or(height - thickness, |[_, low]| low);
+        Plan { radii: self.radii(blank.value, draws), blank, travel }
+    }
+
+    /// Plan whose run meets the sizes; the uncorrected one if the sheet tears on the way. If the number of draws is not kept,
+    /// runs end where the blank takes more.
+    fn tried(&self, draws: usize, is_kept: bool) -> Result<(Plan, End), CaseError> {
         let mut plan = self.plan(draws);
         let runs = if plan.blank.is_given() { 0 } else { RUNS };
         let mut is_coarse = draws > 1;
@@ -159,23 +200,31 @@ impl<'a> Cup<'a> {
             let Ok(case) = parse(&text, "cup.toml", &coarse) else { break };
             let solution = case.solve(&mut ());
             let frame = solution.stages.last().and_then(|stage| stage.frames.last());
-            let Some(frame) = frame.filter(|_| solution.is_complete()) else { return Ok((self.plan(draws), false)) };
+            let Some(frame) = frame.filter(|_| solution.is_complete()) else {
+                return Ok((self.plan(draws), End::Tears));
+            };
             let findings = assess::after(&solution.case, &solution.stages);
             let failures = Answer::of(&solution.case, &solution.stages, &findings).failures;
             if failures.contains(&FailureMode::Tears) {
-                return Ok((self.plan(draws), false));
+                return Ok((self.plan(draws), End::Tears));
             }
             let Some([area, low]) = self.part.missing(frame) else { break };
             let error = low.abs().max(area.abs() / (2.0 * PI * self.part.flange.unwrap_or(self.part.radius)));
+            let blank = (plan.blank.value.powi(2) + area / PI).sqrt();
+            if !is_kept && error < NEAR && self.metal.draws(blank / self.part.bottom_radius()) > draws {
+                return Ok((plan, End::Steep));
+            }
             if error < MET && !is_coarse {
                 break;
             }
-            let blank = (plan.blank.value.powi(2) + area / PI).sqrt();
-            plan.blank = Picked::by(blank, plan.blank.why);
+            plan.blank = Picked::near(blank, BLANK, plan.blank.why);
+            if plan.blank.value > self.metal.ratios[0] * plan.radii[0] {
+                plan.radii = self.radii(plan.blank.value, draws);
+            }
             plan.travel += low;
             is_coarse &= error > NEAR;
         }
-        Ok((plan, true))
+        Ok((plan, End::Met))
     }
 
     /// Punch and die of each draw.
@@ -191,7 +240,7 @@ impl<'a> Cup<'a> {
             let cup = self.part.cup_height(blank, *radius, nose.value);
             let travel = || match is_last {
                 true if flange.is_some() || step.is_some() => {
-                    Picked::by(plan.travel, "as runs of this case need for the height")
+                    Picked::near(plan.travel, 0.1, "as runs of this case need for the height")
                 }
                 true => rules::drawn_travel(height + trim, shoulder, t),
                 false => rules::drawn_travel(HIGHER * cup, shoulder, t),
@@ -257,63 +306,5 @@ impl<'a> Cup<'a> {
         sizes.set("end", if flange.is_some() { "flange" } else { "trimmed rim" }, "");
         sizes.set("wall_height", plain(height), "");
         sizes.set("diameter", plain(2.0 * radius), "");
-    }
-
-    /// Text of the stages after the first draw, with the holder's pressure of that \[MPa\].
-    fn redraws(&self, tools: &[Tools], shoulder: f64, pressure: f64) -> String {
-        let (thickness, mut is_held, mut text) = (self.sheet.thickness, true, String::new());
-        for (i, pair) in tools.windows(2).enumerate() {
-            let [before, now] = [&pair[0], &pair[1]];
-            let throat = throat(now.radius, &now.clearance).value;
-            let ring =
-                Ring { thickness, outer: before.radius - 0.5 * thickness, nose: before.nose.value, throat, shoulder };
-            let mut stage = Values::default();
-            let name = if i > 0 { format!("\"redraw-{}\"", i + 1) } else { "\"redraw\"".into() };
-            let why = joined(&["throat and shoulder", &plain(throat), &plain(shoulder)]);
-            let given = [("name", name, ""), ("punch", now.punch.clone(), ""), ("die", ring.die(), why.as_str())];
-            given.into_iter().for_each(|(name, value, why)| stage.set(name, value, why));
-            stage.set("friction", rounded(self.inputs.value("friction")), "");
-            stage.lengths([("move", &now.travel)]);
-            let has_sleeve = ring.has_room();
-            if has_sleeve {
-                stage.set("sleeve", ring.sleeve(4.0 * before.cup), "");
-                let why = "the first holder's pressure on the sleeve's ring (declared)";
-                stage.set("force", newtons(pressure * ring.area()), why);
-            } else if is_held {
-                stage.set("remove", "[\"holder\"]", "no room for a sleeve: a cup as thick for its width needs none");
-            }
-            is_held = has_sleeve;
-            text += &stage.fill(include_str!("redraw_stage.toml"));
-            text.push('\n');
-        }
-        text.trim_end().to_owned()
-    }
-
-    /// Punch of a draw; the last one has the bottom's shape, a recess's a hollow deeper by what the gap has over the sheet.
-    fn punch(&self, is_last: bool, radius: f64, nose: f64, gap: f64) -> String {
-        let [wall, corner] = [radius, nose].map(mm);
-        match (self.part.dome, self.part.recess) {
-            (Some(dome), _) if is_last => {
-                format!("crowned = {{ radius = {wall}, face = {}, nose = {corner} }}", mm(dome))
-            }
-            (_, Some([at, depth])) => {
-                let depth = depth + gap - self.sheet.thickness;
-                let [bend, width] = self.part.slope(depth);
-                let [from, to, flat] = [at - 0.5 * width, at + 0.5 * width, radius - nose];
-                let arc = |x: f64, y: f64, center: [f64; 2], left: bool| {
-                    (Point::new(x, y), Some((Point::new(center[0], center[1]), left)))
-                };
-                let steps = [
-                    (Point::new(from, -depth), None),
-                    arc(at, -0.5 * depth, [from, bend - depth], true),
-                    arc(to, 0.0, [to, -bend], false),
-                    (Point::new(flat, 0.0), None),
-                    arc(radius, -nose, [flat, -nose], false),
-                    (Point::new(radius, -4.0 * self.part.height), None),
-                ];
-                format!("profile = {}", profile_text(Point::new(0.0, -depth), &steps, mm))
-            }
-            _ => format!("flat = {{ radius = {wall}, nose = {corner} }}"),
-        }
     }
 }

@@ -19,10 +19,11 @@ pub(super) fn hemispherical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Ca
         rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
     };
     // The blank and the clearance depend on each other: the ratio is that of a clearance t.
-    let ratio = draw_ratio(|height| blank_for(height, t), height, radius, ONE_DRAW, "a smaller --flange")?;
+    let ratio =
+        draw_ratio(|height| blank_for(height, t), [0.5 * radius, height], radius, ONE_DRAW, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why = "half of D, D² = 4 d h + D_f² − d²: the mid-surface keeps its area (Guldin), flange diameter D_f";
-    let blank = Picked::by(blank_for(height, clearance.value), why);
+    let blank = Picked::near(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: radius, corner: f64::INFINITY, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;
     sizes.lengths([("radius", &Picked::input(radius)), ("travel", &Picked::by(height, "the depth that is wanted"))]);
@@ -52,11 +53,11 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
         let side = height / angle.cos();
         rules::blank_of(PI * bottom * bottom + PI * side * (bottom + mouth) + PI * (edge * edge - mouth * mouth))
     };
-    let ratio = draw_ratio(|height| blank_for(height, t), height, mouth, ONE_DRAW, "a smaller --flange")?;
+    let ratio = draw_ratio(|height| blank_for(height, t), [0.0, height], mouth, ONE_DRAW, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why =
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange keep their area (Guldin)";
-    let blank = Picked::by(blank_for(height, clearance.value), why);
+    let blank = Picked::near(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: mouth, corner: nose.value, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;
     let punch = cone(bottom - nose_width, mouth, height, nose.value, angle);

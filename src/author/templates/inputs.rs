@@ -85,11 +85,23 @@ impl Inputs {
         })?;
         let number = if choice.key == key { number } else { 0.5 * number };
         match self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number)) {
-            Some((other, ..)) => {
-                Err(CaseError::bare(format!("--{other} and --{key} are both given"), "keep one of them".into()))
-            }
+            Some((other, ..)) => Err(both_given(&other, key)),
             None => Ok(()),
         }
+    }
+
+    /// Fails if both options of one size are given.
+    pub fn either(&self, keys: [&str; 2]) -> Result<(), CaseError> {
+        match keys.map(|key| self.given.get(key)) {
+            [Some((one, ..)), Some((other, ..))] => Err(both_given(one, other)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Fails if an option is given without the one that it belongs to.
+    pub fn only_with(&self, key: &str, of: &str) -> Result<(), CaseError> {
+        let what = || format!("--{key} is given without --{of}");
+        ensure(!self.given.contains_key(key) || self.given.contains_key(of), what, &format!("give --{of} too"))
     }
 
     pub fn number(&self, key: &str) -> Option<f64> {
@@ -115,4 +127,8 @@ impl Inputs {
     pub fn pick(&self, key: &str, rule: impl FnOnce() -> Picked) -> Picked {
         Picked::or(self.number(key), rule)
     }
+}
+
+fn both_given(one: &str, other: &str) -> CaseError {
+    CaseError::bare(format!("--{one} and --{other} are both given"), "keep one of them".into())
 }

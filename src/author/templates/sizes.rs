@@ -1,6 +1,6 @@
 //! Sizes that several templates derive.
 
-use super::rules::{self, CAREFUL_RATIO, Metal, Picked};
+use super::rules::{self, Metal, Picked, ROUNDED_RATIO};
 use super::*;
 use crate::model::Extent;
 
@@ -27,11 +27,11 @@ impl Values {
         };
         ensure(edge > end, what, "make the part higher, or --shoulder or --clearance smaller")?;
         let whole = Extent::of(geometry, None);
-        let force = pressure.value * (whole.area(edge) - whole.area(end));
-        self.lengths([("holder", &Picked::by(end, "where the die's shoulder ends"))]);
+        let force = rounded_up(pressure.value * (whole.area(edge) - whole.area(end)), 3);
+        self.lengths([("holder", &Picked::up(end, 0.025, "where the die's shoulder ends"))]);
         let (force, of) = match geometry {
             Geometry::Axisymmetric => (newtons(force), "of the whole ring"),
-            Geometry::PlaneStrain => (format!("\"{force:.1} N/mm\""), "per mm of depth, both sides together"),
+            Geometry::PlaneStrain => (format!("\"{force} N/mm\""), "per mm of depth, both sides together"),
         };
         self.set("force", force, &joined(&[of, &pressure.why]));
         Ok(())
@@ -57,17 +57,18 @@ impl Draw {
         let throat = throat(*punch, clearance);
         let flat = [throat.value + shoulder.value, blank.value];
         let (t, strength) = (sheet.thickness, sheet.tensile_strength);
-        let usual = Metal::of(&sheet.metal).pressure;
-        let rule = || rules::holder_pressure(usual, *ratio, 2.0 * punch, flat, t, strength);
+        let metal = Metal::of(&sheet.metal);
+        let rule = || rules::holder_pressure(metal.pressure, *ratio, 2.0 * punch, flat, t, strength);
         let pressure = inputs.pick("holder-pressure", rule);
-        let is_near = *ratio > CAREFUL_RATIO;
+        let (limit, name) = (metal.ratios[0], metal.name);
         let warning = format!(
-            " The draw ratio of {ratio:.2} is close to the limit of one draw ({CAREFUL_RATIO} for DC04, 4ming): it may tear."
+            " The draw ratio of {ratio:.2} is above {limit}, the limit of {name} in one draw (4ming): it may tear."
         );
+        let warning = if *ratio > limit + ROUNDED_RATIO { warning } else { String::new() };
         let mut sizes = sheet.values(false);
         sizes.die(blank, &throat, shoulder, *corner);
         sizes.set("diameter", plain(2.0 * punch), "");
-        sizes.set("warning", if is_near { warning } else { String::new() }, "");
+        sizes.set("warning", warning, "");
         sizes.holder(Geometry::Axisymmetric, flat, &pressure)?;
         Ok((sizes, pressure.value))
     }
@@ -77,18 +78,19 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
-/// Draw ratio of the blank for a part of this height; above a limit, which is `of` something, an error.
+/// Draw ratio of the blank for a part of this height; above a limit, which is `of` something, an error with the largest
+/// height above `least` that is within it.
 pub(super) fn draw_ratio(
     blank_for: impl Fn(f64) -> f64,
-    height: f64,
+    [least, height]: [f64; 2],
     punch: f64,
     (limit, of): (f64, &str),
     or: &str,
 ) -> Result<f64, CaseError> {
     let ratio = |height: f64| blank_for(height) / punch;
     let wanted = ratio(height);
-    let tenths = (1..=(10.0 * height) as u32).map(|tenths| 0.1 * f64::from(tenths));
-    let most = tenths.take_while(|height| ratio(*height) <= limit).last();
+    let tenths = ((10.0 * least).ceil() as u32..=(10.0 * height) as u32).map(|tenths| 0.1 * f64::from(tenths));
+    let most = tenths.take_while(|height| ratio(*height) <= limit).last().filter(|most| *most > least);
     let help = most.map_or(or.to_owned(), |most| format!("--height of {} or less; or {or}", plain(most)));
     let what = || {
         let [blank, punch] = [blank_for(height), punch].map(|length| plain(significant(length, 4)));
@@ -101,7 +103,7 @@ pub(super) fn draw_ratio(
 /// Ring force as TOML, rounded up.
 pub(super) fn newtons(force: f64) -> String {
     match force >= 1e4 {
-        true => format!("\"{:.2} kN\"", 1e-2 * (0.1 * force).ceil()),
+        true => format!("\"{} kN\"", trimmed(1e-2 * (0.1 * force).ceil(), 2)),
         false => format!("\"{:.0} N\"", force.ceil()),
     }
 }

@@ -1,6 +1,8 @@
 //! Tools of a redraw: a die with a cone, and a sleeve inside the cup before.
 
-use super::*;
+use super::{mm, profile_text};
+use crate::geometry::Point;
+use std::f64::consts::PI;
 
 /// Slope of the die and the sleeve \[°\], a declared rule of thumb: a flat beside the throat has no room.
 const CONE: f64 = 40.0;
@@ -8,7 +10,7 @@ const CONE: f64 = 40.0;
 const LEAST_CLAMPED: f64 = 0.1;
 
 /// Die of a redraw and its sleeve, which clamp the cup before between two cones, all \[mm\].
-pub(super) struct Ring {
+pub struct Ring {
     pub thickness: f64,
     /// Outside of the sleeve, and radius of its corner.
     pub outer: f64,
