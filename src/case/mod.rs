@@ -11,7 +11,6 @@ mod sources;
 
 pub use crate::files;
 pub use error::CaseError;
-#[cfg(feature = "app")]
 pub use file::{Finished, Press, Springback, TitleBlock};
 pub use schema::schema;
 pub use sources::{Sheets, Sources, Thickness};
