@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub const THIN: f64 = 5.0;
 /// Blank over punch that one draw of mild steel reaches \[–\]: a declared rule of thumb, above 4ming's table.
 pub const LIMITING_RATIO: f64 = 2.2;
-/// What a draw ratio may be above one of 4ming's table, which has two decimals \[–\]; radii of cases are rounded.
+/// Excess over a draw ratio of 4ming's table that its two decimals hide \[–\]; radii of cases are rounded too.
 pub const ROUNDED_RATIO: f64 = 5e-3;
 /// Largest reduction of a wall's thickness by ironing in one pass \[–\].
 ///
@@ -112,7 +112,7 @@ impl Picked {
     }
 
     /// Number by a rule, to the nearest multiple of a step.
-    pub fn near(value: f64, step: f64, why: impl Into<String>) -> Self {
+    pub fn nearest(value: f64, step: f64, why: impl Into<String>) -> Self {
         Self::by((value / step).round() * step, why)
     }
 

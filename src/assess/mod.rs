@@ -36,7 +36,7 @@ use crate::case::Case;
 use crate::forming_limit::assess;
 use crate::measure::events;
 use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
-use crate::solver::solution::{ElementRecord, StageSolution, StepRecord, StopKind};
+use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::units::{Amount, Digits, Quantity, Sense, joined};
 use forming_limit::Nearest;
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::geometry::Arc;
-use crate::measure::place_on_part;
+use crate::measure::{bottom, element_at, place_on_part};
 use crate::units::Unit;
 
 /// Thinning from which a designer looks twice \[–\].
@@ -158,13 +158,9 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
         Geometry::Axisymmetric => "axis",
         Geometry::PlaneStrain => "middle",
     };
-    let away = |element: &ElementRecord| (element.s0 - s0).abs();
     let at = stage.frames.last().and_then(|frame| {
-        let pairs = frame.nodes.windows(2).zip(&frame.elements);
-        let (ends, element) = pairs.min_by(|a, b| away(a.1).total_cmp(&away(b.1)))?;
-        let [r, z] = [0.5 * (ends[0].r + ends[1].r), 0.5 * (ends[0].z + ends[1].z)];
-        let bottom = frame.nodes.iter().fold(z, |bottom, node| bottom.max(node.z + 0.5 * node.thickness));
-        Some((r, Some(bottom - z).filter(|above| *above > element.thickness)))
+        let element = &frame.elements[element_at(frame, s0)?];
+        Some((element.r, Some(bottom(frame)? - element.z).filter(|above| *above > element.thickness)))
     });
     let (r, above) = at.unwrap_or((s0, None));
     let above = above.filter(|_| stage.model.tool(Role::Punch).is_some());

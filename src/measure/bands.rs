@@ -128,11 +128,16 @@ pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     stretches.filter(|stretch| !stretch.elements.is_empty()).collect()
 }
 
+/// Index of the element whose initial distance from the axis is nearest to one \[mm\].
+pub fn element_at(frame: &Frame, s0: f64) -> Option<usize> {
+    let away = |e: &usize| (frame.elements[*e].s0 - s0).abs();
+    (0..frame.elements.len()).min_by(|a, b| away(a).total_cmp(&away(b)))
+}
+
 /// Place of the element with this initial distance from the axis \[mm\].
 pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let frame = stage.frames.last()?;
-    let away = |e: &usize| (frame.elements[*e].s0 - s0).abs();
-    let element = (0..frame.elements.len()).min_by(|a, b| away(a).total_cmp(&away(b)))?;
+    let element = element_at(frame, s0)?;
     let along = along(frame);
     let middle = 0.5 * (along[element] + along[element + 1]);
     let bands = bands(stage);

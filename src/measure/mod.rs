@@ -27,7 +27,7 @@ mod moment;
 mod ring;
 mod shape_measure;
 
-pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
+pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::moment_error;
 pub use ring::{CutRing, Ring};
@@ -177,10 +177,14 @@ pub fn part_height(frame: &Frame) -> Option<f64> {
     Some(high - low)
 }
 
+/// Outer face of the bottom along the punch travel \[mm\].
+pub fn bottom(frame: &Frame) -> Option<f64> {
+    frame.nodes.iter().map(|node| node.z + 0.5 * node.thickness).reduce(f64::max)
+}
+
 /// Point of the middle and thickness of the wall \[mm\] at this outside height of a part, the nearest to the rim.
 pub fn wall_at(frame: &Frame, height: f64) -> Option<[f64; 3]> {
-    let bottom = frame.nodes.iter().map(|node| node.z + 0.5 * node.thickness).reduce(f64::max)?;
-    let level = bottom - height;
+    let level = bottom(frame)? - height;
     let (a, b) = frame.nodes.iter().zip(&frame.nodes[1..]).rev().find(|(a, b)| (a.z >= level) != (b.z >= level))?;
     let share = (level - a.z) / (b.z - a.z);
     Some([(a.r, b.r), (a.z, b.z), (a.thickness, b.thickness)].map(|(a, b)| a + share * (b - a)))

@@ -4,7 +4,7 @@ use super::chart::{Annotation, Chart};
 use super::sections::{panel, whole_tools, whole_window};
 use super::{StageView, thinning::Thinning};
 use crate::assess::tears_at;
-use crate::solver::solution::ElementRecord;
+use crate::measure::element_at;
 use crate::units::Amount;
 
 /// Width of the section \[px\].
@@ -17,13 +17,12 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let thinning = Thinning::new(initial, 0.5 * WIDTH / right, [frame]);
     let is_released = model.release.is_some();
     let tools = whole_tools(model, frame, right).filter(|_| !is_released);
-    let least =
-        |value: &dyn Fn(&ElementRecord) -> f64| frame.elements.iter().min_by(|a, b| value(a).total_cmp(&value(b)));
-    let thinnest = least(&|element| element.thickness)?;
+    let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let text = thickness_text(initial, thinnest.thickness);
     let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, true));
     section.annotations.push(Annotation::flag(text, (thinnest.r, thinnest.z)));
-    if let Some(torn) = tears_at(view.stage).and_then(|s0| least(&|element| (element.s0 - s0).abs())) {
+    if let Some(torn) = tears_at(view.stage).and_then(|s0| element_at(frame, s0)) {
+        let torn = &frame.elements[torn];
         section.annotations.push(Annotation::flag("tears here", (-torn.r, torn.z)));
     }
     let tools = if is_released { "" } else { " Grey: the tools at the end." };

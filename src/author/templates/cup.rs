@@ -172,7 +172,7 @@ impl<'a> Cup<'a> {
         let share = (blank / last).ln() / self.metal.total(early + 1).ln();
         let radius = |i: usize| match self.inputs.number("first-radius") {
             Some(first) => first * (last / first).powf(i as f64 / early as f64),
-            None => Picked::near(blank / self.metal.total(i + 1).powf(share), 0.05, "").value,
+            None => Picked::nearest(blank / self.metal.total(i + 1).powf(share), 0.05, "").value,
         };
         (0..early).map(radius).chain([last]).chain(step.map(|[narrow, _]| narrow)).collect()
     }
@@ -181,7 +181,7 @@ impl<'a> Cup<'a> {
     fn plan(&self, draws: usize) -> Plan {
         let Part { step, height, thickness, .. } = self.part;
         let why = "half of D, area of the mid-surface with what is trimmed (Guldin), corrected by runs of this case";
-        let blank = self.inputs.pick("blank-radius", || Picked::near(self.part.blank(height), BLANK, why));
+        let blank = self.inputs.pick("blank-radius", || Picked::nearest(self.part.blank(height), BLANK, why));
         let travel = step.map_or(height - thickness, |[_, low]| low);
         Plan { radii: self.radii(blank.value, draws), blank, travel }
     }
@@ -217,7 +217,7 @@ impl<'a> Cup<'a> {
             if error < MET && !is_coarse {
                 break;
             }
-            plan.blank = Picked::near(blank, BLANK, plan.blank.why);
+            plan.blank = Picked::nearest(blank, BLANK, plan.blank.why);
             if plan.blank.value > self.metal.ratios[0] * plan.radii[0] {
                 plan.radii = self.radii(plan.blank.value, draws);
             }
@@ -240,7 +240,7 @@ impl<'a> Cup<'a> {
             let cup = self.part.cup_height(blank, *radius, nose.value);
             let travel = || match is_last {
                 true if flange.is_some() || step.is_some() => {
-                    Picked::near(plan.travel, 0.1, "as runs of this case need for the height")
+                    Picked::nearest(plan.travel, 0.1, "as runs of this case need for the height")
                 }
                 true => rules::drawn_travel(height + trim, shoulder, t),
                 false => rules::drawn_travel(HIGHER * cup, shoulder, t),

@@ -23,7 +23,7 @@ pub(super) fn hemispherical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Ca
         draw_ratio(|height| blank_for(height, t), [0.5 * radius, height], radius, ONE_DRAW, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why = "half of D, D² = 4 d h + D_f² − d²: the mid-surface keeps its area (Guldin), flange diameter D_f";
-    let blank = Picked::near(blank_for(height, clearance.value), 0.05, why);
+    let blank = Picked::nearest(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: radius, corner: f64::INFINITY, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;
     sizes.lengths([("radius", &Picked::input(radius)), ("travel", &Picked::by(height, "the depth that is wanted"))]);
@@ -57,7 +57,7 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why =
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange keep their area (Guldin)";
-    let blank = Picked::near(blank_for(height, clearance.value), 0.05, why);
+    let blank = Picked::nearest(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: mouth, corner: nose.value, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;
     let punch = cone(bottom - nose_width, mouth, height, nose.value, angle);
