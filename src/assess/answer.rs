@@ -4,7 +4,7 @@ use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
-use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
+use crate::measure::{OPENING_ANGLE, PART_HEIGHT, Shape, changes, part_height};
 use crate::units::Unit;
 use serde::Serialize;
 
@@ -158,7 +158,6 @@ impl FailureMode {
 /// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, draw-in, opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let end = stages.last().and_then(|stage| stage.steps.last());
-    let height = stages.last().filter(|_| !is_torn).and_then(|stage| part_height(stage.frames.last()?));
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages),
@@ -167,11 +166,8 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.first().and_then(pad),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
-        height.map(|height| Quantity::new("part_height", "Height", Amount::place(height)).at("over all")),
-        formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie).and_then(|(_, stage)| {
-            let drawn = Amount::draw_in(stage.steps.last()?.draw_in);
-            Some(Quantity::new("draw_in", "Draw-in", drawn).at("of the edge, on each side"))
-        }),
+        stages.last().filter(|_| !is_torn).and_then(height),
+        draw_in(stages),
         ring(case, stages),
     ];
     all.into_iter().flatten().collect()
@@ -268,9 +264,27 @@ fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
     let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
     let changes = changes(&Shape::of(before), &Shape::of(after));
     let angle = changes.iter().find(|change| change.quantity.key == OPENING_ANGLE.key)?;
-    let before = angle.before.map_or_else(String::new, |before| format!(", {} under load", Amount::angle(before)));
     let opening = Quantity::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?));
-    Some(opening.at(format!("sprung back{before}")))
+    Some(opening.at(format!("sprung back{}", under_load(angle.before.map(Amount::angle)))))
+}
+
+/// Height at the end, after release if there is one.
+fn height(stage: &StageSolution) -> Option<Quantity> {
+    let before = stage.released().and_then(|[before, _]| part_height(before)).map(Amount::place);
+    let height = Quantity::new(PART_HEIGHT.key, "Height", Amount::place(part_height(stage.frames.last()?)?));
+    Some(height.at(format!("over all{}", under_load(before))))
+}
+
+fn under_load(before: Option<Amount>) -> String {
+    before.map_or_else(String::new, |before| format!(", {before} under load"))
+}
+
+/// Draw-in of the last stage that forms, unless the edge left the die.
+fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
+    let (_, stage) = formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie)?;
+    let load = if stages.last()?.model.release.is_some() { ", under load" } else { "" };
+    let draw_in = Quantity::new("draw_in", "Draw-in", Amount::draw_in(stage.steps.last()?.draw_in));
+    Some(draw_in.at(format!("of the edge, on each side{load}")))
 }
 
 fn ring(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {

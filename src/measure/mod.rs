@@ -31,7 +31,9 @@ pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_par
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::moment_error;
 pub use ring::{CutRing, Ring};
-pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
+pub use shape_measure::{
+    Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, PART_HEIGHT, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes,
+};
 
 use crate::solver::solution::{Frame, NodeRecord};
 use meridian::{ENDS, Meridian, Stretch as Between};
@@ -63,7 +65,7 @@ pub struct Shape {
     pub wall: Option<Leg>,
     /// Outermost leg, behind a bend that brought the sheet back.
     pub flange: Option<Leg>,
-    /// Absolute height of the middle over the edge \[mm\].
+    /// [Height over all](part_height) \[mm\].
     pub height: Option<f64>,
     /// Distance of the edge from the axis or the symmetry plane \[mm\].
     pub edge: Option<f64>,
@@ -103,12 +105,11 @@ impl Shape {
         let meridian = Meridian::of(frame);
         let leg =
             |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Some(Leg::of(meridian, find(meridian)?)));
-        let ends = frame.nodes.first().zip(frame.nodes.last());
         Self {
             wall: leg(wall),
             flange: leg(flange),
-            height: ends.map(|(middle, edge)| (middle.z - edge.z).abs()),
-            edge: ends.map(|(_, edge)| edge.r),
+            height: part_height(frame),
+            edge: frame.nodes.last().map(|edge| edge.r),
         }
     }
 
