@@ -65,7 +65,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 /// Over-bend of the tools by one step of a fixed point, their angle less the error; and a search by runs.
 fn advice(run: &Run, worst: &Judged, wall: Option<f64>) -> String {
     let (is_held, key) = (run.case.model().tool(Role::Holder).is_some(), worst.change.quantity.key);
-    let about = if is_held { "pull the wall straight by a bead" } else { "over-bend by runs" };
+    let about = if is_held { "stretch the wall straight by a bead that closes late" } else { "over-bend by runs" };
     let search = format!("{about}: `stampflow search {} --for over-bend`", run.case.path.display());
     let walls = if key == OPENING_ANGLE.key { 2.0 } else { 1.0 };
     let [tools, back] = [worst.change.before.unwrap_or_default(), worst.missed].map(|both| both / walls);

@@ -1,13 +1,12 @@
-//! Angles and lengths measured on a shape, with the digits that a mesh supports.
+//! Angles and lengths measured on a shape, with the digits of a tolerance.
 
 use super::Shape;
 use crate::units::{Amount, Digits, Unit};
 use std::fmt;
 
-/// Decimals of a released shape's angles \[°\] and lengths \[mm\], and of differences between two, by the error bars of the
-/// shipped cases: 0.2 to 3° and 0.1 to 1.2 mm.
-const DECIMALS: usize = 0;
-const OF_DIFFERENCES: usize = 1;
+/// Decimals of a released shape's angles \[°\] and lengths \[mm\]: those of a part's tolerance. The error bars of the shipped cases
+/// are 0.2 to 3° and 0.1 to 1.2 mm.
+const DECIMALS: usize = 1;
 
 /// Something that can be measured on a shape.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +74,7 @@ impl ShapeMeasure {
     }
 
     pub(crate) fn difference_text(&self, difference: f64) -> String {
-        Amount::new(difference, self.unit, Digits::Decimals(OF_DIFFERENCES)).to_string()
+        Amount::new(difference, self.unit, Digits::Decimals(DECIMALS)).to_string()
     }
 }
 

@@ -211,9 +211,9 @@ impl Model {
 
     fn check_loads(&self) -> Checked {
         for (i, bead) in self.beads.iter().enumerate() {
-            let forces = [("restraining", bead.restraining, NOT_NEGATIVE), ("closing", bead.closing, NOT_NEGATIVE)];
             number(&format!("beads.{i}.at"), bead.at, [0.0, self.blank.length])?;
-            numbers(&format!("beads.{i}"), forces)?;
+            curve(&format!("beads.{i}.restraining"), &bead.restraining, NOT_NEGATIVE)?;
+            number(&format!("beads.{i}.closing"), bead.closing, NOT_NEGATIVE)?;
         }
         for (i, gas) in self.gas.iter().enumerate() {
             once(self.gas[..i].iter().any(|other| other.face == gas.face), "gas on one face")?;

@@ -4,12 +4,12 @@ use super::Geometry;
 use crate::numerics::PiecewiseLinear;
 
 /// Draw bead: line restraint on the flange whose closing force is taken from the holder's.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Bead {
     /// Distance of its line from the axis or the symmetry plane \[mm\].
     pub at: f64,
-    /// Restraining force per length of the line \[N/mm\].
-    pub restraining: f64,
+    /// Restraining force per length of the line over the punch travel \[N/mm over mm\].
+    pub restraining: PiecewiseLinear,
     /// Closing force per length of the line \[N/mm\].
     pub closing: f64,
 }

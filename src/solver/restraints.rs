@@ -53,8 +53,6 @@ pub struct BeadPosition {
 
 impl BeadPosition {
     pub fn find(bead: &Bead, model: &Model, state: &State) -> Option<Self> {
-        // A bead goes with the tools that it stands in.
-        model.release.is_none().then_some(())?;
         let nodes = &state.nodes;
         let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;
         let share = (bead.at - nodes[element][0]) / (nodes[element + 1][0] - nodes[element][0]);

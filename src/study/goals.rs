@@ -45,6 +45,7 @@ pub(super) fn holder_setting(rule: HolderRule, blank: f64) -> String {
     }
 }
 
+const BEAD_FORCE: &str = "tools.beads.0.restraining";
 const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
 
 /// Smallest and largest draw ratio \[–\].
@@ -54,9 +55,12 @@ const BEYOND: f64 = 0.3;
 /// Least blank radius over the outer end of the die shoulder \[–\].
 const FLANGE: f64 = 1.02;
 /// Largest bead force over the sheet's strength \[–\]: a wall yields under it.
-const RESTRAINT: f64 = 0.8;
+const RESTRAINT: f64 = 1.0;
 /// Distance of a new bead from the die's shoulder over the thickness \[–\]: declared.
 const BEAD: f64 = 5.0;
+/// Shares of the travel at which a new bead begins to hold and holds with its whole force \[–\]: declared. Held so late, the
+/// wall is stretched and not unbent again, which takes its curl.
+const LATE: [f64; 2] = [0.9, 0.925];
 
 impl Goal {
     /// The request of a named goal for a case.
@@ -125,8 +129,8 @@ fn radius(model: &Model) -> Result<Goal, StudyError> {
     Ok(Goal::keep(range("tools.die.shoulder", ends, "mm"), "no red", Side::Smallest))
 }
 
-/// Travel that bends legs in air to the wanted angle of the case; of a wall drawn under a holder the bead that pulls it into
-/// 80 % of its tolerance, in the flange where the case has none.
+/// Travel that bends legs in air to the wanted angle of the case; of a wall drawn under a holder the bead that stretches it into
+/// 80 % of its tolerance: where the case has none, one in the flange that closes late.
 fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let is_released = case.stages.last().is_some_and(|stage| stage.model.release.is_some());
     need(is_released, "a stage that takes the tools away: [[stages]] with release = true")?;
@@ -138,21 +142,26 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let tolerance = limits.wall_tolerance.or(limits.tolerance.map(|both| 0.5 * both)).unwrap_or_default();
     let wanted = limits.angle.map(|angle| format!("wall_angle={} deg", 0.5 * angle + 0.8 * tolerance));
     let at = significant(held + BEAD * model.blank.thickness, 4);
-    let bead = format!("tools.beads=[{{at=\"{at} mm\", restraining=\"0 N/mm\"}}]");
-    let note = format!("The new bead lies {} from the middle.", Amount::place(at));
-    let (settings, note) = if model.beads.is_empty() { (vec![bead], Some(note)) } else { Default::default() };
+    let [from, full] = LATE.map(|share| significant(share * model.travel, 4));
+    let history = format!("[[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", \"0 N/mm\"]]");
+    let bead = format!("tools.beads=[{{at=\"{at} mm\", restraining={history}}}]");
+    let lines = format!("at = \"{at} mm\", restraining = [[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", the force]]");
+    let note = format!("A bead that closes late stretches the wall. In the case: [[tools.beads]] with {lines}.");
+    let is_new = model.beads.is_empty();
+    let (settings, note) = if is_new { (vec![bead], Some(note)) } else { Default::default() };
+    let vary = restraints(model, if is_new { "tools.beads.0.restraining.1.1" } else { BEAD_FORCE });
     let (tolerance, remedy) = (0.2 * tolerance, Some("lean the walls of punch and die back by"));
-    Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(restraints(model), "wall_angle") })
+    Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(vary, "wall_angle") })
 }
 
 fn bead_force(model: &Model) -> Result<Goal, StudyError> {
     need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
-    Ok(Goal::reach(restraints(model), "draw_in"))
+    Ok(Goal::reach(restraints(model, BEAD_FORCE), "draw_in"))
 }
 
-fn restraints(model: &Model) -> String {
+fn restraints(model: &Model, key: &str) -> String {
     let largest = RESTRAINT * flange_strength(model) * model.blank.thickness;
-    range("tools.beads.0.restraining", [0.0, largest], "N/mm")
+    range(key, [0.0, largest], "N/mm")
 }
 
 fn one_stage(case: &Case) -> Result<&Model, StudyError> {

@@ -132,12 +132,14 @@ impl Variable {
     }
 }
 
-const NAMES: [(&str, &str); 10] = [
+const NAMES: [(&str, &str); 12] = [
     ("friction", "Friction"),
     ("tools.holder.force", "Holder force"),
     ("tools.die.shoulder", "Die shoulder radius"),
     ("tools.punch.flat.nose", "Punch nose radius"),
     ("tools.punch.travel", "Punch travel"),
+    ("tools.beads.0.restraining", "Bead force"),
+    ("tools.beads.0.restraining.1.1", "Bead force"),
     ("blank.radius", "Blank radius"),
     ("blank.diameter", "Blank diameter"),
     ("blank.thickness", "Sheet thickness"),

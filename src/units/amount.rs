@@ -56,7 +56,7 @@ kinds! {
     stress = 1.0, MPa, Significant(3), "Stress or pressure \\[MPa\\]";
     given_stress = 1.0, MPa, Given(3), "Stress or pressure that was given \\[MPa\\]";
     norm = 1.0, None, Significant(2), "Residual or another small number of the solver \\[–\\]";
-    angle = 1.0, Degree, Decimals(0), "Computed angle \\[degrees\\]";
+    angle = 1.0, Degree, Decimals(1), "Computed angle, with a tolerance's decimal \\[degrees\\]";
     temperature = 1.0, Celsius, Decimals(0), "Temperature \\[°C\\]";
     time = 1.0, Second, Significant(3), "Time \\[s\\]";
     ratio = 1.0, None, Decimals(2), "True strain, draw ratio or another quotient \\[–\\]";

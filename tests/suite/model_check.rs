@@ -32,7 +32,7 @@ fn cup() -> Model {
     model.settings.max_step = 0.2;
     model.settings.min_step = 1e-3;
     model.settings.first_step = 0.05;
-    model.beads = vec![Bead { at: 16.0, restraining: 10.0, closing: 1.0 }];
+    model.beads = vec![Bead { at: 16.0, restraining: 10.0.into(), closing: 1.0 }];
     model.gas = vec![Gas { face: Face::Lower, pressure: 0.1.into(), within: 9.0 }];
     let flow = HeatFlow {
         capacity: 3.6,
@@ -131,7 +131,7 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("holder's spring", |m, x| *holder(m) = Motion::Pressed(Press { force: 1e3.into(), stiffness: x })),
     ("holder's gap", |m, x| *holder(m) = Motion::Gap(x)),
     ("bead", |m, x| m.beads[0].at = x),
-    ("restraint", |m, x| m.beads[0].restraining = x),
+    ("restraint", |m, x| m.beads[0].restraining = x.into()),
     ("closing", |m, x| m.beads[0].closing = x),
     ("pressure", |m, x| m.gas[0].pressure = x.into()),
     ("seal", |m, x| m.gas[0].within = x),

@@ -123,8 +123,9 @@ pub(super) fn holder(model: &Model) -> Vec<Line> {
 }
 
 fn of_bead(model: &Model, bead: &Bead) -> Line {
-    let [restraining, closing] = [bead.restraining, bead.closing].map(|force| Amount::given_force(force, Unit::NPerMm));
-    line("bead", size_of(model, bead.at, Amount::drawn), format!("restraining {restraining}, closing {closing}"))
+    let [restraining, closing] =
+        [bead.restraining.largest(), bead.closing].map(|force| Amount::given_force(force, Unit::NPerMm));
+    line("bead", size_of(model, bead.at, Amount::drawn), format!("restraining up to {restraining}, closing {closing}"))
 }
 
 fn of_gas(model: &Model, gas: &Gas) -> Line {

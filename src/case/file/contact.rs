@@ -17,8 +17,9 @@ pub struct Bead {
     at: Option<Positive<Length>>,
     /// Diameter of its line, instead of `at`, of a round part.
     diameter: Option<Positive<Length>>,
-    /// Restraining force per length of the line, of which a plane section has one on each side.
-    restraining: NonNegative<LineForce>,
+    /// Restraining force per length of the line, of which a plane section has one on each side. Or its history over the punch
+    /// travel, as of a bead that closes late and stretches the wall: [["37 mm", "0 N/mm"], ["38 mm", "700 N/mm"]].
+    restraining: History<NonNegative<Length>, NonNegative<LineForce>>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
     closing: Option<NonNegative<LineForce>>,
 }
@@ -125,7 +126,9 @@ pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>, 
         let flange = format!("the flange, from the die's shoulder at {flat:.3} mm to the edge at {edge} mm");
         let what = format!("a bead at {at} mm is not on {flange}");
         source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
-        let (restraining, closing) = (bead.restraining.value(), bead.closing.map_or(0.0, Dimensioned::value));
+        let restraining = format!("{path}.restraining");
+        let restraining = bead.restraining.curve(&restraining, "travels", source, |force, _| Ok(force.value()))?;
+        let closing = bead.closing.map_or(0.0, Dimensioned::value);
         beads.push(model::Bead { at, restraining, closing });
     }
     let closing: f64 = beads.iter().map(|bead| bead.closing * (extent.times() * bead.line(geometry))).sum();

@@ -173,14 +173,16 @@ impl StageContext<'_> {
         Ok(model::Stage { name: self.written.name.clone(), model, begin })
     }
 
-    /// Model before with tools that stand still; a holder keeps the force that it had at the end.
+    /// Model before with tools that stand still; holder and beads keep the force that they had at the end.
     fn at_rest(&self) -> Model {
         let StopRules { localised, drawn_through, .. } = self.first.stop;
         let stop = StopRules { localised, drawn_through, ..StopRules::default() };
         let mut model = Model { gas: Vec::new(), schedule: None, release: None, stop, ..self.before.clone() };
+        let last = |force: &PiecewiseLinear| force.at(self.before.travel).into();
+        model.beads.iter_mut().for_each(|bead| bead.restraining = last(&bead.restraining));
         for tool in &mut model.tools {
             match &mut tool.motion {
-                Motion::Pressed(press) => press.force = press.force.at(self.before.travel).into(),
+                Motion::Pressed(press) => press.force = last(&press.force),
                 Motion::Gap(_) => {}
                 motion => *motion = Motion::Fixed,
             }
@@ -289,6 +291,8 @@ impl StageContext<'_> {
         }
         if released {
             model.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
+            // A bead goes with the tools that it stands in.
+            model.beads.clear();
         }
         let (mode, key) = match self.written.mode {
             None if released && self.before.mode == Mode::Flow => (Some(Mode::Elastic), "release"),

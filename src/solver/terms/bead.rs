@@ -19,7 +19,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         let [wa, wb] = place.weights;
         let slip = wa * trial.moves[a][0] + wb * trial.moves[b][0];
         let phi = direction(slip, step.slip_scale);
-        let full = place.length * bead.restraining;
+        let full = place.length * bead.restraining.at(step.travel());
         let force = -full * phi.value;
         *acting = BeadForce { force, slip };
         let stiffness = full * phi.slope;

@@ -157,7 +157,7 @@ fn part(stages: &[StageSolution]) -> Vec<Number> {
     }
     if let Some([before, after]) = stage.released() {
         numbers.extend(changes(&Shape::of(before), &Shape::of(after)).into_iter().filter_map(|change| {
-            let amount = Amount::new(change.after?, change.quantity.unit, Digits::Decimals(0));
+            let amount = Amount::new(change.after?, change.quantity.unit, Digits::Decimals(1));
             Some(number(change.quantity.key, change.quantity.label, amount))
         }));
     }
