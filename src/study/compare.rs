@@ -105,10 +105,8 @@ impl SideBySide {
             watch.ran(solved.len(), candidates.len());
             Ok(())
         });
-        let failed = |reason: String| {
-            StudyError::new(format!("a case cannot be run: {reason}"), "try `stampflow check` on each")
-        };
-        ended.map_err(failed)?;
+        let help = "try `stampflow check` on each";
+        ended.map_err(|reason: String| StudyError::new(format!("a case cannot be run: {reason}"), help))?;
         let members = candidates.iter().zip(solved).enumerate();
         let members = members.map(|(i, (candidate, solved))| Member::new(i, candidate, solved)).collect();
         Ok(Self { members, curves })

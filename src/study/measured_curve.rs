@@ -34,14 +34,8 @@ pub fn measured_curve(path: &Path) -> Result<Spec, StudyError> {
         let last = csv.rows.last().and_then(|row| row.fields.get(travel)).map(str::to_owned);
         csv.rows.retain(|row| row.fields.get(travel) == last.as_deref());
     }
-    Ok(Spec {
-        reference: path.to_owned(),
-        data: Some(csv),
-        quantity,
-        columns,
-        tolerance: f64::INFINITY,
-        ..Spec::default()
-    })
+    let spec = Spec { quantity, columns, tolerance: f64::INFINITY, ..Spec::default() };
+    Ok(Spec { reference: path.to_owned(), data: Some(csv), ..spec })
 }
 
 /// Standard deviation of each point of a curve; `None` if one has none.

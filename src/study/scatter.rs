@@ -84,9 +84,8 @@ impl Scatter {
             base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
         let absolute = variables.iter().filter(|variable| variable.is_absolute);
-        base.check_effective(
-            &absolute.flat_map(|variable| variable.settings(&variable.value(0.5))).collect::<Vec<_>>(),
-        )?;
+        let settings: Vec<String> = absolute.flat_map(|variable| variable.settings(&variable.value(0.5))).collect();
+        base.check_effective(&settings)?;
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
         Ok(Self { plan, variables, seed })
@@ -137,8 +136,7 @@ impl Scatter {
             let (light, label) = (Cell::Light(event.light, String::new()), event.label.clone().into());
             lights.rows.push(vec![light, label, value, low, high, self.influences(&event.correlations)]);
         }
-        let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
-        let mut numbers = ReportTable::new("scatter_numbers", &columns);
+        let mut numbers = ReportTable::new("scatter_numbers", &["Number", "5 %", "Median", "95 %", "Rank correlation"]);
         for spread in spreads {
             let number = &runs.responses[spread.response].quantity;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));

@@ -115,10 +115,8 @@ impl TableFile {
     pub fn curve_files(&self) -> Vec<PathBuf> {
         let earlier = self.is_complete.then(|| self.path.with_file_name("curves"));
         let folders = earlier.as_ref().into_iter().chain([&self.curves]);
-        folders
-            .flat_map(|folder| fs::read_dir(folder).into_iter().flatten().flatten())
-            .map(|file| file.path())
-            .collect()
+        let files = folders.flat_map(|folder| fs::read_dir(folder).into_iter().flatten().flatten());
+        files.map(|file| file.path()).collect()
     }
 
     /// Writes the table of a shard, and its curves beside it; removes the rows.

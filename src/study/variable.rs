@@ -215,11 +215,9 @@ impl<'a> NumberReader<'a> {
 
     /// The unit of all numbers, of those that case files have; "6 t" is six thicknesses of the sheet.
     pub fn unit(&self) -> Result<String, StudyError> {
+        let help = "write a unit of case files behind the values";
         match parse(&format!("1 {}", self.unit)) {
-            Err(error) if self.unit != "t" => {
-                let what = format!("{}: {error}", self.key);
-                Err(StudyError::new(what, "write a unit of case files behind the values"))
-            }
+            Err(error) if self.unit != "t" => fail(format!("{}: {error}", self.key), help),
             _ => Ok(self.unit.clone()),
         }
     }

@@ -139,13 +139,11 @@ impl Output {
         frames.retain(|&f| f < travel * (1.0 - SAME));
         frames.sort_by(f64::total_cmp);
         frames.dedup_by(|later, earlier| *later - *earlier < SAME * travel);
-        let mut before = 0.0;
-        for &frame in &frames {
-            let (last, next) = (rounded(before), rounded(frame));
+        for (before, frame) in [0.0].iter().chain(&frames).zip(&frames) {
+            let (last, next) = (rounded(*before), rounded(*frame));
             let what = format!("frames at {last} and {next} mm are closer than a millionth of the travel");
             let help = "keep one of them; the flat sheet at 0 mm is none";
             source.require(frame - before >= CLOSEST * travel, "output.frames", what, help)?;
-            before = frame;
         }
         Ok(frames.into_iter().map(|f| drive.time_at(f)).chain([duration]).collect())
     }

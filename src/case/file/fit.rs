@@ -93,9 +93,8 @@ pub fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
     let by = |(distance, at): (f64, Point)| {
         format!("by {:.3} mm at {} (z = 0 is the flat sheet's middle)", -distance, place_of(at))
     };
-    for (a, b) in
-        [(Role::Punch, Role::Holder), (Role::Punch, Role::Die), (Role::Holder, Role::Die), (Role::Pad, Role::Die)]
-    {
+    let [punch, die, holder, pad] = [Role::Punch, Role::Die, Role::Holder, Role::Pad];
+    for (a, b) in [(punch, holder), (punch, die), (holder, die), (pad, die)] {
         let (Some(first), Some(second)) = (model.tool(a), model.tool(b)) else { continue };
         let (name, other) = (a.name(), b.name());
         if let Some(gap) = overlap(first, second, 0.0) {

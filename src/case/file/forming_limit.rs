@@ -50,16 +50,8 @@ impl FormingLimit {
             (.., Some(_)) => Err("the voids say when the sheet fails".to_owned()),
             _ => Kind::usual(&sheet).map_err(|error| error.message),
         };
-        match curve {
-            Ok(curve) => {
-                curve.notes.iter().for_each(|note| source.note(note.clone()));
-                Some(curve)
-            }
-            Err(why) => {
-                source.note(format!("no forming limit: {why}"));
-                None
-            }
-        }
+        let curve = curve.inspect_err(|why| source.note(format!("no forming limit: {why}"))).ok();
+        curve.inspect(|curve| curve.notes.iter().for_each(|note| source.note(note.clone())))
     }
 
     /// Curve that the case gives; `None` if it wants none.

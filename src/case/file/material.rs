@@ -163,12 +163,10 @@ impl Material {
         source.require(YIELD.contains(&stress), HARDENING, what, help)?;
         let yield_criterion = self.yield_criterion(source)?;
         let rate = self.rate.map(|table| only(Rate::named(table), None, "material.rate", source)).transpose()?;
-        let thermal = self
-            .softening
-            .map(|table| only(ThermalLaw::named(table), None, "material.softening", source))
-            .transpose()?;
-        let fracture =
-            self.fracture.map(|table| only(Fracture::named(table), None, "material.fracture", source)).transpose()?;
+        let thermal = self.softening.map(|table| only(ThermalLaw::named(table), None, "material.softening", source));
+        let thermal = thermal.transpose()?;
+        let fracture = self.fracture.map(|table| only(Fracture::named(table), None, "material.fracture", source));
+        let fracture = fracture.transpose()?;
         let alone = self.fracture_source.is_some() && fracture.is_none();
         let help = "add a criterion, such as [material.fracture.cockcroft_latham], or drop it";
         source.require(!alone, "material.fracture_source", "`fracture_source` stands without `fracture`", help)?;
@@ -176,16 +174,14 @@ impl Material {
         if let Some(gtn) = &mut gtn {
             gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
         }
-        let fitted_up_to = self.fitted_up_to.map(Dimensioned::value);
-        let chaboche = self.back_stresses(source)?;
         Ok(material::Material {
             hardening,
-            fitted_up_to,
+            fitted_up_to: self.fitted_up_to.map(Dimensioned::value),
             elastic,
             rate,
             thermal,
             yield_criterion,
-            chaboche,
+            chaboche: self.back_stresses(source)?,
             gtn,
             fracture,
         })

@@ -7,6 +7,7 @@ use crate::units::Speed;
 
 /// Least radius of a tool, and least opening \[mm\].
 const SMALLEST: f64 = 1e-3;
+const WIDTHS: [&str; 3] = ["radius", "diameter", "half_width"];
 
 /// The rigid tools; each is placed where it touches the flat sheet.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -260,8 +261,7 @@ impl ToolContext<'_> {
                 Ok(Profile::holder(self.radius("tools.holder", keys, lengths)?, thickness))
             }
             (Role::Pad, ..) if let Some(pad) = &self.written.pad => {
-                let keys = ["radius", "diameter", "half_width"];
-                let radius = self.radius("tools.pad", keys, [pad.radius, pad.diameter, pad.half_width])?;
+                let radius = self.radius("tools.pad", WIDTHS, [pad.radius, pad.diameter, pad.half_width])?;
                 let nose = pad.nose.map_or(thickness, Dimensioned::value).min(radius);
                 Ok(Profile::flat_punch(radius, nose, thickness).mirrored())
             }
@@ -273,9 +273,7 @@ impl ToolContext<'_> {
         let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
                     profile = [..] or \"punch.csv\"";
         self.source.one_of("tools.punch", Punch::SHAPES, help)?;
-        let of = |shape: &str, lengths| {
-            self.radius(&format!("tools.punch.{shape}"), ["radius", "diameter", "half_width"], lengths)
-        };
+        let of = |shape: &str, lengths| self.radius(&format!("tools.punch.{shape}"), WIDTHS, lengths);
         if let Some(Hemispherical { radius, diameter }) = punch.hemispherical {
             let (path, keys) = ("tools.punch.hemispherical", ["radius", "diameter", "radius"]);
             Ok(Profile::hemispherical_punch(self.radius(path, keys, [radius, diameter, radius])?, thickness))

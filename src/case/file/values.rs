@@ -153,22 +153,19 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     /// Value in the units of the extent.
     pub fn in_extent(self, path: &str, extent: Extent, source: &Source) -> Result<f64, CaseError> {
         let key = path.split('.').rfind(|key| key.parse::<usize>().is_err()).unwrap_or(path);
-        let is_force = key != "stiffness";
+        let wrong = |what: String, force: String, stiffness: &str| {
+            let stiffness = format!("such as stiffness = \"{stiffness}\"");
+            Err(source.error(path, what, if key == "stiffness" { stiffness } else { force }))
+        };
         let value = match (self, extent) {
             (Self::InAll(_), Extent::PerDepth) => {
                 let force = format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth");
-                let help = if is_force { force } else { "such as stiffness = \"50 N/mm^2\"".into() };
                 let what = format!("in plane strain without blank.depth `{key}` is per mm of depth");
-                return Err(source.error(path, what, help));
+                return wrong(what, force, "50 N/mm^2");
             }
             (Self::PerDepth(_), Extent::Ring) => {
-                let force = format!("write a force, such as {key} = \"80 kN\"");
-                let help = if is_force { force } else { "such as stiffness = \"5 kN/mm\"".into() };
-                return Err(source.error(
-                    path,
-                    format!("in an axisymmetric case `{key}` is that of the whole ring"),
-                    help,
-                ));
+                let what = format!("in an axisymmetric case `{key}` is that of the whole ring");
+                return wrong(what, format!("write a force, such as {key} = \"80 kN\""), "5 kN/mm");
             }
             (Self::PerDepth(value), Extent::Depth(depth)) => value.value() * depth,
             (Self::PerDepth(value), Extent::PerDepth) => value.value(),

@@ -41,8 +41,7 @@ impl LawFits {
             laws.rows.push(vec![fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()]);
         }
         let estimates = self.fits.iter().flat_map(|fit| fit.estimates.iter().map(|e| (fit.kind.name(), e)));
-        let columns = ["Direction", "Tests", "Stress ratio", "r", "Error of r"];
-        let mut directions = ReportTable::new("directions", &columns);
+        let mut directions = ReportTable::new("directions", &["Direction", "Tests", "Stress ratio", "r", "Error of r"]);
         for d in &self.directions {
             let [r, error] = [d.r.map(|r| r.0), d.r.map(|r| r.1)].map(|x| x.map_or("–".into(), |x| trimmed(x, 4)));
             let row = [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error];
