@@ -4,7 +4,7 @@ use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
-use crate::measure::{OPENING_ANGLE, PART_HEIGHT, Shape, changes, part_height};
+use crate::measure::{OPENING_ANGLE, Shape, part_height};
 use crate::units::Unit;
 use serde::Serialize;
 
@@ -262,16 +262,15 @@ fn blank(model: &Model) -> Quantity {
 /// Angle between the legs of a bend or the walls of a channel, after release.
 fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
     let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
-    let changes = changes(&Shape::of(before), &Shape::of(after));
-    let angle = changes.iter().find(|change| change.quantity.key == OPENING_ANGLE.key)?;
-    let opening = Quantity::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?));
-    Some(opening.at(format!("sprung back{}", under_load(angle.before.map(Amount::angle)))))
+    let angle = |frame| (OPENING_ANGLE.of)(&Shape::of(frame)).map(Amount::angle);
+    let opening = Quantity::new(OPENING_ANGLE.key, OPENING_ANGLE.label, angle(after)?);
+    Some(opening.at(format!("sprung back{}", under_load(angle(before)))))
 }
 
 /// Height at the end, after release if there is one.
 fn height(stage: &StageSolution) -> Option<Quantity> {
     let before = stage.released().and_then(|[before, _]| part_height(before)).map(Amount::place);
-    let height = Quantity::new(PART_HEIGHT.key, "Height", Amount::place(part_height(stage.frames.last()?)?));
+    let height = Quantity::new("part_height", "Height", Amount::place(part_height(stage.frames.last()?)?));
     Some(height.at(format!("over all{}", under_load(before))))
 }
 

@@ -31,9 +31,7 @@ pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_par
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::moment_error;
 pub use ring::{CutRing, Ring};
-pub use shape_measure::{
-    Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, PART_HEIGHT, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes,
-};
+pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
 use crate::solver::solution::{Frame, NodeRecord};
 use meridian::{ENDS, Meridian, Stretch as Between};

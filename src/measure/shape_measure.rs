@@ -29,8 +29,6 @@ pub const OPENING_ANGLE: ShapeMeasure = angle("opening_angle", "Opening angle", 
 pub const FLANGE_ANGLE: ShapeMeasure = angle("flange_angle", "Flange to the horizontal", Shape::flange_angle);
 /// Distance of the edge from the axis or the symmetry plane \[mm\].
 pub const EDGE: ShapeMeasure = length("edge", "Distance of the edge", |shape| shape.edge);
-/// Outside height along the punch travel \[mm\].
-pub const PART_HEIGHT: ShapeMeasure = length("part_height", "Height over all", |shape| shape.height);
 const CURL_RADIUS: ShapeMeasure = length("curl_radius", "Wall curl radius, ρ", Shape::curl_radius);
 
 /// All measures in the order of tables.
@@ -41,7 +39,7 @@ pub const SHAPE_MEASURES: &[ShapeMeasure] = &[
     angle("wall_to_flange", "Wall to flange, θ₂", Shape::wall_to_flange),
     FLANGE_ANGLE,
     CURL_RADIUS,
-    PART_HEIGHT,
+    length("part_height", "Height over all", |shape| shape.height),
     EDGE,
 ];
 

@@ -1,11 +1,11 @@
 //! First page: verdict, what to change, key numbers, the part and the load.
 
 use super::Report;
-use super::page::{figure, in_words, word};
+use super::page::{figure_in_column, in_words, word};
 use super::results::{PART, plot};
 use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
-use crate::plot::chart::{Scale, bounds};
-use crate::plot::{Chart, axis::capitalised};
+use crate::plot::chart::{Series, Style, bounds};
+use crate::plot::{Chart, axis::capitalised, load_travel};
 use crate::solver::solution::StepRecord;
 use crate::units::joined;
 use maud::{Markup, html};
@@ -13,11 +13,8 @@ use maud::{Markup, html};
 /// Most issues that leave room for the pictures.
 const ISSUES: usize = 4;
 
-/// Pictures of the part and of the load: the first of each that there is.
-const PICTURES: [&[&str]; 2] = [&[PART, "shapes.png", "springback.png"], &["load_travel.png", "pressure_cycle.png"]];
-
-/// Largest height of curves \[px of a picture 800 wide\].
-const CURVES: f64 = 230.0;
+/// Pictures of the part: the first that there is.
+const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
 
 /// Picture of the first page.
 pub(super) struct FrontPicture {
@@ -51,7 +48,7 @@ pub(super) fn content(report: &Report) -> Markup {
                 }
             }
         }
-        @for picture in pictures(report) { (figure(&picture.chart, &picture.caption)) }
+        div.pictures { @for picture in pictures(report) { (figure_in_column(picture.chart, &picture.caption)) } }
     }
 }
 
@@ -70,23 +67,40 @@ fn issue_of(issue: &Finding) -> Markup {
 }
 
 /// The part at the end, and the load of the stage that tears or takes most of it.
-pub(super) fn pictures<'a>(report: &'a Report) -> impl Iterator<Item = FrontPicture> + 'a {
-    let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
-    let stages = [report.stages.len().checked_sub(1), torn.or_else(|| heaviest(report))];
-    PICTURES.iter().zip(stages).filter_map(|(files, stage)| {
-        let stage = stage?;
+pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {
+    let part = report.stages.len().checked_sub(1).and_then(|stage| {
         let view = &report.stages[stage].0;
-        let (file, (mut chart, caption)) = files.iter().find_map(|file| Some((*file, plot(view, file)?)))?;
-        for panel in &mut chart.panels {
-            if let Scale::Fit { height, .. } = &mut panel.scale {
-                *height = height.min(CURVES);
-            }
+        let (file, (chart, about)) = PARTS.iter().find_map(|file| Some((*file, plot(view, file)?)))?;
+        Some(picture(report, stage, file, chart, about))
+    });
+    let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
+    let load = torn.or_else(|| heaviest(report)).and_then(|stage| forces(report, stage));
+    [part, load].into_iter().flatten()
+}
+
+fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, about: &str) -> FrontPicture {
+    // The verdict above says how the stage ended.
+    let notes = report.stages[stage].0.notes();
+    chart.notes.retain(|note| !notes.contains(note));
+    FrontPicture { stage, file, chart, caption: report.stage(stage) + about }
+}
+
+/// Forces of a stage, and the punch forces of the other stages over their own travel; or its gas pressure.
+fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
+    let (view, _) = &report.stages[stage];
+    let is_by_punch = view.model().travel > 0.0;
+    let about = if is_by_punch { "forces over the punch travel" } else { "gas pressure over the height of the dome" };
+    let mut chart = load_travel::plot(view)?;
+    let panel = chart.panels.first_mut()?;
+    let forming = report.stages.iter().enumerate().filter(|(_, (view, _))| view.model().release.is_none());
+    for (i, (view, _)) in forming.filter(|(i, _)| *i != stage) {
+        let points: Vec<_> = view.stage.steps.iter().map(|step| (step.travel, step.punch_force)).collect();
+        if bounds(points.iter().map(|point| point.1)).1 > 0.0 {
+            let style = Style::curve(panel.series.len());
+            panel.series.push(Series::new(report.stage(i) + "punch force", points, style));
         }
-        // The verdict above says how the stage ended.
-        let notes = view.notes();
-        chart.notes.retain(|note| !notes.contains(note));
-        Some(FrontPicture { stage, file, chart, caption: report.stage(stage) + caption })
-    })
+    }
+    Some(picture(report, stage, "load_travel.png", chart.displayed(), about))
 }
 
 /// Stage with the largest punch force or pressure, counted from 0.

@@ -2,7 +2,7 @@
 
 use super::{PROGRAM, Report, front, part, results, sections};
 use crate::assess::Light;
-use crate::plot::{Chart, svg, svg_on_paper};
+use crate::plot::{Chart, chart::Scale, svg, svg_on_paper};
 use crate::results::REPORT_MARKER;
 use crate::units::{Amount, joined};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -17,6 +17,9 @@ const KEYS: [&str; 7] = ["press", "friction", "material", "forming_limit", "spri
 
 /// Half the width between the margins of A4 \[mm\].
 const COLUMN: f64 = 88.0;
+
+/// Largest height of curves in it \[px of a picture 800 wide\].
+const CURVES: f64 = 330.0;
 
 /// Heading with its content.
 pub(super) struct Section {
@@ -100,8 +103,13 @@ pub(super) fn figure(chart: &Chart, caption: &str) -> Markup {
 }
 
 /// Picture for half the width of a page.
-pub(super) fn figure_in_column(chart: &Chart, caption: &str) -> Markup {
-    drawn(&svg_on_paper(chart, COLUMN), caption)
+pub(super) fn figure_in_column(mut chart: Chart, caption: &str) -> Markup {
+    for panel in &mut chart.panels {
+        if let Scale::Fit { height, .. } = &mut panel.scale {
+            *height = height.min(CURVES);
+        }
+    }
+    drawn(&svg_on_paper(&chart, COLUMN), caption)
 }
 
 fn drawn(svg: &str, caption: &str) -> Markup {

@@ -4,7 +4,7 @@ use super::page::{Row, Section, figure_in_column, table};
 use super::sizes::{dimensions, section};
 use super::{Report, results::plot};
 use crate::model::{Model, Tool};
-use crate::plot::{chart::Scale, dimensioned};
+use crate::plot::dimensioned;
 use crate::solver::solution::Frame;
 use maud::{Markup, html};
 
@@ -26,9 +26,6 @@ const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_li
 /// Sections that leave room for them.
 const SECTIONS: usize = 4;
 
-/// Largest height of curves \[px\].
-const HEIGHT: f64 = 330.0;
-
 pub(super) fn content(report: &Report) -> Markup {
     let sections: Vec<usize> = with_new_tools(report).take(SECTIONS).collect();
     let views = report.stages.iter().enumerate().rev();
@@ -36,12 +33,7 @@ pub(super) fn content(report: &Report) -> Markup {
         let (i, mut chart) = views.clone().find_map(|(i, (view, _))| Some((i, plot(view, file)?.0)))?;
         chart.panels.truncate(1);
         chart.notes.clear();
-        for panel in &mut chart.panels {
-            if let Scale::Fit { height: own, .. } = &mut panel.scale {
-                *own = own.min(HEIGHT);
-            }
-        }
-        Some(figure_in_column(&chart, &format!("{}{about}", report.stage(i))))
+        Some(figure_in_column(chart, &format!("{}{about}", report.stage(i))))
     };
     let released = picture(&("springback.png", "spring-back"));
     html! {
@@ -92,7 +84,7 @@ fn start(report: &Report, i: usize) -> Markup {
     let mut chart = dimensioned(String::new(), model, start, &sizes);
     chart.notes.clear();
     let sheet = if i == 0 { "blank" } else { "sheet" };
-    figure_in_column(&chart, &format!("{}section at the start: {sheet} blue, tools grey", report.stage(i)))
+    figure_in_column(chart, &format!("{}section at the start: {sheet} blue, tools grey", report.stage(i)))
 }
 
 /// A stage with the sheet that it begins with, the flat blank left out.

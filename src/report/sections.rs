@@ -138,7 +138,7 @@ pub(super) fn versus(all: &SideBySide) -> Section {
         (table(&head, rows.into_iter().map(|cells| Row { cells, ..Row::default() })))
         p { "In parentheses the difference from the first." }
         div.pictures {
-            @for (_, about, chart) in all.charts() { (figure_in_column(&Chart { title: String::new(), ..chart }, about)) }
+            @for (_, about, chart) in all.charts() { (figure_in_column(Chart { title: String::new(), ..chart }, about)) }
         }
     };
     Section::new("Compared", content)

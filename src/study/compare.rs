@@ -3,8 +3,7 @@
 use super::run::Silent;
 use super::verify::{Outcome, verify};
 use super::*;
-use crate::assess::error_bars::{ErrorBars, answered};
-use crate::assess::{self};
+use crate::assess::{self, error_bars::ErrorBars, error_bars::answered};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};
 use crate::plot::{palette::color, sections};
@@ -149,9 +148,9 @@ impl SideBySide {
                     let base = first.quantity.amount;
                     let difference = own.quantity.amount.value - base.value;
                     let least = SAME * base.value.abs();
-                    change = Amount::new(difference, base.unit, base.digits).into();
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
                     let bars = first.half().zip(own.half()).map(|(a, b)| least.max(a + b));
+                    change = Amount { value: difference, bar: bars, ..base }.into();
                     beyond = bars.map_or("", |bars| if difference.abs() > bars { "yes" } else { "no" });
                 }
                 let value = own.map_or_else(|| "–".into(), |own| own.quantity.amount.into());

@@ -104,7 +104,7 @@ impl Lines<'_> {
     fn part(&mut self) {
         let Self { view, model, run, last, .. } = *self;
         let end = run.frames.last();
-        self.number(PART_HEIGHT.key, PART_HEIGHT.label, end.and_then(part_height).map(Amount::place));
+        self.number("part_height", "Height over all", end.and_then(part_height).map(Amount::place));
         if let Some(changes) = tables::springback_changes(run) {
             self.add("springback", "Spring-back", Value::changes(&changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {

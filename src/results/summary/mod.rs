@@ -5,7 +5,7 @@ mod lines;
 use super::{StageView, stages, tables};
 use crate::assess::{Kind, holder_lift, sentences};
 use crate::case::{Solution, files::sha256};
-use crate::measure::{Change, Event, PART_HEIGHT, Shape, events, moment_error, part_height, thickest};
+use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
 use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
 use crate::plot::stop_text;
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
