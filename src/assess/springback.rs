@@ -79,8 +79,8 @@ fn advice(run: &Run, worst: &Judged, wall: Option<f64>) -> String {
             let fixed = if worst.of_punch { "; first write the part's own [springback] angle" } else { "" };
             let [back, to] = [back, 90.0 + wall - back].map(angle);
             let lean = format!("lean punch and die walls back by {back}, to {to} from the bottom{cam} ({step}){fixed}");
-            // A longer travel does not turn a wall that lies against the punch's.
-            if is_held { joined([search, lean], "; or ") } else { lean }
+            // A longer travel does not turn a wall that lies against the punch's, and a bead that is there had its search.
+            if is_held && run.case.model().beads.is_empty() { joined([search, lean], "; or ") } else { lean }
         }
     }
 }

@@ -20,8 +20,8 @@ pub(super) struct Goal {
     pub tolerance: f64,
     /// Remark on what the runs add to the case.
     pub note: Option<String>,
-    /// Change that makes up for what is missing of the wanted value.
-    pub remedy: Option<&'static str>,
+    /// Change that makes up for what is missing, and the value that it goes to, if not to the target.
+    pub remedy: Option<(&'static str, Option<f64>)>,
     pub side: Option<Side>,
     pub holder: Option<HolderRule>,
 }
@@ -140,7 +140,8 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
         return Ok(Goal { wanted, ..Goal::reach(travels(model, [0.6, 1.3])?, "opening_angle") });
     };
     let tolerance = limits.wall_tolerance.or(limits.tolerance.map(|both| 0.5 * both)).unwrap_or_default();
-    let wanted = limits.angle.map(|angle| format!("wall_angle={} deg", 0.5 * angle + 0.8 * tolerance));
+    let wall = limits.angle.map(|angle| 0.5 * angle);
+    let wanted = wall.map(|wall| format!("wall_angle={} deg", wall + 0.8 * tolerance));
     let at = significant(held + BEAD * model.blank.thickness, 4);
     let [from, full] = LATE.map(|share| significant(share * model.travel, 4));
     let history = format!("[[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", \"0 N/mm\"]]");
@@ -150,7 +151,7 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let is_new = model.beads.is_empty();
     let (settings, note) = if is_new { (vec![bead], Some(note)) } else { Default::default() };
     let vary = restraints(model, if is_new { "tools.beads.0.restraining.1.1" } else { BEAD_FORCE });
-    let (tolerance, remedy) = (0.2 * tolerance, Some("lean the walls of punch and die back by"));
+    let (tolerance, remedy) = (0.2 * tolerance, Some(("lean the walls of punch and die back by", wall)));
     Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(vary, "wall_angle") })
 }
 

@@ -48,11 +48,17 @@ impl RunTable {
         self.responses[place].quantity.amount.with_value(value).to_string()
     }
 
-    /// Labels of the red rows of a run, else of the amber ones.
-    pub(super) fn worst_rows(&self, run: &Run) -> String {
-        let keys = if run.red.is_empty() { &run.amber } else { &run.red };
+    /// Labels of rows.
+    pub(super) fn labels(&self, keys: &[String]) -> String {
         let label = |key: &String| self.rows.iter().find(|row| row.0 == *key).map_or(key, |row| &row.1).clone();
         joined(keys.iter().map(label), ", ")
+    }
+
+    /// ` (red there: Spring-back; amber there: Tearing, Friction)`, or nothing.
+    pub(super) fn lights_there(&self, run: &Run) -> String {
+        let lights = [("red", &run.red), ("amber", &run.amber)].into_iter().filter(|(_, keys)| !keys.is_empty());
+        let text = joined(lights.map(|(light, keys)| format!("{light} there: {}", self.labels(keys))), "; ");
+        if text.is_empty() { text } else { format!(" ({text})") }
     }
 
     /// Sentence with the first reason if no run came to a result.

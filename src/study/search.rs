@@ -117,22 +117,24 @@ impl LimitSearch {
         match run.failures.first()? {
             FailureMode::Tears => Some(format!("at {at} it tears{pulled}")),
             FailureMode::NoResult => Some(format!("at {at} it comes to no result")),
-            _ => Some(format!("at {at} red is {}", runs.worst_rows(run))),
+            _ => Some(format!("at {at} red is {}", runs.labels(&run.red))),
         }
     }
 
     /// Sentence on the nearest run to a target that none reaches, and on the run beside it that fails.
     fn unreached(&self, runs: &RunTable, place: usize, wanted: &str) -> Option<String> {
         let (best, missed) = self.nearest(runs).map(|(best, missed)| (&runs.runs[best], missed))?;
-        let (x, value) = (best.value(0), runs.display(place, best.numbers[place]));
+        let (x, value) = (best.value(0), best.numbers[place]);
         let failed = runs.runs.iter().filter(|run| run.tears() || !run.is_known());
         let beside = failed.min_by(|a, b| (a.value(0) - x).abs().total_cmp(&(b.value(0) - x).abs()));
         let beside = beside.and_then(|run| self.failure(runs, run)).unwrap_or_default();
         let at = self.variable().display(x);
-        let remedy = self.goal.remedy.filter(|_| missed > 0.0).map_or_else(String::new, |remedy| {
-            format!(" Take it to {at} and {remedy} {}.", runs.display(place, missed))
+        let remedy = self.goal.remedy.filter(|_| missed > 0.0).map_or_else(String::new, |(remedy, to)| {
+            let rest = to.map_or(missed, |to| value - to);
+            format!(" Take it to {at} and {remedy} {}.", runs.display(place, rest))
         });
-        let (key, nearest) = (self.variable().label(), joined([format!("{value} at {at}"), beside], ", "));
+        let (key, lights) = (self.variable().label(), runs.lights_there(best));
+        let nearest = joined([format!("{} at {at}{lights}", runs.display(place, value)), beside], ", ");
         Some(format!("{key}: {} of {wanted} is not reached: {nearest}.{remedy}", self.aim.text))
     }
 
@@ -168,8 +170,9 @@ impl LimitSearch {
         let holds = match (found, target, best) {
             (Bracket::Failed, ..) => return format!("{key}: every run from {low} to {high} tears or has no result."),
             (_, Some((place, wanted)), Some(best)) => {
-                let (x, value) = (at(runs.runs[best].value(0)), runs.runs[best].numbers[place]);
-                return format!("{key} = {x}: {name} is {}, wanted {wanted}.", runs.display(place, value));
+                let best = &runs.runs[best];
+                let [x, value] = [at(best.value(0)), runs.display(place, best.numbers[place])];
+                return format!("{key} = {x}: {name} is {value}, wanted {wanted}{}.", runs.lights_there(best));
             }
             (_, Some((place, wanted)), None) => return self.unreached(runs, place, &wanted).unwrap_or_default(),
             (Bracket::Between([inner, outer]), ..) => {
@@ -212,7 +215,7 @@ impl LimitSearch {
             format!("The holder's force follows Siebel's rule as the blank grows: {force} there.")
         }));
         let red = best.filter(|run| self.search.is_limit && !run.red.is_empty());
-        notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.worst_rows(run))));
+        notes.extend(red.map(|run| format!("Careful: red there is {}.", runs.labels(&run.red))));
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
         let some = format!("{failed} of {} runs came to no result.", runs.runs.len());
         notes.extend(runs.no_result().or((failed > 0).then_some(some)));
