@@ -187,11 +187,8 @@ pub fn blank_of(area: f64) -> f64 {
 /// Travel at which the rim of a cup of this height with its trim stands a shoulder's radius and two thicknesses behind the
 /// die's shoulder: with larger radii it gets through too.
 pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
-    Picked::up(
-        height + 2.0 * (shoulder + thickness),
-        0.1,
-        "at most: it ends when the rim is through the die's shoulder",
-    )
+    let why = "at most: it ends when the rim is through the die's shoulder";
+    Picked::up(height + 2.0 * (shoulder + thickness), 0.1, why)
 }
 
 /// Holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: the largest of three.

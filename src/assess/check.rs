@@ -4,7 +4,7 @@ mod tools;
 
 use super::*;
 use crate::material::YieldCriterion;
-use crate::model::{ContactMethod, Extent, Grading, Iteration, Norm, Theory};
+use crate::model::{Extent, Grading, Theory};
 use crate::units::{Unit, ZERO_CELSIUS};
 use std::fmt;
 
@@ -57,21 +57,19 @@ pub fn report(case: &Case) -> Check {
 }
 
 fn blank(model: &Model) -> Vec<Line> {
-    let blank = &model.blank;
+    let (blank, extent) = (&model.blank, model.extent());
     let (geometry, meaning) = match model.geometry {
         Geometry::Axisymmetric => ("axisymmetric", String::new()),
         Geometry::PlaneStrain => ("plane strain", format!("half length, {} in all", Amount::set(2.0 * blank.length))),
     };
-    let volume = (model.extent().area(blank.length) - model.extent().area(blank.hole)) * blank.thickness;
-    let (unit, times) =
-        if model.extent() == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
-    let points = blank.layers;
+    let volume = (extent.area(blank.length) - extent.area(blank.hole)) * blank.thickness;
+    let (unit, times) = if extent == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let theory = match blank.theory {
-        Theory::Bending => format!("bending, {points} points through the thickness"),
+        Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
         Theory::Membrane => "membrane".into(),
     };
     let mut lines = vec![
-        line("geometry", format!("{geometry}; {}", model.extent().described()), ""),
+        line("geometry", format!("{geometry}; {}", extent.described()), ""),
         line("blank", size_of(model, blank.length, Amount::set), meaning),
         number("thickness", Amount::size(blank.thickness), ""),
         number("volume", Amount::new(volume, unit, Digits::Significant(3)), times),
@@ -111,20 +109,8 @@ fn details(model: &Model) -> Vec<Line> {
         Grading::Uniform => format!("elements, each {size} wide"),
         Grading::Radii | Grading::Divided { .. } => format!("elements, {size} on average, finer at the tools' radii"),
     };
-    let matrix = match settings.iteration {
-        Iteration::PrimalDual => "primal-dual Newton",
-        Iteration::Newton => "Newton",
-        Iteration::Secant => "secant",
-    };
-    let norm = match settings.norm {
-        Norm::Velocity => "velocity norm",
-        Norm::Residual => "residual norm",
-        Norm::Both => "velocity and residual norm",
-    };
-    let contact = match settings.contact {
-        ContactMethod::Penalty => "penalty",
-        ContactMethod::AugmentedLagrangian => "augmented Lagrangian",
-    };
+    let [matrix, norm] = settings.corrector();
+    let contact = ["penalty", "augmented Lagrangian"][settings.contact as usize];
     let [largest, first, gap] =
         [settings.max_step, settings.first_step, settings.contact_smoothing].map(Amount::given_share);
     let (tolerance, most) = (Amount::norm(settings.tolerance), settings.max_iterations);
@@ -138,7 +124,7 @@ fn details(model: &Model) -> Vec<Line> {
         material.thermal.map(|law| line("softening by heat", law.to_string(), "times the yield stress")),
         Some(line("forming limit", model.forming_limit.as_ref().map_or("none", |curve| curve.name), "")),
         Some(number("mesh", Amount::count(blank.elements as f64), spread)),
-        Some(line("corrector", matrix, format!("{norm} below {tolerance}, at most {most} iterations a step"))),
+        Some(line("corrector", matrix, format!("{norm} norm below {tolerance}, at most {most} iterations a step"))),
         Some(number("steps", largest, steps)),
         Some(line("contact", contact, format!("{stiffness} over the thickness, sets in over {gap} of it"))),
         Some(number("cut-off strain", Amount::norm(settings.cutoff_strain), "of 1 % of the travel: rigid below")),

@@ -68,22 +68,15 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             format!("uses {{}} of the limit; {at}, {margin} of major true strain left")
         }
         Some(reached) => {
-            let when = match stage.model.travel > 0.0 {
-                true => format!("{} of travel", Amount::place(reached.travel)),
-                false => Amount::time(reached.time).to_string(),
-            };
+            let when = instant(stage, reached.travel, reached.time);
             format!("uses {{}} of the limit; first reached at {when}, {}", place(run.stages, reached.s0))
         }
     };
     // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let faces = Amount::ratio((1.0 + 0.5 * bend).ln());
-    let faces = if bend * THIN > 1.0 {
-        format!("of the mid-surface: bends strain the faces by up to {faces}")
-    } else {
-        String::new()
-    };
-    let judged = judged(joined([text, faces], "; ")).number(Amount::share(worst.ratio()));
+    let faces = (bend * THIN > 1.0).then(|| format!("of the mid-surface: bends strain the faces by up to {faces}"));
+    let judged = judged(joined([text, faces.unwrap_or_default()], "; ")).number(Amount::share(worst.ratio()));
     let judged = judged.at_most(100.0 * CAREFUL, 100.0);
     let light = match assessment.reached {
         Some(_) => Light::Red,

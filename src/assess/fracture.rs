@@ -24,20 +24,15 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let uses = format!("uses {{}} of the critical value {place}");
     let first = formed(run.stages).find_map(|(i, stage)| Some((i, reached(stage)?)));
     let breaks = first.map_or_else(String::new, |(i, step)| {
-        let instant = match run.stages[i].model.travel > 0.0 {
-            true => format!("{} of travel", Amount::place(step.travel)),
-            false => Amount::time(step.time).to_string(),
-        };
-        run.of_stage(format!("reached at {instant}"), i)
+        run.of_stage(format!("reached at {}", instant(&run.stages[i], step.travel, step.time)), i)
     });
-    let source = run.case.sources.fracture.clone();
+    let assumed = "the case's constants, assumed: no source is given; the share is declared";
+    let source = run.case.sources.fracture.as_deref().unwrap_or(assumed);
     Finding::judged("fracture", "Fracture", joined([uses, breaks], "; "))
         .number(Amount::share(damage))
         .at_most(100.0 * CAREFUL, 100.0)
         .limit(format!("{criterion}, near it from {}", Amount::given_share(CAREFUL)))
-        .source(
-            source.unwrap_or_else(|| "the case's constants, assumed: no source is given; the share is declared".into()),
-        )
+        .source(source)
         .into()
 }
 

@@ -89,11 +89,9 @@ pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
         }
         YieldCriterion::Hill48(_) => judged("Hill 1948, r̄ = {}"),
     };
-    let judged = judged
-        .source("Woodthorpe and Pearce (1970); draw ratios of this program; the numbers are declared rules of thumb");
-    Some(
-        judged.limit(format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways")),
-    )
+    let source = "Woodthorpe and Pearce (1970); draw ratios of this program; the numbers are declared rules of thumb";
+    let limit = format!("r̄ of {least} to {most} by Hill 1948; below, where the sheet is not stretched both ways");
+    Some(judged.source(source).limit(limit))
 }
 
 /// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.
@@ -131,9 +129,8 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
 pub(super) fn placeholders(run: &Run) -> Option<Finding> {
     let text = format!("the case holds placeholders: {}", run.case.model().placeholders()?);
     let judged = Finding::judged("placeholders", "Placeholders", text).light(Light::Amber).limit("none");
-    Some(
-        judged.advice("replace them and take the note out; the rest of the verdict is of what was guessed").source(OWN),
-    )
+    let advice = "replace them and take the note out; the rest of the verdict is of what was guessed";
+    Some(judged.advice(advice).source(OWN))
 }
 
 pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {

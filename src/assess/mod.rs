@@ -170,6 +170,12 @@ fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSoluti
     stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
 }
 
+/// Instant of a stage by its travel \[mm\], or by its time \[s\] where nothing travels.
+fn instant(stage: &StageSolution, travel: f64, time: f64) -> String {
+    let (travel, time) = (Amount::place(travel), Amount::time(time));
+    if stage.model.travel > 0.0 { format!("{travel} of travel") } else { time.to_string() }
+}
+
 /// Event of a stage in the step of a peak load: `(rim meets the die)`.
 fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
@@ -178,6 +184,6 @@ fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
 }
 
 /// Largest of a figure over a stage, or 0.
-fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
+pub(crate) fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
     stage.steps.iter().map(value).fold(0.0, f64::max)
 }

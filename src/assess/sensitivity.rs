@@ -100,8 +100,8 @@ fn changed(solution: &Solution, findings: &[Finding], other: &Solution) -> (bool
         (true, false) => return (true, "it does not tear".into()),
         _ => {}
     }
-    let pairs = judgements(findings).filter_map(|own| Some((own, theirs.iter().find(|row| row.key == own.key)?)));
-    let pairs = pairs.filter(|(own, _)| !NO_DESIGN.contains(&own.key));
+    let own = judgements(findings).filter(|own| !NO_DESIGN.contains(&own.key));
+    let pairs = own.filter_map(|own| Some((own, theirs.iter().find(|row| row.key == own.key)?)));
     let pairs = pairs.filter(|(own, row)| row.light.min(own.light) > Light::Grey && row.light != own.light);
     let pairs: Vec<_> = pairs.collect();
     let text = pairs.iter().map(|(own, row)| format!("{} is {}", own.label, row.light.name()));

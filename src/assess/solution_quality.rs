@@ -89,13 +89,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let is_red = |check: &Check, share: f64| check.red.is_some_and(|red| share > red);
     let (check, share) =
         all.max_by(|&(a, x), &(b, y)| is_red(a, x).cmp(&is_red(b, y)).then((x / a.limit).total_cmp(&(y / b.limit))))?;
-    let judged = Finding::judged("solution_quality", "Solution quality", check.text).number(Amount::share(share));
-    Some(
-        judged
-            .at_most(100.0 * check.limit, check.red.map(|red| 100.0 * red))
-            .source("declared accuracy of the solver; bends: continuum solids; strain paths: declared")
-            .advice(check.advice),
-    )
+    Finding::judged("solution_quality", "Solution quality", check.text)
+        .number(Amount::share(share))
+        .at_most(100.0 * check.limit, check.red.map(|red| 100.0 * red))
+        .source("declared accuracy of the solver; bends: continuum solids; strain paths: declared")
+        .advice(check.advice)
+        .into()
 }
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].

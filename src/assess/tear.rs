@@ -24,13 +24,10 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
     };
     let text = joined(["{}".into(), place(run.stages, last.thinnest_s0), judge.into()], "; ");
     let finding = Finding::judged("thinning", "Thinning", text).number(Amount::share(thinning));
-    let [careful, refused] = [CAREFUL, REFUSED];
+    let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
+    let limit = format!("below {careful}; at most {refused} without a forming limit");
     Some(match judge {
-        "" => finding.at_most(100.0 * careful, 100.0 * refused).limit(format!(
-            "below {}; at most {} without a forming limit",
-            Amount::share(careful),
-            Amount::share(refused)
-        )),
+        "" => finding.at_most(careful.value, refused.value).limit(limit),
         _ => finding.limit("none but the forming limit"),
     })
 }
@@ -52,11 +49,8 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
         }
         (_, None) => judged("none".into()),
     };
-    Some(
-        finding
-            .limit("no neck")
-            .source("one place goes on thinning where its neighbours have stopped; declared thresholds"),
-    )
+    let source = "one place goes on thinning where its neighbours have stopped; declared thresholds";
+    Some(finding.limit("no neck").source(source))
 }
 
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].

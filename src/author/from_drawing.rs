@@ -104,16 +104,14 @@ impl Import {
         let blank_key = format!("blank (--set blank.{key})");
         let is_set = |key: &str| self.overrides.iter().any(|set| set.trim_start().starts_with(key));
         let has_travel = travel.as_ref().is_some_and(|travel| !travel.is_given());
+        let has_holder = first.tool(Role::Holder).is_some();
         let open = [
             ("material (--material)", self.material.is_none() && !is_set("material")),
             ("friction (--set friction)", !friction.is_given() && !is_set("friction=")),
             ("thickness (--set blank.thickness)", !thickness.is_given() && !is_set("blank.thickness")),
             (&blank_key, !blank.is_given() && !is_set("blank.radius") && !is_set("blank.d") && !is_set("blank.half")),
             ("travel (--set tools.punch.travel)", has_travel && !is_set("tools.punch.travel")),
-            (
-                "holder pressure (--set tools.holder.pressure)",
-                first.tool(Role::Holder).is_some() && !is_set("tools.holder."),
-            ),
+            ("holder pressure (--set tools.holder.pressure)", has_holder && !is_set("tools.holder.")),
             ("travels and holder forces of the later stages (--set stages.0.punch.move)", !sections.later.is_empty()),
         ];
         let open: Vec<&str> = open.into_iter().filter_map(|(name, is_open)| is_open.then_some(name)).collect();

@@ -87,8 +87,7 @@ impl Case {
 
     /// Runs the stages after one another, each on the sheet that the one before left.
     pub fn solve(self, observer: &mut dyn Observer) -> Solution {
-        let stages = solve(&self.stages, observer);
-        Solution { case: self, stages, wall: None }
+        Solution { stages: solve(&self.stages, observer), case: self, wall: None }
     }
 
     /// The stage that begins with the flat blank.

@@ -61,8 +61,7 @@ impl Thickness {
         let (low, high) = range.split_once(" to ").unwrap_or((range, range));
         let unit = high.trim().rsplit_once(' ')?.1;
         let low = if low.contains(unit) { low.to_owned() } else { format!("{low} {unit}") };
-        let range = [parse(&low).ok()?.value, parse(high).ok()?.value];
-        Some(Self { name: name.to_owned(), range })
+        Some(Self { name: name.to_owned(), range: [parse(&low).ok()?.value, parse(high).ok()?.value] })
     }
 }
 

@@ -21,9 +21,8 @@ pub fn check(args: &Args) -> Result<Code> {
     let meaning = if args.verbose { format!("{report:#}") } else { report.to_string() };
     if !args.run {
         let doubts = if report.warnings.is_empty() { "no warnings; next" } else { "next" };
-        return emit(is_json, value, || {
-            wrapped(format!("{meaning}\n{doubts}: stampflow check --run {}", args.case.display()))
-        });
+        let next = format!("stampflow check --run {}", args.case.display());
+        return emit(is_json, value, || wrapped(format!("{meaning}\n{doubts}: {next}")));
     }
     let progress = args.common.progress();
     let solved = Solved::new(progress.watch(&case).solve(case), &progress, !args.no_error_bars, !args.no_advice);
@@ -31,15 +30,12 @@ pub fn check(args: &Args) -> Result<Code> {
     let own = json!({ "complete": solved.solution.is_complete(), "verdict": verdict, "run_warnings": warnings });
     emit(is_json, with(value, own), || match args.verbose {
         true => solved.screen(wrapped(format!("\n{meaning}\n")) + every_row(&solved.findings)),
-        false => solved.screen(green_rows(&solved.findings)),
+        false => {
+            let green = judgements(&solved.findings).filter(|finding| finding.light == Light::Green);
+            solved.screen(ScreenText::from("\n") + table(&["Green", "Found", "Limit"], green.map(Finding::brief)))
+        }
     })?;
     Ok(solved.code(args.strict))
-}
-
-/// Green rows of the verdict, brief.
-fn green_rows(findings: &[Finding]) -> ScreenText {
-    let green = judgements(findings).filter(|finding| finding.light == Light::Green).map(Finding::brief);
-    ScreenText::from("\n") + table(&["Green", "Found", "Limit"], green)
 }
 
 /// Every row of the verdict with its limit and the limit's source, or what to give.

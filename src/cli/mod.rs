@@ -139,8 +139,9 @@ pub fn main(words: &[std::ffi::OsString]) -> ExitCode {
 
 fn program() -> clap::Command {
     let examples = |text: &'static str| text.find("Example").map_or("", |at| &text[at..]);
+    let files: String = OUTPUTS.iter().map(|output| format!("  {:<18} {}\n", output.file, output.about)).collect();
     let with_help = |verb: clap::Command| match (verb.get_name(), help(verb.get_name())) {
-        ("run", text) => verb.after_help(examples(text)).after_long_help(run::written_files() + "\n" + text),
+        ("run", text) => verb.after_help(examples(text)).after_long_help(format!("Written files:\n{files}\n{text}")),
         (_, text) => verb.after_help(examples(text)).after_long_help(text),
     };
     let program = Args::command().mut_subcommands(with_help).mut_subcommand("new", new::command);

@@ -22,11 +22,6 @@ options! {
 
 const PAGE: &str = "report.html";
 
-pub fn written_files() -> String {
-    let files = OUTPUTS.iter().map(|output| format!("  {:<18} {}\n", output.file, output.about));
-    format!("Written files:\n{}", files.collect::<String>())
-}
-
 pub fn run(args: &Args) -> Result<Code> {
     let several = args.cases.len() > 1;
     let what = "--trace writes the iterations of one case: give one case";

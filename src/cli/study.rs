@@ -111,7 +111,7 @@ impl TableOptions {
         let settings = Evaluation { threads: self.study.threads.count(), shard, watch: &watch };
         let mut table = TableFile::open(&path, self.resume, self.restart, &watch)?;
         let folder =
-            (shard == Shard::WHOLE).then(|| study_folder(name, &dir)).transpose().map_err(unusable("--out"))?;
+            (shard == Shard::WHOLE).then(|| study_folder(name, &dir).map_err(unusable("--out"))).transpose()?;
         let runs = begin(study, &settings)?;
         if is_interrupted() {
             drop(watch);

@@ -61,10 +61,7 @@ fn as_json(verification: &Verification) -> Value {
         let (direction, extrapolated) = (part.direction.replace([' ', '-'], "_"), part.extrapolated);
         json!({ "direction": direction, "share": share, "error": error, "order": order, "extrapolated": extrapolated })
     };
-    let number = |number: &Number| {
-        let parts: Value = number.contributions.iter().map(part).collect();
-        with(json!(number), json!({ "parts": parts }))
-    };
+    let number = |n: &Number| with(json!(n), json!({ "parts": n.contributions.iter().map(part).collect::<Value>() }));
     let run = |Outcome { direction, times, end, .. }: &Outcome| {
         let direction = direction.map(|direction| direction.key());
         json!({ "direction": direction, "times": times, "stages": end.stages, "end": end.kind, "complete": end.complete })

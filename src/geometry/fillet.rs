@@ -57,8 +57,7 @@ pub fn with_radius(pieces: &[Piece], radius: f64) -> Option<[Piece; 3]> {
     let [before @ Piece::Segment(_), Piece::Arc(_), after @ Piece::Segment(_)] = pieces else { return None };
     let corner =
         carriers(before, after).into_iter().find(|at| (at - before.last()).dot(&before.tangent(true)) > 0.0)?;
-    let rounded = fillet(&[before.first(), corner, after.last()], &[0.0, radius, 0.0]).ok()?;
-    rounded.try_into().ok()
+    fillet(&[before.first(), corner, after.last()], &[0.0, radius, 0.0]).ok()?.try_into().ok()
 }
 
 /// Arc that rounds the corner between two pieces; `None` without corner, radius or room.

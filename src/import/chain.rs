@@ -42,10 +42,8 @@ impl Chain {
     }
 
     pub fn reversed(self) -> Self {
-        Self {
-            pieces: self.pieces.iter().rev().map(|(piece, source)| (piece.reversed(), source.clone())).collect(),
-            ..self
-        }
+        let pieces = self.pieces.iter().rev().map(|(piece, source)| (piece.reversed(), source.clone())).collect();
+        Self { pieces, ..self }
     }
 
     pub fn source(&self, piece: usize) -> &Source {

@@ -71,17 +71,10 @@ impl PointState {
 
     /// Point of a sheet that goes on flowing: the last rate would strain it by `p`, with this spread, in the step.
     #[must_use]
-    pub fn following(
-        self,
-        p: Triple,
-        spread: [f64; 2],
-        a: f64,
-        criterion: YieldCriterion,
-        voids: Option<&Gtn>,
-    ) -> Self {
-        let (equivalent, spread) = match voids {
+    pub fn following(self, p: Triple, spread: [f64; 2], a: f64, criterion: YieldCriterion, gtn: Option<&Gtn>) -> Self {
+        let (equivalent, spread) = match gtn {
             None => (criterion.layer(p, spread, None).square.sqrt(), spread),
-            Some(voids) => (voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p), [0.0; 2]),
+            Some(gtn) => (gtn.condition(criterion.quadratic(), self.porosity).equivalent_increment(p), [0.0; 2]),
         };
         let (strain, spread) = (p.map(|p| a * p), spread.map(|k| a * k));
         Self { previous: PreviousRate { weight: a, strain, spread, equivalent: a * equivalent }, ..self }

@@ -18,13 +18,8 @@ pub fn moment_error(frame: &Frame) -> Option<f64> {
 }
 
 /// ∫ σ ζ dζ by the rule, ζ from the mid-surface towards the punch's face \[N\].
-pub(super) fn moment(
-    t: f64,
-    layers: &[ThicknessPoint],
-    points: &[PointRecord],
-    stress: fn(&PointRecord) -> f64,
-) -> f64 {
-    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
+pub(super) fn moment(t: f64, layers: &[ThicknessPoint], points: &[PointRecord], sigma: fn(&PointRecord) -> f64) -> f64 {
+    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * sigma(point)).sum();
     0.5 * t * t * sum
 }
 

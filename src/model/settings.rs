@@ -62,6 +62,12 @@ impl Settings {
 
     /// Penetration over thickness that the augmented Lagrangian comes down to \[–\].
     pub const PENETRATION: f64 = 1e-4;
+
+    /// Matrix and norm of the corrector, in words.
+    pub fn corrector(&self) -> [&'static str; 2] {
+        let matrix = ["primal-dual Newton", "Newton", "secant"][self.iteration as usize];
+        [matrix, ["velocity", "residual", "velocity and residual"][self.norm as usize]]
+    }
 }
 
 impl Default for Settings {

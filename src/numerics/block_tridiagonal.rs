@@ -147,8 +147,7 @@ impl System {
             self.corner_rhs = inverse * self.corner_rhs;
             for i in 0..n {
                 for k in 0..self.shared {
-                    let y = self.corner_rhs[k];
-                    self.rhs[i] -= self.columns[i][k] * y;
+                    self.rhs[i] -= self.columns[i][k] * self.corner_rhs[k];
                 }
             }
         }

@@ -80,10 +80,7 @@ impl Default for Pictures {
 impl Format {
     /// File name extension.
     pub fn ending(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Png => "png",
-        }
+        ["svg", "png"][self as usize]
     }
 
     /// File name without the extension of a picture; `None` if it has none.

@@ -194,9 +194,7 @@ impl<'a> StageView<'a> {
     fn progress_quantity(&self) -> (&'static str, Unit, fn(&Model, &Frame) -> f64) {
         match self.model() {
             model if model.travel > 0.0 => ("punch travel", Unit::Mm, |_, frame| frame.travel),
-            model if model.release.is_some() => {
-                ("tools released", Unit::Percent, |model, f| 100.0 * f.time / model.duration)
-            }
+            model if model.release.is_some() => ("tools released", Unit::Percent, |m, f| 100.0 * f.time / m.duration),
             model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),
             _ => ("dome height", Unit::Mm, |_, frame| frame.nodes.first().map_or(0.0, |pole| pole.z.abs())),
         }

@@ -57,12 +57,8 @@ impl<'a> Report<'a> {
     }
 
     /// Prepares a report on a verdict from [`answered`], which may have taken a second solution.
-    pub fn answered(
-        solution: &'a Solution,
-        bars: Option<&'a ErrorBars>,
-        (answer, after): (Answer, Vec<Finding>),
-    ) -> Self {
-        let before = assess::before(&solution.case);
+    pub fn answered(solution: &'a Solution, bars: Option<&'a ErrorBars>, verdict: (Answer, Vec<Finding>)) -> Self {
+        let (before, (answer, after)) = (assess::before(&solution.case), verdict);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let mut views = solution.views_with(&assumed);
         views.iter_mut().for_each(|view| view.bars = bars.map_or_else(Vec::new, ErrorBars::amounts));

@@ -53,8 +53,7 @@ fn stages(report: &Report) -> Markup {
         summary.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
     };
     let all = 0..report.stages.len();
-    let columns = COLUMNS.iter().filter(|(_, key)| all.clone().any(|i| value(i, key).is_some()));
-    let columns: Vec<_> = columns.collect();
+    let columns: Vec<_> = COLUMNS.iter().filter(|(_, key)| all.clone().any(|i| value(i, key).is_some())).collect();
     let head: Vec<&str> = std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect();
     let rows = all.map(|i| {
         let label = report.stage(i);

@@ -16,15 +16,10 @@ const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::G
 /// Full verdict.
 pub(super) fn verdict(report: &Report) -> Section {
     let with = |light| judgements(&report.findings).filter(move |finding| finding.light == light);
-    let rows = WORST_FIRST.into_iter().flat_map(with).map(|finding| Row {
-        light: Some(finding.light),
-        ..Row::from([
-            word(finding.light),
-            finding.label.to_string(),
-            finding.statement(),
-            format!("{} ({})", finding.limit, finding.source),
-            finding.advice.to_string(),
-        ])
+    let rows = WORST_FIRST.into_iter().flat_map(with).map(|one| {
+        let limit = format!("{} ({})", one.limit, one.source);
+        let cells = [word(one.light), one.label.to_owned(), one.statement(), limit, one.advice.clone()];
+        Row { light: Some(one.light), ..Row::from(cells) }
     });
     Section::new("Verdict", table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
 }
@@ -51,15 +46,11 @@ const SIZES: [f64; 2] = [5.5, 8.0];
 
 /// Third page in two columns: inputs, the verdict with its limits and their sources, assumptions, warnings, case.
 pub(super) fn inputs(report: &Report) -> Markup {
-    let inputs = report
-        .check
-        .lines
-        .iter()
-        .map(|line| [line.label.clone(), joined([line.value.clone(), line.meaning.clone()], " ")]);
+    let input = |line: &Line| [line.label.clone(), joined([line.value.clone(), line.meaning.clone()], " ")];
     let found = |one: &Finding| format!("{}; limit: {}", first_clause(&one.statement()), one.sourced_limit());
     let row = |one: &Finding| [one.label.to_owned(), found(one)];
     let parts = html! {
-        h3 { "Inputs" } (table(&["Input", "Value"], inputs))
+        h3 { "Inputs" } (table(&["Input", "Value"], report.check.lines.iter().map(input)))
         h3 { "Assumptions" } (list(&report.check.notes, "None are declared."))
         h3 { "Warnings" } (list(&warnings(report), "None."))
         h3 { "Verdict" } (table(&["Question", "Found; limit (source)"], judgements(&report.findings).map(row)))

@@ -1,6 +1,7 @@
 //! List of a case's stages, as a table and as printed lines.
 
 use super::{Files, Results, csv::csv_with_texts};
+use crate::assess::largest;
 use crate::case::Solution;
 use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;
@@ -29,9 +30,6 @@ fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
 fn edge(stage: &StageSolution, last: &StepRecord) -> f64 {
     stage.model.blank.length - last.draw_in
 }
-fn peak(stage: &StageSolution, force: fn(&StepRecord) -> f64) -> f64 {
-    stage.steps.iter().map(force).fold(0.0, f64::max)
-}
 
 /// Makes [`FILE`] of a case with several stages: the state at the end of each, empty for those that were not run.
 pub(super) fn files(results: &Results) -> Files {
@@ -46,7 +44,7 @@ pub(super) fn files(results: &Results) -> Files {
     let at_end = |value: &dyn Fn(&StepRecord) -> f64| of_stage(&|stage| Some(value(stage.steps.last()?)));
     let edges = of_stage(&|stage| Some(edge(stage, stage.steps.last()?)));
     let field = |field: Field<StepRecord>| field.filled(extent, at_end(&field.value));
-    let peaks = |force| of_stage(&|stage| Some(peak(stage, force)));
+    let peaks = |force: fn(&StepRecord) -> f64| of_stage(&|stage| Some(largest(stage, force)));
     let table = Table::new(vec![
         Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
         Column::new("end_time", "Time at the end", Unit::Second, at_end(&|step| step.time)),
@@ -70,7 +68,7 @@ pub(super) fn printed(solution: &Solution) -> String {
     let figures = |stage: &StageSolution| {
         let (last, unit) = (stage.steps.last()?, stage.model.extent().force_unit());
         let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
-        let forces = [peak(stage, |step| step.punch_force), last.punch_force, peak(stage, |step| step.holder_force)];
+        let forces = [largest(stage, |s| s.punch_force), last.punch_force, largest(stage, |s| s.holder_force)];
         let [punch, end, holder] = forces.map(|force| Amount::force(force, unit));
         let [travel, edge, middle] = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
         let thin = Amount::thickness(last.thinnest);

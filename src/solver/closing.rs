@@ -41,8 +41,7 @@ pub(super) fn block_height(model: &Model) -> Option<f64> {
 /// Closes the holder over the flat blank, in the model without its punch.
 pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> StageSolution {
     let apart = closing_model(model, way);
-    let flat = State::flat(&apart, mesh::nodes(&apart));
-    let solution = run_from(&apart, flat, &mut Unseen(observer));
+    let solution = run_from(&apart, State::flat(&apart, mesh::nodes(&apart)), &mut Unseen(observer));
     let last = solution.steps.last().copied().unwrap_or_default();
     let closing = Closing { way, gap: (way - last.travel).max(0.0), force: last.holder_force };
     StageSolution { closing: Some(closing), ..solution }

@@ -178,9 +178,8 @@ impl Study for Scatter {
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
         let known = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
         let mut notes: Vec<String> = (failed < n).then_some(known).into_iter().collect();
-        if (1..n).contains(&failed) {
-            notes.push(format!("{failed} runs came to no result and are left out."));
-        }
+        let left_out = || format!("{failed} runs came to no result and are left out.");
+        notes.extend((1..n).contains(&failed).then(left_out));
         notes.extend(self.variables.iter().filter_map(|variable| variable.source.clone()));
         let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
         StudyReport { headline, notes, tables, found: failed < n, charts }

@@ -127,7 +127,7 @@ impl Distribution {
         let distribution = if word == "uniform" && main.contains("..") {
             Self { normal: None, limits: ends(&mut reader, main)? }
         } else {
-            let (middle, half) = about(&mut reader, main, own)?;
+            let (middle, half) = pair(&mut reader, main, own)?;
             let normal = Some((middle, half)).filter(|_| word == "normal");
             let whole = if normal.is_some() { f64::INFINITY } else { half };
             let limits = cut.map_or(Ok((middle - whole, middle + whole)), |cut| ends(&mut reader, cut))?;
@@ -148,11 +148,7 @@ fn ends(reader: &mut NumberReader, text: &str) -> Result<(f64, f64), StudyError>
 }
 
 /// Reads `MIDDLE ± HALF`; without a middle it is the case's own value. HALF may be a share of it.
-fn about(
-    reader: &mut NumberReader,
-    text: &str,
-    own: impl FnOnce() -> Option<String>,
-) -> Result<(f64, f64), StudyError> {
+fn pair(reader: &mut NumberReader, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(f64, f64), StudyError> {
     let (middle, half) = text.split_once('±').ok_or_else(|| reader.wrong("has no ±"))?;
     let (number, unit) = split_number(half.trim()).ok_or_else(|| reader.wrong("has no number behind ±"))?;
     reader.ensure(number > 0.0, format!("scatters by {number}: more than 0 is wanted"))?;

@@ -7,12 +7,7 @@ use crate::assess::{Answer, Finding, after, sensitivity};
 use rayon::prelude::*;
 
 /// Judges a solution: less and more friction and less hardening are solved, advice on red and amber rows if it is wanted.
-pub fn judge(
-    solution: &Solution,
-    bars: Option<&ErrorBars>,
-    has_advice: bool,
-    watch: &dyn Watch,
-) -> (Answer, Vec<Finding>) {
+pub fn judge(solution: &Solution, bars: Option<&ErrorBars>, advice: bool, watch: &dyn Watch) -> (Answer, Vec<Finding>) {
     let mut findings = after(&solution.case, &solution.stages);
     if is_known(solution) {
         let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(|(other, case)| {
@@ -23,7 +18,7 @@ pub fn judge(
             sensitivity::judge(solution, &others, &mut findings);
         }
     }
-    if has_advice {
+    if advice {
         advise(solution, &mut findings, watch);
     }
     weighed(solution, findings, bars)

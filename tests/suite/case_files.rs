@@ -61,10 +61,8 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
         let name = path.file_name().unwrap().to_str().unwrap();
         let source = sources.get(name).unwrap_or_else(|| panic!("{name} is not in sources.toml"));
         for key in ["citation", "kind", "grade", "scatter"] {
-            assert!(
-                source.get(key).and_then(toml::Value::as_str).is_some_and(|text| !text.is_empty()),
-                "{name}: {key}"
-            );
+            let text = source.get(key).and_then(toml::Value::as_str);
+            assert!(text.is_some_and(|text| !text.is_empty()), "{name}: {key}");
         }
     }
     assert_eq!(sources.len(), curves.len(), "a source without its curve");

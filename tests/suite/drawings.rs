@@ -284,27 +284,14 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
 #[test]
 fn an_exported_cup_comes_back_green() {
     let dir = TempDir::new().unwrap();
-    let own = [
-        "import",
-        "tools.dxf",
-        "--material",
-        "dc04",
-        "--friction",
-        "0.08",
-        "--holder-force",
-        "9572 N",
-        "--travel",
-        "50 mm",
-    ];
+    let own = "import tools.dxf --material dc04 --friction 0.08 --holder-force 9572N --travel 50mm";
+    let own: Vec<&str> = own.split(' ').collect();
     let run = ["run", "tools.toml", "--quiet"];
     for words in [&["new", "cup", "-o", "cup.toml"][..], &["export", "cup.toml", "--quiet"], &own, &run] {
         let done = stampflow(dir.path(), words);
         let printed = text(&done.stdout);
-        assert!(
-            done.status.success() && !printed.contains("placeholders"),
-            "{words:?}: {printed}{}",
-            text(&done.stderr)
-        );
+        let is_whole = done.status.success() && !printed.contains("placeholders");
+        assert!(is_whole, "{words:?}: {printed}{}", text(&done.stderr));
         assert!(words[0] != "run" || printed.contains("GREEN"), "{printed}");
     }
 }

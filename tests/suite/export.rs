@@ -38,10 +38,8 @@ fn assert_same(operation: &Operation, stage: &Stage, name: &str) {
             match (a, b) {
                 (Piece::Segment(_), Piece::Segment(_)) => {}
                 (Piece::Arc(a), Piece::Arc(b)) => {
-                    assert!(
-                        (a.radius - b.radius).abs() < 1e-6 && (a.center + shift - b.center).norm() < 1e-6,
-                        "{name}"
-                    );
+                    let [round, moved] = [a.radius - b.radius, (a.center + shift - b.center).norm()];
+                    assert!(round.abs() < 1e-6 && moved < 1e-6, "{name}");
                 }
                 _ => panic!("{name}: {a:?} instead of {b:?}"),
             }
@@ -103,10 +101,8 @@ fn a_solved_case_comes_back_with_its_sheet_beside_it() {
         // Half the thickness is between the middle and a face.
         assert!((nearest - 0.5 * rim.thickness).abs() < 1e-9, "{nearest}");
         let svg = drawing.text(Format::Svg);
-        assert_eq!(
-            Document::parse(&svg).unwrap().descendants().filter(|node| node.has_tag_name("g")).count(),
-            names.len()
-        );
+        let page = Document::parse(&svg).unwrap();
+        assert_eq!(page.descendants().filter(|node| node.has_tag_name("g")).count(), names.len());
         let pieces: usize = drawing.layers.iter().map(|layer| layer.pieces.len()).sum();
         assert_eq!(drawing.text(Format::Csv).lines().count(), pieces + 1);
     }

@@ -148,10 +148,8 @@ fn tests_in_three_directions_give_r_values_and_stress_ratios() {
             let strain = 0.005 * f64::from(i);
             let _ = writeln!(text, "{strain},{},{}", by * 500.0 * (0.004 + strain).powf(0.2), -r / (1.0 + r) * strain);
         }
-        FlowCurve {
-            direction: Some(angle),
-            ..FlowCurve::read(&text, "test.csv", &Reduction::default()).expect("a curve")
-        }
+        let curve = FlowCurve::read(&text, "test.csv", &Reduction::default()).expect("a curve");
+        FlowCurve { direction: Some(angle), ..curve }
     };
     let tests = vec![of(90.0, 1.8, 0.98), of(0.0, 1.5, 1.0), of(45.0, 1.2, 1.03)];
     let fits = fit_laws(tests, Some(HardeningKind::Swift), &()).expect("a fit");

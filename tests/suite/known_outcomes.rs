@@ -86,11 +86,8 @@ fn nine_of_ten_known_outcomes_are_those_of_the_lights() {
     } else {
         assert_eq!(page, anew, "UPDATE=1 where that is meant");
     }
-    assert!(
-        share >= 90.0 && unexplained.is_empty(),
-        "{share:.0} % right; without a reason:\n{}",
-        unexplained.join("\n")
-    );
+    let list = unexplained.join("\n");
+    assert!(share >= 90.0 && list.is_empty(), "{share:.0} % right; without a reason:\n{list}");
 }
 
 /// Trust: the files themselves.

@@ -16,11 +16,8 @@ fn every_material_loads_runs_and_cites_its_source() {
         let is_made = entry.about.is_made();
         let has_year = ["19", "20", "made from the band of"].iter().any(|part| entry.about.source().contains(part));
         assert!(has_year, "{}: no year", entry.name);
-        assert!(
-            ["A", "B", "C"].contains(&entry.about.grade.as_str()) && !entry.about.licence.is_empty(),
-            "{}",
-            entry.name
-        );
+        let is_graded = ["A", "B", "C"].contains(&entry.about.grade.as_str());
+        assert!(is_graded && !entry.about.licence.is_empty(), "{}", entry.name);
         let declared = entry.about.source().contains("declared") || is_made && entry.about.grade == "C";
         assert_eq!(entry.about.grade == "C", declared, "{}: an assumed law is called so", entry.name);
         let n = entry.n().expect("a load maximum");
@@ -39,12 +36,8 @@ fn every_material_loads_runs_and_cites_its_source() {
             let top =
                 limit.unwrap_or_else(|e| panic!("{e}")).model().forming_limit.as_ref().expect("a curve").plane_strain();
             // Where the stress feels the rate, a neck grows on for a while.
-            let latest = if entry.material.rate.is_some() { 1.3 * n } else { n };
-            assert!(
-                (0.5 * n..latest).contains(&top),
-                "{}: a groove necks before the load maximum: {top} {n}",
-                entry.name
-            );
+            let range = 0.5 * n..if entry.material.rate.is_some() { 1.3 * n } else { n };
+            assert!(range.contains(&top), "{}: a groove necks before the load maximum: {top} {n}", entry.name);
         }
     }
 }
@@ -76,9 +69,8 @@ fn library_sheets_yield_and_neck_as_their_metal_does() {
     }
     for name in ["superplastic_dome", "warm_cup", "woo_porous"] {
         let case = shipped_case(name, &[]);
-        assert!(
-            case.model().forming_limit.is_none() && case.derived.iter().any(|note| note.contains("no forming limit"))
-        );
+        let says_so = case.derived.iter().any(|note| note.contains("no forming limit"));
+        assert!(case.model().forming_limit.is_none() && says_so, "{name}");
     }
 }
 

@@ -4,7 +4,7 @@ mod stages;
 
 use super::sizes::Draw;
 use super::*;
-use crate::assess::{self, Answer, FailureMode};
+use crate::assess::{self, FailureMode};
 use crate::case::parse;
 use crate::part::Part;
 use rules::Metal;
@@ -193,21 +193,17 @@ impl<'a> Cup<'a> {
         let runs = if plan.blank.is_given() { 0 } else { RUNS };
         let mut is_coarse = draws > 1;
         for _ in 0..runs {
-            let sizes = self.values(&plan, "")?;
-            let text = sizes.fill(find("cup")?.text);
+            let text = self.values(&plan, "")?.fill(find("cup")?.text);
             let elements = (0.7 * rules::elements(plan.blank.value, self.part.nose) as f64) as usize;
             let coarse = if is_coarse { vec![format!("blank.elements={elements}")] } else { Vec::new() };
             let Ok(case) = parse(&text, "cup.toml", &coarse) else { break };
             let solution = case.solve(&mut ());
+            let findings = assess::after(&solution.case, &solution.stages);
+            let tears = FailureMode::all(&solution.stages, &findings).contains(&FailureMode::Tears);
             let frame = solution.stages.last().and_then(|stage| stage.frames.last());
-            let Some(frame) = frame.filter(|_| solution.is_complete()) else {
+            let Some(frame) = frame.filter(|_| solution.is_complete() && !tears) else {
                 return Ok((self.plan(draws), End::Tears));
             };
-            let findings = assess::after(&solution.case, &solution.stages);
-            let failures = Answer::of(&solution.case, &solution.stages, &findings).failures;
-            if failures.contains(&FailureMode::Tears) {
-                return Ok((self.plan(draws), End::Tears));
-            }
             let Some([area, low]) = self.part.missing(frame) else { break };
             let error = low.abs().max(area.abs() / (2.0 * PI * self.part.flange.unwrap_or(self.part.radius)));
             let blank = (plan.blank.value.powi(2) + area / PI).sqrt();
@@ -274,10 +270,8 @@ impl<'a> Cup<'a> {
         if is_through {
             sizes.lengths([("height", &Picked::input(height))]);
         }
-        match flange {
-            Some(flange) => sizes.lengths([("flange_diameter", &Picked::input(2.0 * flange))]),
-            None => sizes.lengths([("inside", &Picked::input(2.0 * radius))]),
-        }
+        let (key, trimmed) = flange.map_or(("inside", radius), |flange| ("flange_diameter", flange));
+        sizes.lengths([(key, &Picked::input(2.0 * trimmed))]);
         sizes.set("punch", &first.punch, &first.nose.reason("nose: "));
         if recess.is_some() {
             let [by, shoulder, closed] = [&first.clearance, &shoulder, &first.travel].map(|length| mm(length.value));

@@ -110,9 +110,8 @@ pub(super) fn newtons(force: f64) -> String {
 
 pub(super) fn nose(inputs: &Inputs, sheet: &Sheet, punch: f64) -> Result<Picked, CaseError> {
     let nose = inputs.pick("nose", || rules::tool_radius(sheet.thickness));
-    let [nose_radius, thickness, punch_radius] = [nose.value, sheet.thickness, punch].map(plain);
-    let what =
-        || format!("a nose radius of {nose_radius} does not fit a punch of {punch_radius}, sheet of {thickness}");
+    let [nose_radius, t, punch_radius] = [nose.value, sheet.thickness, punch].map(plain);
+    let what = || format!("a nose radius of {nose_radius} does not fit a punch of {punch_radius}, sheet of {t}");
     let help = "make --nose or --thickness smaller (a nose is 6 thicknesses when not given), or the punch larger";
     ensure(nose.value <= punch, what, help)?;
     Ok(nose)

@@ -67,16 +67,10 @@ impl Holder {
 
 impl Pad {
     /// Drive of the pad: exactly one of force, pressure and spring.
-    pub fn support(
-        &self,
-        profile: &Profile,
-        length: f64,
-        extent: Extent,
-        source: &Source,
-    ) -> Result<Motion, CaseError> {
+    pub fn support(&self, profile: &Profile, edge: f64, extent: Extent, source: &Source) -> Result<Motion, CaseError> {
         source.one_of("tools.pad", &["force", "pressure", "spring"], "keep one of them")?;
         let force = force_curve("tools.pad.force", self.force.as_ref(), extent, source)?;
-        let area = extent.area(profile.first().x.max(profile.last().x).min(length));
+        let area = extent.area(profile.first().x.max(profile.last().x).min(edge));
         let pressure = self.pressure.map(|pressure| (pressure.value() * area).into());
         pressed("tools.pad", self.spring, force.or(pressure), extent, source)
     }

@@ -89,9 +89,8 @@ impl fmt::Display for Finished {
             (self.diameter, "Ø ", "inside"),
             (self.flange_diameter, "Ø ", "over the flange"),
         ];
-        let sizes =
-            sizes.into_iter().filter_map(|(size, sign, of)| Some(format!("{sign}{} {of}", Amount::size(size?))));
-        f.write_str(&joined(sizes, ", "))
+        let all = sizes.into_iter().filter_map(|(size, sign, of)| Some(format!("{sign}{} {of}", Amount::size(size?))));
+        f.write_str(&joined(all, ", "))
     }
 }
 

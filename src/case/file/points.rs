@@ -94,9 +94,8 @@ fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {
             kept.push(row);
         }
     }
-    if let Some(([line, of], others)) = repeats.split_first() {
-        let more =
-            if others.is_empty() { String::new() } else { format!(", as are {} more such points", others.len()) };
+    if let Some(([line, of], rest)) = repeats.split_first() {
+        let more = if rest.is_empty() { String::new() } else { format!(", as are {} more such points", rest.len()) };
         source.note(format!("line {line} of {file} repeats the point of line {of} and is left out{more}"));
     }
     kept

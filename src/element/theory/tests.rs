@@ -67,16 +67,12 @@ pub fn element(u: Random) -> Symbols {
     known.numbers(r"\pi, k, t_b, V", [PI, 5.0, thickness, volume]);
     known.numbers(r"l_b, r_b, l, r", [before[0], before[1], after[0], after[1]]);
     known.numbers(r"\varphi, \Delta\varphi", [slope(p, q), slope(p, q) - slope(a, b)]);
-    known.numbers(
-        r"\theta_{mb}, \theta_m, \Delta\theta_m",
-        [a[2] + b[2], p[2] + q[2], da[2] + db[2]].map(|sum| 0.5 * sum),
-    );
+    let turned = [a[2] + b[2], p[2] + q[2], da[2] + db[2]].map(|sum| 0.5 * sum);
+    known.numbers(r"\theta_{mb}, \theta_m, \Delta\theta_m", turned);
     known.numbers(r"\Delta\theta_1, \Delta\theta_2", [da[2], db[2]]);
     let strain = &current.strain;
-    known.numbers(
-        r"\Delta\varepsilon_s, \Delta\varepsilon_\theta, \Delta\gamma",
-        [EPS_S, EPS_T, GAMMA].map(|i| strain[i]),
-    );
+    let membrane = [EPS_S, EPS_T, GAMMA].map(|i| strain[i]);
+    known.numbers(r"\Delta\varepsilon_s, \Delta\varepsilon_\theta, \Delta\gamma", membrane);
     known.numbers(r"\Delta\kappa_s, \Delta\kappa_\theta", [strain[KAPPA_S], strain[KAPPA_T]]);
     known.column(r"\Delta\boldsymbol\varepsilon", strain.as_slice());
     // The resultants are what the forces say of them: B has full rank.

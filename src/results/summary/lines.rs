@@ -58,11 +58,6 @@ impl Lines<'_> {
         Amount::force(force, self.model.extent().force_unit())
     }
 
-    /// Largest value over the steps, or 0.
-    fn largest(&self, value: fn(&StepRecord) -> f64) -> f64 {
-        self.run.steps.iter().map(value).fold(0.0, f64::max)
-    }
-
     /// End, travel and forces of the punch, or pressure of the gas.
     fn load(&mut self) {
         let Self { model, run, last, .. } = *self;
@@ -79,7 +74,7 @@ impl Lines<'_> {
             self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
         }
         if !model.gas.is_empty() {
-            self.number("peak_pressure", "Largest gas pressure", Amount::stress(self.largest(|s| s.pressure.abs())));
+            self.number("peak_pressure", "Largest gas pressure", Amount::stress(largest(run, |s| s.pressure.abs())));
             self.number("pole_height", "Height of the middle", Amount::place(last.pole_height));
         }
         if let Some(control) = model.rate_control() {
@@ -87,7 +82,7 @@ impl Lines<'_> {
             let least = run.steps.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
             self.number("held_rate_target", "Strain rate to be held", rate(control.target));
             self.number("held_rate_least", "  least", rate(least));
-            self.number("held_rate_largest", "  largest", rate(self.largest(|s| s.held_rate)));
+            self.number("held_rate_largest", "  largest", rate(largest(run, |s| s.held_rate)));
             let before = std::iter::once(0.0).chain(run.steps.iter().map(|s| s.time));
             let capped = run.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some());
             let capped: f64 = capped.map(|(s, before)| s.time - before).sum();
@@ -121,7 +116,7 @@ impl Lines<'_> {
             self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
             self.number("thickest_s0", from, Amount::place(s0));
         }
-        let pulled = Some(self.largest(|s| s.tearing_index)).filter(|index| *index > 0.0);
+        let pulled = Some(largest(run, |s| s.tearing_index)).filter(|index| *index > 0.0);
         self.number("tearing_index", "Tearing index at its largest", pulled.map(Amount::share));
         self.number("ring_opening", "Opening of a slit ring", view.ring_opening().map(Amount::opening));
         if let (Some(assessment), Some(curve)) = (view.forming_limit(), &model.forming_limit) {
@@ -181,21 +176,21 @@ impl Lines<'_> {
             self.number("coldest", "Lowest temperature", Amount::temperature(coldest - ZERO_CELSIUS));
             self.number("hottest", "Highest temperature", Amount::temperature(hottest - ZERO_CELSIUS));
         }
-        let ironing = self.largest(|s| s.ironing);
+        let ironing = largest(run, |s| s.ironing);
         if ironing > 0.0 {
-            let [force, friction] = [self.largest(|s| s.ironing_force), self.largest(|s| s.ironing_friction)];
-            let pressure = Amount::stress(self.largest(|s| s.ironing_pressure));
+            let [force, friction] = [largest(run, |s| s.ironing_force), largest(run, |s| s.ironing_friction)];
+            let pressure = Amount::stress(largest(run, |s| s.ironing_pressure));
             self.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
             self.number("ironing_force", "Largest ironing force of the die", self.force(force));
             self.number("ironing_friction", "Largest friction in it", self.force(friction));
             self.number("ironing_pressure", "Largest ironing pressure", pressure);
         }
         // A flat sheet has no bend.
-        let sharpest = self.largest(|s| s.sharpest_bend);
+        let sharpest = largest(run, |s| s.sharpest_bend);
         let radius = if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 };
         self.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(radius));
         let pad = model.tool(Role::Pad).filter(|_| model.release.is_none());
-        self.number("peak_pad_force", "Largest pad force", pad.map(|_| self.force(self.largest(|s| s.pad_force))));
+        self.number("peak_pad_force", "Largest pad force", pad.map(|_| self.force(largest(run, |s| s.pad_force))));
         if model.tool(Role::Holder).is_none() || model.release.is_some() {
             return;
         }
@@ -204,7 +199,7 @@ impl Lines<'_> {
             self.number("closing_gap", "  stands open by", Amount::thickness(closing.gap));
             self.number("closing_force", "  with a force of", self.force(closing.force));
         }
-        self.number("peak_holder_force", "Largest holder force", self.force(self.largest(|s| s.holder_force)));
+        self.number("peak_holder_force", "Largest holder force", self.force(largest(run, |s| s.holder_force)));
         let rim = format!("  last share on the outer {}", Amount::given_thicknesses(StepRecord::RIM));
         let last = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
         self.number("rim_share", &rim, Amount::share(last));
@@ -223,23 +218,21 @@ impl Lines<'_> {
         let bent = run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none());
         let missed = bent.and_then(moment_error).map(Amount::share);
         self.number("moment_error", "Bending moment missed by the layers, estimated", missed);
-        let [deepest, strain] = [self.largest(|s| s.penetration), self.largest(|s| s.strain_increment)];
+        let [deepest, strain] = [largest(run, |s| s.penetration), largest(run, |s| s.strain_increment)];
         self.number("penetration", "Tools in the sheet, of its thickness", Amount::share(deepest));
         self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
         self.plain("flips", "Contacts that came or went", count(|s| s.contact_changes));
         self.number("strain_increment", "Largest strain of one step", Amount::ratio(strain));
         self.plain("mesh", "Mesh", mesh(model));
-        let settings = &model.settings;
-        let matrix = ["primal-dual Newton", "Newton", "secant"][settings.iteration as usize];
-        let norm = ["velocity", "residual", "velocity and residual"][settings.norm as usize];
-        let corrector = format!("{matrix} matrix, {norm} norm below {}", Amount::norm(settings.tolerance));
+        let [matrix, norm] = model.settings.corrector();
+        let corrector = format!("{matrix} matrix, {norm} norm below {}", Amount::norm(model.settings.tolerance));
         self.plain("corrector", "Corrector", corrector);
         self.plain("steps", "Steps", run.steps.len());
         self.plain("iterations", "Iterations", count(|s| s.iterations));
         // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
         let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
         self.number("velocity_norm", "Largest accepted velocity norm", known.reduce(f64::max).map(Amount::norm));
-        self.number("residual_norm", "Largest accepted residual norm", Amount::norm(self.largest(|s| s.residual_norm)));
+        self.number("residual_norm", "Largest accepted residual norm", Amount::norm(largest(run, |s| s.residual_norm)));
         self.plain("rejected", "Rejected tries", count(|s| s.rejected) + effort.abandoned);
         for (key, count) in [
             ("steps_from_predictor", effort.predictor),

@@ -3,7 +3,7 @@
 mod lines;
 
 use super::{StageView, stages, tables};
-use crate::assess::{Kind, holder_lift, sentences};
+use crate::assess::{Kind, holder_lift, largest, sentences};
 use crate::case::{Solution, files::sha256};
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
 use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
@@ -224,6 +224,5 @@ impl fmt::Display for CaseSummary {
 
 /// Geometry, and the extent that forces refer to.
 pub fn section_of(extent: Extent) -> String {
-    let section = worded(extent.geometry(), "axisymmetric", "plane strain");
-    joined([section.into(), extent.described()], "; ")
+    joined([worded(extent.geometry(), "axisymmetric", "plane strain").into(), extent.described()], "; ")
 }

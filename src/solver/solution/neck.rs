@@ -62,8 +62,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     // What gets shorter along the meridian is no groove around it: the edge of a hole thins as it is widened.
     let shortens = |e: usize| state.membrane[e][0] < 0.0;
     let order = |a: &usize, b: &usize| shortens(*a).cmp(&shortens(*b)).then(strains[*a].total_cmp(&strains[*b]));
-    let thinnest = (0..n).min_by(order);
-    let e = thinnest.expect("a blank has elements");
+    let e = (0..n).min_by(order).expect("a blank has elements");
     let mut neck =
         Neck { s0: state.middle(e), share: strains[e].exp(), rate: 0.0, stands_out: false, took_over: false };
     if neck.share > THINNED || shortens(e) {

@@ -222,8 +222,7 @@ impl LawFit {
         let parameters = |values: Vec<f64>| -> Vec<Parameter> { ranges.iter().zip(values).map(parameter).collect() };
         let minimum = |start: Vec<f64>, rows: &[Row], steps| {
             let is_wanted = |_: &&Vec<f64>| !watch.wants_to_stop();
-            let mut all =
-                |trials: &[Vec<f64>]| trials.iter().take_while(is_wanted).map(|x| residuals(x, rows)).collect();
+            let mut all = |tries: &[Vec<f64>]| tries.iter().take_while(is_wanted).map(|x| residuals(x, rows)).collect();
             minimise(&parameters(start), &mut all, steps, LEAST_CHANGE)
         };
         let means = block_means(&rows, MEANS);
@@ -234,9 +233,9 @@ impl LawFit {
             best = best.and_then(|best| minimum(best.values, &rows, CORRECTIONS));
         }
         let what = format!("{} cannot be fitted to the points", kind.label());
-        let unfitted = || StudyError::new(what, "do stresses rise with the strain?");
+        let no_fit = || StudyError::new(what, "do stresses rise with the strain?");
         let ((hardening, rate), minimum) =
-            best.and_then(|best| Some((laws(&best.values)?, best))).ok_or_else(unfitted)?;
+            best.and_then(|best| Some((laws(&best.values)?, best))).ok_or_else(no_fit)?;
         let bounds = parameters(minimum.values.clone());
         let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), &bounds, &minimum, is_weighted);
         // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.

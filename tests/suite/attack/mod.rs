@@ -27,29 +27,20 @@ tools.die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
 tools.holder = { inner_radius = "38 mm", force = "10 kN" }
 "#;
 const PUNCH: &str = r#"tools.punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }"#;
-const DRAWN_PUNCH: &str = r#"tools.punch = { profile = "beside.csv", friction = 0.08, travel = "5 mm" }"#;
-const CURVE: &str = r#"
-[[compare]]
-reference = "beside.csv"
-x = "travel_mm"
-y = "punch_force_kN"
-quantity = "punch_force"
-tolerance = "5 %"
-reason = "for the test"
-"#;
+const DRAWN_PUNCH: &str = r#"tools.punch = { profile = "curve.csv", friction = 0.08, travel = "5 mm" }"#;
 const BAND: &str = r#"
 [[compare]]
-reference = "beside.csv"
+reference = "curve.csv"
 band = ["low_mm", "high_mm"]
 error = "error_mm"
 quantity = "thickness"
 reason = "for the test"
 "#;
-/// A case that reads `beside.csv`, and what stands there.
+/// A case that reads `curve.csv`, and what stands there.
 const BESIDE: [(&[&str], &str); 4] = [
     (&[CUP, DRAWN_PUNCH], "r_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-20,\n30.01,-40,\n"),
-    (&[CUP, PUNCH, "heat.initial = \"beside.csv\""], "# Measured.\ns0_mm,temperature_C\n10,20\n30,150\n55,230.5\n"),
-    (&[CUP, PUNCH, CURVE], "travel_mm,punch_force_kN\n1,4\n2,7.5\n3,9.9\n5,14\n"),
+    (&[CUP, PUNCH, "heat.initial = \"curve.csv\""], "# Measured.\ns0_mm,temperature_C\n10,20\n30,150\n55,230.5\n"),
+    (&[CUP, PUNCH, COMPARE], "travel_mm,punch_force_kN\n1,4\n2,7.5\n3,9.9\n5,14\n"),
     (&[CUP, PUNCH, BAND], "point,low_mm,high_mm,error_mm\n1,0.95,0.98,0.01\n2,0.97,1.01,0.01\n"),
 ];
 
@@ -198,7 +189,7 @@ fn check(target: &Target, bytes: &[u8]) -> bool {
         Target::Drawing => check_drawing(bytes),
         Target::Beside(case) => {
             let mut memory = Memory::default();
-            memory.insert("cases/beside.csv", bytes);
+            memory.insert("cases/curve.csv", bytes);
             check_case(case, &memory)
         }
     }

@@ -37,10 +37,8 @@ impl Cup<'_> {
     /// Punch of a draw; the last one has the bottom's shape, a recess's a hollow deeper by what the gap has over the sheet.
     pub(super) fn punch(&self, is_last: bool, radius: f64, nose: f64, gap: f64) -> String {
         let [wall, corner] = [radius, nose].map(mm);
-        match (self.part.dome, self.part.recess) {
-            (Some(dome), _) if is_last => {
-                format!("crowned = {{ radius = {wall}, face = {}, nose = {corner} }}", mm(dome))
-            }
+        match (self.part.dome.map(mm), self.part.recess) {
+            (Some(face), _) if is_last => format!("crowned = {{ radius = {wall}, face = {face}, nose = {corner} }}"),
             (_, Some([at, depth])) => {
                 let depth = depth + gap - self.sheet.thickness;
                 let [bend, width] = self.part.slope(depth);
