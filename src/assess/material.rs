@@ -1,7 +1,7 @@
 //! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
 use super::*;
-use super::{estimate::tensile_strength, forming_limit::other_condition, sensitivity::NOT_SOLVED};
+use super::{estimate::tensile_strength, forming_limit::other_condition};
 use crate::forming_limit::SHORTEST;
 use crate::material::YieldCriterion;
 use crate::units::ZERO_CELSIUS;
@@ -120,7 +120,10 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
             .light(Light::Grey)
             .limit("a formula: the range of its fit is not in the case")
             .advice("write the range of the fit as `fitted_up_to` in [material]"),
-        Some(end) if strain.value > end => judged.light(Light::Grey).limit("changes no other line").advice(NOT_SOLVED),
+        Some(end) if strain.value > end => judged
+            .light(Light::Grey)
+            .limit("changes no other line")
+            .advice("without `--no-advice` it is solved with half the hardening"),
         Some(end) => judged.limit(format!("{} at most", Amount::number(end))),
     })
 }

@@ -8,8 +8,6 @@ use crate::case::Solution;
 const CHANGE: f64 = 0.02;
 /// Share of its hardening that a sheet keeps beyond the range of its law's fit, which a verdict should bear \[–\]: declared.
 const WEAKER: f64 = 0.5;
-/// Advice on a row whose neighbours were not solved.
-pub(super) const NOT_SOLVED: &str = "without `--no-advice` it is solved with less and more";
 
 /// Friction, judged once runs with less and more of it are solved.
 pub(super) fn row(run: &Run) -> Option<Finding> {
@@ -19,7 +17,7 @@ pub(super) fn row(run: &Run) -> Option<Finding> {
         .light(Light::Grey)
         .limit("changes no other line")
         .source("declared: lubrication varies by so much")
-        .advice(NOT_SOLVED)
+        .advice("without `--no-advice` it is solved with less and more friction")
         .into()
 }
 

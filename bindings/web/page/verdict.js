@@ -3,17 +3,15 @@ import { byId, html, render } from "./dom.js";
 
 const SHAPES = { green: "●", amber: "▲", red: "■", grey: "○" };
 
-const NOT_SOLVED = "without `--no-advice` it is solved with less and more";
-
-/** Advice that names a command of the command line, and the words of the page: in any row, or only in that of the key. */
+/** Advice that names a command of the command line, and the words of the page. */
 const OURS = [
-  [NOT_SOLVED, "move the slider Friction down and up, and look at what changes", "friction"],
-  [NOT_SOLVED, "only the command line solves it, with half the hardening beyond: download the case and run it there", "hardening_range"],
+  ["without `--no-advice` it is solved with less and more friction", "move the slider Friction down and up, and look at what changes"],
+  ["without `--no-advice` it is solved with half the hardening", "only the command line does it: download the case and run it there"],
   [/`stampflow search [^`]*`/, "change it, and look at the next result"],
   ["--material NAME", "choose it under Sheet"],
   ["(strain_paths.csv of `run`)", "(chart Forming limit)"],
 ];
-const ours = (text, row) => OURS.reduce((text, [theirs, own, only = row]) => (only === row ? text.replace(theirs, own) : text), text);
+const ours = (text) => OURS.reduce((text, [theirs, own]) => text.replace(theirs, own), text);
 
 const light = (name, text) => html`<span class="lit"><span class="light ${name}" aria-hidden="true">${SHAPES[name]}</span> ${text}</span>`;
 
@@ -22,8 +20,8 @@ export function drawAnswer(host, { verdict }, isA) {
   render(html`<p class="sentence">${light(verdict.light, `${isA ? "A: " : ""}${verdict.sentence}`)}</p><dl class="numbers">${numbers}</dl>`, host);
 }
 
-function row({ key, light: name, label, found, limit, source, advice }) {
-  return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice, key)}</td></tr>`;
+function row({ light: name, label, found, limit, source, advice }) {
+  return html`<tr><th scope="row">${light(name, label)}</th><td>${found}</td><td title=${source}>${limit}</td><td>${ours(advice)}</td></tr>`;
 }
 
 export function drawRows({ verdict }) {
