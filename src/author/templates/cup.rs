@@ -16,8 +16,8 @@ const MET: f64 = 0.1;
 const NEAR: f64 = 1.0;
 /// Most draws that `--draws` takes.
 const MOST_GIVEN: usize = 6;
-/// Step of a blank's radius \[mm\]: its diameter is cut to 0.1 mm.
-const BLANK: f64 = 0.05;
+/// Step of a blank's radius or half-length \[mm\]: it is cut to 0.1 mm.
+pub(super) const BLANK: f64 = 0.05;
 /// Least flat beside the slope of a recess \[mm\].
 const FLAT: f64 = 0.05;
 /// Height of an early cup over that of its blank's area at an even thickness \[–\].
@@ -139,7 +139,9 @@ impl<'a> Cup<'a> {
             // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
             let of = "what one draw of a flange or a recess can do (declared)";
             let or = "a larger --punch-radius; a flange or a recess is made in one draw here";
-            (1, rules::LIMITING_RATIO, of.to_owned(), or.to_owned())
+            let wide = self.inputs.number("flange").filter(|width| *width > part.radius).map(mm);
+            let diameter = |wide| format!("--flange is a width, --flange-diameter {wide} the diameter; or ");
+            (1, rules::LIMITING_RATIO, of.to_owned(), wide.map_or(String::new(), diameter) + or)
         } else {
             let most = rules::MOST_DRAWS - stepped;
             let of = format!("what {most} draws, the most that are planned, take of {} (4ming)", metal.name);
