@@ -7,13 +7,12 @@ use serde::Deserialize;
 use stampflow::author::Import;
 use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, ImportError, Options};
-use stampflow::units::{Dimensioned, Length, Positive};
+use stampflow::units::{Dimensioned, Fraction, Length, Positive};
 use std::{collections::BTreeMap, path::PathBuf, str::FromStr};
 
 /// Options of an import, as texts with units.
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-#[derive(Default)]
 struct Request {
     layers: BTreeMap<String, String>,
     units: Option<String>,
@@ -26,6 +25,8 @@ struct Request {
     thickness: Option<String>,
     blank_radius: Option<String>,
     travel: Option<String>,
+    friction: Option<f64>,
+    set: Vec<String>,
 }
 
 /// Text and name of the case of a DXF drawing, how it was understood, and a picture of what was read.
@@ -68,7 +69,8 @@ impl Request {
             thickness: size("thickness", self.thickness)?,
             blank: size("blank_radius", self.blank_radius)?,
             travel: size("travel", self.travel)?,
-            ..Import::default()
+            friction: read::<Fraction>("friction", self.friction.map(|f| f.to_string()))?.map(Fraction::value),
+            overrides: self.set,
         })
     }
 }

@@ -51,9 +51,12 @@ class Case:
         """Makes a case around the tools of a DXF drawing.
 
         Options: ``layers`` (dict from layer to tool), ``units``, ``axis``, ``join``, ``tolerance``, ``punch_moves``,
-        ``geometry``, ``material``, ``thickness``, ``blank_radius``, ``travel``; texts with units. What is not given is a
-        placeholder, marked in ``case.text``.
+        ``geometry``, ``material``, ``thickness``, ``blank_radius``, ``travel``, ``holder_force``, texts with units;
+        ``friction``; ``drawn_through``, True; ``settings`` as of ``with_``. The rest are placeholders, marked in ``text``.
         """
+        named = {"holder_force": "tools.holder.force", "drawn_through": "stop.drawn_through"}
+        pairs = {key: options.pop(name) for name, key in named.items() if name in options} | options.pop("settings", {})
+        options["set"] = [f"{key}={setting(value)}" for key, value in pairs.items()]
         text, name, notes, drawing = _native.from_drawing(existing(path), json.dumps(options))
         return cls(_native.Case.parse(text, name, []), notes, Picture._of(*drawing))
 

@@ -178,8 +178,8 @@ def test_sheets_and_laws_are_described() -> None:
 
 def test_a_drawing_becomes_a_case() -> None:
     drawing = ROOT / "tests" / "drawings" / "ezdxf_lines_and_arcs.dxf"
-    case = sf.Case.from_drawing(drawing)
-    assert case.notes and case.drawing is not None and "<svg" in case.drawing
+    case = sf.Case.from_drawing(drawing, friction=0.07, holder_force="9 kN", settings={"blank.elements": 77})
+    assert "9 kN" in case.text and "= 77" in case.text and case.notes and case.drawing and "<svg" in case.drawing
     with pytest.raises(sf.DrawingError) as caught:
         sf.Case.from_drawing(ROOT / "tests" / "drawings" / "faulty" / "gap.dxf")
     assert caught.value.help
