@@ -145,7 +145,7 @@ impl Picked {
 
 /// Radius of a punch's nose or a die's shoulder, 6 t (4ming, "Punch radius", equation 1: 4 to 5 t; shoulder: declared).
 pub fn tool_radius(thickness: f64) -> Picked {
-    Picked::by(RADIUS * thickness, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
+    Picked::up(RADIUS * thickness, 0.1, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
 }
 
 /// Radius of a shoulder that a whole blank is drawn through: six times the rim's thickness t β^(1/(1 + r̄)).
@@ -167,7 +167,8 @@ pub fn drawing_clearance(thickness: f64, ratio: f64) -> Picked {
 
 /// Gap of a strip, which thickens nowhere, 1.1 t: a declared rule of thumb.
 pub fn strip_clearance(thickness: f64) -> Picked {
-    Picked::by(1.1 * thickness, "1.1 thicknesses, a declared rule of thumb: a strip does not thicken")
+    let why = "1.1 thicknesses, a declared rule of thumb: a strip does not thicken";
+    Picked::up(1.1 * thickness, if thickness < 0.6 { 0.01 } else { 0.05 }, why)
 }
 
 /// Area of the mid-surface of a cup by Guldin's (Pappus') rule \[mm²\]: bottom, quarter of a torus, wall.
@@ -234,7 +235,7 @@ pub fn elements(length: f64, radius: f64) -> usize {
 
 /// Width of a V: six times the punch's nose, because sheet bent in air takes a radius of V/6 (Amada).
 pub fn v_width(nose: f64) -> Picked {
-    Picked::by(6.0 * nose, "6 noses: sheet bent in air takes a sixth of the V's width as its radius (Amada)")
+    Picked::nearest(6.0 * nose, 0.1, "6 noses: sheet bent in air takes a sixth of the V's width as its radius (Amada)")
 }
 
 /// Length of the mid-surface in a bend of 90° \[mm\].
@@ -245,7 +246,7 @@ pub fn quarter_bend(radius: f64, thickness: f64) -> f64 {
 /// Travel that turns the legs of a U upright: nose, shoulder and the sheet between, and two thicknesses of wall.
 pub fn upright_travel(nose: f64, shoulder: f64, thickness: f64) -> Picked {
     let why = "nose, shoulder, the sheet and two thicknesses of wall: the legs stand upright";
-    Picked::by(nose + shoulder + 3.0 * thickness, why)
+    Picked::up(nose + shoulder + 3.0 * thickness, 0.1, why)
 }
 
 /// Pressure that holds a clamped disc of radius a at the height h as a spherical cap: p = 2 σ t/R with R = (a² + h²)/(2h),

@@ -28,11 +28,11 @@ impl Values {
         ensure(edge > end, what, "make the part higher, or --shoulder or --clearance smaller")?;
         let whole = Extent::of(geometry, None);
         let force = rounded_up(pressure.value * (whole.area(edge) - whole.area(end)), 3);
-        self.lengths([("holder", &Picked::up(end, 0.025, "where the die's shoulder ends"))]);
-        let (force, of) = match geometry {
-            Geometry::Axisymmetric => (newtons(force), "of the whole ring"),
-            Geometry::PlaneStrain => (format!("\"{force} N/mm\""), "per mm of depth, both sides together"),
+        let (step, force, of) = match geometry {
+            Geometry::Axisymmetric => (0.025, newtons(force), "of the whole ring"),
+            Geometry::PlaneStrain => (0.05, format!("\"{force} N/mm\""), "per mm of depth, both sides together"),
         };
+        self.lengths([("holder", &Picked::up(end, step, "where the die's shoulder ends"))]);
         self.set("force", force, &joined(&[of, &pressure.why]));
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Strips in plane strain: hat and box sections drawn with a holder, a joggle, a V bent in air, and a U between punch and die.
 
-use super::*;
+use super::{cup::BLANK, *};
 use crate::case::parse;
 use crate::measure::{Shape, part_height};
 use crate::numerics::interpolated;
@@ -65,7 +65,7 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         ("drawn through the die".to_owned(), "far enough for the walls to leave the shoulder", [upright, travel])
     };
     let values = |[blank, travel]: [f64; 2]| {
-        let blank = Picked::by(blank, CORRECTED);
+        let blank = Picked::nearest(blank, BLANK, CORRECTED);
         let mut sizes = sheet.values(false);
         sizes.die(&blank, &throat, &shoulder, nose.value);
         sizes.set("width", plain(2.0 * half_width), "");
@@ -75,7 +75,7 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         if flange.is_none() {
             sizes.set("through", true, "");
         }
-        let travel = Picked::by(travel, until);
+        let travel = Picked::nearest(travel, 0.1, until);
         sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
         sizes.holder(Geometry::PlaneStrain, [flat, blank.value], &pressure)?;
         Ok(sizes)
@@ -117,7 +117,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
             (Point::new(end, -step), Some((second, true))),
             (Point::new(end + 4.0 * flat, -step), None),
         ];
-        let blank = Picked::by(blank, CORRECTED);
+        let blank = Picked::nearest(blank, BLANK, CORRECTED);
         let mut sizes = sheet.values(true);
         sizes.elements(blank.value, radius.value, 1);
         sizes.set("profile", profile_text(Point::zeros(), &steps, exact), &radius.reason("radius: "));
@@ -146,10 +146,8 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     let what = || "--press is the force of the whole press, and nothing says how long the part is".to_owned();
     ensure(press.is_none() || depth.is_some(), what, "give --length too, such as --length \"60 in\"")?;
     let [nose_bend, shoulder_bend] = [&nose, &shoulder].map(|radius| rules::quarter_bend(radius.value, t));
-    let blank = Picked::by(
-        half_width - nose.value + nose_bend + (height - least) + shoulder_bend + flange,
-        "bottom, two bends, wall and flange along the mid-surface, which keeps its length",
-    );
+    let length = half_width - nose.value + nose_bend + (height - least) + shoulder_bend + flange;
+    let blank = Picked::nearest(length, BLANK, "bottom, two bends, wall and flange along the mid-surface");
     let throat = throat(half_width, &inputs.pick("clearance", || rules::strip_clearance(t)));
     let mut sizes = sheet.values(springback.is_some());
     sizes.die(&blank, &throat, &shoulder, nose.value);
@@ -192,7 +190,8 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         || format!("an angle of {degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel(turn)));
     ensure(travel(turn) >= t, what, help)?;
     let leg = inputs.number("leg").unwrap_or(reach);
-    let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
+    let why = "longer than the way to the V's shoulders along the bent leg";
+    let blank = Picked::nearest(reach / turn.cos() + leg, BLANK, why);
     let values = |[travel, _]: [f64; 2]| {
         let travel = Picked::by(travel, "runs of this case have the wanted angle there, before they spring back");
         let mut sizes = sheet.values(true);
@@ -213,10 +212,8 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let [half_width, leg] = inputs.values(["half-width", "leg"]);
     let nose = nose(inputs, sheet, half_width)?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
-    let blank = Picked::by(
-        half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value,
-        "half of the bottom, the bend and the leg along the mid-surface, which keeps its length",
-    );
+    let length = half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value;
+    let blank = Picked::nearest(length, BLANK, "half of the bottom, the bend and the leg along the mid-surface");
     let throat = throat(half_width, &inputs.pick("clearance", || rules::strip_clearance(t)));
     let least = throat.value + shoulder.value + 2.0 * t;
     let what = || {
