@@ -18,6 +18,8 @@ const TOLERANCE: f64 = 0.2;
 /// Gap between a fixed holder and the die, over the thickness, above which waves can grow \[–\].
 const GAP: f64 = 1.2;
 
+const RATIOS: &str = "4ming, Forming handbook, table of draw ratios: 2 in the first draw, 1.3 of DC04 in the second";
+
 pub(super) fn ratio(model: &Model) -> Option<Finding> {
     let (ratio, Metal { name, ratios: [limit, _], .. }) = (draw_ratio(model)?, Metal::of(&model.material));
     let text = format!("the draw ratio of {{}} is above {limit}, the limit of {name} in one draw (4ming)");
@@ -25,7 +27,19 @@ pub(super) fn ratio(model: &Model) -> Option<Finding> {
     warning.if_beyond().filter(|_| ratio > limit + ROUNDED_RATIO)
 }
 
-/// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes.
+fn single(run: &Run) -> Option<Finding> {
+    let model = &run.stages.first()?.model;
+    let (ratio, [limit, _]) = (draw_ratio(model)?, Metal::of(&model.material).ratios);
+    Finding::judged("draw_ratio", "Draw ratio", "{} of blank to punch")
+        .number(Amount::ratio(ratio))
+        .at_most(limit, None)
+        .light(if ratio > limit + ROUNDED_RATIO { Light::Amber } else { Light::Green })
+        .source(RATIOS)
+        .advice("a smaller blank, or one draw more; whether this one draws, Tearing says")
+        .into()
+}
+
+/// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes; of a single draw its own.
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let radius = |stage: &StageSolution| Some(extent(stage.model.tool(Role::Punch)?).1);
     let is_round = |stage: &&StageSolution| stage.model.geometry == Geometry::Axisymmetric;
@@ -33,7 +47,7 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
         let ratio = radius(&run.stages[i.checked_sub(1)?])? / radius(stage)?;
         (is_round(&stage) && ratio > 1.0).then_some((ratio, ()))
     };
-    let (i, ratio, ()) = run.peak(ratio_of)?;
+    let Some((i, ratio, ())) = run.peak(ratio_of) else { return single(run) };
     let draws = 1 + run.stages.iter().enumerate().filter(|(i, stage)| ratio_of(*i, stage).is_some()).count();
     let first = &run.stages[0].model;
     let (metal, total) = (Metal::of(&first.material), first.blank.length / run.stages.iter().rev().find_map(radius)?);
@@ -52,7 +66,7 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
         .number(Amount::ratio(ratio))
         .at_most(limit, None)
         .light(if is_within { Light::Green } else { Light::Amber })
-        .source("4ming, Forming handbook, table of draw ratios without annealing: 2 in the first draw, 1.3 of DC04 in the second")
+        .source(RATIOS)
         .into()
 }
 

@@ -58,21 +58,28 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .limit(joined(judged.iter().map(Judged::limit), "; "))
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(advice(run, worst, wall))
+        .advice(advice(run, &judged, wall))
         .into()
 }
 
 /// Over-bend of the tools by one step of a fixed point, their angle less the error; and a search by runs.
-fn advice(run: &Run, worst: &Judged, wall: Option<f64>) -> String {
-    let (is_held, key) = (run.case.model().tool(Role::Holder).is_some(), worst.change.quantity.key);
+/// The walls' error turns the flange too: its own is only a step once the walls are right.
+fn advice(run: &Run, judged: &[Judged], wall: Option<f64>) -> String {
+    let is_held = run.case.model().tool(Role::Holder).is_some();
+    let off = |keys: &[&str]| judged.iter().find(|one| keys.contains(&one.change.quantity.key) && one.used() > NEAR);
+    let flange = off(&[FLANGE_ANGLE.key]);
     let about = if is_held { "stretch the wall straight by a bead that closes late" } else { "over-bend by runs" };
-    let search = format!("{about}: `stampflow search {} --for over-bend`", run.case.path.display());
-    let walls = if key == OPENING_ANGLE.key { 2.0 } else { 1.0 };
-    let [tools, back] = [worst.change.before.unwrap_or_default(), worst.missed].map(|both| both / walls);
     let angle = |degrees: f64| Amount::new(degrees, Unit::Degree, Digits::Decimals(1));
+    let search = format!("{about}: `stampflow search {} --for over-bend`", run.case.path.display());
+    let slope = "slope the faces of die and holder the other way by";
+    let Some(worst) = off(&[OPENING_ANGLE.key, WALL_ANGLE.key]) else {
+        let turn = flange.map(|flange| flange.missed.abs());
+        return turn.map_or(search, |turn| format!("{slope} {} (one step, not a run)", angle(turn)));
+    };
+    let walls = if worst.change.quantity.key == OPENING_ANGLE.key { 2.0 } else { 1.0 };
+    let [tools, back] = [worst.change.before.unwrap_or_default(), worst.missed].map(|both| both / walls);
     let step = "one step, not a run: the tools' angle less the error";
-    match wall {
-        _ if ![OPENING_ANGLE.key, WALL_ANGLE.key].contains(&key) => search,
+    let walls = match wall {
         None => format!("over-bend to {} under the tools ({step}); or {search}", angle(walls * (tools - back))),
         Some(wall) => {
             let cam = if wall < back { ", past upright, so by a cam" } else { "" };
@@ -82,7 +89,9 @@ fn advice(run: &Run, worst: &Judged, wall: Option<f64>) -> String {
             // A longer travel does not turn a wall that lies against the punch's, and a bead that is there had its search.
             if is_held && run.case.model().beads.is_empty() { joined([search, lean], "; or ") } else { lean }
         }
-    }
+    };
+    let flange = flange.map(|_| format!("then {slope} what is left of the flange's angle"));
+    joined([walls].into_iter().chain(flange), "; ")
 }
 
 fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {
@@ -120,7 +129,7 @@ impl Springback {
         let limits = [
             (OPENING_ANGLE, self.angle, both, self.tolerance),
             (WALL_ANGLE, self.angle.map(|angle| 0.5 * angle), wall, self.wall_tolerance),
-            (FLANGE_ANGLE, None, None, self.flange_tolerance),
+            (FLANGE_ANGLE, self.flange_angle, None, self.flange_tolerance),
             (EDGE, None, None, self.edge_tolerance),
         ];
         limits.into_iter().filter_map(move |(quantity, given, of_punch, tolerance)| {

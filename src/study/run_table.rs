@@ -54,10 +54,13 @@ impl RunTable {
         joined(keys.iter().map(label), ", ")
     }
 
-    /// ` (red there: Spring-back; amber there: Tearing, Friction)`, or nothing.
+    /// ` (flange_angle 2.1°; red there: Spring-back; amber there: Tearing, Friction)`, or nothing.
     pub(super) fn lights_there(&self, run: &Run) -> String {
         let lights = [("red", &run.red), ("amber", &run.amber)].into_iter().filter(|(_, keys)| !keys.is_empty());
-        let text = joined(lights.map(|(light, keys)| format!("{light} there: {}", self.labels(keys))), "; ");
+        let lights = lights.map(|(light, keys)| format!("{light} there: {}", self.labels(keys)));
+        let flange =
+            self.response("flange_angle").map(|at| format!("flange_angle {}", self.display(at, run.numbers[at])));
+        let text = joined(flange.into_iter().chain(lights), "; ");
         if text.is_empty() { text } else { format!(" ({text})") }
     }
 

@@ -202,10 +202,8 @@ impl LimitSearch {
         }
         notes.extend(other.and_then(|other| self.failure(runs, other)).map(|text| capitalised(&text) + "."));
         notes.extend(self.goal.note.clone());
-        let draw_ratio = |run: &Run| {
-            let case = self.plan.base.case(&self.trial(0, run.value(0)).settings).ok()?;
-            estimate::draw_ratio(case.model())
-        };
+        let case = |run: &Run| self.plan.base.case(&self.trial(0, run.value(0)).settings).ok();
+        let draw_ratio = |run: &Run| estimate::draw_ratio(case(run)?.model());
         let ratios = best.zip(other).and_then(|(best, other)| draw_ratio(best).zip(draw_ratio(other)));
         if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
             notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));

@@ -1,6 +1,6 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
-use super::variable::{check_distinct, with_unit};
+use super::variable::{SearchRange, check_distinct, with_unit, written};
 use super::*;
 use crate::plot;
 
@@ -32,7 +32,12 @@ const DRAWN: usize = 10_000;
 impl Axis {
     fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
         let variable = Variable::read(text)?;
+        if let Ok(SearchRange { ends: [low, high], .. }) = variable.search_range() {
+            base.check_any([low, 0.5 * (low + high), high].map(|value| vec![variable.setting(&written(value))]))?;
+        }
         let (values, (unit, factor)) = (variable.values()?, variable.axis_unit());
+        let last = values.len() - 1;
+        base.check_any([0, last / 2, last].map(|i| vec![variable.setting(&values[i])]))?;
         let mut drawn = plot::Axis::named(variable.label(), unit);
         let numbers: Option<Vec<f64>> = values.iter().map(|value| Some(factor * number(value)?)).collect();
         let own = base.value(&variable.key).and_then(|own| match &numbers {
@@ -72,10 +77,6 @@ impl Sweep {
             true => 1 + counts.sum::<u64>(),
             false => counts.try_fold(1, u64::checked_mul).ok_or_else(|| StudyError::new(what, help))?,
         };
-        for axis in &axes {
-            let last = axis.count() - 1;
-            base.check_any([0, last / 2, last].map(|i| vec![axis.variable.setting(&axis.values[i])]))?;
-        }
         if !one_at_a_time {
             let setting = |axis: &Axis| axis.variable.setting(&axis.values[0]);
             base.check_effective(&axes.iter().map(setting).collect::<Vec<_>>())?;

@@ -52,7 +52,7 @@ impl Variable {
     }
 
     fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
-        let help = "write FROM..TO UNIT, /N behind it for N values, then `log` for even ratios: \"4..10 mm/7\"";
+        let help = "write FROM..TO UNIT, /N behind it for N values, then `log` for even ratios: \"4..10 mm/7\"; distributions: `scatter`";
         let mut reader = NumberReader::new(key, values, help)?;
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
         let (to, is_log) = to.trim_end().strip_suffix("log").map_or((to, false), |to| (to, true));

@@ -130,7 +130,8 @@ impl<'a> Cup<'a> {
         let least = least.max(1 + usize::from(first.is_some()));
         if let Some(given) = self.inputs.number("draws") {
             let (draws, most_given) = (given as usize, if is_single { 1 } else { MOST_GIVEN });
-            let what = || format!("--draws {given} is no number of draws for this part");
+            let why = if is_single { ": a flange or a recess is made in one draw here" } else { "" };
+            let what = || format!("--draws {given} is no number of draws for this part{why}");
             let fits = draws as f64 == given && (least + stepped..=most_given).contains(&draws);
             ensure(fits, what, &format!("from {} to {most_given}", least + stepped))?;
             return self.values(&self.tried(draws, true)?.0, "");

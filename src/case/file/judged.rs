@@ -101,20 +101,20 @@ impl fmt::Display for Finished {
 pub struct Springback {
     /// Wanted angle between the two legs or walls of the whole section, 0 deg if they are upright \[°\]. Default: that of the
     /// punch's straight wall where the sheet lies against it, else the one under the tools.
-    #[serde(deserialize_with = "degrees::<NonNegative<Angle>, _>")]
-    #[schemars(with = "Option<NonNegative<Angle>>")]
+    #[serde(with = "As::<NonNegative<Angle>>")]
     pub angle: Option<f64>,
     /// Tolerance of that angle, of both walls together \[°\]; instead of `wall_tolerance`.
-    #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>")]
+    #[serde(with = "As::<Positive<Angle>>")]
     pub tolerance: Option<f64>,
     /// Tolerance of the angle of each wall \[°\]: half of that between both.
-    #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>")]
+    #[serde(with = "As::<Positive<Angle>>")]
     pub wall_tolerance: Option<f64>,
-    /// Tolerance of the turn of each flange from its place under the tools \[°\].
-    #[serde(deserialize_with = "degrees::<Positive<Angle>, _>")]
-    #[schemars(with = "Option<Positive<Angle>>")]
+    /// Wanted angle of each flange to the horizontal, positive with the edge towards the bottom \[°\]. Default: the one under the
+    /// tools.
+    #[serde(with = "As::<Angle>")]
+    pub flange_angle: Option<f64>,
+    /// Tolerance of that angle \[°\].
+    #[serde(with = "As::<Positive<Angle>>")]
     pub flange_tolerance: Option<f64>,
     /// Tolerance of the move of each edge inward or outward from its place under the tools \[mm\].
     #[serde(with = "As::<Positive<Length>>")]
@@ -128,10 +128,6 @@ impl Springback {
     pub fn is_given(&self) -> bool {
         [self.tolerance, self.wall_tolerance, self.flange_tolerance, self.edge_tolerance].iter().any(Option::is_some)
     }
-}
-
-fn degrees<'de, Q: Dimensioned + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    Ok(Option::<Q>::deserialize(from)?.map(|angle| angle.value().to_degrees()))
 }
 
 impl CaseFile {
@@ -150,7 +146,10 @@ impl CaseFile {
 
     /// Checked tolerances on spring-back.
     pub fn springback_tolerances(&self, source: &Source) -> Result<Springback, CaseError> {
-        let Some(written) = self.springback else { return Ok(Springback::default()) };
+        let Some(mut written) = self.springback else { return Ok(Springback::default()) };
+        let Springback { angle, tolerance, wall_tolerance, flange_angle, flange_tolerance, .. } = &mut written;
+        let angles = [angle, tolerance, wall_tolerance, flange_angle, flange_tolerance];
+        angles.into_iter().flatten().for_each(|angle| *angle = angle.to_degrees());
         if written.ring.is_some() {
             let key = "springback.ring";
             let help = "drop it: a ring is cut from an axisymmetric cup";
