@@ -4,7 +4,7 @@ use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
-use crate::measure::{OPENING_ANGLE, Shape, part_height};
+use crate::measure::{OPENING_ANGLE, Shape, part_height, wall_at};
 use crate::units::Unit;
 use serde::Serialize;
 
@@ -155,18 +155,19 @@ impl FailureMode {
     }
 }
 
-/// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, draw-in, opening of a slit ring.
+/// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, rim, draw-in, opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let end = stages.last().and_then(|stage| stage.steps.last());
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
-        load(case, stages),
+        load(case, stages, 0.0),
         stages.last().and_then(hole),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         stages.last().filter(|_| !is_torn).and_then(height),
+        stages.last().filter(|_| !is_torn).and_then(|stage| rim(case, stage)),
         draw_in(stages),
         ring(case, stages),
     ];
@@ -192,8 +193,8 @@ pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
     largest(stages, |step| step.punch_force)
 }
 
-/// Largest force over all stages, or largest gas pressure if no punch moves.
-fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
+/// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest gas pressure if no punch moves.
+pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Quantity> {
     let stage = |i: usize| if formed(stages).count() > 1 { format!("in stage {}", i + 1) } else { String::new() };
     let Some((i, peak)) = largest_force(stages) else {
         let (i, peak) = largest(stages, |step| step.pressure.abs())?;
@@ -203,12 +204,15 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     };
     let amount = |force: f64| Amount::force(force, stages[i].model.extent().force_unit());
     let pressed = Load::largest(stages)?;
+    let error = if bar > (RESERVE - 1.0) * pressed.force() { ", or the load and its error bar" } else { "" };
     let (press, reserve) = match case.press.force {
         Some(rating) => {
             let share = Amount::share(pressed.force() / rating);
             (format!("{share} of the press's {}", with_tonnes(amount(rating).to(Digits::Given(3)))), String::new())
         }
-        None => (format!("press of at least {}", pressed.rating()), format!("({RESERVE} × the load)")),
+        None => {
+            (format!("press of at least {}", pressed.rating(bar)), format!("({RESERVE} × the load{error}, rounded up)"))
+        }
     };
     let with_holder = if pressed.holder() > 0.0 { "with the holder" } else { "" };
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
@@ -272,6 +276,14 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
     let before = stage.released().and_then(|[before, _]| part_height(before)).map(Amount::place);
     let height = Quantity::new("part_height", "Height", Amount::place(part_height(stage.frames.last()?)?));
     Some(height.at(format!("over all{}", under_load(before))))
+}
+
+/// Wall of an upright part where it is trimmed.
+fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
+    let height = case.finished.height.filter(|_| case.finished.flange_diameter.is_none())?;
+    let [r, _, thickness] = wall_at(stage.frames.last()?, height)?;
+    let outside = format!("thick where it is trimmed, {} outside", Amount::place(2.0 * r + thickness));
+    Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside))
 }
 
 fn under_load(before: Option<Amount>) -> String {

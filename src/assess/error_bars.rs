@@ -34,6 +34,8 @@ pub struct Number {
     pub s0: Option<f64>,
     /// Contributions to the error bar, the largest first.
     pub contributions: Vec<Contribution>,
+    /// Smallest and largest value of the finer runs.
+    pub finer: Option<[f64; 2]>,
 }
 
 /// Contribution of one direction of refinement to an error bar.
@@ -69,7 +71,7 @@ pub struct ErrorBars {
 impl Number {
     /// Number without an error bar.
     pub fn new(origin: Origin, quantity: Quantity) -> Self {
-        Self { origin, quantity, s0: None, contributions: Vec::new() }
+        Self { origin, quantity, s0: None, contributions: Vec::new(), finer: None }
     }
 
     /// True of the same number of another run.
@@ -134,7 +136,12 @@ pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorB
     let findings = bars.weigh(findings);
     let mut answer = Answer::of(case, stages, &findings);
     for number in &mut answer.numbers {
-        *number = number.clone().with_error(bars.error(Origin::Answer, number.key, "given, not computed"));
+        let error = bars.error(Origin::Answer, number.key, "given, not computed");
+        let loaded = match error {
+            ErrorBar::Half(half) if number.key == "punch_force" => answer::load(case, stages, half),
+            _ => None,
+        };
+        *number = loaded.unwrap_or_else(|| number.clone()).with_error(error);
     }
     (answer, findings)
 }
@@ -165,7 +172,7 @@ impl ErrorBars {
                 if finding.light < Light::Amber {
                     finding.advice = match finding.key {
                         RUN => "take the worse end as the true one, or refine until all runs end alike".to_owned(),
-                        key => format!("more margin, or {}", self.finer(key)),
+                        key => self.finer(key),
                     };
                 }
                 finding.light = finding.light.max(Light::Amber);
@@ -189,8 +196,12 @@ impl ErrorBars {
 
     /// Refinement that makes the bar of a row smaller.
     fn finer(&self, key: &str) -> String {
-        let made = self.number(Origin::Verdict, key).map_or_else(String::new, Number::made_of);
-        format!("a finer run (solver.max_step, blank.elements, blank.layers); the bar is made of {made}")
+        let Some(number) = self.number(Origin::Verdict, key) else { return String::new() };
+        let bare = |end| Amount { bar: None, ..number.quantity.amount.with_value(end) };
+        let [low, high] = number.finer.unwrap_or([number.quantity.amount.value; 2]).map(bare);
+        let (give, made) =
+            (format!("the finer runs give {low} to {high}, their differences make the bar; "), number.made_of());
+        format!("{give}a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers): {made}")
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.

@@ -38,9 +38,9 @@ impl<'a> Load<'a> {
         self.step.punch_force + self.holder()
     }
 
-    /// Least rating of a press for it, rounded up: `67 kN (6.8 t)`.
-    pub fn rating(&self) -> String {
-        let least = RESERVE * self.force();
+    /// Least rating of a press for it and its error bar, rounded up: `67 kN (6.8 t)`.
+    pub fn rating(&self, bar: f64) -> String {
+        let least = f64::max(RESERVE * self.force(), self.force() + bar);
         let second_digit = 10f64.powi(least.log10().floor() as i32 - 1);
         let rating = (least / second_digit - 1e-9).ceil() * second_digit;
         with_tonnes(Amount::force(rating, self.on.model.extent().force_unit()))

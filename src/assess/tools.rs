@@ -12,7 +12,8 @@ const DRY: f64 = 0.3;
 const LEAST: f64 = 1.0 - 1e-6;
 /// Share by which sizes that a case has rounded may miss a rule \[–\].
 const ROUNDED: f64 = 1e-3;
-/// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
+/// Gap over the thickness above which a wall is not straight, and wall above which a shop irons it to size, declared: a rim of
+/// β = 2.2 is √β thicknesses thick \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
 const IRONED: f64 = 0.01;
@@ -48,23 +49,19 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let rim = drawing_clearance(blank.thickness, ratio).value / blank.thickness;
         let wide = if upright { WIDE.max(rim) } else { f64::INFINITY };
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
-        let wall = wall.filter(|wall| upright && *wall < gap).map(Amount::thicknesses);
-        let loose =
-            wall.map_or_else(String::new, |wall| format!("; the wall is {wall} thick at most: nothing sizes it"));
-        let judged = Finding::judged(
-            "clearance",
-            "Clearance",
-            run.of_stage("{} between punch and die".into(), i) + &loose,
-        )
-        .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
-        .source(
-            "a sheet that does not thin is ironed in less; 1.5 t, or t √β of the draw ratio: a declared rule of thumb",
-        );
+        let wall = wall.filter(|wall| upright && *wall < gap);
+        let sizes = |wall| format!("; the wall is {} thick at most: nothing sizes it", Amount::thicknesses(wall));
+        let loose = wall.map_or_else(String::new, sizes);
+        let text = run.of_stage("{} between punch and die".into(), i) + &loose;
+        let judged = Finding::judged("clearance", "Clearance", text)
+            .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
+            .source("a sheet that does not thin is ironed in less; 1.5 t, or t √β of the draw ratio: declared");
         let most = Amount::thicknesses(wide).to(Digits::Decimals(2));
         let limit = if upright { format!("; {most} at most beside a straight wall") } else { String::new() };
-        let judged = match gap > LEAST {
-            true => judged.at_most(wide * (1.0 + ROUNDED), None),
-            false => judged.light(Light::Amber),
+        let judged = match wall > Some(WIDE) {
+            _ if gap <= LEAST => judged.light(Light::Amber),
+            true => judged.light(Light::Amber).advice("a last draw of less clearance irons the wall to size"),
+            false => judged.at_most(wide * (1.0 + ROUNDED), None),
         };
         Some(judged.limit(format!("1 t at least{limit}")))
     };

@@ -104,6 +104,7 @@ impl<'a> Report<'a> {
             "answer": answer,
             "error_bars": self.bars,
             "check": self.check,
+            "draw_ratios": part::ratios(self),
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": judgements(&self.findings).collect::<Vec<_>>(),
             "stages": self.stages.iter().map(|(_, summary)| summary).collect::<Vec<_>>(),

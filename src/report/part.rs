@@ -3,9 +3,11 @@
 use super::page::{Row, Section, figure_in_column, table};
 use super::sizes::{dimensions, section};
 use super::{Report, results::plot};
-use crate::model::{Model, Tool};
+use crate::assess::estimate::draw_ratio;
+use crate::model::{Model, Role, Tool, tool_sizes::extent};
 use crate::plot::dimensioned;
 use crate::solver::solution::Frame;
+use crate::units::Amount;
 use maud::{Markup, html};
 
 /// Columns of the table of stages, by the keys of the summary.
@@ -18,6 +20,15 @@ const COLUMNS: [(&str, &str); 8] = [
     ("Draw-in", "draw_in"),
     ("Limit used", "forming_ratio"),
     ("Tearing", "tearing_index"),
+];
+
+/// Columns of the table of tools, by how the names of dimensions begin.
+const TOOLS: [(&str, &str); 5] = [
+    ("Punch", "Punch"),
+    ("Punch radius", "Punch nose radius"),
+    ("Die", "Die throat"),
+    ("Die radius", "Die shoulder radius"),
+    ("Holder", "Holder inner"),
 ];
 
 /// Pictures of results, by their files.
@@ -37,6 +48,7 @@ pub(super) fn content(report: &Report) -> Markup {
     };
     let released = picture(&("springback.png", "spring-back"));
     html! {
+        (tools(report))
         (stages(report))
         div.pictures.{ "of-" (sections.len() + usize::from(released.is_some())) } {
             @for i in &sections { (start(report, *i)) }
@@ -46,19 +58,49 @@ pub(super) fn content(report: &Report) -> Markup {
     }
 }
 
-/// Peaks of every stage; columns without a value are left out.
+/// Draw ratio of the first stage, and the ratios of the punches of those after it that bring tools \[–\].
+pub(super) fn ratios(report: &Report) -> Vec<Option<f64>> {
+    let models: Vec<&Model> = with_new_tools(report).map(|i| begun(report, i).0).collect();
+    let punch = |model: &Model| Some(extent(model.tool(Role::Punch)?).1);
+    let redraws = models.windows(2).map(|pair| Some(punch(pair[0])? / punch(pair[1])?));
+    models.first().map(|first| draw_ratio(first)).into_iter().chain(redraws).collect()
+}
+
+/// Sizes of the tools of every stage that brings some, the ratio to the punch before, and the height that they make.
+fn tools(report: &Report) -> Markup {
+    let stages: Vec<usize> = with_new_tools(report).collect();
+    let begun = stages.iter().map(|i| begun(report, *i));
+    let sizes: Vec<_> = begun.map(|(model, start)| dimensions(model, start)).collect();
+    let find = |k: usize, of| Some(sizes[k].iter().find(|size| size.name.starts_with(of))?.amount.to_string());
+    let ratios = ratios(report).into_iter().map(|ratio| Some(Amount::ratio(ratio?).to_string()));
+    let all = 0..stages.len();
+    let sizes = TOOLS.map(|(label, of)| (label, all.clone().map(|k| find(k, of)).collect()));
+    let heights = stages.iter().map(|i| value(report, *i, "part_height")).collect();
+    let columns = [("Ratio", ratios.collect())].into_iter().chain(sizes).chain([("Height", heights)]);
+    by_stage(report, &stages, columns.collect())
+}
+
+/// Peaks of every stage.
 fn stages(report: &Report) -> Markup {
-    let value = |i: usize, key: &str| {
-        let (_, summary) = report.stages.get(i)?;
-        summary.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
-    };
-    let all = 0..report.stages.len();
-    let columns: Vec<_> = COLUMNS.iter().filter(|(_, key)| all.clone().any(|i| value(i, key).is_some())).collect();
+    let all: Vec<usize> = (0..report.stages.len()).collect();
+    let of = |key: &str| all.iter().map(|i| value(report, *i, key)).collect();
+    by_stage(report, &all, COLUMNS.map(|(label, key)| (label, of(key))).into())
+}
+
+/// Number of a stage's summary in text.
+fn value(report: &Report, i: usize, key: &str) -> Option<String> {
+    let (_, summary) = report.stages.get(i)?;
+    summary.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
+}
+
+/// Table with a row per stage; columns without a value are left out.
+fn by_stage(report: &Report, stages: &[usize], columns: Vec<(&str, Vec<Option<String>>)>) -> Markup {
+    let columns: Vec<_> = columns.into_iter().filter(|(_, values)| values.iter().any(Option::is_some)).collect();
     let head: Vec<&str> = std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect();
-    let rows = all.map(|i| {
-        let label = report.stage(i);
+    let rows = stages.iter().enumerate().map(|(k, i)| {
+        let label = report.stage(*i);
         let label = if label.is_empty() { "1".to_owned() } else { label.trim_end_matches(": ").to_owned() };
-        let values = columns.iter().map(|(_, key)| value(i, key).unwrap_or_else(|| "–".to_owned()));
+        let values = columns.iter().map(|(_, values)| values[k].clone().unwrap_or_else(|| "–".to_owned()));
         Row { cells: std::iter::once(label).chain(values).collect(), ..Row::default() }
     });
     table(&head, rows)

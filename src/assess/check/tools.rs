@@ -154,13 +154,14 @@ fn of_gas(model: &Model, gas: &Gas) -> Line {
 pub(super) fn stage(n: usize, stage: &Stage) -> Line {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
+    let most = if model.stop.drawn_through { " at most" } else { "" };
     does.extend(begin.trim.map(|half| format!("cut at {}", size_of(model, half, Amount::set))));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
         let name = tool.role.name();
         let name = if begin.meets.contains(&tool.role) { format!("new {name}") } else { name.into() };
         does.push(match &tool.motion {
-            Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}", Amount::size(by.y)),
+            Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}{most}", Amount::size(by.y)),
             Motion::Path(by) => format!("{name} goes {} and {} aside", Amount::size(by.y), Amount::size(by.x)),
             Motion::Pressed(press) => {
                 let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());

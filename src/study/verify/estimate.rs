@@ -37,12 +37,13 @@ pub(super) fn with_bar(number: &Number, directions: &[(Direction, Vec<&Outcome>)
         return number.clone();
     }
     let value = number.quantity.amount.value;
-    let mut contributions = Vec::new();
+    let (mut contributions, mut finer) = (Vec::new(), [f64::INFINITY, f64::NEG_INFINITY]);
     for (direction, runs) in directions {
-        let Some(finer) = runs.iter().map(|run| run.value(number)).collect::<Option<Vec<f64>>>() else {
+        let Some(others) = runs.iter().map(|run| run.value(number)).collect::<Option<Vec<f64>>>() else {
             return number.without_bar(&format!("not found in every run ({})", direction.label()));
         };
-        let levels = [vec![value], finer].concat();
+        finer = others.iter().fold(finer, |[low, high], value| [low.min(*value), high.max(*value)]);
+        let levels = [vec![value], others].concat();
         let step = |i: usize| (levels[i] - levels[i - 1]).abs();
         let jumps = |i: &usize| step(*i) > OUT_OF_LINE * step(i - 1) && step(*i) > MUCH * value.abs();
         if let Some(i) = (2..levels.len()).find(jumps) {
@@ -59,7 +60,7 @@ pub(super) fn with_bar(number: &Number, directions: &[(Direction, Vec<&Outcome>)
     contributions.sort_by(|a, b| b.share.total_cmp(&a.share));
     let half = if all > 0.0 { all.max(SOLVED * tolerance * value.abs()) } else { 0.0 };
     let quantity = number.quantity.clone().with_error(ErrorBar::Half(half));
-    Number { quantity, contributions, ..number.clone() }
+    Number { quantity, contributions, finer: Some(finer), ..number.clone() }
 }
 
 #[cfg(test)]
