@@ -79,7 +79,8 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
         assert!((drawn - trim - height).abs() < 0.2, "{name} {given:?}: {drawn} mm high");
         assert!((inside - diameter).abs() < 0.2, "{name} {given:?}: {inside} mm wide");
         assert_eq!(stages.len(), draws, "{name} {given:?}");
-        let sizes = |key: &str| ["trim_allowance", "redraw_ratio", "clearance"].contains(&key);
+        // The rim of four draws is √3 thicknesses thick: nothing irons it to size.
+        let sizes = |key: &str| ["trim_allowance", "redraw_ratio"].contains(&key) || key == "clearance" && draws < 4;
         let found = assess::after(&case, stages);
         assert!(found.iter().all(|row| !sizes(row.key) || row.light == Light::Green), "{name} {given:?}: {found:?}");
     }
