@@ -197,7 +197,7 @@ impl ErrorBars {
     /// Refinement that makes the bar of a row smaller.
     fn finer(&self, key: &str) -> String {
         let Some(number) = self.number(Origin::Verdict, key) else { return String::new() };
-        let bare = |end| Amount { bar: None, ..number.quantity.amount.with_value(end) };
+        let bare = |end| Amount::new(end, number.quantity.amount.unit, Digits::Significant(3));
         let [low, high] = number.finer.unwrap_or([number.quantity.amount.value; 2]).map(bare);
         let (give, made) =
             (format!("the finer runs give {low} to {high}, their differences make the bar; "), number.made_of());

@@ -4,7 +4,7 @@
 mod picture;
 mod sizes;
 
-use super::templates::rules::{Picked, siebel, strip_pressure, tensile_strength};
+use super::templates::rules::{Metal, Picked, siebel, strip_pressure, tensile_strength};
 use super::templates::{Inputs, LAW, mild_steel};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library, overrides};
@@ -154,7 +154,7 @@ impl fmt::Display for Imported {
         let Some(model) = self.case.as_ref().map(Case::model) else { return Ok(()) };
         model.placeholders().iter().try_for_each(|open| writeln!(f, "\nplaceholders: {open}"))?;
         let is_cup = model.tool(Role::Holder).is_some() && !model.stop.drawn_through;
-        f.write_str(if is_cup { "a part that is pushed through the die: import it with --drawn-through\n" } else { "" })
+        f.write_str(if is_cup { "if the part is pushed through the die: import it with --drawn-through\n" } else { "" })
     }
 }
 
@@ -232,7 +232,10 @@ fn pressure(tools: &DrawnTools, metal: &Material) -> (f64, &'static str) {
     let (strength, blank) = (tensile_strength(metal), tools.blank.value);
     let punch = tools.mouth().filter(|punch| tools.geometry == Geometry::Axisymmetric && blank > *punch);
     let (pressure, rule) = match punch {
-        Some(punch) => (siebel(blank / punch, 2.0 * punch, tools.thickness.value, strength), "Siebel's pressure"),
+        Some(punch) => {
+            let siebel = siebel(blank / punch, 2.0 * punch, tools.thickness.value, strength);
+            (siebel.max(Metal::of(metal).pressure), "usual pressure of the metal, Siebel's if more")
+        }
         None => (strip_pressure(strength).value, "1 % of the tensile strength"),
     };
     (rounded(0.01 * (100.0 * pressure).ceil()), rule)

@@ -35,6 +35,8 @@ fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item 
         arg.help_heading(heading).help(help)
     };
     let arg = value(&choice.key, format!("{} [default: {}]", choice.about, choice.default));
+    // A height that is measured inside is a depth.
+    let arg = if choice.about.starts_with("depth ") { arg.alias("depth") } else { arg };
     let diameter = choice.diameter.as_deref().map(|key| {
         let arg = value(key, format!("twice that, instead of --{}", choice.key)).conflicts_with(choice.key.as_str());
         if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg }

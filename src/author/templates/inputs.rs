@@ -84,6 +84,10 @@ impl Inputs {
             CaseError::bare(format!("--{key}: {what}"), help.to_owned())
         })?;
         let number = if choice.key == key { number } else { 0.5 * number };
+        // Half of the widest blank; only a part is longer.
+        let what = || format!("--{key} {text} is odd for a stamping");
+        let fits = choice.value != "LENGTH" || key == "length" || number <= 0.5 * size::WIDEST;
+        ensure(fits, what, "is the unit right?")?;
         match self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number)) {
             Some((other, ..)) => Err(both_given(&other, key)),
             None => Ok(()),
