@@ -244,7 +244,7 @@ fn check_value(case: &Case, label: &str) -> f64 {
     report.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}")).number.unwrap()
 }
 
-/// Trust: the cup of `new`; Siebel's rule as `check` advises it, rounded up, goes with the sheet's strength.
+/// Trust: the cup of `new`; the holder's pressure is 2.5 MPa, which is usual for steel (Tschätsch) and above Siebel's.
 #[test]
 fn an_import_picks_material_friction_and_pressure_as_new_does() {
     let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
@@ -255,8 +255,8 @@ fn an_import_picks_material_friction_and_pressure_as_new_does() {
     for (tool, picked) in drawn.model().tools.iter().zip(&cup.model().tools) {
         assert_eq!(tool.friction, picked.friction);
     }
-    let more = check_value(&drawn, "holder pressure") - check_value(&drawn, "least pressure");
-    assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
+    let [pressure, least] = ["holder pressure", "least pressure"].map(|label| check_value(&drawn, label));
+    assert!((pressure - 2.5).abs() < 1e-6 && least < pressure, "{pressure} MPa, {least} MPa at least");
     let (named, _) = imported(dir.path(), "ezdxf_lines_and_arcs.dxf", &["--material", "aa6016"]);
     assert!(named.model().forming_limit.is_some() && named.model().material != drawn.model().material);
     assert_ne!(check_value(&named, "holder pressure"), check_value(&drawn, "holder pressure"));
