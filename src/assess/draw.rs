@@ -35,7 +35,7 @@ fn single(run: &Run) -> Option<Finding> {
         .at_most(limit, None)
         .light(if ratio > limit + ROUNDED_RATIO { Light::Amber } else { Light::Green })
         .source(RATIOS)
-        .advice("a smaller blank, or one draw more; whether this one draws, Tearing says")
+        .advice("whether it draws, Tearing says; if not, a first draw to a larger diameter")
         .into()
 }
 

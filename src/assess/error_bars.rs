@@ -188,20 +188,19 @@ impl ErrorBars {
         let half = self.number(Origin::Verdict, finding.key).and_then(Number::half);
         match half.zip(tolerance) {
             Some((half, tolerance)) if half > tolerance => {
-                format!("the error bar is wider than the tolerance: {}", self.finer(finding.key))
+                let keys = "a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers)";
+                format!("the error bar is wider than the tolerance: {}; {keys}", self.finer(finding.key))
             }
             _ => String::new(),
         }
     }
 
-    /// Refinement that makes the bar of a row smaller.
+    /// What the finer runs give for a row.
     fn finer(&self, key: &str) -> String {
         let Some(number) = self.number(Origin::Verdict, key) else { return String::new() };
         let bare = |end| Amount::new(end, number.quantity.amount.unit, Digits::Significant(3));
         let [low, high] = number.finer.unwrap_or([number.quantity.amount.value; 2]).map(bare);
-        let (give, made) =
-            (format!("the finer runs give {low} to {high}, their differences make the bar; "), number.made_of());
-        format!("{give}a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers): {made}")
+        format!("the finer runs give {low} to {high}, their differences make the bar")
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.

@@ -60,7 +60,7 @@ pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 ///
 /// A sheet whose edge is held is stretched by the travel, whose limit is a strain: near its load maximum the force hardly rises.
 pub(super) fn tearing(run: &Run) -> Option<Finding> {
-    let (i, index, step) = run.peak(|_, stage| {
+    let (i, _, step) = run.peak(|_, stage| {
         let step = stage.steps.iter().max_by(|a, b| a.tearing_index.total_cmp(&b.tearing_index))?;
         Some((step.tearing_index, step))
     })?;
@@ -78,9 +78,9 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let text = format!("{{}} of what it bears; {lead}{place}{instant}: {carries} of {bears}");
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
-    (index > 0.0).then(|| {
+    (step.tearing_index > 0.0).then(|| {
         Finding::judged("tearing", "Tearing", run.of_stage(text, i))
-            .number(Amount::share(index))
+            .number(Amount::share(step.tearing_index))
             .at_most(near, tears)
             .source("Considère in plane strain, bent over the punch; 90 %: declared")
             .advice("one draw more, larger radii, or less friction of die and holder")

@@ -60,7 +60,10 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let limit = if upright { format!("; {most} at most beside a straight wall") } else { String::new() };
         let judged = match wall > Some(WIDE) {
             _ if gap <= LEAST => judged.light(Light::Amber),
-            true => judged.light(Light::Amber).advice("a last draw of less clearance irons the wall to size"),
+            true => {
+                let limit = format!("a wall of {} at most", Amount::thicknesses(WIDE));
+                return Some(judged.light(Light::Amber).limit(limit).advice("a last draw that irons the wall to size"));
+            }
             false => judged.at_most(wide * (1.0 + ROUNDED), None),
         };
         Some(judged.limit(format!("1 t at least{limit}")))

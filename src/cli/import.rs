@@ -23,7 +23,8 @@ options! {
             "Largest gap between ends that meet",
         tolerance: f64 = "LENGTH" [long, hide_short_help = true, default_value = "0.001 mm", allow_hyphen_values = true, value_parser = length]
             "Largest distance of a spline from the arcs that replace it",
-        geometry: Geometry [long, hide_short_help = true, default_value = "axisymmetric"] "axisymmetric or plane_strain",
+        geometry: Option<Geometry> [long]
+            "axisymmetric or plane_strain [default: that of the drawing's blank, else axisymmetric]",
         material: Option<String> = "NAME" [long]
             "Sheet of the library or a grade such as DC04 [default: a placeholder]",
         thickness: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
@@ -58,6 +59,7 @@ pub fn import(args: Args) -> Result<Code> {
     let is_free = |path| place::free(path, force, std::slice::from_ref(&drawing), "-o");
     is_free(&out).and_then(|()| is_free(&picture))?;
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
+    let geometry = geometry.unwrap_or_else(|| import::geometry(&bytes));
     let mut import = Import { options, geometry, material, thickness, blank, travel, friction, overrides };
     let mut imported = import.read(&bytes, &drawing);
     let can_ask = unit.is_none() && !json && stdin().is_terminal();

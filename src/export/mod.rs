@@ -16,7 +16,7 @@ mod dxf;
 
 use crate::case::Solution;
 use crate::geometry::{Bounds, Piece, Point};
-use crate::import::DrawingUnit;
+use crate::import::{DrawingUnit, STRIP};
 use crate::model::{Geometry, Stage, Tool};
 use crate::plot::drawing::{Color, Layer, extent, layers_csv, true_size_svg};
 use crate::plot::sections::{tool_displacement, whole_sheet};
@@ -107,8 +107,8 @@ impl Drawing {
 
     fn blank(&mut self, stage: &Stage) {
         let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
-        let sign = if stage.model.geometry == Geometry::Axisymmetric { "Ø " } else { "L = " };
-        let text = format!("blank {sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
+        let sign = if stage.model.geometry == Geometry::Axisymmetric { "blank Ø " } else { STRIP };
+        let text = format!("{sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
         let corners = [(hole, -half), (length, -half), (length, half), (hole, half), (hole, -half)];
         let outline = corners.map(|(x, y)| Point::new(x, y));
         self.polyline("BLANK".to_owned(), (30, "#ff7f00"), &outline, Some((outline[2], text)));

@@ -31,7 +31,7 @@ pub use dxf::LARGEST;
 pub use options::{DrawingUnit, Heading, Options, layer};
 
 use crate::geometry::{Point, Profile};
-use crate::model::Role;
+use crate::model::{Geometry, Role};
 use layers::ToolId;
 use std::fmt;
 
@@ -56,6 +56,15 @@ impl ImportError {
         Self { line: Some(line), ..self }
     }
 }
+
+/// Geometry of a drawing: plane strain if its blank is labelled as a strip, as [`export`](crate::export) does.
+pub fn geometry(bytes: &[u8]) -> Geometry {
+    let is_strip = bytes.windows(STRIP.len()).any(|text| text == STRIP.as_bytes());
+    if is_strip { Geometry::PlaneStrain } else { Geometry::Axisymmetric }
+}
+
+/// Label of a strip's blank.
+pub const STRIP: &str = "blank L = ";
 
 /// Section of a tool.
 #[derive(Clone, Debug, PartialEq)]

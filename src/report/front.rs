@@ -89,7 +89,8 @@ fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, 
 fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     let (view, _) = &report.stages[stage];
     let is_by_punch = view.model().travel > 0.0;
-    let about = if is_by_punch { "forces over the punch travel" } else { "gas pressure over the height of the dome" };
+    let mut about =
+        if is_by_punch { "forces over the punch travel" } else { "gas pressure over the height of the dome" };
     let mut chart = load_travel::plot(view)?;
     let panel = chart.panels.first_mut()?;
     let forming = report.stages.iter().enumerate().filter(|(_, (view, _))| view.model().release.is_none());
@@ -98,6 +99,7 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
         if bounds(points.iter().map(|point| point.1)).1 > 0.0 {
             let style = Style::curve(panel.series.len());
             panel.series.push(Series::new(report.stage(i) + "punch force", points, style));
+            about = "forces over the punch travel, and the punch forces of the other stages";
         }
     }
     Some(picture(report, stage, "load_travel.png", chart.displayed(), about))

@@ -23,12 +23,11 @@ const COLUMNS: [(&str, &str); 8] = [
 ];
 
 /// Columns of the table of tools, by how the names of dimensions begin.
-const TOOLS: [(&str, &str); 5] = [
+const TOOLS: [(&str, &str); 4] = [
     ("Punch", "Punch"),
     ("Punch radius", "Punch nose radius"),
     ("Die", "Die throat"),
     ("Die radius", "Die shoulder radius"),
-    ("Holder", "Holder inner"),
 ];
 
 /// Pictures of results, by their files.
@@ -89,8 +88,7 @@ fn stages(report: &Report) -> Markup {
 
 /// Number of a stage's summary in text.
 fn value(report: &Report, i: usize, key: &str) -> Option<String> {
-    let (_, summary) = report.stages.get(i)?;
-    summary.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
+    report.stages.get(i)?.1.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
 }
 
 /// Table with a row per stage; columns without a value are left out.
