@@ -195,11 +195,11 @@ impl ErrorBars {
         }
     }
 
-    /// What the finer runs give for a row.
+    /// Range of the finer runs for a row, in words.
     fn finer(&self, key: &str) -> String {
-        let Some(number) = self.number(Origin::Verdict, key) else { return String::new() };
-        let bare = |end| Amount::new(end, number.quantity.amount.unit, Digits::Significant(3));
-        let [low, high] = number.finer.unwrap_or([number.quantity.amount.value; 2]).map(bare);
+        let number = self.number(Origin::Verdict, key);
+        let Some(Number { quantity, finer: Some(ends), .. }) = number else { return String::new() };
+        let [low, high] = ends.map(|end| Amount::new(end, quantity.amount.unit, Digits::Significant(3)));
         format!("the finer runs give {low} to {high}, their differences make the bar")
     }
 

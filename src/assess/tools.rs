@@ -58,13 +58,13 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
             .source("a sheet that does not thin is ironed in less; 1.5 t, or t √β of the draw ratio: declared");
         let most = Amount::thicknesses(wide).to(Digits::Decimals(2));
         let limit = if upright { format!("; {most} at most beside a straight wall") } else { String::new() };
-        let judged = match wall > Some(WIDE) {
-            _ if gap <= LEAST => judged.light(Light::Amber),
-            true => {
-                let limit = format!("a wall of {} at most", Amount::thicknesses(WIDE));
-                return Some(judged.light(Light::Amber).limit(limit).advice("a last draw that irons the wall to size"));
-            }
-            false => judged.at_most(wide * (1.0 + ROUNDED), None),
+        if gap > LEAST && wall > Some(WIDE) {
+            let limit = format!("a wall of {} at most", Amount::thicknesses(WIDE));
+            return Some(judged.light(Light::Amber).limit(limit).advice("a last draw that irons the wall to size"));
+        }
+        let judged = match gap > LEAST {
+            true => judged.at_most(wide * (1.0 + ROUNDED), None),
+            false => judged.light(Light::Amber),
         };
         Some(judged.limit(format!("1 t at least{limit}")))
     };

@@ -144,12 +144,14 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     let wanted = wall.map(|wall| format!("wall_angle={} deg", wall + 0.8 * tolerance));
     let at = significant(held + BEAD * model.blank.thickness, 4);
     let [from, full] = LATE.map(|share| significant(share * model.travel, 4));
-    let history = format!("[[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", \"0 N/mm\"]]");
-    let bead = format!("tools.beads=[{{at=\"{at} mm\", restraining={history}}}]");
-    let lines = format!("at = \"{at} mm\", restraining = [[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", the force]]");
+    let bead = |force: &str| {
+        format!("at = \"{at} mm\", restraining = [[\"{from} mm\", \"0 N/mm\"], [\"{full} mm\", {force}]]")
+    };
+    let setting = format!("tools.beads=[{{{}}}]", bead("\"0 N/mm\""));
+    let lines = bead("the force");
     let note = format!("A bead that closes late stretches the wall. In the case: [[tools.beads]] with {lines}.");
     let is_new = model.beads.is_empty();
-    let (settings, note) = if is_new { (vec![bead], Some(note)) } else { Default::default() };
+    let (settings, note) = if is_new { (vec![setting], Some(note)) } else { Default::default() };
     let vary = restraints(model, if is_new { "tools.beads.0.restraining.1.1" } else { BEAD_FORCE });
     let (tolerance, remedy) = (0.2 * tolerance, Some(("lean the walls of punch and die back by", wall)));
     Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(vary, "wall_angle") })
