@@ -85,7 +85,7 @@ impl Inputs {
         })?;
         let number = if choice.key == key { number } else { 0.5 * number };
         // Half of the widest blank; only a part is longer.
-        let what = || format!("--{key} {text} is odd for a stamping");
+        let what = || format!("--{key} {text} is odd: stampings are up to {} mm wide", size::WIDEST);
         let fits = choice.value != "LENGTH" || key == "length" || number <= 0.5 * size::WIDEST;
         ensure(fits, what, "is the unit right?")?;
         match self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number)) {
