@@ -123,6 +123,6 @@ impl<R> Field<R> {
 }
 
 /// Word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
-pub fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static str) -> &'static str {
+pub fn worded<T>(geometry: Geometry, axisymmetric: T, plane_strain: T) -> T {
     if geometry == Geometry::Axisymmetric { axisymmetric } else { plane_strain }
 }

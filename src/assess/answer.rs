@@ -5,7 +5,7 @@ use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
 use crate::measure::{OPENING_ANGLE, Shape, part_height, wall_at};
-use crate::units::Unit;
+use crate::table::{Unit, worded};
 use serde::Serialize;
 
 /// Verdict in one sentence, and the numbers that a part is known by.
@@ -254,10 +254,7 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
 }
 
 fn blank(model: &Model) -> Quantity {
-    let across = match model.geometry {
-        Geometry::Axisymmetric => "in diameter",
-        Geometry::PlaneStrain => "wide",
-    };
+    let across = worded(model.geometry, "in diameter", "wide");
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
     let about = format!("{across}, {} thick", Amount::size(model.blank.thickness));
     Quantity::new("blank", "Blank", amount).at(about)

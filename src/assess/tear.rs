@@ -3,7 +3,7 @@
 use super::*;
 use crate::geometry::Arc;
 use crate::measure::{bottom, element_at, place_on_part};
-use crate::units::Unit;
+use crate::table::{Unit, worded};
 
 /// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;
@@ -148,10 +148,7 @@ pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
 
 /// Location on a stage's sheet by its name on the part, and by its measures at the stage's end.
 fn on_part(stage: &StageSolution, s0: f64) -> String {
-    let from = match stage.model.geometry {
-        Geometry::Axisymmetric => "axis",
-        Geometry::PlaneStrain => "middle",
-    };
+    let from = worded(stage.model.geometry, "axis", "middle");
     let at = stage.frames.last().and_then(|frame| {
         let element = &frame.elements[element_at(frame, s0)?];
         Some((element.r, Some(bottom(frame)? - element.z).filter(|above| *above > element.thickness)))

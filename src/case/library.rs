@@ -3,7 +3,7 @@
 use super::file::{self, CaseFile};
 use super::files::{Disk, Folder};
 use super::sources::{Sheets, Sources, Thickness};
-use super::{CaseError, source::Source};
+use super::{CaseError, Result, source::Source};
 use crate::forming_limit::{Curve, Sheet, uniform_strain};
 use crate::grade::{self, Band, Coil, PROOF, SheetText};
 use crate::material::{BackStress, Material, flow::ROOM_TEMPERATURE, hardening::HardeningTable};
@@ -12,16 +12,16 @@ use crate::units::{Dimensioned, Number, Positive, did_you_mean};
 use serde::{Deserialize, de::IgnoredAny};
 use std::path::Path;
 
-fn source(text: SheetText) -> Result<Source<'static>, CaseError> {
+fn source(text: SheetText) -> Result<Source<'static>> {
     Source::parse(text.path, text.text, Folder { files: &Disk, path: Path::new("") })
 }
 
 /// Takes the shop's own sheets from a folder instead of that of `STAMPFLOW_SHEETS`; before the first look-up.
-pub fn use_folder(folder: &Path) -> Result<(), CaseError> {
+pub fn use_folder(folder: &Path) -> Result<()> {
     grade::use_folder(folder).map_err(|[what, help]| CaseError::bare(what, help))
 }
 
-fn texts() -> Result<impl Iterator<Item = SheetText>, CaseError> {
+fn texts() -> Result<impl Iterator<Item = SheetText>> {
     grade::texts().map_err(|[what, help]| CaseError::bare(what, help))
 }
 
@@ -100,7 +100,7 @@ struct MadeKeys {
 }
 
 /// Reads a sheet; without a law of its own it has the one that its band makes.
-fn read(text: SheetText, coil: Option<Coil>) -> Result<Description, CaseError> {
+fn read(text: SheetText, coil: Option<Coil>) -> Result<Description> {
     let source = source(text)?;
     let mut sheet: Description = source.deserialised()?;
     if sheet.material.hardening.is_none() {
@@ -121,7 +121,7 @@ fn read(text: SheetText, coil: Option<Coil>) -> Result<Description, CaseError> {
 
 /// The sheet of a name; else the one that stands for a grade, first one made from its band; else the only one whose name or
 /// grade begins so. With the reason of the choice, if the word is not its name.
-fn find(word: &str, coil: Option<Coil>) -> Result<(Entry, Option<String>), CaseError> {
+fn find(word: &str, coil: Option<Coil>) -> Result<(Entry, Option<String>)> {
     if let Some(text) = texts()?.find(|text| text.name == word) {
         return Ok((entry(text, coil)?, None));
     }
@@ -211,7 +211,7 @@ impl Entry {
 ///
 /// # Errors
 /// Those of a sheet in the shop's folder.
-pub fn materials() -> Result<Vec<Entry>, CaseError> {
+pub fn materials() -> Result<Vec<Entry>> {
     texts()?.map(|text| entry(text, None)).collect()
 }
 
@@ -222,12 +222,12 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 
 /// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
 /// Fails when there is none or more than one; the error proposes the nearest.
-pub fn material(name: &str) -> Result<Entry, CaseError> {
+pub fn material(name: &str) -> Result<Entry> {
     Ok(find(name, None)?.0)
 }
 
 /// Fills the keys that a case leaves open of the material that it names.
-pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, CaseError> {
+pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources> {
     let Some(written) = file.material.name.clone() else {
         let help = "write name = \"dc04\", or strength = 1.08 in its place";
         source.require(file.material.coil.is_none(), "material.coil", "`coil` is of a sheet of the library", help)?;
@@ -298,7 +298,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources, 
     Ok(Sources { sheets, thickness, ..Sources::default() })
 }
 
-fn entry(text: SheetText, coil: Option<Coil>) -> Result<Entry, CaseError> {
+fn entry(text: SheetText, coil: Option<Coil>) -> Result<Entry> {
     let mut about = read(text, coil)?;
     let source = source(text)?;
     let SheetText { name, text, .. } = text;

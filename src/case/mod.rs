@@ -25,6 +25,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use std::{collections::BTreeMap, io};
 
+type Result<T, E = CaseError> = std::result::Result<T, E>;
+
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
@@ -81,7 +83,7 @@ impl Case {
     ///
     /// # Errors
     /// Those of [`load`].
-    pub fn load(path: impl AsRef<Path>) -> Result<Self, CaseError> {
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         load(path, &[])
     }
 
@@ -119,7 +121,7 @@ impl Case {
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
 /// Fails when the file cannot be read, or as [`parse`].
-pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
+pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case> {
     let path = path.as_ref();
     let text = Disk.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
     parse(&text, &path.to_string_lossy(), overrides)
@@ -131,7 +133,7 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
 /// Fails when the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
-pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case> {
     parse_with(text, name, overrides, &Disk)
 }
 
@@ -139,7 +141,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 ///
 /// # Errors
 /// Those of [`parse`].
-pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
+pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case> {
     let path = PathBuf::from(name);
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &too_large(files::CASE)));

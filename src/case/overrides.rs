@@ -1,6 +1,6 @@
 //! Values in the text of a case: `KEY=VALUE` of the command line is written into it before it is read, studies read them.
 
-use super::{Case, CaseError, library, source::alternatives};
+use super::{Case, CaseError, Result, library, source::alternatives};
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
@@ -8,7 +8,7 @@ use toml_edit::{DocumentMut, Item, Table, Value};
 const MATERIAL: &str = "material";
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.
-pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseError> {
+pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String> {
     if overrides.is_empty() {
         return Ok(text.to_owned());
     }

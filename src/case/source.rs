@@ -30,7 +30,7 @@ pub struct Source<'t> {
 }
 
 impl<'t> Source<'t> {
-    pub fn parse(name: &str, text: &'t str, folder: Folder<'t>) -> Result<Self, CaseError> {
+    pub fn parse(name: &str, text: &'t str, folder: Folder<'t>) -> Result<Self> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
         match DeTable::parse(text) {
             Ok(mut tree) => {
@@ -48,7 +48,7 @@ impl<'t> Source<'t> {
         self.folder.files.text(path, limit).inspect(|_| self.read.borrow_mut().push(path.to_owned()))
     }
 
-    pub fn case(&self) -> Result<CaseFile, CaseError> {
+    pub fn case(&self) -> Result<CaseFile> {
         if self.tree.get_ref().is_empty() {
             let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
             let help = "a case needs title, geometry, [blank], a law such as [material.hardening.swift], [tools.punch] \
@@ -60,11 +60,11 @@ impl<'t> Source<'t> {
         Ok(file)
     }
 
-    pub fn deserialised<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+    pub fn deserialised<T: DeserializeOwned>(&self) -> Result<T> {
         T::deserialize(Deserializer::from(self.tree.clone())).map_err(|error| error::wrong_key(&error, self))
     }
 
-    fn check_lengths(&self, path: &str, value: &DeValue) -> Result<(), CaseError> {
+    fn check_lengths(&self, path: &str, value: &DeValue) -> Result<()> {
         let (size, most, unit) = match value {
             DeValue::Array(list) => (list.len(), ENTRIES, "entries"),
             DeValue::String(text) => (text.chars().count(), if path == "title" { TITLE } else { TEXT }, "characters"),
@@ -119,13 +119,7 @@ impl<'t> Source<'t> {
         self.error_at(span, what.into(), if path.is_empty() { "here".into() } else { path }, help.into())
     }
 
-    pub fn require(
-        &self,
-        ok: bool,
-        path: &str,
-        what: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Result<(), CaseError> {
+    pub fn require(&self, ok: bool, path: &str, what: impl Into<String>, help: impl Into<String>) -> Result<()> {
         if ok { Ok(()) } else { Err(self.error(path, what, help)) }
     }
 
@@ -135,13 +129,13 @@ impl<'t> Source<'t> {
     }
 
     /// Refuses the first written one of some keys of a table; `why` follows its name.
-    pub fn refuse(&self, table: &str, keys: &[&str], why: &str, help: &str) -> Result<(), CaseError> {
+    pub fn refuse(&self, table: &str, keys: &[&str], why: &str, help: &str) -> Result<()> {
         let key = self.written(table, keys).first().copied().unwrap_or("");
         self.require(key.is_empty(), &format!("{table}.{key}"), format!("`{key}` {why}"), help)
     }
 
     /// Refuses the second written one of some keys of a table.
-    pub fn one_of(&self, table: &str, keys: &[&str], help: &str) -> Result<(), CaseError> {
+    pub fn one_of(&self, table: &str, keys: &[&str], help: &str) -> Result<()> {
         match self.written(table, keys)[..] {
             [first, second, ..] => {
                 Err(self.error(&format!("{table}.{second}"), format!("both `{first}` and `{second}` are given"), help))

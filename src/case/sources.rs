@@ -93,7 +93,7 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
     });
 }
 
-pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Result<Sources, CaseError> {
+pub(super) fn sources(file: &CaseFile, taken: Sources, source: &Source) -> Result<Sources> {
     let (friction, material) = (file.friction.source.clone(), file.material.source.clone());
     let fracture = file.material.fracture_source.clone();
     let of_material = [(&material, "material.source"), (&fracture, "material.fracture_source")];

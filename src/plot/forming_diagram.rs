@@ -5,9 +5,8 @@ use super::palette::{BLACK, GREY, color};
 use super::{Captions, StageView};
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, Curve, Judged};
-use crate::model::Geometry;
 use crate::plot::Axis;
-use crate::table::Unit;
+use crate::table::{Unit, worded};
 use crate::units::{Amount, Digits};
 
 /// Points of a drawn path, and number of paths beside that of the least margin.
@@ -83,10 +82,8 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     }));
     series.push(Series::silent(vec![(0.0, least), (0.0, top)], AXIS));
     series.extend((0..elements.len()).step_by(every).map(|e| Series::silent(path(e), PATH)));
-    let [along, across] = match view.model().geometry {
-        Geometry::Axisymmetric => ["along the meridian", "along the hoop"],
-        Geometry::PlaneStrain => ["in the plane", "out of the plane"],
-    };
+    let hoop = ["along the meridian", "along the hoop"];
+    let [along, across] = worded(view.model().geometry, hoop, ["in the plane", "out of the plane"]);
     let (dots, triangles) = (Style::Dots { color: color(0) }, Style::Triangles { color: color(2) });
     for (direction, is_hoop, style) in [(along, false, dots), (across, true, triangles)] {
         let those = elements.iter().filter(|element| element.hoop_is_major == is_hoop);

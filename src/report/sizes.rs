@@ -3,9 +3,10 @@
 use super::page::{Section, figure, table};
 use crate::geometry::{Arc, Piece, Point};
 use crate::model::tool_sizes::{extent, throat};
-use crate::model::{Geometry, Model, Motion, Role, Tool};
+use crate::model::{Model, Motion, Role, Tool};
 use crate::plot::{Dimension, dimensioned};
 use crate::solver::solution::Frame;
+use crate::table::worded;
 use crate::units::Amount;
 use maud::html;
 
@@ -61,10 +62,7 @@ fn plain(of: &'static str, amount: Amount, at: Point) -> Dimension {
 
 /// Diameter of a round part, or width of a strip, at a point's distance from the middle.
 fn wide(model: &Model, of: &'static str, amount: fn(f64) -> Amount, at: Point) -> Dimension {
-    let (kind, sign) = match model.geometry {
-        Geometry::Axisymmetric => ("diameter", "Ø"),
-        Geometry::PlaneStrain => ("width", "width"),
-    };
+    let (kind, sign) = worded(model.geometry, ("diameter", "Ø"), ("width", "width"));
     let amount = amount(2.0 * at.x);
     Dimension { name: format!("{of} {kind}"), text: format!("{of} {sign} {amount}"), amount, at }
 }

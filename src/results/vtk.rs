@@ -9,7 +9,7 @@
 
 use super::{Files, StageView, tables};
 use crate::model::Model;
-use crate::plot::{animation, fields::element::S0, sections, thinning::percent};
+use crate::plot::{fields::element::S0, sections, thinning::percent};
 use crate::solver::solution::Frame;
 use crate::table::{Column, Unit};
 use std::fmt::{Display, Write};
@@ -18,8 +18,6 @@ use std::fmt::{Display, Write};
 const QUADRILATERAL: u8 = 9;
 /// Step between the pictures of an animation that are written.
 const EVERY: usize = 2;
-/// States wanted of a run after its start.
-pub const STATES: usize = animation::PICTURES / EVERY;
 /// Name of the file that names the others and gives their times.
 pub(super) const COLLECTION: &str = "section.pvd";
 

@@ -20,13 +20,13 @@ pub struct BaseCase {
 
 impl BaseCase {
     /// Reads a case file with overrides for all designs.
-    pub fn load(path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self, StudyError> {
+    pub fn load(path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self> {
         let path = path.into();
         Self::from_text(read_text(&path, "give the path of a case file")?, path, overrides)
     }
 
     /// Takes the text of a case file; files beside `path` are looked up from there.
-    pub fn from_text(text: String, path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self, StudyError> {
+    pub fn from_text(text: String, path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self> {
         let base = Self { text, path: path.into(), overrides, key: String::new() };
         let inputs = Self::input_hash(&base.case(&[])?);
         let key = short_hash([&base.text, &format!("{:?}", base.overrides), &inputs]);
@@ -34,7 +34,7 @@ impl BaseCase {
     }
 
     /// Puts settings before its own overrides.
-    pub fn with_settings(&self, settings: &[String]) -> Result<Self, StudyError> {
+    pub fn with_settings(&self, settings: &[String]) -> Result<Self> {
         Self::from_text(self.text.clone(), self.path.clone(), [settings, &self.overrides].concat())
     }
 
@@ -43,7 +43,7 @@ impl BaseCase {
         case::parse(&self.text, &self.path.to_string_lossy(), &[&self.overrides, settings].concat())
     }
 
-    pub(super) fn check_any(&self, designs: [Vec<String>; 3]) -> Result<(), StudyError> {
+    pub(super) fn check_any(&self, designs: [Vec<String>; 3]) -> Result<()> {
         match designs.map(|settings| self.case(&settings).map(drop)) {
             [Err(error), Err(_), Err(_)] => Err(error.into()),
             _ => Ok(()),
@@ -51,7 +51,7 @@ impl BaseCase {
     }
 
     /// Refuses overrides and settings of all designs that later ones replace: one changes the case, but not with them.
-    pub(super) fn check_effective(&self, settings: &[String]) -> Result<(), StudyError> {
+    pub(super) fn check_effective(&self, settings: &[String]) -> Result<()> {
         let (given, all) = (self.overrides.len(), [&self.overrides, settings].concat());
         let bare = Self { overrides: Vec::new(), ..self.clone() };
         for (i, one) in all.iter().enumerate() {
@@ -91,7 +91,7 @@ impl BaseCase {
     }
 }
 
-pub(super) fn read_text(path: &Path, help: &str) -> Result<String, StudyError> {
+pub(super) fn read_text(path: &Path, help: &str) -> Result<String> {
     let fail = |error| StudyError::new(format!("cannot read {}: {error}", path.display()), files::remedy(&error, help));
     Disk.text(path, files::CASE).map_err(fail)
 }

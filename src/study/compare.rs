@@ -46,7 +46,7 @@ pub struct SideBySide {
 const SAME: f64 = 1e-9;
 
 /// Overrides of a variant: `friction=0.12; tools.die.shoulder=5 mm`.
-pub fn variant(text: &str) -> Result<Vec<String>, StudyError> {
+pub fn variant(text: &str) -> Result<Vec<String>> {
     let all: Vec<String> = text.split(';').map(str::trim).filter(|one| !one.is_empty()).map(str::to_owned).collect();
     let is_variant = !all.is_empty() && all.iter().all(|one| split_pair(one).is_some());
     let help = "write KEY=VALUE, several joined by semicolons: \"friction=0.12; tools.die.shoulder=5 mm\"";
@@ -60,7 +60,7 @@ impl Candidate {
 }
 
 /// Checks that cases and curves have something in common.
-pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<(), StudyError> {
+pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<()> {
     let Some(first) = candidates.first().filter(|_| candidates.len() + curves.len() > 1) else {
         let help = "give another case, a variant such as --also \"friction=0.12\", or a curve.csv";
         return fail("there is nothing to compare with: one is not enough", help);
@@ -90,7 +90,7 @@ impl SideBySide {
         known: Option<(Solution, ErrorBars)>,
         threads: usize,
         watch: &dyn Watch,
-    ) -> Result<Self, StudyError> {
+    ) -> Result<Self> {
         check(candidates, &curves)?;
         let jobs = &candidates[usize::from(known.is_some())..];
         let mut solved: Vec<(Solution, ErrorBars)> = known.into_iter().collect();

@@ -38,13 +38,13 @@ const USAGE: &str = "write \"no red\", \"no red or amber\", \"no tear\", \"no wr
 
 impl Condition {
     /// Reads a condition.
-    pub fn read(text: &str) -> Result<Self, StudyError> {
+    pub fn read(text: &str) -> Result<Self> {
         let terms = text.split(" and ").map(Term::read).collect::<Result<_, _>>()?;
         Ok(Self { text: text.split_whitespace().collect::<Vec<_>>().join(" "), terms })
     }
 
     /// Reads `QUANTITY=VALUE`, a wanted value.
-    pub(super) fn target(text: &str) -> Result<Self, StudyError> {
+    pub(super) fn target(text: &str) -> Result<Self> {
         let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
         let wrong = || StudyError::new(format!("`{text}` is no target"), help);
         let (name, value) = split_pair(text).ok_or_else(wrong)?;
@@ -52,7 +52,7 @@ impl Condition {
     }
 
     /// Finds its quantities and rows among those of a study's runs.
-    pub fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
+    pub fn resolve(&mut self, runs: &RunTable) -> Result<()> {
         self.terms.iter_mut().try_for_each(|term| term.resolve(runs))
     }
 
@@ -86,7 +86,7 @@ impl Term {
         }
     }
 
-    fn read(text: &str) -> Result<Self, StudyError> {
+    fn read(text: &str) -> Result<Self> {
         let wrong = || StudyError::new(format!("`{}` is no condition", text.trim()), USAGE);
         let light = |row: Option<String>, words: &[&str]| match words {
             ["red"] => Ok(Self::Light { row, worst: Light::Red }),
@@ -108,7 +108,7 @@ impl Term {
         }
     }
 
-    fn quantity(name: &str, value: &str, compare: Comparison) -> Result<Self, StudyError> {
+    fn quantity(name: &str, value: &str, compare: Comparison) -> Result<Self> {
         let value = value.trim();
         let limit = if value.ends_with("°C") { value.to_owned() } else { value.replace('°', " deg") };
         let help = "write a number with a unit, such as 20 % or 60 kN";
@@ -116,7 +116,7 @@ impl Term {
         Ok(Self::Quantity { name: name.trim().to_owned(), compare, limit, resolved: None })
     }
 
-    fn resolve(&mut self, runs: &RunTable) -> Result<(), StudyError> {
+    fn resolve(&mut self, runs: &RunTable) -> Result<()> {
         match self {
             Self::Quantity { name, limit, resolved, .. } => {
                 let place = runs.response(name)?;

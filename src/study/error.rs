@@ -3,6 +3,8 @@
 use crate::case::CaseError;
 use crate::units::shortened;
 
+pub(super) type Result<T, E = StudyError> = std::result::Result<T, E>;
+
 /// A study that cannot be run.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
@@ -32,10 +34,10 @@ impl StudyError {
     }
 }
 
-pub(super) fn fail<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, StudyError> {
+pub(super) fn fail<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T> {
     Err(StudyError::new(what, help))
 }
 
-pub(super) fn ensure(holds: bool, what: impl Into<String>, help: impl Into<String>) -> Result<(), StudyError> {
+pub(super) fn ensure(holds: bool, what: impl Into<String>, help: impl Into<String>) -> Result<()> {
     if holds { Ok(()) } else { fail(what, help) }
 }

@@ -28,7 +28,7 @@ pub trait Study: Sync {
     fn plan(&self) -> &Plan;
 
     /// Checks the request against the base case's responses.
-    fn check(&mut self, _runs: &RunTable) -> Result<(), StudyError> {
+    fn check(&mut self, _runs: &RunTable) -> Result<()> {
         Ok(())
     }
 
@@ -61,7 +61,7 @@ pub type EarlierRuns = BTreeMap<u64, Run>;
 const MOST: u64 = 1_000_000;
 
 /// Runs the base case; the table has no rows yet. After the watch asked to stop, it is not to be used.
-pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable, StudyError> {
+pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable> {
     let plan = study.plan().clone();
     let (rows, least) = (settings.shard.len(plan.designs), plan.designs.div_ceil(MOST));
     let help = format!("run {least} shards or more of it with --shard, take fewer values, or a sample by `scatter`");

@@ -64,7 +64,7 @@ const LATE: [f64; 2] = [0.9, 0.925];
 
 impl Goal {
     /// The request of a named goal for a case.
-    pub fn request(name: &str, case: &Case) -> Result<Self, StudyError> {
+    pub fn request(name: &str, case: &Case) -> Result<Self> {
         let goal = match name {
             "limiting-draw-ratio" => draw_ratio(case),
             "greatest-height" => height(case),
@@ -87,7 +87,7 @@ impl Goal {
 }
 
 /// A blank gets the travel that draws the largest one through, h = d/4 (β² − 1) keeps its area, and the holder force of its rule.
-fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
+fn draw_ratio(case: &Case) -> Result<Goal> {
     let model = one_stage(case)?;
     let (punch, die) = punch_and_die(model)?;
     let is_cup = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
@@ -106,11 +106,11 @@ fn draw_ratio(case: &Case) -> Result<Goal, StudyError> {
     Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), sound, Side::Largest) })
 }
 
-fn height(case: &Case) -> Result<Goal, StudyError> {
+fn height(case: &Case) -> Result<Goal> {
     Ok(Goal::keep(travels(one_stage(case)?, [0.2, 3.0])?, "no red and stop not amber", Side::Largest))
 }
 
-fn holder_force(model: &Model) -> Result<Goal, StudyError> {
+fn holder_force(model: &Model) -> Result<Goal> {
     let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) else {
         return missing("a holder with a force: [tools.holder] force");
     };
@@ -120,7 +120,7 @@ fn holder_force(model: &Model) -> Result<Goal, StudyError> {
     Ok(Goal::keep(vary, "no red and wrinkling not red or amber", Side::Smallest))
 }
 
-fn radius(model: &Model) -> Result<Goal, StudyError> {
+fn radius(model: &Model) -> Result<Goal> {
     let (_, die) = punch_and_die(model)?;
     let shoulder = throat(die).map_or(0.0, |throat| shoulder_end(die) - throat);
     need(shoulder > 0.0, "a die with a `shoulder`")?;
@@ -131,7 +131,7 @@ fn radius(model: &Model) -> Result<Goal, StudyError> {
 
 /// Travel that bends legs in air to the wanted angle of the case; of a wall drawn under a holder the bead that stretches it into
 /// 80 % of its tolerance: where the case has none, one in the flange that closes late.
-fn over_bend(case: &Case) -> Result<Goal, StudyError> {
+fn over_bend(case: &Case) -> Result<Goal> {
     let is_released = case.stages.last().is_some_and(|stage| stage.model.release.is_some());
     need(is_released, "a stage that takes the tools away: [[stages]] with release = true")?;
     let (model, limits) = (case.model(), &case.springback);
@@ -157,7 +157,7 @@ fn over_bend(case: &Case) -> Result<Goal, StudyError> {
     Ok(Goal { settings, wanted, tolerance, note, remedy, ..Goal::reach(vary, "wall_angle") })
 }
 
-fn bead_force(model: &Model) -> Result<Goal, StudyError> {
+fn bead_force(model: &Model) -> Result<Goal> {
     need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
     Ok(Goal::reach(restraints(model, BEAD_FORCE), "draw_in"))
 }
@@ -167,24 +167,24 @@ fn restraints(model: &Model, key: &str) -> String {
     range(key, [0.0, largest], "N/mm")
 }
 
-fn one_stage(case: &Case) -> Result<&Model, StudyError> {
+fn one_stage(case: &Case) -> Result<&Model> {
     need(case.later().is_empty(), "a case of one stage").map(|()| case.model())
 }
 
-fn punch_and_die(model: &Model) -> Result<(&Tool, &Tool), StudyError> {
+fn punch_and_die(model: &Model) -> Result<(&Tool, &Tool)> {
     model.tool(Role::Punch).zip(model.tool(Role::Die)).map_or_else(|| missing("a punch and a die"), Ok)
 }
 
-fn travels(model: &Model, shares: [f64; 2]) -> Result<String, StudyError> {
+fn travels(model: &Model, shares: [f64; 2]) -> Result<String> {
     need(model.tool(Role::Punch).is_some() && model.travel > 0.0, "a punch with a travel")?;
     Ok(range("tools.punch.travel", shares.map(|share| share * model.travel), "mm"))
 }
 
-fn need(is_there: bool, what: &str) -> Result<(), StudyError> {
+fn need(is_there: bool, what: &str) -> Result<()> {
     if is_there { Ok(()) } else { missing(what) }
 }
 
-fn missing<T>(what: &str) -> Result<T, StudyError> {
+fn missing<T>(what: &str) -> Result<T> {
     fail(what, "give --vary and --while, or --target, for what this case has")
 }
 

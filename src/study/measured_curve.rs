@@ -21,7 +21,7 @@ const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s
                        maybe one such as standard_deviation_kN";
 
 /// Reads a measured curve, whose columns name its quantity.
-pub fn measured_curve(path: &Path) -> Result<Spec, StudyError> {
+pub fn measured_curve(path: &Path) -> Result<Spec> {
     let mut csv = read_csv(path, EXAMPLE)?;
     let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
     let find = |any: &[&str]| csv.header.fields.iter().find(|name| is(name, any)).map(str::to_owned);
@@ -50,7 +50,7 @@ pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> 
     (sizes.len() == computed.points(curve).ok()?.len()).then_some(sizes)
 }
 
-pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv, StudyError> {
+pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv> {
     let name = path.display().to_string();
     let text = Disk.text(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
     Csv::read(&text, "the file", example).map_err(|error| csv_error(&name, error))

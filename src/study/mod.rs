@@ -42,7 +42,7 @@ use base_case::short_hash;
 pub use bracket::{Bracket, Side};
 pub use condition::Condition;
 pub use error::StudyError;
-use error::{ensure, fail};
+use error::{Result, ensure, fail};
 pub use evaluate::{EarlierRuns, Evaluation, Plan, Study, begin, evaluate, parallel_map};
 pub use folder::study_folder;
 pub use measured_curve::measured_curve;

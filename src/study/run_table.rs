@@ -29,7 +29,7 @@ pub struct RunTable {
 
 impl RunTable {
     /// Place of a response by its key, its column or its label.
-    pub fn response(&self, name: &str) -> Result<usize, StudyError> {
+    pub fn response(&self, name: &str) -> Result<usize> {
         let plain = |text: &str| text.trim().to_lowercase().replace([' ', '-'], "_");
         let wanted = plain(name);
         let wanted = wanted.strip_prefix("springback_").unwrap_or(&wanted);

@@ -56,20 +56,14 @@ pub struct Spread {
 
 impl Scatter {
     /// Reads a case or study file; `vary` replaces the study's own variables.
-    pub fn load(
-        path: &Path,
-        set: Vec<String>,
-        vary: &[String],
-        runs: Option<u64>,
-        seed: Option<u32>,
-    ) -> Result<Self, StudyError> {
+    pub fn load(path: &Path, set: Vec<String>, vary: &[String], runs: Option<u64>, seed: Option<u32>) -> Result<Self> {
         let file = StudyFile::load(path, set, vary)?;
         let (runs, seed) = (runs.or(file.runs).unwrap_or(RUNS), seed.or(file.seed).unwrap_or(1));
         Self::new(BaseCase::load(file.case, file.set)?, &file.variables, runs, seed)
     }
 
     /// Samples `KEY=DISTRIBUTION` variables of a case; if none is given, its thickness within the tolerance of its standard.
-    pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self, StudyError> {
+    pub fn new(base: BaseCase, vary: &[String], runs: u64, seed: u32) -> Result<Self> {
         let case = base.case(&[])?;
         let variable = |text: &String| UncertainVariable::read(&base, &case, text);
         let default = Vec::from_iter(UncertainVariable::default_of(&case).filter(|_| vary.is_empty()));

@@ -44,14 +44,14 @@ const MISSED: f64 = 0.005;
 
 impl LimitSearch {
     /// Plans the search of a request.
-    pub fn new(base: BaseCase, request: &SearchRequest) -> Result<Self, StudyError> {
+    pub fn new(base: BaseCase, request: &SearchRequest) -> Result<Self> {
         let goal = request.goal.as_ref().map(|name| Goal::request(name, &base.case(&[])?)).transpose()?;
         let goal = goal.unwrap_or_default();
         let base = if goal.settings.is_empty() { base } else { base.with_settings(&goal.settings)? };
         let nothing = || StudyError::new("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for");
         let vary = request.vary.as_ref().or(goal.vary.as_ref()).ok_or_else(nothing)?;
         let variable = |text: &str| Variable::read(text).and_then(|v| Ok((v.clone(), v.search_range()?)));
-        let mut variables = vary.split('&').map(variable).collect::<Result<Vec<_>, StudyError>>()?;
+        let mut variables = vary.split('&').map(variable).collect::<Result<Vec<_>>>()?;
         if variables[0].1.ends[0] > variables[0].1.ends[1] {
             variables.iter_mut().for_each(|(_, range)| range.ends.reverse());
         }
@@ -238,7 +238,7 @@ impl Study for LimitSearch {
         &self.plan
     }
 
-    fn check(&mut self, runs: &RunTable) -> Result<(), StudyError> {
+    fn check(&mut self, runs: &RunTable) -> Result<()> {
         self.aim.resolve(runs)
     }
 
@@ -265,7 +265,7 @@ impl Study for LimitSearch {
 }
 
 /// The request's condition or target, else the goal's.
-fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition, StudyError> {
+fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition> {
     match (&request.condition, &request.target, goal.quantity) {
         (Some(_), Some(_), _) => fail("both a condition and a target are given", "give --while or --target"),
         (None, Some(value), Some(key)) if !value.contains('=') => Condition::target(&format!("{key}={value}")),
@@ -279,7 +279,7 @@ fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition, StudyError> {
     }
 }
 
-fn tolerance(variable: &Variable, text: &str) -> Result<f64, StudyError> {
+fn tolerance(variable: &Variable, text: &str) -> Result<f64> {
     let (key, unit) = (&variable.key, &variable.unit);
     let size = in_unit(text, unit).filter(|size| *size > 0.0 && size.is_finite());
     let help = format!("write a number above 0 in the unit of the key, such as \"0.1 {unit}\"");

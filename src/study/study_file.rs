@@ -44,7 +44,7 @@ pub(super) struct StudyFile {
 
 impl StudyFile {
     /// Reads a study file, or a case file as a study without variables; `set` comes behind its own, `vary` replaces them.
-    pub fn load(path: &Path, set: Vec<String>, vary: &[String]) -> Result<Self, StudyError> {
+    pub fn load(path: &Path, set: Vec<String>, vary: &[String]) -> Result<Self> {
         let text = read_text(path, "give a case file, or a study file")?;
         let is_case = toml::from_str::<Table>(&text)
             .map_or(true, |table| !table.contains_key("case") && CASE_KEYS.iter().any(|key| table.contains_key(*key)));
@@ -59,7 +59,7 @@ impl StudyFile {
         Ok(file)
     }
 
-    fn read(text: &str, path: &Path) -> Result<Self, StudyError> {
+    fn read(text: &str, path: &Path) -> Result<Self> {
         // Messages quote lines of studies only.
         let is_study = toml::from_str::<Table>(text).is_ok_and(|table| table.contains_key("case"));
         let wrong = |error: toml::de::Error| {
@@ -86,7 +86,7 @@ fn plain(value: &Value) -> String {
 }
 
 /// `KEY=VALUES` of every dotted key below a table.
-fn pairs(table: &Table, above: &str) -> Result<Vec<String>, StudyError> {
+fn pairs(table: &Table, above: &str) -> Result<Vec<String>> {
     let mut all = Vec::new();
     for (name, value) in table {
         let key = format!("{above}{name}");

@@ -30,7 +30,7 @@ pub(super) struct Axis {
 const DRAWN: usize = 10_000;
 
 impl Axis {
-    fn read(text: &str, base: &BaseCase) -> Result<Self, StudyError> {
+    fn read(text: &str, base: &BaseCase) -> Result<Self> {
         let variable = Variable::read(text)?;
         if let Ok(SearchRange { ends: [low, high], .. }) = variable.search_range() {
             base.check_any([low, 0.5 * (low + high), high].map(|value| vec![variable.setting(&written(value))]))?;
@@ -59,13 +59,13 @@ impl Axis {
 
 impl Sweep {
     /// Reads a case or study file; `vary` replaces the study's own variables.
-    pub fn load(path: &Path, set: Vec<String>, vary: &[String], one_at_a_time: bool) -> Result<Self, StudyError> {
+    pub fn load(path: &Path, set: Vec<String>, vary: &[String], one_at_a_time: bool) -> Result<Self> {
         let file = StudyFile::load(path, set, vary)?;
         Self::new(BaseCase::load(file.case, file.set)?, &file.variables, one_at_a_time || file.one_at_a_time)
     }
 
     /// Varies a case by `KEY=VALUES` texts.
-    pub fn new(base: BaseCase, vary: &[String], one_at_a_time: bool) -> Result<Self, StudyError> {
+    pub fn new(base: BaseCase, vary: &[String], one_at_a_time: bool) -> Result<Self> {
         let axes = vary.iter().map(|text| Axis::read(text, &base)).collect::<Result<Vec<_>, _>>()?;
         let help = "give --vary KEY=VALUES, as often as needed";
         ensure(!axes.is_empty(), "nothing of the case is varied", help)?;

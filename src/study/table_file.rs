@@ -36,7 +36,7 @@ pub struct TableFile {
 impl TableFile {
     /// Locks the table of a study; an earlier one is refused unless it is to `resume` or to `restart`. A study that is
     /// resumed waits for the end of the process that it takes over from.
-    pub fn open(path: &Path, resume: bool, restart: bool, watch: &dyn Watch) -> Result<Self, StudyError> {
+    pub fn open(path: &Path, resume: bool, restart: bool, watch: &dyn Watch) -> Result<Self> {
         let shown = path.display();
         let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), ELSEWHERE);
         let hidden = |ending: &str| hidden(path, ending).map_err(unwritable);
@@ -63,7 +63,7 @@ impl TableFile {
     }
 
     /// Begins the rows of a study, or goes on with those of an earlier run, which are returned.
-    pub fn begin(&mut self, runs: &RunTable) -> Result<EarlierRuns, StudyError> {
+    pub fn begin(&mut self, runs: &RunTable) -> Result<EarlierRuns> {
         let Self { path, part, curves, is_complete, .. } = self;
         let shown = path.display();
         let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), ELSEWHERE);
@@ -192,7 +192,7 @@ impl FromStr for Shard {
 }
 
 /// Merges the tables of all shards of a study, in the order of the designs; returns the text and the number of rows.
-pub fn merge(shards: &[PathBuf]) -> Result<(String, u64), StudyError> {
+pub fn merge(shards: &[PathBuf]) -> Result<(String, u64)> {
     let help = "give every shard of one study once";
     let unreadable = |path: &Path, error| StudyError::new(format!("cannot read {}: {error}", path.display()), help);
     let read = |path: &PathBuf| Disk.text(path, LARGEST).map_err(|error| unreadable(path, error));

@@ -40,7 +40,7 @@ impl UncertainVariable {
     }
 
     /// Reads `KEY=DISTRIBUTION`.
-    pub fn read(base: &BaseCase, case: &Case, text: &str) -> Result<Self, StudyError> {
+    pub fn read(base: &BaseCase, case: &Case, text: &str) -> Result<Self> {
         let help = "write KEY=DISTRIBUTION, such as \"friction=uniform 0.05..0.12\"";
         let wrong = || StudyError::new(format!("`{text}` gives no key a distribution"), help);
         let is_coil = ["coil", "material.coil"].contains(&text.split('=').next().unwrap_or_default().trim());
@@ -75,7 +75,7 @@ impl UncertainVariable {
 }
 
 /// Distribution of a thickness within the tolerance of its sheet's standard, and its source.
-fn tolerance(case: &Case) -> Result<(String, Option<String>), StudyError> {
+fn tolerance(case: &Case) -> Result<(String, Option<String>)> {
     let thickness = case.model().blank.thickness;
     let standard = case.sheet().and_then(|sheet| sheet.about.band?.thickness_tolerance);
     let what = || format!("no standard's tolerance is known of this sheet at {thickness} mm");
@@ -117,7 +117,7 @@ impl Distribution {
     }
 
     /// Reads a distribution of a key and its unit; `own` is the case's value with its unit.
-    pub fn read(key: &str, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(Self, String), StudyError> {
+    pub fn read(key: &str, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(Self, String)> {
         let plain = text.trim().replace("+/-", "±").replace("+-", "±");
         let mut reader = NumberReader::new(key, &plain, HELP)?;
         let (word, rest) = plain.split_once(char::is_whitespace).unwrap_or((&plain, ""));
@@ -140,7 +140,7 @@ impl Distribution {
 }
 
 /// Reads `LOW..HIGH`.
-fn ends(reader: &mut NumberReader, text: &str) -> Result<(f64, f64), StudyError> {
+fn ends(reader: &mut NumberReader, text: &str) -> Result<(f64, f64)> {
     let (low, high) = text.split_once("..").ok_or_else(|| reader.wrong("has no .."))?;
     let (low, high) = (reader.number(low)?, reader.number(high)?);
     reader.ensure(low < high, format!("has no width from {low} to {high}"))?;
@@ -148,7 +148,7 @@ fn ends(reader: &mut NumberReader, text: &str) -> Result<(f64, f64), StudyError>
 }
 
 /// Reads `MIDDLE ± HALF`; without a middle it is the case's own value. HALF may be a share of it.
-fn pair(reader: &mut NumberReader, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(f64, f64), StudyError> {
+fn pair(reader: &mut NumberReader, text: &str, own: impl FnOnce() -> Option<String>) -> Result<(f64, f64)> {
     let (middle, half) = text.split_once('±').ok_or_else(|| reader.wrong("has no ±"))?;
     let (number, unit) = split_number(half.trim()).ok_or_else(|| reader.wrong("has no number behind ±"))?;
     reader.ensure(number > 0.0, format!("scatters by {number}: more than 0 is wanted"))?;

@@ -41,7 +41,7 @@ impl Variable {
         Self { key: key.to_owned(), unit, list: Vec::new(), range: None }
     }
 
-    pub fn read(text: &str) -> Result<Self, StudyError> {
+    pub fn read(text: &str) -> Result<Self> {
         let help = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
         let wrong = || StudyError::new(format!("`{}` gives no key values", text.trim()), help);
         let (key, values) = split_pair(text).ok_or_else(wrong)?;
@@ -51,7 +51,7 @@ impl Variable {
         }
     }
 
-    fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self, StudyError> {
+    fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self> {
         let help = "write FROM..TO UNIT, /N behind it for N values, then `log` for even ratios: \"4..10 mm/7\"; distributions: `scatter`";
         let mut reader = NumberReader::new(key, values, help)?;
         let (start, from) = from.split_once(" in ").map_or((None, from), |(start, from)| (Some(start), from));
@@ -71,7 +71,7 @@ impl Variable {
         Ok(Self { range: Some(range), ..Self::new(key, reader.unit()?) })
     }
 
-    fn list(key: &str, values: &str) -> Result<Self, StudyError> {
+    fn list(key: &str, values: &str) -> Result<Self> {
         let help = "write A,B,C with one unit behind all: \"4,6,8 mm\"";
         let what = format!("{key}: a decimal comma, or two values, in `{values}`");
         let point = values.replacen(',', ".", 1);
@@ -88,7 +88,7 @@ impl Variable {
     }
 
     /// All values, for a design of experiments.
-    pub fn values(&self) -> Result<Vec<String>, StudyError> {
+    pub fn values(&self) -> Result<Vec<String>> {
         let Some(SearchRange { ends, count, spacing, .. }) = self.range else { return Ok(self.list.clone()) };
         let what = format!("{}: the range does not say how many values", self.key);
         let last = count.ok_or_else(|| StudyError::new(what, "write /N behind it: \"4..10 mm/7\""))? - 1;
@@ -97,7 +97,7 @@ impl Variable {
     }
 
     /// The interval, for a search or a fit.
-    pub fn search_range(&self) -> Result<SearchRange, StudyError> {
+    pub fn search_range(&self) -> Result<SearchRange> {
         let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
         self.range.ok_or_else(|| StudyError::new(format!("`{}` gives no range to search", self.key), help))
     }
@@ -155,11 +155,7 @@ pub(super) fn with_unit(number: String, unit: &str) -> String {
     if unit.is_empty() { number } else { number + " " + unit }
 }
 
-pub(super) fn check_distinct<'a>(
-    variables: impl Iterator<Item = &'a Variable>,
-    what: &str,
-    help: &str,
-) -> Result<(), StudyError> {
+pub(super) fn check_distinct<'a>(variables: impl Iterator<Item = &'a Variable>, what: &str, help: &str) -> Result<()> {
     let mut keys = BTreeSet::new();
     variables.map(|variable| &variable.key).try_for_each(|key| ensure(keys.insert(key), format!("{key} {what}"), help))
 }
@@ -188,7 +184,7 @@ pub(super) struct NumberReader<'a> {
 
 impl<'a> NumberReader<'a> {
     /// Reader of a text in which a comma separates nothing.
-    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Result<Self, StudyError> {
+    pub fn new(key: &'a str, text: &'a str, help: &'static str) -> Result<Self> {
         let is_decimal = |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
         let (what, point) = (format!("{key}: a decimal comma in `{text}`"), text.replace(',', "."));
         ensure(!text.as_bytes().windows(3).any(is_decimal), what, format!("write a point: {point}"))?;
@@ -199,11 +195,11 @@ impl<'a> NumberReader<'a> {
         StudyError::new(format!("{}: `{}` {}", self.key, self.text, what.as_ref()), self.help)
     }
 
-    pub fn ensure(&self, holds: bool, what: impl AsRef<str>) -> Result<(), StudyError> {
+    pub fn ensure(&self, holds: bool, what: impl AsRef<str>) -> Result<()> {
         if holds { Ok(()) } else { Err(self.wrong(what)) }
     }
 
-    pub fn number(&mut self, text: &str) -> Result<f64, StudyError> {
+    pub fn number(&mut self, text: &str) -> Result<f64> {
         let text = text.trim();
         let (number, unit) = split_number(text).ok_or_else(|| self.wrong(format!("has no number in `{text}`")))?;
         if self.unit.is_empty() {
@@ -214,7 +210,7 @@ impl<'a> NumberReader<'a> {
     }
 
     /// The unit of all numbers, of those that case files have; "6 t" is six thicknesses of the sheet.
-    pub fn unit(&self) -> Result<String, StudyError> {
+    pub fn unit(&self) -> Result<String> {
         let help = "write a unit of case files behind the values";
         match parse(&format!("1 {}", self.unit)) {
             Err(error) if self.unit != "t" => fail(format!("{}: {error}", self.key), help),

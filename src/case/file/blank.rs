@@ -70,7 +70,7 @@ fn thickness_points(case: &CaseFile) -> (ThicknessRule, i64) {
 }
 
 impl CaseFile {
-    pub fn extent(&self, source: &Source) -> Result<Extent, CaseError> {
+    pub fn extent(&self, source: &Source) -> Result<Extent> {
         let depth = self.blank.depth.map(Dimensioned::value);
         let what = "`depth` is the length across a plane section, this case is axisymmetric";
         let help = "drop it, or change `geometry`; how deep is drawn is the travel";
@@ -78,7 +78,7 @@ impl CaseFile {
         Ok(Extent::of(self.geometry, depth))
     }
 
-    pub fn blank(&self, source: &Source) -> Result<model::Blank, CaseError> {
+    pub fn blank(&self, source: &Source) -> Result<model::Blank> {
         let file = &self.blank;
         let (keys, lengths) = (["radius", "diameter", "half_length"], [file.radius, file.diameter, file.half_length]);
         let (key, length) = radius_of(source, "blank", self.geometry, keys, lengths)?;

@@ -37,7 +37,7 @@ pub struct Spring {
 
 impl Holder {
     /// Support of the holder: exactly one of force, pressure, gap and spring.
-    pub fn support(&self, profile: &Profile, die: &Tool, context: &ToolContext) -> Result<Motion, CaseError> {
+    pub fn support(&self, profile: &Profile, die: &Tool, context: &ToolContext) -> Result<Motion> {
         let ToolContext { blank, extent, source, .. } = *context;
         source.one_of("tools.holder", &["force", "pressure", "gap", "spring"], "keep one of them")?;
         if let Some(gap) = self.gap {
@@ -60,14 +60,14 @@ impl Holder {
     }
 
     /// Force that stays, or its history over the travel.
-    pub fn force_curve(&self, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>, CaseError> {
+    pub fn force_curve(&self, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>> {
         force_curve("tools.holder.force", self.force.as_ref(), extent, source)
     }
 }
 
 impl Pad {
     /// Drive of the pad: exactly one of force, pressure and spring.
-    pub fn support(&self, profile: &Profile, edge: f64, extent: Extent, source: &Source) -> Result<Motion, CaseError> {
+    pub fn support(&self, profile: &Profile, edge: f64, extent: Extent, source: &Source) -> Result<Motion> {
         source.one_of("tools.pad", &["force", "pressure", "spring"], "keep one of them")?;
         let force = force_curve("tools.pad.force", self.force.as_ref(), extent, source)?;
         let area = extent.area(profile.first().x.max(profile.last().x).min(edge));
@@ -78,12 +78,7 @@ impl Pad {
 
 type Force = History<NonNegative<Length>, HolderForce>;
 
-fn force_curve(
-    path: &str,
-    force: Option<&Force>,
-    extent: Extent,
-    source: &Source,
-) -> Result<Option<PiecewiseLinear>, CaseError> {
+fn force_curve(path: &str, force: Option<&Force>, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>> {
     let value = |force: HolderForce, path: &str| force.in_extent(path, extent, source);
     force.map(|force| force.curve(path, "travels", source, value)).transpose()
 }
@@ -94,7 +89,7 @@ fn pressed(
     force: Option<PiecewiseLinear>,
     extent: Extent,
     source: &Source,
-) -> Result<Motion, CaseError> {
+) -> Result<Motion> {
     let press = match spring {
         Some(Spring { preload, stiffness }) => Press {
             force: preload.in_extent(&format!("{table}.spring.preload"), extent, source)?.into(),
@@ -105,7 +100,7 @@ fn pressed(
     Ok(Motion::Pressed(press))
 }
 
-pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>, CaseError> {
+pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>> {
     let ToolContext { extent, source, .. } = *context;
     let tool = |role: Role| tools.iter().find(|t| t.role == role);
     let (geometry, edge) = (extent.geometry(), context.blank.length);
@@ -182,7 +177,7 @@ impl<'a> Frictions<'a> {
     }
 
     /// Law of a tool: its own, that of its side, or, for a holder, the die's.
-    pub fn law(&self, role: Role, source: &Source) -> Result<model::Friction, CaseError> {
+    pub fn law(&self, role: Role, source: &Source) -> Result<model::Friction> {
         let law = |law: Friction, path: &str| match law {
             Friction::Coefficient(coefficient) => Ok(coefficient.value().into()),
             Friction::Law(table) => only(model::Friction::named(table), None, path, source),

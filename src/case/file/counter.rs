@@ -20,7 +20,7 @@ pub struct Counter<'a> {
 
 impl Counter<'_> {
     /// Tool that follows the outline of the other at the distance `by`, reversed so that the sheet lies between.
-    pub fn offset(self, table: &SectionTable) -> Result<Profile, CaseError> {
+    pub fn offset(self, table: &SectionTable) -> Result<Profile> {
         let Self { role, of, ref path, context } = self;
         let (name, other, source) = (role.name(), of.name(), context.source);
         if !matches!((role, of), (Role::Die, Role::Punch) | (Role::Punch, Role::Die)) {
@@ -63,7 +63,7 @@ impl Counter<'_> {
         Ok(die)
     }
 
-    pub fn mirror(self) -> Result<Profile, CaseError> {
+    pub fn mirror(self) -> Result<Profile> {
         let (name, other) = (self.role.name(), self.of.name());
         let (why, help) = match (self.role, self.of) {
             (Role::Die, Role::Holder) | (Role::Holder, Role::Die) => {
@@ -85,7 +85,7 @@ impl Counter<'_> {
     }
 
     /// Section of the other tool, which must not be made from this one; `key` names it.
-    fn original(&self, key: &str) -> Result<Profile, CaseError> {
+    fn original(&self, key: &str) -> Result<Profile> {
         let (name, other) = (self.role.name(), self.of.name());
         if let Some(Section::Table(table)) = self.context.keys(self.of).and_then(|tool| tool.profile)
             && table.offset_of.or(table.mirror_of) == Some(self.role)
@@ -99,7 +99,7 @@ impl Counter<'_> {
     }
 
     /// Die around a punch that has moved by `depth` \[mm\], with a face where the flat sheet lies.
-    fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
+    fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile> {
         let blank = self.context.blank;
         let die = line.shifted(depth).cavity(0.5 * blank.thickness, shoulder, REACH * blank.length);
         let die = die.map_err(|error| {
@@ -123,7 +123,7 @@ impl Counter<'_> {
         Ok(die)
     }
 
-    fn placed(&self, profile: Profile) -> Result<(Profile, f64), CaseError> {
+    fn placed(&self, profile: Profile) -> Result<(Profile, f64)> {
         Drawn { profile, path: self.path.clone(), origin: Origin::Tool }.placed(self.role, self.context)
     }
 }

@@ -44,7 +44,7 @@ pub fn travel_key(source: &Source) -> &'static str {
 }
 
 impl CaseFile {
-    pub fn drive(&self, length: f64, source: &Source) -> Result<Drive, CaseError> {
+    pub fn drive(&self, length: f64, source: &Source) -> Result<Drive> {
         let Some(punch) = &self.tools.punch else {
             let gas = self.gas.as_ref().ok_or_else(|| source.missing("tools", "punch"))?;
             let duration = gas.duration.ok_or_else(|| source.missing("gas", "duration"))?.value();
@@ -65,7 +65,7 @@ impl CaseFile {
     }
 }
 
-fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear, CaseError> {
+fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear> {
     const PATH: &str = "tools.punch.motion";
     let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
     let [first, .., last] = points.as_slice() else {
@@ -88,7 +88,7 @@ fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source)
     Ok(PiecewiseLinear::new(points).expect("checked above"))
 }
 
-pub fn check_settings(settings: &Settings, source: &Source) -> Result<(), CaseError> {
+pub fn check_settings(settings: &Settings, source: &Source) -> Result<()> {
     let Err(error) = settings.check() else { return Ok(()) };
     let key = error.what.trim_start_matches("settings.");
     if key == "first_step" {
@@ -107,7 +107,7 @@ pub fn check_settings(settings: &Settings, source: &Source) -> Result<(), CaseEr
     Err(source.error(&format!("solver.{key}"), error.to_string().replace("settings.", ""), help))
 }
 
-pub fn check_stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<(), CaseError> {
+pub fn check_stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<()> {
     let path = "stop.contact_share";
     let share = rules.contact_share.unwrap_or(0.0);
     let what = format!("`contact_share` must lie between 0 and 100 %, found {} %", rounded(100.0 * share));
@@ -122,7 +122,7 @@ pub fn check_stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result<
 
 impl Output {
     /// Times at which the state is kept \[s\], rising, the last one the end of the run.
-    pub fn frames(&self, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
+    pub fn frames(&self, drive: &Drive, source: &Source) -> Result<Vec<f64>> {
         let Drive { travel, duration, .. } = *drive;
         let Some(list) = &self.frames else {
             return Ok(equally_spaced(duration, count(source, "output.count", self.count.unwrap_or(4), 1..=1000)?));
@@ -168,7 +168,7 @@ pub fn frames_key(stage: usize, source: &Source) -> String {
     }
 }
 
-pub fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
+pub fn of_stages(stages: &[Stage], source: &Source) -> Result<()> {
     let (mut total, mut largest) = (0, (0, String::new(), ""));
     for (i, Stage { model, .. }) in stages.iter().enumerate() {
         let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
@@ -189,7 +189,7 @@ pub fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
     source.require(total <= MEMORY, &largest.1, what, largest.2)
 }
 
-pub fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
+pub fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<()> {
     let (frames, elements) = (model.frames.len(), model.blank.elements);
     let rows = frames * elements;
     let what = format!("{frames} frames of {elements} elements are {rows} rows, more than {ROWS}");

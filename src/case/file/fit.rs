@@ -15,7 +15,7 @@ const LEAST_CLEARANCE: f64 = 0.7;
 /// Travel over the thickness below which nothing is formed \[–\].
 const SHALLOWEST: f64 = 1e-3;
 
-pub fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
+pub fn check(model: &Model, source: &Source) -> Result<()> {
     let (t, length, travel) = (rounded(model.blank.thickness), rounded(model.blank.length), rounded(model.travel));
     let (travel_key, punch) = (travel_key(source), model.tool(Role::Punch));
     let what = format!("a travel of {travel} mm is more than {DEEPEST} times the blank's {length} mm");
@@ -60,7 +60,7 @@ pub fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     source.require(inner < length, &inner_key, what, "make it smaller, or drop it")
 }
 
-fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), source: &Source) -> Result<(), CaseError> {
+fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), source: &Source) -> Result<()> {
     let (throat, throat_key) = throat;
     let t = rounded(model.blank.thickness);
     let least = LEAST_CLEARANCE * t;
@@ -87,7 +87,7 @@ fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), sourc
     source.require(clearance >= least * (1.0 - ROUNDED), throat_key, what, help)
 }
 
-pub fn collisions(model: &Model, source: &Source) -> Result<(), CaseError> {
+pub fn collisions(model: &Model, source: &Source) -> Result<()> {
     let allowed = -OVERLAP * model.blank.thickness;
     let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.0 < allowed);
     let by = |(distance, at): (f64, Point)| {

@@ -1,7 +1,7 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
 use super::material::{blame, not_one};
-use super::{CaseError, Deserialize, JsonSchema, Source};
+use super::{Deserialize, JsonSchema, Result, Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski, Points, Sheet, Strain, Swift};
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use crate::model::Heat;
@@ -61,7 +61,7 @@ impl FormingLimit {
         thickness: f64,
         heat: Option<&Heat>,
         source: &Source,
-    ) -> Result<Option<Curve>, CaseError> {
+    ) -> Result<Option<Curve>> {
         let n = self.n.map(Dimensioned::value);
         if let Some(groove) = &self.marciniak_kuczynski {
             groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
@@ -102,7 +102,7 @@ impl FormingLimit {
         Ok(Some(curve))
     }
 
-    fn points(&self, source: &Source) -> Result<Option<Points>, CaseError> {
+    fn points(&self, source: &Source) -> Result<Option<Points>> {
         let Some(points) = &self.points else { return Ok(None) };
         let what = "`points` do not say which strains they are";
         let help = "add strain = \"logarithmic\" (true strain) or strain = \"engineering\"";

@@ -132,7 +132,7 @@ impl Springback {
 
 impl CaseFile {
     /// Rating of the press in the units of the run's forces and work.
-    pub fn press_rating(&self, source: &Source) -> Result<Press, CaseError> {
+    pub fn press_rating(&self, source: &Source) -> Result<Press> {
         let (extent, press) = (self.extent(source)?, &self.press);
         let force = press.force.map(|force| force.in_extent("press.force", extent, source)).transpose()?;
         let what = "a press without force forms nothing";
@@ -145,7 +145,7 @@ impl CaseFile {
     }
 
     /// Checked tolerances on spring-back.
-    pub fn springback_tolerances(&self, source: &Source) -> Result<Springback, CaseError> {
+    pub fn springback_tolerances(&self, source: &Source) -> Result<Springback> {
         let Some(mut written) = self.springback else { return Ok(Springback::default()) };
         let Springback { angle, tolerance, wall_tolerance, flange_angle, flange_tolerance, .. } = &mut written;
         let angles = [angle, tolerance, wall_tolerance, flange_angle, flange_tolerance];

@@ -133,10 +133,7 @@ pub enum Crystal {
 impl Crystal {
     /// a, by R. W. Logan and W. F. Hosford \[–\].
     pub fn exponent(self) -> f64 {
-        match self {
-            Self::Bcc => 6.0,
-            Self::Fcc => 8.0,
-        }
+        [6.0, 8.0][self as usize]
     }
 }
 
@@ -145,7 +142,7 @@ const HARDENING: &str = "material.hardening";
 const YIELD: RangeInclusive<f64> = 0.1..=1e5;
 
 impl Material {
-    pub fn model(&self, source: &Source) -> Result<material::Material, CaseError> {
+    pub fn model(&self, source: &Source) -> Result<material::Material> {
         let elastic = match (self.young, self.poisson) {
             (None, None) => None,
             (Some(young), Some(poisson)) => Some(Elastic { young: young.value(), poisson: poisson.value() }),
@@ -199,7 +196,7 @@ impl Material {
         Some(r)
     }
 
-    fn hardening(&self, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
+    fn hardening(&self, elastic: Option<Elastic>, source: &Source) -> Result<Hardening> {
         let laws = self.hardening.clone().map_or(Vec::new(), Hardening::named);
         let names: Vec<String> = laws.iter().map(|law| format!("`{}`", law.name())).collect();
         if let Some(second) = laws.get(1) {
@@ -212,7 +209,7 @@ impl Material {
         Ok(self.strength.map_or(law.clone(), |factor| law.scaled(factor.value())))
     }
 
-    fn yield_criterion(&self, source: &Source) -> Result<YieldCriterion, CaseError> {
+    fn yield_criterion(&self, source: &Source) -> Result<YieldCriterion> {
         let r = self.anisotropy.map_or(1.0, Anisotropy::mean);
         let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
         let Some(YieldCondition::Hosford(hosford)) = self.yield_condition else { return Ok(hill.into()) };
@@ -230,7 +227,7 @@ impl Material {
         Ok(material::Hosford::checked(r, exponent).map_err(|error| blame(error, path, source))?.into())
     }
 
-    fn back_stresses(&self, source: &Source) -> Result<BackStresses, CaseError> {
+    fn back_stresses(&self, source: &Source) -> Result<BackStresses> {
         let mut chaboche = BackStresses::default();
         let (count, most) = (self.kinematic.len(), chaboche.len());
         let what = format!("{count} back-stresses are given, more than {most}");
@@ -244,7 +241,7 @@ impl Material {
     }
 }
 
-pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
+pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, source: &Source) -> Result<Mode> {
     let flow = mode == Mode::Flow;
     let what = "an elastic sheet needs Young's modulus and Poisson's ratio";
     let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
@@ -255,7 +252,7 @@ pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, sourc
 }
 
 /// The only law of a table, its parameters checked; `young` is Young's modulus of the sheet \[MPa\].
-pub fn only<F: Family>(laws: Vec<F>, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+pub fn only<F: Family>(laws: Vec<F>, young: Option<f64>, path: &str, source: &Source) -> Result<F> {
     let one = <[F; 1]>::try_from(laws);
     let [law] = one.map_err(|laws| not_one(laws.len(), path, &F::NAMES.join(", "), source))?;
     let name = law.name();

@@ -24,7 +24,7 @@ pub(super) use material::{Anisotropy, Material};
 pub use material::{Crystal, YieldCondition};
 pub(super) use points::Named;
 
-use super::{CaseError, comparison::Compare, source::Source};
+use super::{CaseError, Result, comparison::Compare, source::Source};
 use crate::geometry::{Piece, Point, Profile};
 use crate::model::tool_sizes::shoulder_end;
 use crate::model::{
@@ -107,7 +107,7 @@ pub struct CaseFile {
 
 impl CaseFile {
     /// Models of all stages; notes on what was assumed go to the source.
-    pub fn stages(&self, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
+    pub fn stages(&self, source: &Source) -> Result<Vec<model::Stage>> {
         let stages = stages::stages(self, self.first(source)?, source)?;
         drive::of_stages(&stages, source)?;
         for (i, stage) in stages.iter().enumerate() {
@@ -121,7 +121,7 @@ impl CaseFile {
         Ok(stages)
     }
 
-    fn first(&self, source: &Source) -> Result<Model, CaseError> {
+    fn first(&self, source: &Source) -> Result<Model> {
         let extent = self.extent(source)?;
         let blank = self.blank(source)?;
         let material = self.material.model(source)?;

@@ -8,7 +8,7 @@ use crate::geometry::{Entry, Opening};
 const RELIEF: f64 = 3.0 * std::f64::consts::PI / 180.0;
 
 impl ToolContext<'_> {
-    pub fn opening(&self, die: &Die, throat: f64, shoulder: f64) -> Result<Opening, CaseError> {
+    pub fn opening(&self, die: &Die, throat: f64, shoulder: f64) -> Result<Opening> {
         let (source, length) = (self.source, self.blank.length);
         source.one_of("tools.die", &["cone", "tractrix"], "keep one of them")?;
         let land = die.land.map(|land| [land.value(), die.relief.map_or(RELIEF, Dimensioned::value)]);

@@ -40,7 +40,7 @@ pub fn convert(
     radius: Option<f64>,
     role: Role,
     context: &ToolContext,
-) -> Result<(Profile, Points), CaseError> {
+) -> Result<(Profile, Points)> {
     let source = context.source;
     let (text, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(source)?;
     let rows = distinct(read(&text, &csv, context.extent.geometry())?, file, source);
@@ -101,7 +101,7 @@ fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {
     kept
 }
 
-fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
+fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>> {
     let names = [if geometry == Geometry::PlaneStrain { "x" } else { "r" }, "z", "radius"];
     // Number of each column and its factor to mm.
     let mut columns = [None; 3];
@@ -131,10 +131,10 @@ fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseErr
     csv.rows.iter().map(|record| row(record, &columns, names, text)).collect()
 }
 
-fn row(record: &Record, columns: &[Option<(usize, f64)>; 3], names: [&str; 3], text: &Lines) -> Result<Row, CaseError> {
+fn row(record: &Record, columns: &[Option<(usize, f64)>; 3], names: [&str; 3], text: &Lines) -> Result<Row> {
     let line = record.line;
     let fail = |what: String, help: &str| text.error(line, what, help);
-    let number = |i: usize| -> Result<Option<f64>, CaseError> {
+    let number = |i: usize| -> Result<Option<f64>> {
         let Some((column, factor)) = columns[i] else { return Ok(None) };
         let Some(value) = text.number(record, column)? else { return Ok(None) };
         let length = Length::checked(value * factor, record.fields.get(column).unwrap_or(""));
@@ -169,7 +169,7 @@ pub struct Lines {
 }
 
 impl Named<'_> {
-    pub fn open(&self, source: &Source) -> Result<(Lines, Csv), CaseError> {
+    pub fn open(&self, source: &Source) -> Result<(Lines, Csv)> {
         let path = source.folder.path.join(self.file);
         self.first(&[&path], source)?.map(|(_, lines, csv)| (lines, csv)).ok_or_else(|| {
             let what = format!("the {} file \"{}\" is not there", self.what, self.file);
@@ -178,7 +178,7 @@ impl Named<'_> {
     }
 
     /// Reads the first of some files that exists.
-    pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>, CaseError> {
+    pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>> {
         for &path in paths {
             let text = match source.file(path, files::CSV) {
                 Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => continue,
@@ -211,7 +211,7 @@ impl Lines {
     }
 
     /// Number in a column of a row; `None` if it is empty.
-    pub fn number(&self, row: &Record, column: usize) -> Result<Option<f64>, CaseError> {
+    pub fn number(&self, row: &Record, column: usize) -> Result<Option<f64>> {
         row.number(column).map_err(|CsvError { line, what, help }| self.error(line.unwrap_or(1), what, help))
     }
 }

@@ -89,7 +89,7 @@ untagged!(
 );
 
 impl Section {
-    pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile, CaseError> {
+    pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile> {
         let (path, source) = (format!("tools.{}.profile", role.name()), context.source);
         let alone = |kind: &str, others: &[&str]| {
             source.refuse(&path, others, &format!("does not go with `{kind}`"), "drop one of the two")
@@ -126,7 +126,7 @@ impl Section {
     }
 }
 
-fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, CaseError> {
+fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile> {
     let mut pieces = Vec::new();
     let mut start = None;
     for (i, step) in steps.iter().enumerate() {
@@ -210,7 +210,7 @@ impl Drawn {
         }
     }
 
-    pub fn check_folds(&self, role: Role, source: &Source) -> Result<(), CaseError> {
+    pub fn check_folds(&self, role: Role, source: &Source) -> Result<()> {
         let (name, help) =
             (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
         let end_name = |piece: usize| match &self.origin {
@@ -235,7 +235,7 @@ impl Drawn {
     }
 
     /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
-    pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64), CaseError> {
+    pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64)> {
         let (length, name, source) = (context.blank.length, role.name(), context.source);
         let side = role.side();
         let Some(first) = self.profile.extreme(side < 0.0, context.blank.ends()) else {

@@ -85,7 +85,7 @@ impl Stage {
     }
 }
 
-pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<model::Stage>, CaseError> {
+pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<model::Stage>> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
     let mut stages = vec![model::Stage { name, model: first, begin: Beginning::default() }];
@@ -109,7 +109,7 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
     Ok(stages)
 }
 
-fn check_name(name: &str, path: &str, source: &Source) -> Result<(), CaseError> {
+fn check_name(name: &str, path: &str, source: &Source) -> Result<()> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let ok = (1..=LONGEST).contains(&name.len()) && name.chars().all(plain);
     let help = format!("at most {LONGEST} letters, digits, - and _, such as \"redraw\"");
@@ -134,11 +134,11 @@ struct StageContext<'a> {
 }
 
 impl StageContext<'_> {
-    fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<(), CaseError> {
+    fn require(&self, ok: bool, key: &str, what: impl Into<String>, help: &str) -> Result<()> {
         self.source.require(ok, &format!("{}.{key}", self.path), what, help)
     }
 
-    fn stage(&self) -> Result<model::Stage, CaseError> {
+    fn stage(&self) -> Result<model::Stage> {
         if !self.before.gas.is_empty() {
             self.source.note("gas acts in the first stage only");
         }
@@ -190,7 +190,7 @@ impl StageContext<'_> {
         model
     }
 
-    fn pace(&self, model: &mut Model) -> Result<(), CaseError> {
+    fn pace(&self, model: &mut Model) -> Result<()> {
         let moves = self.tools.keys().filter_map(|tool| Some((path_of(&tool)?, tool.role)));
         let moves = moves.map(|(path, role)| (path.y.hypot(path.x), role));
         let (travel, furthest) = moves.fold((0.0, Role::Punch), |most, next| if next.0 > most.0 { next } else { most });
@@ -214,7 +214,7 @@ impl StageContext<'_> {
         Ok(())
     }
 
-    fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<(), CaseError> {
+    fn tool(&self, written: &ToolKeys, model: &mut Model) -> Result<()> {
         let ToolKeys { role, is_shaped, .. } = *written;
         let back = path_of(written).map_or(0.0, |path| -path.y);
         let pad = self.tools.pad.as_ref().filter(|_| role == Role::Pad);
@@ -255,7 +255,7 @@ impl StageContext<'_> {
 
     /// Sets the holder's force: one force is reached from the last one over the first part of the travel. A holder that stays
     /// and had none is brought up to the sheet.
-    fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<(), CaseError> {
+    fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<()> {
         let Some(holder) = &self.written.holder else { return Ok(()) };
         let Some(force) = holder.force_curve(self.before.extent(), self.source)? else { return Ok(()) };
         let moves = !self.source.written(&format!("{}.holder", self.path), &["move", "aside"]).is_empty();
@@ -282,7 +282,7 @@ impl StageContext<'_> {
     }
 
     /// Sets release and mode; the flow law's sheet springs back elastically.
-    fn release(&self, model: &mut Model) -> Result<(), CaseError> {
+    fn release(&self, model: &mut Model) -> Result<()> {
         model.release = self.written.release();
         let released = model.release.is_some();
         if let Some(tool) = self.tools.keys().find(|tool| released && path_of(tool).is_some()) {
@@ -308,7 +308,7 @@ impl StageContext<'_> {
     }
 
     /// Distance of the cut from the axis or symmetry plane \[mm\].
-    fn trim(&self) -> Result<Option<f64>, CaseError> {
+    fn trim(&self) -> Result<Option<f64>> {
         let Stage { trim, trim_diameter, .. } = *self.written;
         if trim.or(trim_diameter).is_none() {
             return Ok(None);

@@ -80,7 +80,7 @@ struct Zones {
 }
 
 impl Heat {
-    pub fn model(&self, tools: &[Tool], source: &Source) -> Result<model::Heat, CaseError> {
+    pub fn model(&self, tools: &[Tool], source: &Source) -> Result<model::Heat> {
         let initial = match &self.initial {
             InitialTemperature::Uniform(temperature) => temperature.value().into(),
             InitialTemperature::Zones(zones) => zones.temperature(tools, source)?,
@@ -94,7 +94,7 @@ impl Heat {
         Ok(model::Heat { initial, flow: self.flow(tools, source)? })
     }
 
-    fn flow(&self, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>, CaseError> {
+    fn flow(&self, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>> {
         let capacity = match (self.density, self.specific_heat) {
             (Some(density), Some(specific_heat)) => density.value() * specific_heat.value(),
             (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
@@ -125,7 +125,7 @@ impl Heat {
 }
 
 impl Zones {
-    fn temperature(&self, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear, CaseError> {
+    fn temperature(&self, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear> {
         let tool = |role: Role| tools.iter().find(|t| t.role == role);
         let Some((punch, die)) = tool(Role::Punch).zip(tool(Role::Die)) else {
             let what = "temperatures by zones need a punch and a die";
@@ -137,7 +137,7 @@ impl Zones {
     }
 }
 
-fn from_file(name: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
+fn from_file(name: &str, source: &Source) -> Result<PiecewiseLinear> {
     let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(source)?;
     let column = |name: &str, unit: Unit| {
         let factor = |i: usize| csv.unit(i).ok().filter(|(known, _)| *known == unit).map(|(_, factor)| factor);
@@ -204,7 +204,7 @@ struct GasFace {
 }
 
 impl Gas {
-    pub fn model(&self, tools: &[Tool], length: f64, source: &Source) -> Result<Vec<model::Gas>, CaseError> {
+    pub fn model(&self, tools: &[Tool], length: f64, source: &Source) -> Result<Vec<model::Gas>> {
         let tool = |role: Role| tools.iter().find(|t| t.role == role);
         let duration = self.duration.filter(|_| tool(Role::Punch).is_none()).map(Dimensioned::value);
         let lower = tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0));
@@ -233,7 +233,7 @@ impl Gas {
 
 impl GasFace {
     /// Pressure over time or for a strain rate; without a punch one pressure is raised over the `duration` \[s\].
-    fn pressure(&self, key: &str, duration: Option<f64>, source: &Source) -> Result<Pressure, CaseError> {
+    fn pressure(&self, key: &str, duration: Option<f64>, source: &Source) -> Result<Pressure> {
         let table = format!("gas.{key}");
         source.one_of(&table, &["pressure", "strain_rate"], "keep one: the other follows")?;
         if let Some(target) = self.strain_rate {

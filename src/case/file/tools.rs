@@ -228,7 +228,7 @@ impl ToolContext<'_> {
         self.written.keys().find(|tool| tool.role == role)
     }
 
-    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>> {
         if self.keys(role).is_some_and(|tool| tool.is_shaped || self.standing.is_empty()) {
             // Notes are taken where the tool itself is made.
             return self.source.silently(|| self.new_profile(role)).map(Some);
@@ -236,7 +236,7 @@ impl ToolContext<'_> {
         Ok(self.standing.iter().find(|tool| tool.role == role).map(|tool| tool.profile.clone()))
     }
 
-    pub fn new_profile(&self, role: Role) -> Result<Profile, CaseError> {
+    pub fn new_profile(&self, role: Role) -> Result<Profile> {
         if let Some(ToolKeys { profile: Some(profile), shapes, .. }) = self.keys(role) {
             let table = format!("tools.{}", role.name());
             let shape = self.source.written(&table, shapes).first().copied().unwrap_or("");
@@ -269,7 +269,7 @@ impl ToolContext<'_> {
         }
     }
 
-    fn punch(&self, punch: &Punch, thickness: f64) -> Result<Profile, CaseError> {
+    fn punch(&self, punch: &Punch, thickness: f64) -> Result<Profile> {
         let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
                     profile = [..] or \"punch.csv\"";
         self.source.one_of("tools.punch", Punch::SHAPES, help)?;
@@ -300,19 +300,19 @@ impl ToolContext<'_> {
         table: &str,
         keys: [&'static str; 3],
         lengths: [Option<Positive<Length>>; 3],
-    ) -> Result<f64, CaseError> {
+    ) -> Result<f64> {
         let (key, value) = radius_of(self.source, table, self.extent.geometry(), keys, lengths)?;
         self.size(&format!("{table}.{key}"), value)
     }
 
-    fn size(&self, path: &str, value: f64) -> Result<f64, CaseError> {
+    fn size(&self, path: &str, value: f64) -> Result<f64> {
         let what = format!("this radius is too small: {value:e} mm, at least {SMALLEST} mm");
         let help = "check the unit; thin-shell theory wants radii above five thicknesses";
         self.source.require(value >= SMALLEST, path, what, help)?;
         Ok(value)
     }
 
-    fn nose(&self, shape: &str, nose: Positive<Length>, radius: f64) -> Result<f64, CaseError> {
+    fn nose(&self, shape: &str, nose: Positive<Length>, radius: f64) -> Result<f64> {
         let path = format!("tools.punch.{shape}.nose");
         let nose = self.size(&path, nose.value())?;
         let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
@@ -322,7 +322,7 @@ impl ToolContext<'_> {
         Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose })
     }
 
-    pub fn tools(&self, frictions: &Frictions) -> Result<Vec<model::Tool>, CaseError> {
+    pub fn tools(&self, frictions: &Frictions) -> Result<Vec<model::Tool>> {
         let mut tools: Vec<model::Tool> = Vec::new();
         for ToolKeys { role, .. } in self.written.keys() {
             let (table, source) = (format!("tools.{}", role.name()), self.source);

@@ -88,14 +88,14 @@ impl<X: Dimensioned, V: Copy> History<X, V> {
         path: &str,
         axis: &str,
         source: &Source,
-        value: impl Fn(V, &str) -> Result<f64, CaseError>,
-    ) -> Result<PiecewiseLinear, CaseError> {
+        value: impl Fn(V, &str) -> Result<f64>,
+    ) -> Result<PiecewiseLinear> {
         let points = match self {
             Self::Constant(constant) => return Ok(value(*constant, path)?.into()),
             Self::Points(points) => points.iter().enumerate(),
         };
         let convert = |(i, (x, y)): (usize, &(X, V))| Ok((x.value(), value(*y, &format!("{path}.{i}"))?));
-        let points = points.map(convert).collect::<Result<Vec<(f64, f64)>, CaseError>>()?;
+        let points = points.map(convert).collect::<Result<Vec<(f64, f64)>>>()?;
         let help = "write [x, value] pairs, or one value";
         source.require(!points.is_empty(), path, "the list of points is empty", help)?;
         if let Some(i) = points.windows(2).position(|w| w[1].0 <= w[0].0) {
@@ -151,7 +151,7 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     }
 
     /// Value in the units of the extent.
-    pub fn in_extent(self, path: &str, extent: Extent, source: &Source) -> Result<f64, CaseError> {
+    pub fn in_extent(self, path: &str, extent: Extent, source: &Source) -> Result<f64> {
         let key = path.split('.').rfind(|key| key.parse::<usize>().is_err()).unwrap_or(path);
         let wrong = |what: String, force: String, stiffness: &str| {
             let stiffness = format!("such as stiffness = \"{stiffness}\"");
@@ -185,7 +185,7 @@ pub fn radius_of(
     geometry: Geometry,
     keys: [&'static str; 3],
     lengths: [Option<Positive<Length>>; 3],
-) -> Result<(&'static str, f64), CaseError> {
+) -> Result<(&'static str, f64)> {
     let (name, other, own, mut foreign) = match geometry {
         Geometry::Axisymmetric => ("axisymmetric", "plane-strain", 0, 2..3),
         Geometry::PlaneStrain => ("plane strain", "axisymmetric", 2, 0..2),
@@ -205,7 +205,7 @@ pub fn radius_of(
     }
 }
 
-pub fn count(source: &Source, path: &str, value: i64, range: RangeInclusive<i64>) -> Result<usize, CaseError> {
+pub fn count(source: &Source, path: &str, value: i64, range: RangeInclusive<i64>) -> Result<usize> {
     let key = path.rsplit('.').next().unwrap_or(path);
     let (least, most) = (range.start(), range.end());
     let what = format!("`{key}` must lie between {least} and {most}, found {value}");

@@ -8,7 +8,7 @@ use crate::plot::palette::BLACK;
 use crate::results::comparison::{Computed, Point};
 use crate::study::measured_curve::{deviations, measured_curve};
 use crate::study::variable::{check_distinct, written};
-use crate::study::{BaseCase, StudyError, StudyFile, StudyReport, Variable, Watch, error::ensure, parallel_map};
+use crate::study::{BaseCase, Result, StudyError, StudyFile, StudyReport, Variable, Watch, ensure, parallel_map};
 use crate::units::{joined, significant};
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -47,13 +47,13 @@ type RunCurve = (Vec<Point>, Vec<(f64, f64)>);
 
 impl CaseFitRequest {
     /// Reads a case or study file; `vary` and `to` replace the study's own.
-    pub fn load(path: &Path, set: Vec<String>, vary: &[String], to: &[PathBuf]) -> Result<Self, StudyError> {
+    pub fn load(path: &Path, set: Vec<String>, vary: &[String], to: &[PathBuf]) -> Result<Self> {
         let file = StudyFile::load(path, set, vary)?;
         Self::new(BaseCase::load(&file.case, file.set)?, &file.variables, if to.is_empty() { &file.curves } else { to })
     }
 
     /// Fits `KEY=START in LOW..HIGH UNIT` keys to curves; to those of the case's comparisons if there are none.
-    pub fn new(base: BaseCase, vary: &[String], to: &[PathBuf]) -> Result<Self, StudyError> {
+    pub fn new(base: BaseCase, vary: &[String], to: &[PathBuf]) -> Result<Self> {
         let variables = vary.iter().map(|text| Variable::read(text)).collect::<Result<Vec<_>, _>>()?;
         let help = "give --vary \"tools.punch.friction=0.1 in 0.01..0.3\"";
         ensure(!variables.is_empty(), "no key is to be fitted", help)?;
@@ -64,7 +64,7 @@ impl CaseFitRequest {
             let (low, high, step) = (a.min(b), a.max(b), DIFFERENCE * (a - b).abs());
             Ok(Parameter { start: range.start.unwrap_or(0.5 * (a + b)), low, high, step })
         };
-        let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_, StudyError>>()?;
+        let parameters: Vec<Parameter> = variables.iter().map(parameter).collect::<Result<_>>()?;
         let curves = match to {
             [] => base.case(&[])?.compare,
             to => to.iter().map(|path| measured_curve(path)).collect::<Result<_, _>>()?,
@@ -100,7 +100,7 @@ impl CaseFitRequest {
 
     /// One over each point's standard deviation, if every curve has them, or over the mean height of its curve; 0 where the
     /// run has no value.
-    fn weights(&self, first: &[RunCurve], deviations: Option<&[Vec<f64>]>) -> Result<Vec<Vec<f64>>, StudyError> {
+    fn weights(&self, first: &[RunCurve], deviations: Option<&[Vec<f64>]>) -> Result<Vec<Vec<f64>>> {
         let mut all = Vec::new();
         for (i, (curve, (points, _))) in self.curves.iter().zip(first).enumerate() {
             let mean = points.iter().map(|p| p.reference.abs()).sum::<f64>() / points.len() as f64;
@@ -117,7 +117,7 @@ impl CaseFitRequest {
 }
 
 /// Fits the keys of a case. After `watch` asks to stop, the best so far is returned.
-pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> Result<CaseFit, StudyError> {
+pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> Result<CaseFit> {
     let first = request.run(&request.starts(), watch).map_err(|reason| {
         StudyError::new(format!("the case at the start of the fit: {reason}"), "begin where it can be run")
     })?;

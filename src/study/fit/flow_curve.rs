@@ -4,7 +4,7 @@ use super::tension::{EXAMPLE, FlowPoint, rows};
 use crate::case::files::{self, Disk, Files};
 use crate::numerics::statistics::block_means;
 use crate::study::measured_curve::{csv_error, unreadable};
-use crate::study::{StudyError, Watch, error::ensure, fail};
+use crate::study::{Result, Watch, ensure, fail};
 use crate::table::Csv;
 use crate::tester;
 use crate::units::{Amount, joined, significant};
@@ -71,11 +71,11 @@ impl Default for Reduction {
 
 impl FlowCurve {
     /// Reads and reduces a test from a text.
-    pub fn read(text: &str, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
+    pub fn read(text: &str, name: &str, reduction: &Reduction) -> Result<Self> {
         Self::new(&tester::read(text, EXAMPLE).map_err(|error| csv_error(name, error))?, name, reduction)
     }
 
-    fn new(csv: &Csv, name: &str, reduction: &Reduction) -> Result<Self, StudyError> {
+    fn new(csv: &Csv, name: &str, reduction: &Reduction) -> Result<Self> {
         let (rows, is_plastic) = rows(csv, name, reduction)?;
         let offset = reduction.offset;
         let line = match reduction.young {
@@ -137,7 +137,7 @@ impl FlowCurve {
 }
 
 /// Slope \[MPa\] of the elastic line and the strain at which it begins: a given one goes through the middle of its points.
-fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f64, f64), StudyError> {
+fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f64, f64)> {
     let help = "give --young \"210 GPa\"";
     let at = rows.iter().find(|row| row.strain >= 0.01).or(rows.last()).map_or(0.0, |row| row.stress);
     let is_elastic = |row: &&FlowPoint| (ELASTIC[0] * at..=ELASTIC[1] * at).contains(&row.stress);
@@ -169,7 +169,7 @@ pub fn flow_curves(
     rates: &[f64],
     directions: &[f64],
     watch: &dyn Watch,
-) -> Result<Vec<FlowCurve>, StudyError> {
+) -> Result<Vec<FlowCurve>> {
     for (option, own) in [("--rate", rates.len()), ("--direction", directions.len())] {
         let what = format!("{option} has {own} values for {} tests", tests.len());
         ensure(own == 0 || own == tests.len(), what, "give one each")?;

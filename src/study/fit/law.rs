@@ -6,7 +6,7 @@ use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
 use crate::material::rate::{PowerRate, Rate};
 use crate::numerics::least_squares::{Parameter, minimise};
 use crate::numerics::statistics::block_means;
-use crate::study::{StudyError, Watch, error::ensure};
+use crate::study::{Result, StudyError, Watch, ensure};
 use statrs::statistics::Statistics;
 use std::{cmp::Ordering, str::FromStr};
 
@@ -153,7 +153,7 @@ const ROUND_OFF: f64 = 1e-8;
 const EXPONENT: (ParameterRange, f64) = (("rate.exponent", "", 0.0, 1.0), 0.02);
 
 /// Fits all laws, or the wanted one, to the tests in the first direction, 0° if there is one.
-pub fn fit_laws(tests: Vec<FlowCurve>, law: Option<HardeningKind>, watch: &dyn Watch) -> Result<LawFits, StudyError> {
+pub fn fit_laws(tests: Vec<FlowCurve>, law: Option<HardeningKind>, watch: &dyn Watch) -> Result<LawFits> {
     let kinds = law.map_or_else(|| HardeningKind::ALL.to_vec(), |kind| vec![kind]);
     let fitted: Vec<&FlowCurve> = in_first_direction(&tests).collect();
     let (mut fits, mut errors) = (Vec::new(), Vec::new());
@@ -192,7 +192,7 @@ impl Direction {
 }
 
 impl LawFit {
-    fn new(kind: HardeningKind, tests: &[&FlowCurve], watch: &dyn Watch) -> Result<Self, StudyError> {
+    fn new(kind: HardeningKind, tests: &[&FlowCurve], watch: &dyn Watch) -> Result<Self> {
         let slowest = tests.iter().filter_map(|test| test.rate).fold(f64::INFINITY, f64::min);
         let exponent = tests.iter().any(|test| test.rate > Some(slowest)).then_some(EXPONENT);
         let ranges: Vec<ParameterRange> = kind.parameters().into_iter().chain(exponent.map(|e| e.0)).collect();

@@ -2,7 +2,7 @@
 
 use super::flow_curve::Reduction;
 use crate::study::measured_curve::{SCATTER, csv_error, has_word};
-use crate::study::{StudyError, error::ensure, fail};
+use crate::study::{Result, StudyError, ensure, fail};
 use crate::table::{Csv, Unit};
 
 /// Point of a test or of a flow curve.
@@ -41,7 +41,7 @@ const BACK: f64 = 1e-3;
 const LARGEST: f64 = 3.0;
 
 /// Points of a test in its rows, and whether their strains are plastic.
-pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<FlowPoint>, bool), StudyError> {
+pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<FlowPoint>, bool)> {
     let not = [&SCATTER[..], &WIDTH].concat();
     let column = |any: &[&str], none: &[&str], units: &[Unit]| Column::find(csv, name, any, none, units);
     let scatter_column = column(&SCATTER, &[], &[Unit::MPa])?;
@@ -113,7 +113,7 @@ pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<
 
 impl Column {
     /// The first column whose header has one word and none of the others.
-    fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Result<Option<Self>, StudyError> {
+    fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Result<Option<Self>> {
         let is = |header: &str| has_word(header, any) && !has_word(header, none);
         let found = csv.header.fields.iter().enumerate().find(|(_, header)| is(header));
         let Some((index, header)) = found else { return Ok(None) };
