@@ -9,7 +9,7 @@ use crate::rules::THIN;
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
 
-/// Stage that uses most of its forming limit.
+/// Stage that comes nearest to its forming limit, by the margin that decides its worst place too.
 pub(super) struct Nearest<'a> {
     pub curve: &'a Curve,
     pub stage: &'a StageSolution,
@@ -25,8 +25,8 @@ impl<'a> Nearest<'a> {
         });
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {
-            let used = |it: &Self| it.assessment.worst().ratio();
-            a.is_kept().cmp(&b.is_kept()).then(used(b).total_cmp(&used(a)))
+            let margin = |it: &Self| it.assessment.worst().margin();
+            a.is_kept().cmp(&b.is_kept()).then(margin(a).total_cmp(&margin(b)))
         })
     }
 
