@@ -53,12 +53,13 @@ pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String> {
 }
 
 /// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
-/// tool, `strength=1.05` that of the material.
+/// tool, `strength=1.05` and `coil=weak` those of the material.
 fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = match path.trim() {
         "friction" => "tools.*.friction",
         "strength" => "material.strength",
+        "coil" => "material.coil",
         _ => path,
     };
     let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };

@@ -102,7 +102,7 @@ fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
     for (name, coil, strengths) in
         [("dc04", "", [175.0, 310.0]), ("dc04", "strong", [210.0, 350.0]), ("en-aw-1050", "weak", [24.0, 65.0])]
     {
-        let coil = if coil.is_empty() { Vec::new() } else { vec![format!("material.coil={coil}")] };
+        let coil = if coil.is_empty() { Vec::new() } else { vec![format!("coil={coil}")] };
         let set = [vec![format!("material={name}")], coil.clone()].concat();
         let case = case::parse(QUICKSTART, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
         let [_, strength] = case.model().material.load_maximum(1.0, 293.15);
