@@ -3,7 +3,7 @@
 use super::run::Silent;
 use super::verify::{Outcome, verify};
 use super::*;
-use crate::assess::{self, error_bars::ErrorBars, error_bars::answered};
+use crate::assess::{self, FailureMode, error_bars::ErrorBars, error_bars::answered};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};
 use crate::plot::{palette::color, sections};
@@ -224,12 +224,14 @@ impl SideBySide {
 
 impl Member {
     fn new(i: usize, candidate: &Candidate, (solution, bars): (Solution, ErrorBars)) -> Self {
-        let (_, findings) = answered(&solution, Some(&bars));
-        let light = assess::judgements(&findings).map(|row| row.light).max().unwrap_or(Light::Grey);
-        let rows = assess::judgements(&findings).filter(|row| row.light == light && light >= Light::Amber);
-        let light = Cell::Light(light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
+        let (answer, findings) = answered(&solution, Some(&bars));
+        let rows = assess::judgements(&findings).filter(|row| row.light == answer.light && row.light >= Light::Amber);
+        let light = Cell::Light(answer.light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
         let mark = (b'A'..=b'Z').nth(i).map_or((i + 1).to_string(), |letter| char::from(letter).to_string());
-        let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
+        let mut outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
+        if answer.failures.first() == Some(&FailureMode::Tears) {
+            outcome.end.why = answer.sentence;
+        }
         Self { label: format!("{mark}: {}", candidate.name()), mark, solution, outcome, light }
     }
 

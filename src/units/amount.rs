@@ -114,7 +114,8 @@ impl Amount {
     }
 
     fn parts_in(self, settings: DisplaySettings) -> (String, &'static str) {
-        let to = settings.unit(self.unit, self.value);
+        // A small difference has the unit of its bar.
+        let to = settings.unit(self.unit, self.value.abs().max(self.bar.unwrap_or(0.0)));
         let value = to.convert(self.value);
         if !value.is_finite() {
             return ("–".to_owned(), to.symbol);
