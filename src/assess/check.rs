@@ -224,8 +224,6 @@ fn number(label: &str, amount: Amount, meaning: impl Into<String>) -> Line {
 
 /// Distance from the axis or symmetry plane \[mm\] as shops give it: for round parts the diameter.
 fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> String {
-    match model.geometry {
-        Geometry::Axisymmetric => format!("Ø {}", amount(2.0 * half)),
-        Geometry::PlaneStrain => amount(half).to_string(),
-    }
+    let is_round = model.geometry == Geometry::Axisymmetric;
+    if is_round { format!("Ø {}", amount(2.0 * half)) } else { amount(half).to_string() }
 }

@@ -53,7 +53,6 @@ pub(crate) fn flange_strength(model: &Model) -> f64 {
     warm * model.material.load_maximum(1.0, temperature)[1]
 }
 
-/// [`siebel`]'s pressure for the blank and the punch of a model.
 pub(crate) fn siebel_pressure(model: &Model) -> Option<f64> {
     let diameter = 2.0 * mouth(model.tool(Role::Punch)?, model.travel);
     Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, flange_strength(model)))

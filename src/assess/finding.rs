@@ -163,7 +163,6 @@ impl Finding {
         (self.light > Light::Green).then_some(self)
     }
 
-    /// Sets the limit in words.
     pub(super) fn limit(self, limit: impl Into<String>) -> Self {
         Self { limit: limit.into(), ..self }
     }
@@ -233,7 +232,6 @@ pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
     findings.iter().filter(|finding| finding.kind == Kind::Judgement)
 }
 
-/// Labels of the rows of a light.
 pub(super) fn labels(findings: &[Finding], light: Light) -> Vec<&'static str> {
     judgements(findings).filter(|finding| finding.light == light).map(|finding| finding.label).collect()
 }

@@ -78,10 +78,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let faces = (bend * THIN > 1.0).then(|| format!("of the mid-surface: bends strain the faces by up to {faces}"));
     let judged = judged(joined([text, faces.unwrap_or_default()], "; ")).number(Amount::share(worst.ratio()));
     let judged = judged.at_most(100.0 * CAREFUL, 100.0);
-    let light = match assessment.reached {
-        Some(_) => Light::Red,
-        None => judged.light.min(Light::Amber),
-    };
+    let light = if assessment.reached.is_some() { Light::Red } else { judged.light.min(Light::Amber) };
     judged
         .light(light)
         .limit(format!("below {}; of {name}", Amount::given_share(CAREFUL)))

@@ -40,10 +40,8 @@ use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::units::{Amount, Digits, Quantity, Sense, joined};
 use forming_limit::Nearest;
 
-/// Findings on a case, in the order of output.
 const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, sensitivity::assumed];
 
-/// Findings on the first stage.
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::strength,
     holder::closes,
@@ -86,7 +84,6 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     solution_quality::judge,
 ];
 
-/// Findings on each solved stage, in the order of output.
 const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
     draw::trim,
     material::temperature,
@@ -138,7 +135,6 @@ pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
 struct Run<'a> {
     case: &'a Case,
     stages: &'a [StageSolution],
-    /// The stage that comes nearest to its forming limit.
     nearest: Option<Nearest<'a>>,
 }
 

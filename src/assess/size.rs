@@ -45,10 +45,7 @@ fn width(model: &Model) -> Option<Finding> {
 
 fn within(warning: Finding, size: f64, range: RangeInclusive<f64>) -> Finding {
     let warning = warning.number(Amount::size(size));
-    match size > *range.end() {
-        true => warning.at_most(*range.end(), None),
-        false => warning.at_least(*range.start(), None),
-    }
+    if size > *range.end() { warning.at_most(*range.end(), None) } else { warning.at_least(*range.start(), None) }
 }
 
 fn thickness(model: &Model) -> Option<Finding> {

@@ -98,8 +98,7 @@ fn references(args: &Args, path: &Path) -> Result<Code> {
 pub fn as_json<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> Value {
     let one = |(case, comparison): (&String, &Comparison)| {
         let columns = comparison.table().columns;
-        let values =
-            columns.iter().map(|column| (column.header(), column.values.iter().copied().map(rounded).collect()));
+        let values = columns.iter().map(|one| (one.header(), one.values.iter().copied().map(rounded).collect()));
         json!({
             "case": case,
             "quantity": comparison.spec.quantity.name(),

@@ -149,7 +149,6 @@ fn program() -> clap::Command {
     program.after_help(list.clone() + "\n" + examples(help("program"))).after_long_help(list + "\n" + help("program"))
 }
 
-/// List of verbs under two headings.
 fn verbs(program: &clap::Command) -> String {
     let design = DESIGN.iter().filter_map(|name| program.find_subcommand(name));
     let rest = program.get_subcommands().filter(|verb| !verb.is_hide_set() && !DESIGN.contains(&verb.get_name()));

@@ -20,18 +20,12 @@ pub enum Geometry {
 impl Geometry {
     /// Key in case files.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Axisymmetric => "axisymmetric",
-            Self::PlaneStrain => "plane_strain",
-        }
+        if self == Self::Axisymmetric { "axisymmetric" } else { "plane_strain" }
     }
 
     /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
     pub fn area(self, r: f64) -> f64 {
-        match self {
-            Self::Axisymmetric => std::f64::consts::PI * r * r,
-            Self::PlaneStrain => r,
-        }
+        if self == Self::Axisymmetric { std::f64::consts::PI * r * r } else { r }
     }
 }
 

@@ -38,8 +38,9 @@ parameters! {
     }
 }
 
+/// An assumption, of the size that fits cold-rolled sheet.
 fn imperfection() -> f64 {
-    MarciniakKuczynski::IMPERFECTION
+    0.995
 }
 
 /// A point of the curve, and the groove that made it.
@@ -54,10 +55,6 @@ pub struct Limit {
 }
 
 impl MarciniakKuczynski {
-    /// f₀ where none is given: an assumption, of the size that fits cold-rolled sheet.
-    pub const IMPERFECTION: f64 = 0.995;
-    /// ε̄̇ where none is given \[1/s\]: an assumption, of the size that mechanical presses make.
-    pub const STRAIN_RATE: f64 = 1.0;
     /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\], a usual convention.
     pub const CRITICAL: f64 = 10.0;
     /// Largest equivalent strain that is searched \[–\].

@@ -35,10 +35,7 @@ impl Extent {
 
     /// Geometry of the section.
     pub fn geometry(self) -> Geometry {
-        match self {
-            Self::Ring => Geometry::Axisymmetric,
-            Self::PerDepth | Self::Depth(_) => Geometry::PlaneStrain,
-        }
+        if self == Self::Ring { Geometry::Axisymmetric } else { Geometry::PlaneStrain }
     }
 
     /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].

@@ -17,10 +17,7 @@ pub struct Bead {
 impl Bead {
     /// Length of the line \[mm\], or 1 per mm of depth.
     pub fn line(&self, geometry: Geometry) -> f64 {
-        match geometry {
-            Geometry::Axisymmetric => std::f64::consts::TAU * self.at,
-            Geometry::PlaneStrain => 1.0,
-        }
+        if geometry == Geometry::Axisymmetric { std::f64::consts::TAU * self.at } else { 1.0 }
     }
 }
 
@@ -63,10 +60,7 @@ pub enum Pressure {
 impl Pressure {
     /// Given pressure at a time \[MPa\].
     pub fn prescribed(&self, time: f64) -> Option<f64> {
-        match self {
-            Self::OverTime(history) => Some(history.at(time)),
-            Self::Rate(_) => None,
-        }
+        if let Self::OverTime(history) = self { Some(history.at(time)) } else { None }
     }
 }
 

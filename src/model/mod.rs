@@ -168,10 +168,7 @@ impl Model {
 
     /// Punch travel \[mm\] at a time of the run \[s\].
     pub fn travel_at(&self, time: f64) -> f64 {
-        match &self.schedule {
-            Some(schedule) => schedule.at(time),
-            None => self.travel * (time / self.duration),
-        }
+        self.schedule.as_ref().map_or(self.travel * (time / self.duration), |schedule| schedule.at(time))
     }
 
     /// Progress of the run at a time \[–\]: share of its travel, or of its time without travel.
@@ -181,10 +178,7 @@ impl Model {
 
     /// Time of the run \[s\] at a punch travel \[mm\].
     pub fn time_at(&self, travel: f64) -> f64 {
-        match &self.schedule {
-            Some(schedule) => schedule.reaches(travel),
-            None => travel / self.speed,
-        }
+        self.schedule.as_ref().map_or(travel / self.speed, |schedule| schedule.reaches(travel))
     }
 
     /// Process time of the clock interval `dt` from `time` on: its duration at the mean speed \[s\]. Steps are measured in it, so

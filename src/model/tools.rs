@@ -37,12 +37,7 @@ impl Role {
 
     /// Name in tables, plots and case files.
     pub fn name(self) -> &'static str {
-        match self {
-            Role::Punch => "punch",
-            Role::Die => "die",
-            Role::Holder => "holder",
-            Role::Pad => "pad",
-        }
+        ["punch", "die", "holder", "pad"][self as usize]
     }
 
     /// Side of the sheet on which it lies: 1 above, −1 below.

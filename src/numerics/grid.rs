@@ -23,7 +23,6 @@ impl<T: Clone> Grid<T> {
 }
 
 impl<T> Default for Grid<T> {
-    /// Without rows.
     fn default() -> Self {
         Self { columns: 0, values: Vec::new() }
     }

@@ -16,7 +16,6 @@ const ISSUES: usize = 4;
 /// Pictures of the part: the first that there is.
 const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
 
-/// Picture of the first page.
 pub(super) struct FrontPicture {
     /// Counted from 0.
     pub stage: usize,

@@ -14,7 +14,7 @@ mod sizes;
 pub use sizes::dimensions;
 
 use crate::assess::check::{self, Check};
-use crate::assess::error_bars::{ErrorBars, answered};
+use crate::assess::error_bars::ErrorBars;
 use crate::assess::{self, Answer, Finding, Kind, judgements};
 use crate::case::{Solution, TitleBlock};
 use crate::plot::{Captions, Dimension, StageView};
@@ -32,14 +32,12 @@ pub fn date(given: Option<String>) -> Option<String> {
     given.or_else(|| Some(today())).filter(|date| date != "none")
 }
 
-/// Program and version.
 const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
 
 /// Solved case with everything that its report says.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
     solution: &'a Solution,
-    /// Stages that were run, with their summaries.
     stages: Vec<(StageView<'a>, Summary)>,
     check: Check,
     dimensions: Vec<Dimension>,
@@ -51,11 +49,6 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Prepares a report with the error bars of a verified case.
-    pub fn verified(solution: &'a Solution, bars: Option<&'a ErrorBars>) -> Self {
-        Self::answered(solution, bars, answered(solution, bars))
-    }
-
     /// Prepares a report on a verdict from [`answered`], which may have taken a second solution.
     pub fn answered(solution: &'a Solution, bars: Option<&'a ErrorBars>, verdict: (Answer, Vec<Finding>)) -> Self {
         let (before, (answer, after)) = (assess::before(&solution.case), verdict);

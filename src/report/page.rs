@@ -21,13 +21,11 @@ const COLUMN: f64 = 88.0;
 /// Largest height of curves in it \[px of a picture 800 wide\].
 const CURVES: f64 = 330.0;
 
-/// Heading with its content.
 pub(super) struct Section {
     pub heading: String,
     pub content: Markup,
 }
 
-/// Row of a table.
 #[derive(Default)]
 pub(super) struct Row {
     pub cells: Vec<String>,
@@ -102,7 +100,6 @@ pub(super) fn figure(chart: &Chart, caption: &str) -> Markup {
     drawn(&svg(chart), caption)
 }
 
-/// Picture for half the width of a page.
 pub(super) fn figure_in_column(mut chart: Chart, caption: &str) -> Markup {
     for panel in &mut chart.panels {
         if let Scale::Fit { height, .. } = &mut panel.scale {
@@ -161,7 +158,6 @@ pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = 
     }
 }
 
-/// List, or a sentence if it is empty.
 pub(super) fn list(entries: &[String], none: &str) -> Markup {
     html! {
         @if entries.is_empty() { p { (none) } } @else { ul { @for entry in entries { li { (in_words(entry)) } } } }
@@ -170,11 +166,6 @@ pub(super) fn list(entries: &[String], none: &str) -> Markup {
 
 /// Sign and word of a light: the colour only repeats them.
 pub(super) fn word(light: Light) -> String {
-    let sign = match light {
-        Light::Grey => '○',
-        Light::Green => '●',
-        Light::Amber => '▲',
-        Light::Red => '■',
-    };
+    let sign = ['○', '●', '▲', '■'][light as usize];
     format!("{sign} {}", light.name())
 }

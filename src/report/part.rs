@@ -5,7 +5,7 @@ use super::sizes::{dimensions, section};
 use super::{Report, results::plot};
 use crate::assess::estimate::draw_ratio;
 use crate::model::{Model, Role, Tool, tool_sizes::extent};
-use crate::plot::dimensioned;
+use crate::plot::{Dimension, dimensioned};
 use crate::solver::solution::Frame;
 use crate::units::Amount;
 use maud::{Markup, html};
@@ -68,8 +68,7 @@ pub(super) fn ratios(report: &Report) -> Vec<Option<f64>> {
 /// Sizes of the tools of every stage that brings some, the ratio to the punch before, and the height that they make.
 fn tools(report: &Report) -> Markup {
     let stages: Vec<usize> = with_new_tools(report).collect();
-    let begun = stages.iter().map(|i| begun(report, *i));
-    let sizes: Vec<_> = begun.map(|(model, start)| dimensions(model, start)).collect();
+    let sizes: Vec<_> = stages.iter().map(|i| begun(report, *i).2).collect();
     let find = |k: usize, of| Some(sizes[k].iter().find(|size| size.name.starts_with(of))?.amount.to_string());
     let ratios = ratios(report).into_iter().map(|ratio| Some(Amount::ratio(ratio?).to_string()));
     let all = 0..stages.len();
@@ -86,7 +85,6 @@ fn stages(report: &Report) -> Markup {
     by_stage(report, &all, COLUMNS.map(|(label, key)| (label, of(key))).into())
 }
 
-/// Number of a stage's summary in text.
 fn value(report: &Report, i: usize, key: &str) -> Option<String> {
     report.stages.get(i)?.1.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
 }
@@ -116,8 +114,7 @@ fn with_new_tools<'a>(report: &'a Report) -> impl Iterator<Item = usize> + 'a {
 
 /// Section at the start of a stage with its dimensions.
 fn start(report: &Report, i: usize) -> Markup {
-    let (model, start) = begun(report, i);
-    let mut sizes = dimensions(model, start);
+    let (model, start, mut sizes) = begun(report, i);
     // The table of stages has it, and the end of it is far below.
     sizes.retain(|size| size.name != "Travel");
     let mut chart = dimensioned(String::new(), model, start, &sizes);
@@ -126,17 +123,17 @@ fn start(report: &Report, i: usize) -> Markup {
     figure_in_column(chart, &format!("{}section at the start: {sheet} blue, tools grey", report.stage(i)))
 }
 
-/// A stage with the sheet that it begins with, the flat blank left out.
-fn begun<'a>(report: &'a Report, i: usize) -> (&'a Model, Option<&'a Frame>) {
+/// A stage with the sheet that it begins with, the flat blank left out, and its dimensions.
+fn begun<'a>(report: &'a Report, i: usize) -> (&'a Model, Option<&'a Frame>, Vec<Dimension>) {
     let stage = &report.solution.stages[i];
-    (&stage.model, stage.start.as_ref().filter(|_| i > 0))
+    let start = stage.start.as_ref().filter(|_| i > 0);
+    (&stage.model, start, dimensions(&stage.model, start))
 }
 
-/// Sections with tables of their dimensions.
 pub(super) fn sections<'a>(report: &'a Report) -> impl Iterator<Item = Section> + 'a {
     with_new_tools(report).map(|i| {
-        let (model, start) = begun(report, i);
+        let (model, start, sizes) = begun(report, i);
         let heading = if i == 0 { "Section".to_owned() } else { report.stage(i) + "section" };
-        section(heading, model, start, &dimensions(model, start))
+        section(heading, model, start, &sizes)
     })
 }

@@ -9,7 +9,6 @@ use crate::table::Unit;
 use crate::units::Amount;
 use maud::{Markup, html};
 
-/// Picture of the part.
 pub(super) const PART: &str = "part.png";
 const TORN: &str = "the part coloured by thinning, its thinnest place and where it tears";
 
@@ -28,7 +27,6 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
     report.stages.iter().enumerate().map(section).collect()
 }
 
-/// Table of the summary's lines of a group.
 pub(super) fn figures(summary: &Summary, group: Group) -> Markup {
     let row = |[label, value, unit]: [String; 3]| Row {
         belongs: label.starts_with(' '),

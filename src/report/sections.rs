@@ -13,7 +13,6 @@ use maud::{Markup, html};
 
 const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
 
-/// Full verdict.
 pub(super) fn verdict(report: &Report) -> Section {
     let with = |light| judgements(&report.findings).filter(move |finding| finding.light == light);
     let rows = WORST_FIRST.into_iter().flat_map(with).map(|one| {
@@ -24,7 +23,6 @@ pub(super) fn verdict(report: &Report) -> Section {
     Section::new("Verdict", table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
 }
 
-/// Numbers with error bars.
 pub(super) fn error_bars(report: &Report) -> Option<Section> {
     let bars = report.bars?;
     let numbers: Vec<&Number> = bars.numbers.iter().filter(|own| own.origin != Origin::Verdict).collect();
@@ -81,7 +79,6 @@ pub(super) fn solver(report: &Report) -> Section {
     Section::new("Solver", content)
 }
 
-/// Case, its file, and the program.
 fn case(report: &Report) -> Markup {
     let case = &report.solution.case;
     let stages = case.stage_names().collect::<Vec<_>>().join(", ");
@@ -104,7 +101,6 @@ fn case(report: &Report) -> Markup {
     table(&["What", "Which"], rows.map(|(label, value)| [label.to_owned(), value]))
 }
 
-/// Comparison with other runs and measurements.
 pub(super) fn versus(all: &SideBySide) -> Section {
     let differences = all.table();
     let text = |cell: &Cell| match cell {

@@ -98,7 +98,6 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     found.into_iter().map(radius).collect()
 }
 
-/// Name of a rounding.
 fn named(role: Role, arc: &Arc) -> String {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
     match (role, arc.sweep < 0.0) {
@@ -132,7 +131,6 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     Some(plain(of, amount, under + moved))
 }
 
-/// Section with a table of its dimensions.
 pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
     let rows = dimensions.iter().map(|dimension| {
         let (value, unit) = dimension.amount.parts();

@@ -181,7 +181,6 @@ pub(super) fn springback(view: &StageView) -> Option<String> {
 const MINOR: [&str; 2] = ["strain_minor", "Minor true strain, mid-surface"];
 const MAJOR: [&str; 2] = ["strain_major", "Major true strain, mid-surface"];
 
-/// Points of a forming limit curve.
 pub(super) fn forming_limit(curve: &Curve) -> Table {
     let column = |i: usize, [key, label]: [&'static str; 2]| {
         Column::new(key, label, Unit::None, curve.points().iter().map(|point| point[i]).collect())

@@ -26,12 +26,7 @@ impl Start {
 
     /// Name in tables.
     pub fn key(self) -> &'static str {
-        match self {
-            Start::Predictor => "predictor",
-            Start::Secant => "secant",
-            Start::Softened => "softened",
-            Start::SoftenedInSteps => "softened_in_steps",
-        }
+        ["predictor", "secant", "softened", "softened_in_steps"][self as usize]
     }
 
     /// Factors on the cut-off for the passes before the last.

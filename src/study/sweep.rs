@@ -165,7 +165,6 @@ pub struct Sensitivity {
     pub axis: usize,
     /// Number of the base case.
     pub own: f64,
-    /// Least and largest number.
     pub(super) extremes: [End; 2],
 }
 

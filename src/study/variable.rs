@@ -45,10 +45,7 @@ impl Variable {
         let help = "write KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT, such as \"tools.die.shoulder=4..10 mm/7\"";
         let wrong = || StudyError::new(format!("`{}` gives no key values", text.trim()), help);
         let (key, values) = split_pair(text).ok_or_else(wrong)?;
-        match values.split_once("..") {
-            None => Self::list(key, values),
-            Some(ends) => Self::range(key, values, ends),
-        }
+        values.split_once("..").map_or_else(|| Self::list(key, values), |ends| Self::range(key, values, ends))
     }
 
     fn range(key: &str, values: &str, (from, to): (&str, &str)) -> Result<Self> {

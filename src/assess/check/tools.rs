@@ -40,10 +40,8 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
     };
-    let of = match model.geometry {
-        Geometry::PlaneStrain if !closed => format!("half-width {of}"),
-        _ => of.into(),
-    };
+    let is_half = model.geometry == Geometry::PlaneStrain && !closed;
+    let of = if is_half { format!("half-width {of}") } else { of.into() };
     let widens = tool.role == Role::Punch && widens(tool, model.travel);
     let mouth = widens.then(|| size_of(model, mouth(tool, model.travel), Amount::drawn));
     let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));
@@ -130,10 +128,7 @@ fn of_bead(model: &Model, bead: &Bead) -> Line {
 
 fn of_gas(model: &Model, gas: &Gas) -> Line {
     let (within, time) = (Amount::size(gas.within), Amount::time(model.duration));
-    let face = match gas.face {
-        Face::Lower => "lower",
-        Face::Upper => "upper",
-    };
+    let face = if gas.face == Face::Lower { "lower" } else { "upper" };
     let place = format!("on the {face} face within {within}, for {time}");
     let control = match &gas.pressure {
         Pressure::OverTime(history) => {

@@ -295,12 +295,7 @@ impl ToolContext<'_> {
     }
 
     /// Radius or half-width of a shape \[mm\].
-    pub(super) fn radius(
-        &self,
-        table: &str,
-        keys: [&'static str; 3],
-        lengths: [Option<Positive<Length>>; 3],
-    ) -> Result<f64> {
+    pub fn radius(&self, table: &str, keys: [&'static str; 3], lengths: [Option<Positive<Length>>; 3]) -> Result<f64> {
         let (key, value) = radius_of(self.source, table, self.extent.geometry(), keys, lengths)?;
         self.size(&format!("{table}.{key}"), value)
     }

@@ -190,12 +190,12 @@ fn smoothed(strain: &[f64], stress: &[f64]) -> Vec<f64> {
 impl fmt::Display for Monotone {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let n = self.strain.len();
-        let beyond = match self.beyond {
-            Extrapolation::Hold => "the last stress held",
-            Extrapolation::Slope => "the last slope kept",
-        };
+        let kept = if self.beyond == Extrapolation::Hold { "stress held" } else { "slope kept" };
         let (first, last, end) = (self.stress[0], self.stress[n - 1], self.last_strain());
-        write!(f, "table of {n} points, {first:.1} MPa at ε = 0 to {last:.1} MPa at ε = {end}, beyond it {beyond}")
+        write!(
+            f,
+            "table of {n} points, {first:.1} MPa at ε = 0 to {last:.1} MPa at ε = {end}, beyond it the last {kept}"
+        )
     }
 }
 

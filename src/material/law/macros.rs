@@ -68,7 +68,6 @@ macro_rules! family {
         }
 
         impl std::fmt::Display for $family {
-            /// The formula with its numbers.
             fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
                 f.write_str(&self.law().formula())
             }

@@ -45,16 +45,13 @@ pub(crate) mod prelude {
     }
 }
 
-pub(crate) fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
+pub(crate) fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Checked {
     require_or(key, ok, "check the constants and their units", message)
 }
 
-pub(crate) fn require_or(
-    key: &str,
-    ok: bool,
-    help: &'static str,
-    message: impl FnOnce() -> String,
-) -> Result<(), LawError> {
+type Checked = Result<(), LawError>;
+
+pub(crate) fn require_or(key: &str, ok: bool, help: &'static str, message: impl FnOnce() -> String) -> Checked {
     if ok { Ok(()) } else { Err(LawError { message: message(), key: key.to_owned(), help }) }
 }
 
@@ -64,7 +61,7 @@ pub(crate) fn require_range(
     value: f64,
     [least, most]: [f64; 2],
     help: &'static str,
-) -> Result<(), LawError> {
+) -> Checked {
     require_or(key, (least..=most).contains(&value), help, || {
         format!("`{name}` must lie between {least} and {most}, found {value}")
     })
