@@ -21,7 +21,6 @@ pub(super) fn row(run: &Run) -> Option<Finding> {
         .into()
 }
 
-/// Friction without a source.
 pub(super) fn assumed(case: &Case) -> Option<Finding> {
     let most = largest_coefficient(case.model())?;
     let text = "friction of {} at most is assumed: the case's [friction] has no `source`";

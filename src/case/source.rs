@@ -43,7 +43,6 @@ impl<'t> Source<'t> {
         }
     }
 
-    /// Text of a file that the case names.
     pub fn file(&self, path: &Path, limit: usize) -> io::Result<String> {
         self.folder.files.text(path, limit).inspect(|_| self.read.borrow_mut().push(path.to_owned()))
     }

@@ -123,7 +123,6 @@ fn row((case, comparison): &(String, Comparison)) -> [String; 6] {
     [case.clone(), kind, quantity, computed, target, comparison.outcome()]
 }
 
-/// Reasons of comparisons that are not inside, each once.
 fn reasons(all: &[(String, Comparison)]) -> String {
     let mut lines = Vec::new();
     for (case, comparison) in all.iter().filter(|(_, comparison)| comparison.verdict != Verdict::In) {

@@ -25,7 +25,6 @@ struct BadInput {
     path: Option<PathBuf>,
 }
 
-/// Error of a request, whatever the files say.
 pub fn bad_request(what: impl Into<String>) -> anyhow::Error {
     BadInput { what: what.into(), help: String::new(), path: None }.into()
 }
@@ -44,7 +43,6 @@ pub fn unusable(option: &str) -> impl Fn(WriteError) -> anyhow::Error {
 }
 
 impl Code {
-    /// Exit code of an error.
     pub fn of(error: &anyhow::Error) -> Self {
         let of_files = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();
         if of_files || error.is::<StudyError>() || error.is::<BadInput>() { Self::BadInput } else { Self::Failed }
@@ -78,7 +76,6 @@ fn of_case(error: &anyhow::Error) -> Option<&CaseError> {
     }
 }
 
-/// Text, remedy, file, line and column of an error as far as they are known.
 fn as_json(error: &anyhow::Error) -> Value {
     if let Some(case) = of_case(error) {
         let (line, column) = case.position().unzip();

@@ -61,7 +61,6 @@ fn row(entry: &Entry) -> [String; 9] {
     .map(|value| value.unwrap_or("–".to_owned()))
 }
 
-/// The row, title, notes and source, and the table to paste.
 fn as_json(entry: &Entry) -> Value {
     let Entry { about, text, .. } = entry;
     let (Description { title, notes, licence, .. }, source) = (about, about.source());

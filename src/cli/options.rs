@@ -6,7 +6,6 @@ use stampflow::plot::{Captions, Format, Pictures, WIDEST};
 use stampflow::results::comparison::{Computed, comparisons};
 use std::thread::available_parallelism;
 
-/// Parser of one word of a list.
 pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     values: [(&'static str, T); N],
 ) -> impl TypedValueParser<Value = T> {

@@ -4,7 +4,6 @@ use super::*;
 use std::fs::{self, File};
 use std::io::Read;
 
-/// Folder of a case among others.
 pub fn folder(others: &Path, case: &Case) -> Result<PathBuf> {
     let (path, name) = (case.path.display(), &case.name);
     let is_folder = Path::new(name).components().map(|part| matches!(part, std::path::Component::Normal(_))).eq([true]);

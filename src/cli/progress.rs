@@ -19,7 +19,6 @@ pub struct Watch {
     /// Iterations of each stage.
     pub trace: Option<Vec<Vec<IterationRecord>>>,
     pub recorder: FrameRecorder,
-    /// Names of the stages to come.
     names: std::vec::IntoIter<String>,
     model: Model,
     bar: ProgressBar,
@@ -69,7 +68,6 @@ impl stampflow::study::Watch for Count {
 }
 
 impl Watch {
-    /// Runs all stages of a case and takes the time.
     pub fn solve(&mut self, case: Case) -> Solution {
         let begin = Instant::now();
         let mut solution = case.solve(self);

@@ -44,17 +44,14 @@ pub fn print(text: impl Into<ScreenText>) -> Result<Code> {
     }
 }
 
-/// Prints a value, indented.
 pub fn print_json(value: &impl Serialize) -> Result<Code> {
     print(serde_json::to_string_pretty(value)?)
 }
 
-/// Prints a value as JSON, or else a text.
 pub fn emit(is_json: bool, value: Value, text: impl FnOnce() -> ScreenText) -> Result<Code> {
     if is_json { print_json(&value) } else { print(text()) }
 }
 
-/// Adds the entries of an object to another.
 pub fn with(mut value: Value, more: Value) -> Value {
     if let (Value::Object(own), Value::Object(more)) = (&mut value, more) {
         own.extend(more);
@@ -118,7 +115,6 @@ pub fn table<Row: IntoIterator<Item: Into<Cell>>>(
     ScreenText(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
 }
 
-/// Table without headers.
 pub fn rows<Row: IntoIterator<Item: Into<Cell>>>(rows: impl IntoIterator<Item = Row>) -> ScreenText {
     table::<Row>(&[""; 0], rows)
 }
@@ -135,7 +131,6 @@ pub fn wrapped(text: impl AsRef<str>) -> ScreenText {
     ScreenText(lines.collect())
 }
 
-/// Sentences as a list.
 pub fn list(lines: impl IntoIterator<Item = impl AsRef<str>>) -> ScreenText {
     wrapped(lines.into_iter().map(|line| format!("- {}\n", line.as_ref())).collect::<String>())
 }

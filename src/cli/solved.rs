@@ -28,7 +28,6 @@ pub fn finish(outputs: Vec<Result<Output>>, mut failed: Vec<anyhow::Error>, seve
     Ok(complained(&failed, code))
 }
 
-/// Solution with its error bars and verdict.
 pub struct Solved {
     pub solution: Solution,
     pub verification: Option<ErrorBars>,

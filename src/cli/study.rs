@@ -154,7 +154,6 @@ impl StudyOptions {
         Ok(self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-{verb}", stem(file)))))
     }
 
-    /// Progress of the runs of a file.
     pub fn count(&self, file: &Path, what: &str) -> progress::Count {
         self.common.progress().count(format!("{}, {what}", stem(file)))
     }

@@ -1,11 +1,9 @@
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// Classes of one standard.
 #[derive(Deserialize)]
 struct Standard {
     source: String,
-    /// Width of the strip.
     width: String,
     /// Upper end of each class of thickness and the tolerance \[mm\].
     classes: Vec<[f64; 2]>,

@@ -26,7 +26,7 @@
 //! J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670 (plane-stress return mapping and its tangent);
 //! P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377 (not read).
 
-use super::point_law::{PointSnapshot, StressUpdate, Tangent};
+use super::point_law::{PointSnapshot, Response, StressUpdate, Tangent};
 use super::yield_condition::{Symmetric, Triple, dot};
 use super::{Elastic, FlowStress, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use super::{chaboche::BackStresses, hill48::SHEAR_INVERSE, hosford::ordered};
@@ -117,7 +117,7 @@ fn each(entry: impl Fn(usize) -> f64) -> Triple {
     [entry(0), entry(1), entry(2)]
 }
 
-fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -> (StressUpdate, Tangent) {
+fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -> Response {
     let update = StressUpdate { stress, increment, yield_stress, ..StressUpdate::default() };
     (update, Tangent { own, ..Tangent::default() })
 }
@@ -141,7 +141,7 @@ impl PointLaw for ElastoplasticLaw<'_> {
     type Iterate = Trial;
 
     /// Stress and tangent; with the dynamic recovery of back-stresses the tangent's symmetric part.
-    fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple, _: [f64; 2]) -> (StressUpdate, Tangent) {
+    fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple, _: [f64; 2]) -> Response {
         let Operators { stiffness, compliance, .. } = self.operators;
         let elastic = times(stiffness, e);
         let tried = each(|j| point.stress[j] + elastic[j]);

@@ -24,7 +24,7 @@
 use super::{FlowStress, Gtn, Hardening, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
-pub use super::point_law::{PointSnapshot, StressUpdate, Tangent};
+pub use super::point_law::{PointSnapshot, Response, StressUpdate, Tangent};
 pub use super::yield_condition::{
     Layer, LayerMetric, MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition,
 };
@@ -132,13 +132,7 @@ impl PointLaw for FlowLaw<'_> {
     type PointState = PointState;
     type Iterate = Iterate;
 
-    fn respond(
-        &self,
-        point: &PointState,
-        iterate: &mut Iterate,
-        e: Triple,
-        spread: [f64; 2],
-    ) -> (StressUpdate, Tangent) {
+    fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple, spread: [f64; 2]) -> Response {
         match (self.voids, &self.criterion) {
             (None, YieldCriterion::Hill48(hill)) => iterate.flow(self, hill, point, e, spread),
             (None, YieldCriterion::Hosford(hosford)) => iterate.flow(self, hosford, point, e, spread),
@@ -220,7 +214,7 @@ impl Iterate {
         point: &PointState,
         strain: Triple,
         spread: [f64; 2],
-    ) -> (StressUpdate, Tangent) {
+    ) -> Response {
         let PreviousRate { weight, strain: past, spread: past_spread, equivalent } = point.previous;
         let steep = 1.0 + weight;
         let e = [0, 1, 2].map(|i| steep * strain[i] - past[i]);

@@ -112,11 +112,6 @@ pub struct Evolution {
 }
 
 impl Gtn {
-    /// Gurson's own model: no interaction of voids, none that open, none that join.
-    pub fn gurson(initial: f64) -> Self {
-        Self { q1: 1.0, q2: 1.0, q3: 1.0, initial, nucleation: None, coalescence: None }
-    }
-
     /// Growth, nucleation and coalescence with numbers in common use: for tests.
     pub fn example() -> Self {
         let (nucleation, coalescence) = (Some(Nucleation::example()), Some(Coalescence::example()));

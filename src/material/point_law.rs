@@ -2,6 +2,9 @@
 
 use super::yield_condition::{Layer, Symmetric, Triple};
 
+/// Stress of a thickness point, and its derivatives.
+pub type Response = (StressUpdate, Tangent);
+
 /// Constitutive law of a thickness point: the flow law or the elastoplastic law.
 pub trait PointLaw {
     /// State of the point at the start of the step.
@@ -13,13 +16,7 @@ pub trait PointLaw {
     ///
     /// The increment differs by ± `spread` at the ends of the part of the thickness that the point stands for; the
     /// elastoplastic law and voided metal ignore it.
-    fn respond(
-        &self,
-        point: &Self::PointState,
-        iterate: &mut Self::Iterate,
-        e: Triple,
-        spread: [f64; 2],
-    ) -> (StressUpdate, Tangent);
+    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple, spread: [f64; 2]) -> Response;
 
     /// Snapshot of the last evaluation, which gave `update`.
     fn snapshot(&self, point: &Self::PointState, iterate: &Self::Iterate, update: &StressUpdate) -> PointSnapshot;

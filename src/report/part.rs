@@ -78,7 +78,6 @@ fn tools(report: &Report) -> Markup {
     by_stage(report, &stages, columns.collect())
 }
 
-/// Peaks of every stage.
 fn stages(report: &Report) -> Markup {
     let all: Vec<usize> = (0..report.stages.len()).collect();
     let of = |key: &str| all.iter().map(|i| value(report, *i, key)).collect();

@@ -28,7 +28,6 @@ pub struct Member {
     pub label: String,
     /// The solved case.
     pub solution: Solution,
-    /// Its numbers, with error bars, and curves.
     outcome: Outcome,
     /// Worst light of its verdict, with the labels of its rows.
     light: Cell,

@@ -48,7 +48,6 @@ impl RunTable {
         self.responses[place].quantity.amount.with_value(value).to_string()
     }
 
-    /// Labels of rows.
     pub(super) fn labels(&self, keys: &[String]) -> String {
         let label = |key: &String| self.rows.iter().find(|row| row.0 == *key).map_or(key, |row| &row.1).clone();
         joined(keys.iter().map(label), ", ")

@@ -32,7 +32,6 @@ pub struct LimitSearch {
     /// The first is searched; each goes from its first end to its last.
     variables: Vec<(Variable, SearchRange)>,
     search: Search,
-    /// Values of all trials.
     values: Vec<f64>,
     /// Condition to keep, or target to reach.
     aim: Condition,

@@ -92,7 +92,8 @@ fn flow(u: Random) -> Symbols {
 fn yielding(u: Random) -> Symbols {
     let (r, exponent, strength, porosity) = (u(0.5, 2.0), u(4.0, 9.0), u(200.0, 400.0), u(0.0, 0.1));
     let (hill, hosford) = (Hill48::new(r), Hosford::new(r, exponent));
-    let voids = Gtn { q1: u(1.0, 1.5), q2: u(0.8, 1.2), q3: u(1.0, 2.0), ..Gtn::gurson(0.01) };
+    let voids =
+        Gtn { q1: u(1.0, 1.5), q2: u(0.8, 1.2), q3: u(1.0, 2.0), initial: 0.01, nucleation: None, coalescence: None };
     let s = voids.condition(hill, porosity).stress([u(0.5, 1.0), u(0.0, 1.0), 0.0]).map(|s| strength * s);
     let tear = FractureStress::new(&hosford.into(), s, 0.0);
     let (increment, a, rate, temperature) = (u(0.01, 0.1), u(0.2, 0.6), u(0.01, 10.0), u(300.0, 500.0));
@@ -130,7 +131,6 @@ fn disk(tools: Vec<Tool>) -> (Model, State) {
 /// Free unknowns of the disk, on the axis only z: their node and freedom.
 const FREE: [(usize, usize); 10] = [(0, 1), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2), (3, 0), (3, 1), (3, 2)];
 
-/// Forces and matrix of a system.
 fn dense(system: &System) -> (Matrix, Matrix) {
     let block = |i: usize, j: usize| match i as isize - j as isize {
         -1 => system.upper[i],

@@ -249,9 +249,7 @@ impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
 
 /// Reads a plain number in the solver's unit as a quantity is written, for fields of solver types:
 /// `#[serde(with = "As::<Positive<Stress>>")] k: f64`, or an `Option<f64>` with a default.
-#[derive(JsonSchema)]
-#[schemars(transparent)]
-pub struct As<Q>(Q);
+pub struct As<Q>(PhantomData<Q>);
 
 impl<Q: Dimensioned> As<Q> {
     /// Reads the number.
@@ -270,5 +268,19 @@ impl<Q: Dimensioned> As<Q> {
             (Some(number), "") => to.serialize_f64(number),
             (Some(number), unit) => to.collect_str(&format_args!("{number} {unit}")),
         }
+    }
+}
+
+impl<Q: JsonSchema> JsonSchema for As<Q> {
+    fn inline_schema() -> bool {
+        Q::inline_schema()
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        Q::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        Q::json_schema(generator)
     }
 }

@@ -144,7 +144,6 @@ impl CaseFile {
         Ok(Press { force, energy: press.energy.map(Dimensioned::value) })
     }
 
-    /// Checked tolerances on spring-back.
     pub fn springback_tolerances(&self, source: &Source) -> Result<Springback> {
         let Some(mut written) = self.springback else { return Ok(Springback::default()) };
         let Springback { angle, tolerance, wall_tolerance, flange_angle, flange_tolerance, .. } = &mut written;

@@ -177,7 +177,6 @@ impl Named<'_> {
         })
     }
 
-    /// Reads the first of some files that exists.
     pub fn first<'p>(&self, paths: &[&'p Path], source: &Source) -> Result<Option<(&'p Path, Lines, Csv)>> {
         for &path in paths {
             let text = match source.file(path, files::CSV) {

@@ -130,6 +130,7 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile> 
     let mut pieces = Vec::new();
     let mut start = None;
     for (i, step) in steps.iter().enumerate() {
+        let require = |ok: bool, what: &str, help: &str| source.require(ok, &format!("{path}.{i}"), what, help);
         let fail = |what: &str, help: &str| Err(source.error(&format!("{path}.{i}"), what, help));
         let ProfileStep { from, to, arc_to, center, turn, .. } = *step;
         let end = match (i, from, to, arc_to) {
@@ -141,29 +142,21 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile> 
                 return fail("a step is either a line or an arc", help);
             }
         };
-        if center.is_some() != arc_to.is_some() || turn.is_some() != arc_to.is_some() {
-            let help = "write { arc_to = [..], center = [..], turn = \"right\" }";
-            return fail("an arc has `arc_to`, `center` and `turn`", help);
-        }
-        if end.x < 0.0 {
-            return fail("a point lies at negative r", "the section is drawn from the axis outward, r >= 0");
-        }
+        let is_whole = [center.is_some(), turn.is_some()] == [arc_to.is_some(); 2];
+        let help = "write { arc_to = [..], center = [..], turn = \"right\" }";
+        require(is_whole, "an arc has `arc_to`, `center` and `turn`", help)?;
+        require(end.x >= 0.0, "a point lies at negative r", "the section is drawn from the axis outward, r >= 0")?;
         let Some(from) = start.replace(end) else { continue };
-        if (end - from as Point).norm() < 1e-6 {
-            return fail("a step has no length", "drop it");
-        }
+        require((end - from as Point).norm() >= 1e-6, "a step has no length", "drop it")?;
         let Some((center, turn)) = center.zip(turn) else {
             pieces.push(Piece::line(from, end));
             continue;
         };
         let (arc, moved) = Arc::between(from, end, point(center), turn == Turn::Left);
-        if moved > ROUNDED {
-            return fail("the ends of an arc are not equally far from its center", "check `center`");
-        }
-        if arc.sweep.abs() > HALF_TURN {
-            let what = format!("an arc turns by {:.0}°, more than half a circle", arc.sweep.abs().to_degrees());
-            return fail(&what, "check `turn`: it is seen with z upward; plots draw z downward");
-        }
+        require(moved <= ROUNDED, "the ends of an arc are not equally far from its center", "check `center`")?;
+        let what = format!("an arc turns by {:.0}°, more than half a circle", arc.sweep.abs().to_degrees());
+        let help = "check `turn`: it is seen with z upward; plots draw z downward";
+        require(arc.sweep.abs() <= HALF_TURN, &what, help)?;
         pieces.push(Piece::Arc(arc));
     }
     for (i, radius) in steps.iter().enumerate().filter_map(|(i, step)| Some((i, step.radius?.value()))) {

@@ -96,7 +96,7 @@ fn matrix_is_the_derivative_of_the_residual() {
 fn matrix_of_other_metals_is_the_derivative_of_the_residual() {
     for theory in [Theory::Bending, Theory::Membrane] {
         let mut voided = model(Geometry::Axisymmetric, theory);
-        voided.material.gtn = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.03) });
+        voided.material.gtn = Some(Gtn { initial: 0.03, nucleation: None, coalescence: None, ..Gtn::example() });
         voided.material.yield_criterion = Hill48::new(1.4).into();
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
         voided.material.thermal = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
