@@ -53,10 +53,8 @@ pub(super) fn strength(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material);
     let text = "no sheet metal has a tensile strength of {}";
     let warning = Finding::warning("strength", "Tensile strength", text).number(Amount::stress(strength));
-    let warning = match is_weak(model) {
-        true => warning.at_least(STRENGTHS[0], None),
-        false => warning.at_most(STRENGTHS[1], None),
-    };
+    let [least, most] = STRENGTHS;
+    let warning = if is_weak(model) { warning.at_least(least, None) } else { warning.at_most(most, None) };
     warning.advice("check the unit of the law's stresses").if_beyond()
 }
 

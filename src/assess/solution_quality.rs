@@ -8,8 +8,7 @@ struct Check {
     text: &'static str,
     advice: &'static str,
     /// Largest share allowed, and the one that is red, if any \[–\].
-    limit: f64,
-    red: Option<f64>,
+    limits: (f64, Option<f64>),
     /// Share of a stage \[–\].
     of: fn(&StageSolution) -> Option<f64>,
 }
@@ -17,8 +16,7 @@ struct Check {
 const WORK: Check = Check {
     text: "{} of the work is missing; in the balance of what the tools do",
     advice: "take smaller steps (solver.max_step)",
-    limit: 0.01,
-    red: None,
+    limits: (0.01, None),
     of: |stage| stage.steps.last().map(|step| step.work.missing().abs()),
 };
 
@@ -26,22 +24,19 @@ const CHECKS: [Check; 5] = [
     Check {
         text: "{} of the work is in rigid zones; there stresses are not the true ones",
         advice: "take a smaller solver.cutoff_strain",
-        limit: 0.05,
-        red: None,
+        limits: (0.05, None),
         of: |stage| formed(stage).filter(|end| end.work.plastic > 0.0).map(|end| end.work.cutoff / end.work.plastic),
     },
     Check {
         text: "tools sink in by {} of the thickness",
         advice: "take a larger solver.contact_stiffness, or contact by the augmented Lagrangian",
-        limit: 0.05,
-        red: Some(0.1),
+        limits: (0.05, Some(0.1)),
         of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.penetration)),
     },
     Check {
         text: "{} of the bending moment is missed; where it is largest",
         advice: "take more layers (blank.layers)",
-        limit: 0.05,
-        red: None,
+        limits: (0.05, None),
         of: |stage| {
             let bends = stage.model.mode != Mode::Flow && stage.model.release.is_none();
             moment_error(stage.frames.last().filter(|_| bends)?)
@@ -51,16 +46,14 @@ const CHECKS: [Check; 5] = [
     Check {
         text: "t is {} of the sharpest radius; more than thin-shell theory follows closely",
         advice: "take strains and spring-back there as rough, or take a larger radius",
-        limit: 0.4,
-        red: None,
+        limits: (0.4, None),
         of: |stage| stage.steps.last().map(|_| largest(stage, |step| step.sharpest_bend)),
     },
     // Limit curves are measured on straight paths; one that the program chose is a guess anyway.
     Check {
         text: "crooked strain paths use {}; of the forming limit, which holds for straight ones",
         advice: "keep more margin there (strain_paths.csv of `run`)",
-        limit: 0.5,
-        red: None,
+        limits: (0.5, None),
         of: |stage| {
             let curve = stage.model.forming_limit.as_ref().filter(|curve| !curve.is_usual)?;
             let assessment = assess(curve, &stage.paths)?;
@@ -86,12 +79,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let missing = if largest > 0.0 { worst(&WORK).unwrap_or(0.0) / largest } else { 0.0 };
     let shares = CHECKS.iter().filter_map(|check| Some((check, worst(check)?)));
     let all = [(&WORK, missing)].into_iter().chain(shares);
-    let is_red = |check: &Check, share: f64| check.red.is_some_and(|red| share > red);
-    let (check, share) =
-        all.max_by(|&(a, x), &(b, y)| is_red(a, x).cmp(&is_red(b, y)).then((x / a.limit).total_cmp(&(y / b.limit))))?;
+    let is_red = |check: &Check, share: f64| check.limits.1.is_some_and(|red| share > red);
+    let (check, share) = all.max_by(|&(a, x), &(b, y)| {
+        is_red(a, x).cmp(&is_red(b, y)).then((x / a.limits.0).total_cmp(&(y / b.limits.0)))
+    })?;
     Finding::judged("solution_quality", "Solution quality", check.text)
         .number(Amount::share(share))
-        .at_most(100.0 * check.limit, check.red.map(|red| 100.0 * red))
+        .at_most(100.0 * check.limits.0, check.limits.1.map(|red| 100.0 * red))
         .source("declared accuracy of the solver; bends: continuum solids; strain paths: declared")
         .advice(check.advice)
         .into()

@@ -94,7 +94,6 @@ fn keys(item: &Item) -> Vec<String> {
     }
 }
 
-/// The table or array entry of that name inside a table or array.
 fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
     let entry = match segment.parse::<usize>() {
         Ok(index) if !item.is_table_like() => item.get_mut(index)?,

@@ -20,7 +20,6 @@ pub fn verify(args: &Args) -> Result<Code> {
     finish(cases.map(|case| one(args, &progress, case)).collect(), failed, args.cases.len() > 1)
 }
 
-/// Verifies a case and writes its file.
 fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let path = match &args.out {
         Some(dir) if args.cases.len() > 1 => Some(place::folder(dir, &case)?.join(FILE)),
@@ -54,7 +53,6 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     Ok(Output { code, screen, failed, ..Output::default() })
 }
 
-/// Every number with its error bar and what that is made of, notes, and every run.
 fn as_json(verification: &Verification) -> Value {
     let part = |part: &Contribution| {
         let (error, order, share) = (rounded(part.error), part.order.map(rounded), rounded(part.share));

@@ -139,7 +139,6 @@ pub(super) fn differences<const N: usize>(x: [f64; N], h: f64, f: impl Fn([f64; 
     std::array::from_fn(|i| columns.map(|(plus, minus)| (plus[i] - minus[i]) / (2.0 * h)))
 }
 
-/// Rows of a symmetric matrix.
 #[cfg(test)]
 pub(super) fn rows([ss, st, tt, sg, tg, gg]: Symmetric) -> [Triple; 3] {
     [[ss, st, sg], [st, tt, tg], [sg, tg, gg]]

@@ -20,7 +20,6 @@ const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
 const POINTS: RangeInclusive<usize> = 2..=1000;
 /// Largest relative difference of two numbers that must agree \[–\].
 const SAME: f64 = 1e-6;
-/// Ranges of finite numbers.
 const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
 const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
 const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
@@ -39,7 +38,6 @@ pub struct ModelError {
 
 type Checked = Result<(), ModelError>;
 
-/// An error unless a condition holds.
 fn check(holds: bool, what: &str, problem: impl FnOnce() -> String) -> Checked {
     if holds { Ok(()) } else { Err(ModelError { what: what.into(), problem: problem(), nearest: None }) }
 }

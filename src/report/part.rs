@@ -30,7 +30,6 @@ const TOOLS: [(&str, &str); 4] = [
     ("Die radius", "Die shoulder radius"),
 ];
 
-/// Pictures of results, by their files.
 const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_limit.png", "forming limit")];
 
 /// Sections that leave room for them.
@@ -111,7 +110,6 @@ fn with_new_tools<'a>(report: &'a Report) -> impl Iterator<Item = usize> + 'a {
     })
 }
 
-/// Section at the start of a stage with its dimensions.
 fn start(report: &Report, i: usize) -> Markup {
     let (model, start, mut sizes) = begun(report, i);
     // The table of stages has it, and the end of it is far below.

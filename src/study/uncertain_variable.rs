@@ -20,7 +20,6 @@ const HARDENING: &str = "material.hardening";
 const THICKNESS: &str = "blank.thickness";
 const TOLERANCE: &str = "tolerance";
 
-/// A key with a distribution.
 #[derive(Clone, Debug)]
 pub(super) struct UncertainVariable {
     pub variable: Variable,
@@ -67,7 +66,6 @@ impl UncertainVariable {
         written(self.distribution.quantile(coordinate))
     }
 
-    /// The overrides that set a value.
     pub fn settings(&self, value: &str) -> Vec<String> {
         let law = self.hardening.iter().map(|law| format!("{HARDENING}={law}"));
         law.chain([self.variable.setting(value)]).collect()

@@ -20,7 +20,6 @@ fn cone(radius: f64, corner: f64, depth: f64) -> (String, f64) {
     (profile_text(Point::zeros(), &steps, exact), upright)
 }
 
-/// Sets the hole and what its edge bears.
 fn edge(sizes: &mut Values, inputs: &Inputs, hole: &Picked) {
     sizes.set("hole_diameter", mm(2.0 * hole.value), &hole.why);
     if let Some(limit) = inputs.number("edge-limit") {

@@ -88,10 +88,8 @@ impl Inputs {
         let what = || format!("--{key} {text} is odd: stampings are up to {} mm wide", size::WIDEST);
         let fits = choice.value != "LENGTH" || key == "length" || number <= 0.5 * size::WIDEST;
         ensure(fits, what, "is the unit right?")?;
-        match self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number)) {
-            Some((other, ..)) => Err(both_given(&other, key)),
-            None => Ok(()),
-        }
+        let before = self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number));
+        before.map_or(Ok(()), |(other, ..)| Err(both_given(&other, key)))
     }
 
     /// Fails if both options of one size are given.

@@ -94,7 +94,6 @@ impl Outcome {
         Some(there.unwrap_or(own.quantity.amount.value))
     }
 
-    /// Refinement in words.
     pub(super) fn refinement(&self) -> String {
         self.direction.map_or_else(String::new, |direction| direction.text(self.times))
     }
