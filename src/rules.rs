@@ -22,6 +22,8 @@ pub const ROUNDED_RATIO: f64 = 5e-3;
 pub const IRONING_LIMIT: f64 = 0.35;
 /// Radius over thickness of tools \[–\], see [`tool_radius`].
 const RADIUS: f64 = 6.0;
+/// Gap of a draw over the thickness from which the die sizes the rim \[–\], declared: a wall above 1.5 t is not to size.
+pub const SIZED: f64 = 1.45;
 /// Distance from its bend at which a flange's rim is held down, over the thickness \[–\]: a declared rule of thumb.
 const HELD_OUT: f64 = 8.0;
 /// Elements per 90° of the sharpest corner of a mesh of equal elements \[–\].
@@ -52,6 +54,9 @@ const METALS: [Metal; 4] = [
     Metal { name: "stainless steel (1.4301)", young: 200e3, ratios: [2.0, 1.25], pressure: 2.5 },
     Metal { name: "mild steel (DC04)", young: f64::INFINITY, ratios: [2.0, 1.3], pressure: 2.5 },
 ];
+
+/// Steel that may crack hours or days after it was formed, as it turns into martensite.
+pub const AUSTENITIC: Metal = METALS[2];
 
 impl Metal {
     /// Metal of a sheet, by its elasticity; mild steel without one.
@@ -148,21 +153,28 @@ pub fn tool_radius(thickness: f64) -> Picked {
     Picked::up(RADIUS * thickness, 0.1, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
 }
 
-/// Radius of a shoulder that a whole blank is drawn through: six times the rim's thickness t β^(1/(1 + r̄)).
-pub fn drawn_shoulder(thickness: f64, ratio: f64, anisotropy: f64) -> Picked {
-    let rim = RADIUS * thickness * ratio.powf(1.0 / (1.0 + anisotropy));
-    let why = format!(
-        "{RADIUS} thicknesses of the rim, t β^(1/(1 + r̄)) thick, β = {ratio:.2}: shells want {THIN} with a margin (declared)"
-    );
-    // A small one goes up less: a short cup has little flat beside it.
-    Picked::up(rim, if rim > 6.0 { 0.5 } else { 0.1 }, why)
+/// Thickness of a rim after a draw in which only its hoop is strained, t β^(1/(1 + r̄)), with that before the draw.
+pub fn rim(thickness: f64, ratio: f64, anisotropy: f64) -> f64 {
+    thickness * ratio.powf(1.0 / (1.0 + anisotropy))
 }
 
-/// Gap between punch and die of a cup, t √β: the thickness of a rim that is drawn in unstretched (4ming, "Die clearance").
+/// Radius of a shoulder that a whole rim is drawn through: six times its thickness after the draw.
+pub fn drawn_shoulder(rim: f64) -> Picked {
+    let why = format!(
+        "{RADIUS} thicknesses of the rim, {rim:.2} mm by t β^(1/(1 + r̄)) of this draw: shells want {THIN} with a margin (declared)"
+    );
+    // A small one goes up less: a short cup has little flat beside it.
+    Picked::up(RADIUS * rim, if RADIUS * rim > 6.0 { 0.5 } else { 0.1 }, why)
+}
+
+/// Gap between punch and die of a cup, t √β of blank to punch: the rim, drawn in unstretched (4ming, "Die clearance").
 pub fn drawing_clearance(thickness: f64, ratio: f64) -> Picked {
-    let why = format!("t √β with the draw ratio β = {ratio:.2}, so that the rim is not ironed (4ming)");
+    let why = format!("t √β of blank to punch, β = {ratio:.2}, so that the rim is not ironed (4ming)");
     // In thin sheet 0.05 mm is a large part of the gap.
-    Picked::up(thickness * ratio.sqrt(), if thickness < 0.6 { 0.01 } else { 0.05 }, why)
+    let free = Picked::up(thickness * ratio.sqrt(), if thickness < 0.6 { 0.01 } else { 0.05 }, why);
+    let why = format!("{SIZED} t, below t √β of blank to punch, β = {ratio:.2}: it irons the rim to size (declared)");
+    let sized = Picked::nearest(SIZED * thickness, 0.01, why);
+    if free.value > sized.value { sized } else { free }
 }
 
 /// Gap of a strip, which thickens nowhere, 1.1 t: a declared rule of thumb.

@@ -39,9 +39,10 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
     helpful.sort_by(|a, b| score(&a.0.findings).cmp(&score(&b.0.findings)).then(b.2.total_cmp(&a.2)));
     let (mut sizes, mut texts): (Vec<&str>, Vec<(usize, String)>) = Default::default();
     for (one, row, _) in helpful {
-        if sizes.len() < MOST && !sizes.contains(&one.size) {
+        let text = one.text(&findings[row]).filter(|_| sizes.len() < MOST && !sizes.contains(&one.size));
+        if let Some(text) = text {
             sizes.push(one.size);
-            texts.push((row, one.text(&findings[row])));
+            texts.push((row, text));
         }
     }
     for (i, row) in findings.iter_mut().enumerate() {
@@ -56,14 +57,15 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 }
 
 impl Tried {
-    /// `die radius 8 mm: 21 → 14 %`; the row's limit stands beside it.
-    fn text(&self, row: &Finding) -> String {
+    /// `die radius 8 mm: 21 → 14 %`; the row's limit stands beside it. `None` if no digit changes.
+    fn text(&self, row: &Finding) -> Option<String> {
         let Self { words, findings, .. } = self;
-        let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return words.clone() };
+        let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return Some(words.clone()) };
         let amount = |row: &Finding| Some(row.quantity.as_ref().filter(|own| own.limits.is_some())?.amount);
         match amount(row).zip(amount(new)) {
-            Some((from, to)) => format!("{words}: {} → {to}", from.parts().0),
-            None => format!("{words}: {} → {}", row.light.name(), new.light.name()),
+            Some((from, to)) if from.parts().0 == to.parts().0 => None,
+            Some((from, to)) => Some(format!("{words}: {} → {to}", from.parts().0)),
+            None => Some(format!("{words}: {} → {}", row.light.name(), new.light.name())),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::{holder::if_open, tear::is_upright};
 use crate::case::Finished;
 use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
-use crate::rules::{Metal, ROUNDED_RATIO};
+use crate::rules::{AUSTENITIC, Metal, ROUNDED_RATIO};
 
 /// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
 /// more; a force that was rounded after the rule may miss it by a percent.
@@ -106,28 +106,50 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Wall that hangs free between nose and shoulder: it may pucker, and no index here says whether.
+/// Wall that hangs free between nose and shoulder, or is redrawn without a sleeve: it may pucker, and no index here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     draw_ratio(&first.model)?;
-    if is_upright(first).unwrap_or(false) {
-        return None;
-    }
-    let text = "part of the wall hangs free between punch and die";
+    let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
+    let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder);
+    let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
+        _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),
+        Some(i) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i + 1),
+        None => return None,
+    };
     Finding::judged("wall_wrinkles", "Wall wrinkles", text)
         .light(Light::Grey)
         .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
         .into()
 }
 
-/// Ears about the computed rim, if r-values by direction are given and the edge is drawn in.
+/// Delayed cracking, which no line judges, of a round part beyond two draws without annealing.
+pub(super) fn delayed_cracking(run: &Run) -> Option<Finding> {
+    let (first, last) = (&run.stages.first()?.model, &run.stages.last()?.model);
+    let (most, ratio) = (AUSTENITIC.total(2), first.blank.length / extent(last.tool(Role::Punch)?).1);
+    let is_annealed = run.case.stages.iter().any(|stage| stage.begin.anneal);
+    let text = format!(
+        "the draw ratio of {{}} in all is above {most}, two draws of austenitic steel without annealing (4ming); whether it \
+         cracks hours or days later, as others did (Berveiller et al. 2009, 10.1051/esomat/200906005), is not judged"
+    );
+    draw_ratio(first).filter(|_| Metal::of(&first.material) == AUSTENITIC && !is_annealed)?;
+    let warning = Finding::warning("delayed_cracking", "Delayed cracking", text).number(Amount::ratio(ratio));
+    let advice = "anneal between draws, `anneal = true` in a stage, and soon after the last";
+    warning.at_most(most + ROUNDED_RATIO, None).advice(advice).if_beyond()
+}
+
+/// Ears about the computed rim, if the edge is drawn in; of a trimmed rim grey without r-values by direction.
 pub(super) fn ears(run: &Run) -> Option<Finding> {
-    let r = run.case.r_values?;
     let last = run.stages.last()?;
     let frame = last.frames.last()?;
     if last.model.geometry != Geometry::Axisymmetric || last.model.blank.edge == Edge::Clamped {
         return None;
     }
+    let Some(r) = run.case.r_values else {
+        run.case.finished.height?;
+        let grey = Finding::judged("ears", "Ears", "not computed without r-values by direction").light(Light::Grey);
+        return Some(grey.limit("trimmed off").advice("`anisotropy = { r0, r45, r90 }` in [material]"));
+    };
     let lengths = frame.nodes.windows(2).map(|pair| (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
     let ears = rim_heights(&r, lengths.zip(frame.elements.iter().map(|element| element.strain_hoop)));
     let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);

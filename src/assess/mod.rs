@@ -75,6 +75,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     tools::clearance,
     tools::ironing,
     springback::judge,
+    draw::delayed_cracking,
     draw::ears,
     draw::trim_allowance,
     material::placeholders,

@@ -52,11 +52,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let others = MEASURES.iter().filter_map(|key| changes.iter().find(|change| change.quantity.key == *key));
     let others = others.filter(|change| !is_judged(change));
     let others = others.map(|change| format!("{} {change}", change.quantity.label));
+    let mut limits: Vec<String> = judged.iter().map(Judged::limit).collect();
+    limits.dedup();
     let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others);
     Finding::judged("springback", "Spring-back", joined(texts, "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
-        .limit(joined(judged.iter().map(Judged::limit), "; "))
+        .limit(joined(limits, "; "))
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
         .advice(advice(run, &judged, wall))
         .into()

@@ -41,16 +41,12 @@ fn advice(last: &StageSolution) -> &'static str {
         StopKind::Mechanism => {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }
-        StopKind::Arched => {
-            "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
-        }
+        StopKind::Arched => "a holder that keeps the legs from swinging, a larger gap of punch and die, or less travel",
         StopKind::DrawnThrough => {
             "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank or more holder force"
         }
         StopKind::ToolsClosed => "a shorter travel, or a larger gap between punch and die",
-        StopKind::Creeping => {
-            "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"
-        }
+        StopKind::Creeping => "coarser elements there, a larger solver.min_step; or the shape: the sheet may snap",
         StopKind::NoEquilibrium => "what the stop names; else a finer mesh at the radii (blank.elements)",
         // As wished, or a tear, whose own row advises.
         _ => "",

@@ -34,7 +34,7 @@ fn outcome_by_the_lights(part: &Part) -> &'static str {
         case::load(format!("{FOLDER}/{}.toml", part.file), &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
     let stages = solver::solve(&case.stages, &mut ());
     let findings = assess::after(&case, &stages);
-    let ironed = findings.iter().any(|finding| finding.key == "ironing" && finding.light >= Light::Amber);
+    let ironed = findings.iter().any(|finding| finding.key == "ironing" && finding.value() > Some(1.0));
     match FailureMode::all(&stages, &findings).first() {
         Some(FailureMode::Tears) => "torn",
         Some(FailureMode::Wrinkles) => "wrinkled",

@@ -52,6 +52,7 @@ struct Tools {
     radius: f64,
     nose: Picked,
     clearance: Picked,
+    shoulder: Picked,
     travel: Picked,
     /// Height at an even thickness.
     cup: f64,
@@ -59,12 +60,9 @@ struct Tools {
     punch: String,
 }
 
-pub(super) fn cup(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    Cup::read(inputs, sheet)?.planned(1)
-}
-
-pub(super) fn redraw(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    Cup::read(inputs, sheet)?.planned(2)
+/// Cup of `LEAST` draws or more.
+pub(super) fn cup<const LEAST: usize>(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    Cup::read(inputs, sheet)?.planned(LEAST)
 }
 
 fn part(inputs: &Inputs, thickness: f64, nose: f64, height: f64) -> Part {
@@ -145,8 +143,8 @@ impl<'a> Cup<'a> {
             (1, rules::LIMITING_RATIO, of.to_owned(), wide.map_or(String::new(), diameter) + or)
         } else {
             let most = rules::MOST_DRAWS - stepped;
-            let of = format!("what {most} draws, the most that are planned, take of {} (4ming)", metal.name);
-            let or = format!("a larger --punch-radius; or --draws {MOST_GIVEN} or less: its run judges them");
+            let of = format!("what {most} draws, the most without --draws, take of {} (4ming)", metal.name);
+            let or = format!("a larger --punch-radius; or --draws up to {MOST_GIVEN}: its run judges them");
             (most, metal.total(most), of, or)
         };
         let (nose, t) = (part.nose, part.thickness);
@@ -227,37 +225,40 @@ impl<'a> Cup<'a> {
     }
 
     /// Punch and die of each draw.
-    fn tools(&self, plan: &Plan, shoulder: f64) -> Vec<Tools> {
+    fn tools(&self, plan: &Plan) -> Vec<Tools> {
         let Part { thickness: t, height, trim, flange, step, .. } = self.part;
         let (blank, draws) = (plan.blank.value, plan.radii.len());
         // A flange stays outside.
         let drawn_in = flange.map_or(blank, |_| Part { flange: None, trim: 0.0, ..self.part }.blank(height));
+        let (mut radius_before, mut rim_before) = (blank, t);
         let tools = |(i, radius): (usize, &f64)| {
             let is_last = i + 1 == draws;
             let round = if is_last { self.part.nose } else { self.part.nose.max(rules::tool_radius(t).value) };
             let nose = Picked { value: round, ..self.nose.clone() };
             let cup = self.part.cup_height(blank, *radius, nose.value);
+            let rim = rules::rim(rim_before, radius_before / radius, self.sheet.r_value());
+            let shoulder = self.inputs.pick("shoulder", || rules::drawn_shoulder(rim));
+            let given = self.inputs.number("last-clearance").filter(|_| is_last).or(self.inputs.number("clearance"));
+            let clearance = Picked::or(given, || rules::drawing_clearance(t, drawn_in / radius));
+            (radius_before, rim_before) = (*radius, rim.min(clearance.value));
+            let (end, why) = (shoulder.value, "as runs of this case need for the height");
             let travel = || match is_last {
-                true if flange.is_some() || step.is_some() => {
-                    Picked::nearest(plan.travel, 0.1, "as runs of this case need for the height")
-                }
-                true => rules::drawn_travel(height + trim, shoulder, t),
-                false => rules::drawn_travel(HIGHER * cup, shoulder, t),
+                true if flange.is_some() || step.is_some() => Picked::nearest(plan.travel, 0.1, why),
+                true => rules::drawn_travel(height + trim, end, t),
+                false => rules::drawn_travel(HIGHER * cup, end, t),
             };
             let travel = Picked::or(self.inputs.number("travel").filter(|_| is_last), travel);
-            let clearance = self.inputs.pick("clearance", || rules::drawing_clearance(t, drawn_in / radius));
             let punch = self.punch(is_last, *radius, nose.value, clearance.value);
-            Tools { radius: *radius, nose, clearance, travel, cup, punch }
+            Tools { radius: *radius, nose, clearance, shoulder, travel, cup, punch }
         };
         plan.radii.iter().enumerate().map(tools).collect()
     }
 
     fn values(&self, plan: &Plan, warning: &str) -> Result<Values, CaseError> {
         let (Self { inputs, sheet, .. }, Part { radius, height, flange, recess, .. }) = (self, self.part);
-        let (blank, t) = (plan.blank.clone(), sheet.thickness);
-        let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, blank.value / radius, sheet.r_value()));
-        let tools = self.tools(plan, shoulder.value);
+        let (blank, tools) = (plan.blank.clone(), self.tools(plan));
         let first = &tools[0];
+        let shoulder = first.shoulder.clone();
         let end = radius + first.clearance.value + shoulder.value;
         let what = || format!("the flange ends on the die's shoulder, which ends at a radius of {}", plain(end));
         ensure(flange.is_none_or(|flange| flange > end), what, "make the flange wider, or --shoulder smaller")?;
@@ -287,7 +288,7 @@ impl<'a> Cup<'a> {
         if tools.len() > 1 {
             // With usual elements the force oscillates as nodes leave the shoulder.
             sizes.elements(plan.blank.value, shoulder.value.min(self.part.nose), 2);
-            sizes.set("stages", self.redraws(&tools, shoulder.value, pressure), "");
+            sizes.set("stages", self.redraws(&tools, pressure), "");
         }
         Ok(sizes)
     }

@@ -60,10 +60,10 @@ struct Header {
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
     let files: [(&str, &str, Sizes); 14] = [
-        ("cup", include_str!("cup.toml"), cup::cup),
+        ("cup", include_str!("cup.toml"), cup::cup::<1>),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
-        ("redraw", include_str!("redraw.toml"), cup::redraw),
+        ("redraw", include_str!("redraw.toml"), cup::cup::<2>),
         ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),

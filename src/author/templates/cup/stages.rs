@@ -5,16 +5,17 @@ use crate::writer::redraw::Ring;
 
 impl Cup<'_> {
     /// Text of the stages after the first draw, with the holder's pressure of that \[MPa\].
-    pub(super) fn redraws(&self, tools: &[Tools], shoulder: f64, pressure: f64) -> String {
+    pub(super) fn redraws(&self, tools: &[Tools], pressure: f64) -> String {
         let (thickness, mut is_held, mut text) = (self.sheet.thickness, true, String::new());
         for (i, pair) in tools.windows(2).enumerate() {
             let [before, now] = [&pair[0], &pair[1]];
-            let throat = throat(now.radius, &now.clearance).value;
-            let ring =
-                Ring { thickness, outer: before.radius - 0.5 * thickness, nose: before.nose.value, throat, shoulder };
+            let (gap, outer) = (throat(now.radius, &now.clearance), before.radius - 0.5 * thickness);
+            let [throat, shoulder] = [gap.value, now.shoulder.value];
+            let ring = Ring { thickness, outer, nose: before.nose.value, throat, shoulder };
             let mut stage = Values::default();
             let name = if i > 0 { format!("\"redraw-{}\"", i + 1) } else { "\"redraw\"".into() };
-            let why = joined(&["throat and shoulder", &plain(throat), &plain(shoulder)]);
+            let size = |length: f64, picked: &Picked| plain(length) + &picked.reason(", ");
+            let why = format!("throat Ø {}; shoulder {}", size(2.0 * throat, &gap), size(shoulder, &now.shoulder));
             let given = [("name", name, ""), ("punch", now.punch.clone(), ""), ("die", ring.die(), why.as_str())];
             given.into_iter().for_each(|(name, value, why)| stage.set(name, value, why));
             stage.set("friction", rounded(self.inputs.value("friction")), "");
@@ -24,8 +25,12 @@ impl Cup<'_> {
                 stage.set("sleeve", ring.sleeve(4.0 * before.cup), "");
                 let why = "the first holder's pressure on the sleeve's ring (declared)";
                 stage.set("force", newtons(rounded_up(pressure * ring.area(), 3)), why);
-            } else if is_held {
-                stage.set("remove", "[\"holder\"]", "no room for a sleeve: a cup as thick for its width needs none");
+            } else {
+                let (share, ratio) = (50.0 * thickness / before.radius, before.radius / now.radius);
+                stage.set("unheld", format!("{share:.1} % of the diameter before, the redraw ratio {ratio:.2}"), "");
+            }
+            if is_held && !has_sleeve {
+                stage.set("remove", "[\"holder\"]", "");
             }
             is_held = has_sleeve;
             text += &stage.fill(include_str!("../redraw_stage.toml"));
