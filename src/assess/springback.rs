@@ -54,7 +54,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let others = others.map(|change| format!("{} {change}", change.quantity.label));
     let mut limits: Vec<String> = judged.iter().map(Judged::limit).collect();
     limits.dedup();
-    let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others);
+    let is_isotropic = last.model.material.chaboche.iter().all(|back_stress| back_stress.modulus == 0.0);
+    let law = is_isotropic.then(|| "by isotropic hardening, no [[material.kinematic]]".to_owned());
+    let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others).chain(law);
     Finding::judged("springback", "Spring-back", joined(texts, "; "))
         .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
         .at_most(NEAR * worst.tolerance, worst.tolerance)
