@@ -175,7 +175,8 @@ impl StudyOptions {
         let value = with(with(serde_json::to_value(report)?, extra), json!({ "files": paths }));
         let printed = emit(self.common.json(), value, || {
             let text = wrapped(&report.headline) + list(&report.notes);
-            let text = tables().fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));
+            let printed = tables().map(|table| table.printed.as_deref().unwrap_or(table));
+            let text = printed.fold(text, |text, t| text + "\n" + table(&t.columns, t.rows.clone()));
             text + wrapped(format!("\n{}", dir.display()))
         });
         files.iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;

@@ -5,7 +5,7 @@ use super::{PROGRAM, Report, results::figures};
 use crate::assess::error_bars::{Number, Origin};
 use crate::assess::{Finding, Kind, Light, check::Line, first_clause, judgements};
 use crate::case::files::sha256;
-use crate::plot::Chart;
+use crate::plot::{Chart, axis::capitalised};
 use crate::results::summary::{Group, section_of};
 use crate::study::{Cell, compare::SideBySide};
 use crate::units::joined;
@@ -101,28 +101,12 @@ fn case(report: &Report) -> Markup {
 }
 
 pub(super) fn versus(all: &SideBySide) -> Section {
-    let differences = all.table();
-    let text = |cell: &Cell| match cell {
-        Cell::Light(light, _) => word(*light),
-        cell => cell.to_string(),
-    };
     let legend = all.legend();
-    let mut rows: Vec<Vec<String>> = Vec::new();
-    for cells in &differences.rows {
-        let [quantity, run, value, difference] = [0, 1, 2, 3].map(|i| text(&cells[i]));
-        if rows.last().is_none_or(|row| row[0] != quantity) {
-            rows.push([vec![quantity], vec!["–".to_owned(); legend.len()]].concat());
-        }
-        let column = legend.iter().position(|entry| entry.split(':').next() == Some(&run));
-        let cell = if difference.is_empty() { value } else { format!("{value} ({difference})") };
-        if let (Some(column), Some(row)) = (column, rows.last_mut()) {
-            row[1 + column] = cell;
-        }
-    }
-    let head = ["Quantity"].into_iter().chain(legend.iter().map(String::as_str)).collect::<Vec<_>>();
+    let head = ["Quantity"].into_iter().chain(legend.iter().map(String::as_str)).take(1 + all.members.len());
+    let rows = all.overview().rows.into_iter().map(|row| row.iter().map(Cell::to_string).collect());
     let content = html! {
-        (table(&head, rows.into_iter().map(|cells| Row { cells, ..Row::default() })))
-        p { "In parentheses the difference from the first." }
+        (table(&head.collect::<Vec<_>>(), rows.map(|cells| Row { cells, ..Row::default() })))
+        p { (capitalised(SideBySide::DIFFERENCES)) "." }
         div.pictures {
             @for (_, about, chart) in all.charts() { (figure_in_column(Chart { title: String::new(), ..chart }, about)) }
         }

@@ -31,6 +31,8 @@ pub struct Member {
     outcome: Outcome,
     /// Worst light of its verdict, with the labels of its rows.
     light: Cell,
+    /// Kind of its end, or where it tears.
+    end: String,
 }
 
 /// Runs and measured curves side by side; differences are from the first run.
@@ -121,8 +123,8 @@ impl SideBySide {
         let charts = self.charts().into_iter().map(|(name, _, chart)| (name.to_owned(), chart));
         StudyReport {
             headline: format!("{} runs side by side.", self.members.len()),
-            notes: self.legend(),
-            tables: vec![self.table()],
+            notes: self.legend().into_iter().chain([Self::DIFFERENCES.to_owned()]).collect(),
+            tables: vec![ReportTable { printed: Some(Box::new(self.overview())), ..self.table() }],
             found: true,
             charts: charts.collect(),
         }
@@ -136,8 +138,7 @@ impl SideBySide {
             table.rows.push(vec![label.into(), member.mark.clone().into(), value, change, beyond.into()]);
         };
         self.members.iter().for_each(|member| add("Verdict", member, member.light.clone(), "".into(), ""));
-        let end = |member: &Member| member.outcome.end.why.as_str().into();
-        self.members.iter().for_each(|member| add("End", member, end(member), "".into(), ""));
+        self.members.iter().for_each(|member| add("End", member, member.end.as_str().into(), "".into(), ""));
         for number in self.numbers() {
             let first = self.members[0].number(number);
             for (i, member) in self.members.iter().enumerate() {
@@ -163,6 +164,30 @@ impl SideBySide {
             }
         }
         table
+    }
+
+    /// Remark on the [`overview`](Self::overview).
+    pub const DIFFERENCES: &str =
+        "in parentheses: differences from the first beyond both error bars, and those without bars";
+
+    /// A row for every quantity, a column for every run: its value, and the difference where it is none of the error bars.
+    pub fn overview(&self) -> ReportTable {
+        let marks = self.members.iter().map(|member| member.mark.as_str());
+        let mut overview = ReportTable::new("overview", &["Quantity"].into_iter().chain(marks).collect::<Vec<_>>());
+        for cells in self.table().rows {
+            let [quantity, mark, value, difference, beyond] = [0, 1, 2, 3, 4].map(|i| cells[i].to_string());
+            if overview.rows.last().is_none_or(|row: &Vec<Cell>| row[0].to_string() != quantity) {
+                overview.rows.push([vec![quantity.into()], vec!["–".into(); self.members.len()]].concat());
+            }
+            let column = overview.columns.iter().position(|column| *column == mark);
+            let is_zero = |by: &Amount| by.to_string() == by.with_value(0.0).to_string();
+            let is_equal = matches!(&cells[3], Cell::Amount(by) if is_zero(by));
+            let is_shown = !is_equal && !difference.is_empty() && beyond != "no";
+            if let (Some(column), Some(row)) = (column, overview.rows.last_mut()) {
+                row[column] = if is_shown { format!("{value} ({difference})").into() } else { value.into() };
+            }
+        }
+        overview
     }
 
     /// Numbers of all runs; of those that only the verdict has the ones that decide whether it tears.
@@ -227,11 +252,10 @@ impl Member {
         let rows = assess::judgements(&findings).filter(|row| row.light == answer.light && row.light >= Light::Amber);
         let light = Cell::Light(answer.light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
         let mark = (b'A'..=b'Z').nth(i).map_or((i + 1).to_string(), |letter| char::from(letter).to_string());
-        let mut outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
-        if answer.failures.first() == Some(&FailureMode::Tears) {
-            outcome.end.why = answer.sentence;
-        }
-        Self { label: format!("{mark}: {}", candidate.name()), mark, solution, outcome, light }
+        let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
+        let tears = answer.failures.first() == Some(&FailureMode::Tears);
+        let end = if tears { answer.sentence } else { outcome.end.kind.to_owned() };
+        Self { label: format!("{mark}: {}", candidate.name()), mark, solution, outcome, light, end }
     }
 
     fn number(&self, number: &Number) -> Option<&Number> {

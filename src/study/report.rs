@@ -30,6 +30,9 @@ pub struct ReportTable {
     pub columns: Vec<String>,
     /// One cell per column.
     pub rows: Vec<Vec<Cell>>,
+    /// Shorter table to print in its place.
+    #[serde(skip)]
+    pub printed: Option<Box<ReportTable>>,
 }
 
 /// A cell of a table.
@@ -46,7 +49,8 @@ pub enum Cell {
 impl ReportTable {
     /// A table without rows.
     pub fn new(name: &'static str, columns: &[&str]) -> Self {
-        Self { name, columns: columns.iter().map(|column| (*column).to_owned()).collect(), rows: Vec::new() }
+        let columns = columns.iter().map(|column| (*column).to_owned()).collect();
+        Self { name, columns, rows: Vec::new(), printed: None }
     }
 
     /// Formats CSV; the unit of a number stands in a column behind it.
