@@ -11,7 +11,7 @@ use toml::de::Error;
 /// Longest line of a file that is drawn \[bytes\].
 const LONGEST_LINE: usize = 250;
 
-type Shown = Arc<NamedSource<String>>;
+type SourceCode = Arc<NamedSource<String>>;
 
 /// A case that cannot be solved as it is written.
 #[derive(Clone, Debug, thiserror::Error, Diagnostic)]
@@ -22,13 +22,13 @@ pub struct CaseError {
     #[help]
     help: Option<String>,
     #[source_code]
-    source_code: Shown,
+    source_code: SourceCode,
     #[label("{label}")]
     span: Option<SourceSpan>,
 }
 
 impl CaseError {
-    pub(crate) fn at(source: Shown, span: Range<usize>, what: String, label: String, help: String) -> Self {
+    pub(crate) fn at(source: SourceCode, span: Range<usize>, what: String, label: String, help: String) -> Self {
         // A place that spans lines is shown by its first.
         let first_line = source.inner().get(span.clone()).and_then(|text| text.find('\n'));
         let span = span.start..first_line.map_or(span.end, |length| span.start + length);
@@ -114,7 +114,7 @@ impl CaseError {
     }
 }
 
-pub(super) fn not_toml(error: &Error, text: &str, shown: Shown) -> CaseError {
+pub(super) fn not_toml(error: &Error, text: &str, shown: SourceCode) -> CaseError {
     let span = error.span().unwrap_or(0..0);
     let what = error.message().lines().collect::<Vec<_>>().join("; ");
     if what == "duplicate key" {

@@ -180,9 +180,8 @@ impl SideBySide {
                 overview.rows.push([vec![quantity.into()], vec!["–".into(); self.members.len()]].concat());
             }
             let column = overview.columns.iter().position(|column| *column == mark);
-            let is_zero = |by: &Amount| by.to_string() == by.with_value(0.0).to_string();
-            let is_equal = matches!(&cells[3], Cell::Amount(by) if is_zero(by));
-            let is_shown = !is_equal && !difference.is_empty() && beyond != "no";
+            let is_zero = matches!(&cells[3], Cell::Amount(by) if by.with_value(0.0).to_string() == difference);
+            let is_shown = !is_zero && !difference.is_empty() && beyond != "no";
             if let (Some(column), Some(row)) = (column, overview.rows.last_mut()) {
                 row[column] = if is_shown { format!("{value} ({difference})").into() } else { value.into() };
             }
