@@ -4,6 +4,7 @@ use super::estimate::{draw_ratio, held_area, siebel_pressure};
 use super::*;
 use super::{holder::if_open, tear::is_upright};
 use crate::case::Finished;
+use crate::geometry::Piece;
 use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
 use crate::rules::{AUSTENITIC, Metal, ROUNDED_RATIO};
@@ -106,14 +107,18 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Wall that hangs free between nose and shoulder, or is redrawn without a sleeve: it may pucker, and no index here says whether.
+/// Wall that hangs free between nose and shoulder or round a dome, or is redrawn without a sleeve: it may pucker, and no index
+/// here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     draw_ratio(&first.model)?;
+    let bottom = run.stages.last()?.model.tool(Role::Punch).and_then(|punch| punch.profile.pieces().first());
+    let is_domed = matches!(bottom, Some(Piece::Arc(_)));
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
     let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder);
     let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
         _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),
+        _ if is_domed => "the ring round the dome hangs free until the punch has come to it".into(),
         Some(i) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i + 1),
         None => return None,
     };
