@@ -237,9 +237,13 @@ impl<'a> Cup<'a> {
             let nose = Picked { value: round, ..self.nose.clone() };
             let cup = self.part.cup_height(blank, *radius, nose.value);
             let rim = rules::rim(rim_before, radius_before / radius, self.sheet.r_value());
-            let shoulder = self.inputs.pick("shoulder", || rules::drawn_shoulder(rim));
             let given = self.inputs.number("last-clearance").filter(|_| is_last).or(self.inputs.number("clearance"));
             let clearance = Picked::or(given, || rules::drawing_clearance(t, drawn_in / radius));
+            let room = flange.map_or(f64::INFINITY, |flange| (flange - radius - clearance.value - t).floor());
+            let fits = |rule: &Picked| rule.value <= room || room < rules::THIN * t;
+            let narrow = || Picked::by(room, "what the flange leaves beside a thickness of flat (declared)");
+            let rule = || Some(rules::drawn_shoulder(rim)).filter(fits).unwrap_or_else(narrow);
+            let shoulder = self.inputs.pick("shoulder", rule);
             (radius_before, rim_before) = (*radius, rim.min(clearance.value));
             let (end, why) = (shoulder.value, "as runs of this case need for the height");
             let travel = || match is_last {
@@ -258,12 +262,11 @@ impl<'a> Cup<'a> {
         let (Self { inputs, sheet, .. }, Part { radius, height, flange, recess, .. }) = (self, self.part);
         let (blank, tools) = (plan.blank.clone(), self.tools(plan));
         let first = &tools[0];
-        let shoulder = first.shoulder.clone();
-        let end = radius + first.clearance.value + shoulder.value;
+        let end = radius + first.clearance.value + first.shoulder.value;
         let what = || format!("the flange ends on the die's shoulder, which ends at a radius of {}", plain(end));
         ensure(flange.is_none_or(|flange| flange > end), what, "make the flange wider, or --shoulder smaller")?;
         let (corner, clearance, ratio) = (first.nose.value, first.clearance.clone(), blank.value / first.radius);
-        let draw = Draw { punch: first.radius, corner, ratio, clearance, shoulder: shoulder.clone(), blank };
+        let draw = Draw { punch: first.radius, corner, ratio, clearance, shoulder: first.shoulder.clone(), blank };
         let (mut sizes, pressure) = draw.values(inputs, sheet)?;
         if !warning.is_empty() {
             sizes.set("warning", warning, "");
@@ -278,7 +281,7 @@ impl<'a> Cup<'a> {
         sizes.lengths([(key, &Picked::input(2.0 * trimmed))]);
         sizes.set("punch", &first.punch, &first.nose.reason("nose: "));
         if recess.is_some() {
-            let [by, shoulder, closed] = [&first.clearance, &shoulder, &first.travel].map(|length| mm(length.value));
+            let [by, shoulder, closed] = [&first.clearance, &first.shoulder, &first.travel].map(|size| mm(size.value));
             let die = format!("{{ offset_of = \"punch\", by = {by}, shoulder = {shoulder}, closed_at = {closed} }}");
             sizes.set("die", die, "closed at the end, its bottom makes the recess");
             sizes.drop(&["throat", "shoulder"]);
@@ -287,7 +290,7 @@ impl<'a> Cup<'a> {
         }
         if tools.len() > 1 {
             // With usual elements the force oscillates as nodes leave the shoulder.
-            sizes.elements(plan.blank.value, shoulder.value.min(self.part.nose), 2);
+            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), 2);
             sizes.set("stages", self.redraws(&tools, pressure), "");
         }
         Ok(sizes)
