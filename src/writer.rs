@@ -27,6 +27,11 @@ impl Values {
         self.0.insert(name.to_owned(), (value.to_string(), why.to_owned()));
     }
 
+    /// Sets a text that is not empty.
+    pub fn set_text(&mut self, name: &str, text: &str) {
+        (!text.is_empty()).then(|| self.set(name, text, ""));
+    }
+
     pub fn lengths<const N: usize>(&mut self, lengths: [(&str, &Picked); N]) {
         lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
     }

@@ -32,7 +32,7 @@ options! {
         blank: Option<f64> = "LENGTH" [long = "blank-radius", visible_alias = "blank-half-length", allow_hyphen_values = true, value_parser = length]
             "Radius of the blank, in plane strain its half-length [default: a placeholder]",
         travel: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
-            "Punch travel [default: a placeholder]",
+            "Punch travel [default: as drawn where the tools are closed, else a placeholder]",
         friction: Option<f64> = "NUMBER" [long, value_parser = |text: &str| text.parse().map(stampflow::units::Fraction::value)]
             "Coulomb's coefficient of every tool, 0 to 1 [default: a placeholder]",
         holder_force: Option<String> = "FORCE" [long] "Holder's force, such as \"9.6 kN\" [default: a placeholder]",
@@ -59,7 +59,6 @@ pub fn import(args: Args) -> Result<Code> {
     let is_free = |path| place::free(path, force, std::slice::from_ref(&drawing), "-o");
     is_free(&out).and_then(|()| is_free(&picture))?;
     let options = Options { layers, unit, axis: axis.map(Dimensioned::value), join, tolerance, punch_moves };
-    let geometry = geometry.unwrap_or_else(|| import::geometry(&bytes));
     let mut import = Import { options, geometry, material, thickness, blank, travel, friction, overrides };
     let mut imported = import.read(&bytes, &drawing);
     let can_ask = unit.is_none() && !json && stdin().is_terminal();
@@ -76,14 +75,11 @@ pub fn import(args: Args) -> Result<Code> {
     let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
     let tools = |tools: &[Section]| tools.iter().map(tool).collect::<Value>();
     let stage = |stage: &Operation| json!({ "name": stage.name(), "tools": tools(&stage.tools) });
-    let later = imported.sections.later.iter().map(stage).collect::<Value>();
+    let [first, later @ ..] = &imported.sections.operations[..] else { return Err(bad_request("no tool is drawn")) };
+    let later = later.iter().map(stage).collect::<Value>();
     let value = json!({ "case": out, "picture": picture, "size": imported.size, "notes": imported.notes });
-    let printed =
-        emit(json, with(value, json!({ "tools": tools(&imported.sections.first.tools), "later": later })), || {
-            let (out, picture) = (out.display(), picture.display());
-            format!("{imported}\n{out} and {picture} are written; next: stampflow check {out}").into()
-        });
-    let what = "no punch is drawn, and the case cannot be run: add one, or import with --layer NAME=punch";
-    ensure!(imported.case.is_some(), what);
-    printed
+    emit(json, with(value, json!({ "tools": tools(&first.tools), "later": later })), || {
+        let (out, picture) = (out.display(), picture.display());
+        format!("{imported}\n{out} and {picture} are written; next: stampflow check {out}").into()
+    })
 }

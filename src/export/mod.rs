@@ -14,21 +14,20 @@
 
 mod dxf;
 
-use crate::case::Solution;
-use crate::geometry::{Bounds, Piece, Point};
-use crate::import::{DrawingUnit, STRIP};
+use crate::case::{Finished, Solution};
+use crate::geometry::{Bounds, Point};
+use crate::import::{DrawingUnit, FINISHED, SIZES, STRIP};
+use crate::measure::wall_at;
 use crate::model::{Geometry, Stage, Tool};
-use crate::plot::drawing::{Color, Layer, extent, layers_csv, true_size_svg};
-use crate::plot::sections::{tool_displacement, whole_sheet};
+use crate::plot::drawing::{Layer, extent, layers_csv, true_size_svg};
+use crate::plot::sections::tool_displacement;
 use crate::solver::solution::{Frame, StageSolution};
-use crate::units::trimmed;
+use crate::units::{joined, trimmed};
 use std::path::Path;
 
-/// Reach of endless walls beyond the sheet, over its size, of the axis beyond the drawing, over its height, and of a trim line
-/// beyond the sheet, over its thickness \[–\].
+/// Reach of endless walls beyond the sheet, over its size, and of the axis beyond the drawing, over its height \[–\].
 const MARGIN: f64 = 0.2;
 const BEYOND: f64 = 0.05;
-const ACROSS: f64 = 5.0;
 /// Number of a stage's layers over its place in the case.
 const STEP: usize = 10;
 
@@ -73,16 +72,17 @@ impl Drawing {
             let before = i.checked_sub(1).map_or(&[][..], |before| &stages[before].model.tools);
             let stood = |tool: &Tool| before.iter().any(|old| old.role == tool.role && old.profile == tool.profile);
             let solved = solution.stages.get(i);
-            let end = solved.and_then(|solved| solved.frames.last());
             if !stage.model.tools.iter().all(stood) {
                 stage.model.tools.iter().enumerate().for_each(|tool| drawing.tool(&prefix, tool, stage, solved));
             }
-            end.into_iter().for_each(|frame| drawing.sheet(&prefix, frame));
+            let end = solved.and_then(|solved| solved.frames.last());
+            drawing.layers.extend(end.into_iter().flat_map(|frame| Layer::sheet(&prefix, frame)));
             stage.begin.trim.into_iter().for_each(|r| drawing.trim(&prefix, r, solved));
         }
+        drawing.finished(&solution.case.finished, solution.stages.get(stages.len() - 1));
         let (low, high) = extent(&drawing.layers);
-        let [from, to] = [(low.y, -BEYOND), (high.y, BEYOND)].map(|(y, by)| Point::new(0.0, y + by * (high.y - low.y)));
-        drawing.add("AXIS".to_owned(), (8, "#808080"), vec![Piece::line(from, to)], None);
+        let ends = [(low.y, -BEYOND), (high.y, BEYOND)].map(|(y, by)| (0.0, y + by * (high.y - low.y)));
+        drawing.layers.push(Layer::polyline("AXIS".to_owned(), (8, "#808080"), ends));
         drawing
     }
 
@@ -96,53 +96,53 @@ impl Drawing {
         }
     }
 
-    fn add(&mut self, name: String, color: Color, pieces: Vec<Piece>, label: Option<(Point, String)>) {
-        self.layers.push(Layer { name, color, pieces, is_joined: false, label });
-    }
-
-    fn polyline(&mut self, name: String, color: Color, points: &[Point], label: Option<(Point, String)>) {
-        let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
-        self.layers.push(Layer { name, color, pieces, is_joined: true, label });
-    }
-
     fn blank(&mut self, stage: &Stage) {
         let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
         let sign = if stage.model.geometry == Geometry::Axisymmetric { "blank Ø " } else { STRIP };
         let text = format!("{sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
         let corners = [(hole, -half), (length, -half), (length, half), (hole, half), (hole, -half)];
-        let outline = corners.map(|(x, y)| Point::new(x, y));
-        self.polyline("BLANK".to_owned(), (30, "#ff7f00"), &outline, Some((outline[2], text)));
+        let blank = Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), corners);
+        self.layers.push(Layer { label: Some((Point::new(length, half), text)), ..blank });
     }
 
     /// Tool where it stands at the end of its stage, with the part of endless walls that the sheet passes.
     fn tool(&mut self, prefix: &str, (index, tool): (usize, &Tool), stage: &Stage, solved: Option<&StageSolution>) {
         let frames = || solved.into_iter().flat_map(|solved| solved.start.iter().chain(&solved.frames));
         let up = |frame: &Frame| tool_displacement(frame, index).y;
-        let passed =
-            frames().flat_map(|frame| frame.nodes.iter().map(move |node| Point::new(node.r, node.z - up(frame))));
+        let passed = frames().flat_map(|f| f.nodes.iter().map(move |node| Point::new(node.r, node.z - up(f))));
         let flat = Bounds { low: Point::zeros(), high: Point::new(stage.model.blank.length, 0.0) };
         let around = passed.fold(flat, Bounds::with);
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
         let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0")][tool.role as usize];
-        self.add(format!("{prefix}{}", tool.role.name().to_uppercase()), color, profile.pieces().to_vec(), None);
-    }
-
-    fn sheet(&mut self, prefix: &str, frame: &Frame) {
-        let outline = whole_sheet(frame, 1.0);
-        let outline: Vec<Point> = outline.iter().chain(outline.first()).map(|(x, y)| Point::new(*x, *y)).collect();
-        self.polyline(format!("{prefix}SHEET"), (7, "#000000"), &outline, None);
-        let middle: Vec<Point> = frame.nodes.iter().map(|node| Point::new(node.r, node.z)).collect();
-        self.polyline(format!("{prefix}MIDLINE"), (9, "#909090"), &middle, None);
+        let name = format!("{prefix}{}", tool.role.name().to_uppercase());
+        self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
     }
 
     /// Line across the sheet where it was cut before a stage.
     fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {
         let edge = solved.and_then(|solved| solved.start.as_ref()?.nodes.last());
-        let (z, reach) = edge.map_or((0.0, ACROSS), |edge| (edge.z, ACROSS * edge.thickness));
-        let [low, high] = [z - reach, z + reach].map(|z| Point::new(r, z));
-        let text = format!("trim at r = {}", self.label(r));
-        self.add(format!("{prefix}TRIM"), (6, "#c000c0"), vec![Piece::line(low, high)], Some((high, text)));
+        let (z, thickness) = edge.map_or((0.0, 1.0), |edge| (edge.z, edge.thickness));
+        let (at, text) = (Point::new(r, z), format!("trim at r = {}", self.label(r)));
+        self.layers.push(Layer::cut(format!("{prefix}TRIM"), at, Point::y() * thickness, text));
+    }
+
+    /// Line across the wall or the flange where the part is trimmed after the last stage, and the sizes that it then has.
+    fn finished(&mut self, finished: &Finished, solved: Option<&StageSolution>) {
+        let Finished { height, diameter, flange_diameter } = *finished;
+        let sizes = SIZES.into_iter().zip([height, diameter, flange_diameter]);
+        let sizes = joined(sizes.filter_map(|(name, size)| Some(format!("{name}{}", self.label(size?)))), ", ");
+        let (Some(end), false) = (solved.and_then(|last| last.frames.last()), sizes.is_empty()) else { return };
+        let edge = end.nodes[end.nodes.len() - 1];
+        let rim = height.filter(|_| flange_diameter.is_none()).and_then(|height| wall_at(end, height));
+        let flange = [flange_diameter.map_or(edge.r, |diameter| 0.5 * diameter), edge.z, edge.thickness];
+        let ([r, z, thickness], along) = rim.map_or((flange, Point::y()), |rim| (rim, Point::x()));
+        self.layers.push(Layer::cut(
+            "TRIM".to_owned(),
+            Point::new(r, z),
+            thickness * along,
+            format!("{FINISHED}{sizes}"),
+        ));
     }
 
     fn label(&self, mm: f64) -> String {

@@ -183,6 +183,24 @@ impl Piece {
         }
     }
 
+    /// Piece moved to other ends near its own; an arc keeps its centre.
+    pub(crate) fn with_ends(&self, from: Point, to: Point) -> Self {
+        match self {
+            _ if (from, to) == (self.first(), self.last()) => *self,
+            Self::Segment(_) => Self::line(from, to),
+            Self::Arc(arc) => Self::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0),
+        }
+    }
+
+    /// Parts before and after a point of the piece, none shorter than `least`.
+    pub(crate) fn split_within(&self, at: Point, least: f64) -> [Option<Self>; 2] {
+        match [self.first(), self.last()].map(|end| (at - end).norm() <= least) {
+            [true, _] => [None, Some(*self)],
+            [_, true] => [Some(*self), None],
+            _ => self.split(at),
+        }
+    }
+
     /// Parts before and after a point of the piece; one without length is left out.
     pub(crate) fn split(&self, point: Point) -> [Option<Piece>; 2] {
         let halves = match self {

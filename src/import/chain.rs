@@ -1,7 +1,7 @@
 //! Strokes of a tool joined end to end into one chain.
 
 use super::{ImportError, dxf::Source, frame::Frame, layers::ToolId};
-use crate::geometry::{Arc, Bounds, Piece, Point, turn};
+use crate::geometry::{Bounds, Piece, Point, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::rc::Rc;
@@ -193,16 +193,8 @@ fn close_joints(chain: &mut Chain) -> f64 {
         let (end, start) = (a.last(), b.first());
         widest = widest.max((start - end).norm());
         let at = if matches!(a, Piece::Segment(_)) { start } else { end };
-        pieces[i].0 = with_ends(&a, a.first(), at);
-        pieces[next].0 = with_ends(&b, at, b.last());
+        pieces[i].0 = a.with_ends(a.first(), at);
+        pieces[next].0 = b.with_ends(at, b.last());
     }
     widest
-}
-
-pub(super) fn with_ends(piece: &Piece, from: Point, to: Point) -> Piece {
-    match piece {
-        _ if (from, to) == (piece.first(), piece.last()) => *piece,
-        Piece::Segment(_) => Piece::line(from, to),
-        Piece::Arc(arc) => Piece::Arc(Arc::between(from, to, arc.center, arc.sweep > 0.0).0),
-    }
 }

@@ -2,8 +2,9 @@
 
 use super::options::{DrawingUnit, Options};
 use super::{ImportError, dxf::Drawing};
+use crate::assess::size::{WIDEST, WIDTHS};
 use crate::geometry::Point;
-use crate::units::{rounded, significant};
+use crate::units::{joined, rounded, significant};
 use std::cell::RefCell;
 
 /// Units of $INSUNITS, from 1: symbols of those of tools, names of others.
@@ -11,10 +12,9 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
     hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey yards, US \
     survey miles";
 
-/// Largest size of tools whose header names another unit than mm \[mm\]; declared: most headers that are wrong say inch.
-const LARGEST: f64 = 500.0;
-/// Smallest size of tools \[mm\]; declared: less than the width of a dimple's punch.
-const SMALLEST: f64 = 0.5;
+/// Units of a drawing whose header is wrong, the likeliest first.
+const LIKELY: [DrawingUnit; 4] =
+    [DrawingUnit::MM, DrawingUnit::INCH, DrawingUnit("cm", 10.0), DrawingUnit("m", 1000.0)];
 
 impl DrawingUnit {
     /// Number in the header of a DXF file, $INSUNITS.
@@ -47,16 +47,20 @@ impl Frame {
         Ok(frame)
     }
 
-    /// Asks for the unit if that of the header makes the tools this wide \[mm\].
-    pub fn check_unit(&self, options: &Options, widest: f64) -> Result<(), ImportError> {
-        let is_likely = options.unit.is_some() || self.unit == DrawingUnit::MM || widest <= LARGEST;
-        if is_likely && widest >= SMALLEST {
+    /// Refuses the header's unit if it makes the tools as wide as no stamping \[mm\]; declared: most headers that are wrong say
+    /// inch, and wide panels are drawn in mm.
+    pub fn check_unit(&self, options: &Options, width: f64) -> Result<(), ImportError> {
+        let most = if self.unit == DrawingUnit::MM { WIDEST } else { *WIDTHS.end() };
+        if options.unit.is_some() || (*WIDTHS.start()..=most).contains(&width) {
             return Ok(());
         }
-        let widest = significant(widest, 3);
-        let what = format!("the tools reach {widest} mm from the axis if 1 drawing unit is 1 {}", self.unit.0);
-        let help = format!("say what it is drawn in, whatever its header says: --unit {}", DrawingUnit::ALL.join(", "));
-        Err(ImportError::new(what, help))
+        let fits =
+            LIKELY.iter().map(|unit| (unit.0, width / self.unit.1 * unit.1)).filter(|(_, mm)| WIDTHS.contains(mm));
+        let fits = fits.map(|(unit, mm)| format!("try --unit {unit}, {} mm wide", significant(mm, 3)));
+        let (mm, unit) = (significant(width, 3), self.unit.0);
+        let what = format!("no stamping is {mm} mm wide, as the tools are if 1 drawing unit is 1 {unit}");
+        let all = format!("--unit {} says what it is drawn in, whatever its header says", DrawingUnit::ALL.join(", "));
+        Err(ImportError::new(what, joined(fits.chain([all]), "; ")))
     }
 
     pub fn note(&self, note: String) {

@@ -1,6 +1,6 @@
 //! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
 
-use super::chain::{Chain, join, with_ends};
+use super::chain::{Chain, join};
 use super::{ImportError, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 
@@ -40,8 +40,8 @@ fn cut(stroke: &Chain, frame: &Frame) -> Vec<Chain> {
             (open, along) = (None, true);
             continue;
         }
-        for piece in with_ends(piece, from, to).cut_at_axis(frame.join) {
-            let piece = with_ends(&piece, on_axis(piece.first()), on_axis(piece.last()));
+        for piece in piece.with_ends(from, to).cut_at_axis(frame.join) {
+            let piece = piece.with_ends(on_axis(piece.first()), on_axis(piece.last()));
             let side = Some(is_right(&piece));
             match parts.last_mut().filter(|_| open == side) {
                 Some(part) => part.push(piece),

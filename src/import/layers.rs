@@ -1,12 +1,12 @@
 //! Tool and operation of each layer.
 
 use super::{ImportError, blocks::Placed, dxf::cut, frame::Frame, options::Options};
-use crate::model::Role;
+use crate::model::{Role, operation_in};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
-const WORDS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
+/// Layers that `export` draws beside the tools.
+const EXPORTED: [&str; 5] = ["blank", "sheet", "midline", "trim", "axis"];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ToolId {
@@ -24,8 +24,8 @@ impl fmt::Display for ToolId {
 
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
-/// Tools by layer: those of `--layer`, then those by name.
-pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<Layers, ImportError> {
+/// Tools by layer, those of `--layer`, then those by name; and all layers in words.
+pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String), ImportError> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {
         *counts.entry(&source.layer).or_default() += 1;
@@ -35,36 +35,39 @@ pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> R
         return Err(ImportError::new(what, "check what was saved; entities on paper sheets are not read"));
     }
     let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), count_entities(*count));
-    let all = || list(counts.iter().map(counted));
+    let all = list(counts.iter().map(counted));
     let is_same = |layer: &str, name: &str| layer.to_lowercase() == name.to_lowercase();
     if let Some((name, _)) = options.layers.iter().find(|(name, _)| !counts.keys().any(|layer| is_same(layer, name))) {
-        let what = format!("there is no layer \"{name}\" with entities; there are {}", all());
+        let what = format!("there is no layer \"{name}\" with entities; there are {all}");
         return Err(ImportError::new(what, "check the name after --layer"));
     }
     let mut layers = Layers::new();
     for layer in counts.keys() {
         let option = options.layers.iter().rev().find(|(name, _)| is_same(layer, name)).map(|(_, role)| *role);
         if let Some(role) = option.map_or_else(|| by_name(layer), Ok)? {
-            layers.insert((*layer).to_owned(), ToolId { operation: operation(layer), role });
+            layers.insert((*layer).to_owned(), ToolId { operation: operation_in(layer), role });
         }
     }
-    if layers.is_empty() {
-        let what = format!("no layer is a tool: there are {}", all());
-        let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, \
-                    die or holder are found by themselves, in German and French too";
-        return Err(ImportError::new(what, help));
-    }
-    let ignored = list(counts.iter().filter(|(layer, _)| !layers.contains_key(**layer)).map(counted));
+    let is_ignored = |layer: &str| !layers.contains_key(layer) && exported(layer).is_none();
+    let ignored = list(counts.iter().filter(|(layer, _)| is_ignored(layer)).map(counted));
     if !ignored.is_empty() {
         frame.note(format!("layers that are no tool are left out: {ignored}"));
     }
-    Ok(ordered(layers))
+    Ok((ordered(layers), all))
 }
 
-pub(super) fn nothing_drawn(layers: &Layers) -> ImportError {
-    let names = list(layers.iter().map(|(layer, tool)| format!("\"{}\" ({tool})", cut(layer))));
-    let what = format!("no line, arc, polyline or spline is on {names}");
-    ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
+pub(super) fn nothing_drawn(all: &str) -> ImportError {
+    let what = format!("no line, arc, polyline or spline is on a tool's layer: there are {all}");
+    let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, die or \
+                holder are found by themselves, in German and French too";
+    ImportError::new(what, help)
+}
+
+/// Number of the operation and name of a layer that `export` draws beside the tools: 20 and `sheet` of `OP20_SHEET`.
+pub(super) fn exported(layer: &str) -> Option<(Option<u32>, &'static str)> {
+    let (lower, number) = (layer.to_lowercase(), operation_in(layer));
+    let name = EXPORTED.into_iter().find(|name| lower.ends_with(name))?;
+    (number.is_some() || lower == name).then_some((number, name))
 }
 
 pub(super) fn list(mut entries: impl Iterator<Item = String>) -> String {
@@ -86,16 +89,6 @@ fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
     let layer = cut(layer);
     let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
     Err(ImportError::new(what, format!("say which it is: --layer \"{layer}={}\", or =none", names[0])))
-}
-
-fn operation(layer: &str) -> Option<u32> {
-    let lower = layer.to_lowercase();
-    let starts = lower.char_indices().filter(|(i, _)| !lower[..*i].ends_with(char::is_alphabetic));
-    let number = |(i, word): (usize, &str)| {
-        let rest = lower[i..].strip_prefix(word)?.trim_start_matches(|c: char| " _-.#".contains(c));
-        rest.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
-    };
-    starts.flat_map(|(i, _)| WORDS.map(|word| (i, word))).find_map(number)
 }
 
 /// Assigns layers without a number to the first operation, or to one before it if that has these tools itself.

@@ -32,6 +32,7 @@ pub use options::{DrawingUnit, Heading, Options, layer};
 
 use crate::geometry::{Point, Profile};
 use crate::model::{Geometry, Role};
+use crate::units::parse;
 use layers::ToolId;
 use std::fmt;
 
@@ -57,14 +58,20 @@ impl ImportError {
     }
 }
 
-/// Geometry of a drawing: plane strain if its blank is labelled as a strip, as [`export`](crate::export) does.
-pub fn geometry(bytes: &[u8]) -> Geometry {
-    let is_strip = bytes.windows(STRIP.len()).any(|text| text == STRIP.as_bytes());
-    if is_strip { Geometry::PlaneStrain } else { Geometry::Axisymmetric }
-}
-
 /// Label of a strip's blank.
 pub const STRIP: &str = "blank L = ";
+/// Label of the trimmed part.
+pub const FINISHED: &str = "finished: ";
+/// Layers of the formed sheet.
+const FORMED: [&str; 2] = ["sheet", "midline"];
+/// Words before the sizes of the trimmed part.
+pub const SIZES: [&str; 3] = ["height ", "diameter ", "flange diameter "];
+
+/// Sizes of the trimmed part \[mm\], in the order of [`SIZES`], where the drawing has its label.
+fn finished(text: &str) -> [Option<f64>; 3] {
+    let label = text.lines().find_map(|line| line.trim().strip_prefix(FINISHED)).unwrap_or_default();
+    SIZES.map(|name| label.split(", ").find_map(|size| Some(parse(size.strip_prefix(name)?).ok()?.value)))
+}
 
 /// Section of a tool.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,6 +93,8 @@ pub struct Operation {
     pub number: Option<u32>,
     /// Punch, die, holder as far as they are drawn.
     pub tools: Vec<Section>,
+    /// Lowest z of the formed sheet \[mm\], where its layer SHEET or MIDLINE is drawn.
+    pub sheet_end: Option<f64>,
 }
 
 impl Operation {
@@ -114,16 +123,16 @@ impl fmt::Display for Operation {
 /// Tools read from a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
-    /// The first or only operation.
-    pub first: Operation,
-    /// Later operations, by their numbers.
-    pub later: Vec<Operation>,
+    /// Operations by their numbers, one at least.
+    pub operations: Vec<Operation>,
     /// Hole, edge and thickness of the blank \[mm\], where its layer is drawn.
     pub blank: Option<[f64; 3]>,
-    /// Largest distance of the finished part from the axis \[mm\], where its layer SHEET is drawn.
-    pub part_edge: Option<f64>,
-    /// Unit of the drawing.
-    pub unit: DrawingUnit,
+    /// Height, diameter and flange diameter of the trimmed part \[mm\], where they are labelled.
+    pub finished: [Option<f64>; 3],
+    /// Plane strain if the blank is labelled as that of a strip.
+    pub geometry: Geometry,
+    /// All layers with the number of their entities.
+    pub layers: String,
     /// How the drawing was understood: unit, direction, halves, joints, omissions.
     pub notes: Vec<String>,
 }
@@ -131,16 +140,15 @@ pub struct Sections {
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 /// Fails when the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
-    let drawing = dxf::drawing(&dxf::decode(bytes)?)?;
+    let text = dxf::decode(bytes)?;
+    let (drawing, finished) = (dxf::drawing(&text)?, finished(&text));
     let frame = frame::Frame::new(&drawing, options)?;
-    let mut entities = blocks::exploded(&drawing)?;
+    let entities = blocks::exploded(&drawing)?;
     let blank = stroke::blank(&entities, options, &frame);
     if let Some([_, edge, thickness]) = blank {
-        entities.retain(|placed| !stroke::is_on(placed, "blank"));
         frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
     }
-    let part_edge = stroke::bounds("sheet", &entities, options, &frame).map(|part| part.high.x);
-    let layers = layers::layers(&entities, options, &frame)?;
+    let (layers, all) = layers::layers(&entities, options, &frame)?;
     let mut tools: Vec<ToolId> = layers.values().copied().collect();
     tools.sort_unstable();
     tools.dedup();
@@ -148,29 +156,28 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let mut strokes = tools.into_iter().map(drawn).collect::<Result<Vec<_>, ImportError>>()?;
     strokes.retain(|(_, drawn)| !drawn.is_empty());
     if strokes.is_empty() {
-        return Err(layers::nothing_drawn(&layers));
+        return Err(layers::nothing_drawn(&all));
     }
+    options.axis.map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
     let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
-    frame.check_unit(options, pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;
-    if options.axis.is_none() {
-        axis::check(&strokes, &frame)?;
-    }
+    frame.check_unit(options, 2.0 * pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;
     let right = |(tool, strokes)| Ok((tool, halves::right(strokes, tool, &frame)?));
     let chains = strokes.into_iter().map(right).collect::<Result<Vec<_>, ImportError>>()?;
     let heading = orient::heading(&chains, options.punch_moves, &frame)?;
-    let mut later: Vec<Operation> = Vec::new();
+    let exported = entities.iter().filter_map(|placed| layers::exported(&placed.source.layer));
+    let first = exported.filter(|(_, name)| FORMED.contains(name)).map(|(number, _)| number).min().flatten();
+    let mut operations: Vec<Operation> = Vec::new();
     for (tool, chain) in chains {
         let section = orient::section(tool, chain, heading, &frame)?;
-        match later.last_mut().filter(|operation| operation.number == tool.operation) {
+        match operations.last_mut().filter(|operation| operation.number == tool.operation) {
             Some(operation) => operation.tools.push(section),
-            None => later.push(Operation { number: tool.operation, tools: vec![section] }),
+            None => {
+                let sheet = stroke::bounds(&FORMED, tool.operation.or(first), &entities, options, &frame);
+                let sheet_end = sheet.map(|sheet| if heading == Heading::Down { -sheet.high.y } else { sheet.low.y });
+                operations.push(Operation { number: tool.operation, tools: vec![section], sheet_end });
+            }
         }
     }
-    let idle = later.iter().find(|operation| operation.tool(Role::Punch).is_none());
-    if let Some(operation) = idle.filter(|_| later.len() > 1) {
-        let what = format!("of {} operations, {} has no punch", later.len(), operation.name());
-        let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
-        return Err(ImportError::new(what, help));
-    }
-    Ok(Sections { first: later.remove(0), later, blank, part_edge, unit: frame.unit, notes: frame.notes.into_inner() })
+    let geometry = if text.contains(STRIP) { Geometry::PlaneStrain } else { Geometry::Axisymmetric };
+    Ok(Sections { operations, blank, finished, geometry, layers: all, notes: frame.notes.into_inner() })
 }

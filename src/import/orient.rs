@@ -200,14 +200,7 @@ fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2]
     let first = points.into_iter().filter(|(_, p)| by(*p)[0] >= most - join);
     let (i, at) = first.max_by(|a, b| by(a.1)[1].total_cmp(&by(b.1)[1])).expect("a chain has pieces");
     let (piece, source) = &chain.pieces[i];
-    let [a, b] = halves(piece, at, join).map(|half| half.map(|piece| (piece, source.clone())));
+    let [a, b] = piece.split_within(at, join).map(|half| half.map(|piece| (piece, source.clone())));
     let before = chain.pieces[..i].iter().cloned().chain(a).collect();
     [before, b.into_iter().chain(chain.pieces[i + 1..].iter().cloned()).collect()]
-}
-
-fn halves(piece: &Piece, at: Point, join: f64) -> [Option<Piece>; 2] {
-    if (at - piece.first()).norm() <= join {
-        return [None, Some(*piece)];
-    }
-    if (at - piece.last()).norm() <= join { [Some(*piece), None] } else { piece.split(at) }
 }

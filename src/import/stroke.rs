@@ -1,7 +1,7 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
 use super::dxf::{MOST, Place};
-use super::layers::{Layers, ToolId, list};
+use super::layers::{Layers, ToolId, exported, list};
 use super::{ImportError, blocks::Placed, chain::Chain, frame::Frame, options::Options, spline};
 use crate::geometry::{Bounds, Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
@@ -70,21 +70,27 @@ pub(super) fn strokes(
     Ok(strokes)
 }
 
-pub(super) fn is_on(placed: &Placed, layer: &str) -> bool {
-    !placed.source.on_paper && placed.source.layer.eq_ignore_ascii_case(layer)
-}
-
-/// Box around what a layer of that name draws; not if `--layer` names it.
-pub(super) fn bounds(layer: &str, entities: &[Placed], options: &Options, frame: &Frame) -> Option<Bounds> {
-    let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case(layer));
-    let curves = entities.iter().filter(|placed| is_free && is_on(placed, layer) && placed.entity.is_curve());
+/// Box around an operation's layers of these names as `export` draws them, without those that `--layer` names.
+pub(super) fn bounds(
+    names: &[&str],
+    operation: Option<u32>,
+    entities: &[Placed],
+    options: &Options,
+    frame: &Frame,
+) -> Option<Bounds> {
+    let is_ours = |Placed { source, entity, .. }: &&Placed| {
+        let is_named = exported(&source.layer).is_some_and(|(own, name)| own == operation && names.contains(&name));
+        let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case(&source.layer));
+        is_named && is_free && !source.on_paper && entity.is_curve()
+    };
+    let curves = entities.iter().filter(is_ours);
     let pieces: Vec<Piece> = curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten().collect();
     Bounds::around(&pieces)
 }
 
 /// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it.
 pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<[f64; 3]> {
-    let Bounds { low, high } = bounds("blank", entities, options, frame)?;
+    let Bounds { low, high } = bounds(&["blank"], None, entities, options, frame)?;
     let [hole, edge, thickness] = [low.x.max(0.0), high.x, high.y - low.y].map(rounded);
     (thickness > frame.join && thickness < THIN * edge).then_some([hole, edge, thickness])
 }
@@ -128,7 +134,8 @@ impl Pen<'_> {
                 return Ok(point);
             }
             let [x, y] = placed.into();
-            Err(self.error(format!("reaches x = {x}, y = {y}, beyond {largest} mm: is the unit right?")))
+            let what = format!("{} reaches x = {x}, y = {y}, beyond {largest} mm", self.placed.source);
+            Err(self.placed.source.error(what, "is the unit right? Give it, such as --unit mm"))
         };
         places.iter().map(point).collect()
     }

@@ -20,6 +20,7 @@ pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
 pub use mode::{Mode, ReleaseStiffness};
+pub use role_names::operation_in;
 pub use settings::{ContactMethod, Norm, Settings, StopRules};
 pub use stage::{Beginning, Stage};
 pub use tools::{Motion, Press, Role, Tool};

@@ -17,6 +17,9 @@ const WORDS: [(Option<Role>, &str); 5] = [
     ),
 ];
 
+/// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
+const OPERATIONS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
+
 /// Letters with an accent, and without.
 const ACCENTS: &str = "àáâãäå=a ç=c èéêë=e ìíîï=i ñ=n òóôõö=o ùúûü=u ß=ss œ=oe";
 
@@ -42,6 +45,17 @@ impl Role {
         found.dedup();
         found
     }
+}
+
+/// Number of the operation that a text names: 20 of `OP20_PUNCH`.
+pub fn operation_in(text: &str) -> Option<u32> {
+    let lower = text.to_lowercase();
+    let starts = lower.char_indices().filter(|(i, _)| !lower[..*i].ends_with(char::is_alphabetic));
+    let number = |(i, word): (usize, &str)| {
+        let rest = lower[i..].strip_prefix(word)?.trim_start_matches(|c: char| " _-.#".contains(c));
+        rest.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+    };
+    starts.flat_map(|(i, _)| OPERATIONS.map(|word| (i, word))).find_map(number)
 }
 
 /// Words of a text in small letters without accents; a capital after a small letter begins another.

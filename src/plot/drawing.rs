@@ -1,6 +1,8 @@
 //! Layers of lines and arcs in true size, for CAD: as a picture with a group for each layer, and as a table.
 
+use super::sections::whole_sheet;
 use crate::geometry::{Bounds, Piece, Point};
+use crate::solver::solution::Frame;
 use crate::units::trimmed;
 use std::{f64::consts::PI, fmt::Write};
 
@@ -26,6 +28,39 @@ pub struct Layer {
     pub is_joined: bool,
     /// Text and its place.
     pub label: Option<(Point, String)>,
+}
+
+/// Reach of the line of a cut beyond the sheet, over its thickness \[–\].
+const ACROSS: f64 = 5.0;
+
+impl Layer {
+    /// Layer with an entity of each line and arc.
+    pub(crate) fn of_pieces(name: String, color: Color, pieces: Vec<Piece>) -> Self {
+        Self { name, color, pieces, is_joined: false, label: None }
+    }
+
+    /// Layer with one polyline.
+    pub(crate) fn polyline(name: String, color: Color, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let points: Vec<Point> = points.into_iter().map(|(x, y)| Point::new(x, y)).collect();
+        let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
+        Self { is_joined: true, ..Self::of_pieces(name, color, pieces) }
+    }
+
+    /// Faces and middle of a formed sheet.
+    pub(crate) fn sheet(prefix: &str, frame: &Frame) -> [Self; 2] {
+        let outline = whole_sheet(frame, 1.0);
+        let outline = outline.iter().chain(outline.first()).copied();
+        let middle = frame.nodes.iter().map(|node| (node.r, node.z));
+        let faces = Self::polyline(format!("{prefix}SHEET"), (7, "#000000"), outline);
+        [faces, Self::polyline(format!("{prefix}MIDLINE"), (9, "#909090"), middle)]
+    }
+
+    /// Line of a cut through a sheet, its thickness along the line, and its text.
+    pub(crate) fn cut(name: String, at: Point, thickness: Point, text: String) -> Self {
+        let [from, to] = [-ACROSS, ACROSS].map(|reach| at + reach * thickness);
+        let line = Self::of_pieces(name, (6, "#c000c0"), vec![Piece::line(from, to)]);
+        Self { label: Some((to, text)), ..line }
+    }
 }
 
 /// Corners of the box around all layers \[mm\].

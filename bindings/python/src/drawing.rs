@@ -64,7 +64,7 @@ impl Request {
                 tolerance: size("tolerance", self.tolerance)?.unwrap_or(default.tolerance),
                 punch_moves: read("punch_moves", self.punch_moves)?,
             },
-            geometry: read("geometry", self.geometry)?.unwrap_or_default(),
+            geometry: read("geometry", self.geometry)?,
             material: self.material,
             thickness: size("thickness", self.thickness)?,
             blank: size("blank_radius", self.blank_radius)?,

@@ -127,10 +127,10 @@ async function keep() {
 /** A case around the tools of a drawing, in its own unit or another. */
 async function openDrawing([name, bytes], unit) {
   const made = await engine.ask({ do: "drawing", name, unit }, bytes);
-  if (made.error) return refuse(made.error);
-  await begin({ template: "", base: made.text, name: name.replace(/dxf$/i, "toml") });
+  if (made.error) refuse(made.error);
+  else await begin({ template: "", base: made.text, name: name.replace(/dxf$/i, "toml") });
   byId("drawing").hidden = false;
-  byId("drawing-notes").textContent = made.notes.join("; ");
+  byId("drawing-notes").textContent = (made.notes ?? []).join("; ");
   byId("unit").value = unit ?? "";
   byId("unit").onchange = ({ target }) => openDrawing([name, bytes], target.value || undefined);
 }

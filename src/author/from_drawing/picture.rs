@@ -1,6 +1,6 @@
 //! Picture of the tools that were read.
 
-use super::{Imported, file_name};
+use super::Imported;
 use crate::import::{Operation, Section, Sections};
 use crate::plot::{Chart, SketchedTool, axis::capitalised, sketch};
 use std::path::Path;
@@ -15,12 +15,13 @@ impl Imported {
             ends: tool.ends.clone(),
         };
         let tools = |operation: &Operation| operation.tools.iter().map(tool).collect();
-        let Sections { first, later, notes, .. } = &self.sections;
-        let operations: Vec<Vec<SketchedTool>> = [first].into_iter().chain(later).map(tools).collect();
+        let Sections { operations, notes, .. } = &self.sections;
+        let operations: Vec<Vec<SketchedTool>> = operations.iter().map(tools).collect();
         let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
                        case moves each along z to where it touches the sheet.";
         let notes = notes.iter().map(|note| format!("{}.", capitalised(note)));
         let notes = std::iter::once(caption.to_owned()).chain(notes).collect();
-        sketch(format!("{}: the tools that were read", file_name(drawing)), self.geometry, &operations, notes)
+        let title = format!("{}: the tools that were read", drawing.file_name().unwrap_or_default().display());
+        sketch(title, self.geometry, &operations, notes)
     }
 }

@@ -1,10 +1,11 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
-use crate::assess::size::{THICKNESSES, WIDTHS};
-use crate::import::{DrawingUnit, Section};
-use crate::model::tool_sizes::{extent, has_room, mouth, shoulder_end, throat};
+use super::Import;
+use crate::import::{ImportError, Operation, Sections};
+use crate::material::Material;
+use crate::model::tool_sizes::{extent, gap, has_room, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::rules::Picked;
+use crate::rules::{Metal, Picked, drawn_travel, siebel, strip_pressure, tensile_strength};
 use crate::table::worded;
 use crate::units::{rounded, trimmed};
 
@@ -16,93 +17,125 @@ const CLEARANCE: f64 = 1.25;
 const WIDE: f64 = 3.0;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
-/// Travel over the punch's size [–], with a die and without.
-const TRAVEL: [f64; 2] = [0.5, 0.25];
+/// Placeholder travel over the punch's size [–].
+const TRAVEL: f64 = 0.5;
 
 /// Tools of one operation, and sizes of the sheet and the punch's travel \[mm\].
-#[derive(Clone)]
-pub(super) struct DrawnTools<'a> {
+pub(super) struct DrawnTools {
     pub geometry: Geometry,
-    pub sections: Vec<&'a Section>,
+    pub punch: Tool,
+    pub die: Tool,
+    pub holder: Option<Tool>,
     pub thickness: Picked,
     pub blank: Picked,
-    pub travel: Option<Picked>,
+    pub travel: Picked,
+    /// Travel after which the tools stand as drawn \[mm\]; `None` if they are drawn open.
+    pub drawn: Option<f64>,
+    /// True if the formed sheet lies wholly beyond the die's shoulder.
+    pub is_through: bool,
 }
 
 pub(super) fn placeholder(value: f64, why: &str) -> Picked {
-    Picked { value, why: why.to_owned() }
+    Picked::by(value, format!("placeholder: {why}; change it"))
 }
 
 fn down(mm: f64) -> f64 {
     rounded((mm * 10.0).floor() / 10.0)
 }
 
-impl<'a> DrawnTools<'a> {
-    pub fn new(geometry: Geometry, sections: Vec<&'a Section>, given: [Option<f64>; 3]) -> Self {
-        let (open, [thickness, blank, travel]) = (placeholder(0.0, ""), given);
-        let mut tools = Self { geometry, sections, thickness: open.clone(), blank: open, travel: None };
+impl DrawnTools {
+    /// Tools of an operation; a die stays where no other is drawn, and with it the holder. Fails without a punch, or a die.
+    pub fn new(
+        import: &Import,
+        sections: &Sections,
+        operation: &Operation,
+        before: Option<&Self>,
+    ) -> Result<Self, ImportError> {
+        let tool = |role: Role| {
+            let profile = operation.tool(role)?.profile.clone();
+            Some(Tool { role, profile, friction: 0.0.into(), motion: Motion::Fixed })
+        };
+        let missing = |role: Role| {
+            let what = format!("{} has no {}: there are {}", operation.name(), role.name(), sections.layers);
+            let help = format!("draw its side towards the sheet, or name its layer: --layer NAME={}", role.name());
+            ImportError { what, help, line: None }
+        };
+        let punch = tool(Role::Punch).ok_or_else(|| missing(Role::Punch))?;
+        let own = tool(Role::Die);
+        let staying = before.filter(|_| own.is_none());
+        let holder = tool(Role::Holder).or_else(|| staying?.holder.clone());
+        let die = own.or_else(|| Some(staying?.die.clone())).ok_or_else(|| missing(Role::Die))?;
+        let shoulder = throat(&die).and_then(|throat| die.profile.extreme(false, [0.0, throat + 1e-6]));
+        let is_beyond = |end| shoulder.is_some_and(|shoulder| end >= shoulder.y);
+        let is_pushed = || import.overrides.iter().any(|set| set == "stop.drawn_through=true");
+        let is_through = operation.sheet_end.map_or_else(is_pushed, is_beyond);
+        let geometry = import.geometry.unwrap_or(sections.geometry);
+        let [thickness, blank, travel] = [(); 3].map(|()| Picked::input(0.0));
+        let mut tools = Self { geometry, punch, die, holder, thickness, blank, travel, drawn: None, is_through };
+        let drawn = |i: usize| sections.blank.map(|sizes| sizes[i]);
+        let thickness = before.map(|before| before.thickness.value).or(import.thickness).or(drawn(2));
         tools.thickness = Picked::or(thickness, || tools.thickness_for());
-        let within = blank.unwrap_or_else(|| tools.reach());
-        let punch = tools.tool(Role::Punch);
-        tools.travel = punch.as_ref().map(|punch| Picked::or(travel, || tools.travel_for(punch, within)));
-        tools.blank = Picked::or(blank, || tools.blank_for());
-        tools
+        let edge = before.map(|before| before.blank.value).or(import.blank).or(drawn(1));
+        let within = [drawn(0).unwrap_or(0.0), edge.unwrap_or_else(|| tools.reach())];
+        tools.drawn = tools.drawn_travel(within, before, operation.sheet_end.is_some());
+        tools.travel = Picked::or(import.travel.filter(|_| before.is_none()), || tools.travel_for(within[1]));
+        tools.blank = Picked::or(edge, || tools.blank_for());
+        Ok(tools)
     }
 
-    pub fn tool(&self, role: Role) -> Option<Tool> {
-        let section = self.sections.iter().find(|section| section.role == role)?;
-        Some(Tool { role, profile: section.profile.clone(), friction: 0.0.into(), motion: Motion::Fixed })
+    /// From the flat sheet, or from the punch of the operation before. Where no sheet is drawn, the tools leave room for one, and
+    /// the punch is as long as its travel.
+    fn drawn_travel(&self, within: [f64; 2], before: Option<&Self>, has_sheet: bool) -> Option<f64> {
+        let top = |tools: &Self| Some(tools.punch.profile.extreme(true, within)?.y);
+        let (thickness, end) = (self.thickness.value, top(self)?);
+        let flat = self.die.profile.extreme(false, within)?.y - thickness;
+        let travel = end - before.map_or(Some(flat), |before| before.drawn.and_then(|_| top(before)))?;
+        let height = (self.punch.profile.last().y - self.punch.profile.first().y).abs();
+        let has_room = || travel <= height && gap(&self.punch, &self.die, 0.0).0 >= thickness;
+        (travel.min(end - flat) > 0.0 && (has_sheet || travel > thickness && has_room())).then_some(travel)
     }
 
     /// Size of the punch where it enters the sheet at its full travel \[mm\].
-    pub fn mouth(&self) -> Option<f64> {
-        Some(mouth(&self.tool(Role::Punch)?, self.travel.as_ref()?.value))
+    pub fn mouth(&self) -> f64 {
+        mouth(&self.punch, self.travel.value)
     }
 
     /// Throat less punch \[mm\], where the whole punch fits in.
     fn clearance(&self) -> Option<f64> {
-        let (punch, die) = (self.tool(Role::Punch)?, self.tool(Role::Die)?);
-        Some(throat(&die)? - extent(&punch).1).filter(|clearance| *clearance > 0.0)
-    }
-
-    /// Twice the largest r of all tools \[mm\].
-    fn width(&self) -> f64 {
-        let tools = Role::ALL.iter().filter_map(|role| self.tool(*role));
-        2.0 * tools.map(|tool| extent(&tool).1).fold(0.0, f64::max)
+        Some(throat(&self.die)? - extent(&self.punch).1).filter(|clearance| *clearance > 0.0)
     }
 
     /// Sizes in words, which show a wrong unit: `punch radius 30 mm, die throat radius 31.25 mm, 180 mm wide in all`.
     pub fn size(&self) -> String {
-        let half = worded(self.geometry, "radius", "half-width");
-        let punch = self.tool(Role::Punch).map(|punch| format!("punch {half} {} mm, ", trimmed(extent(&punch).1, 3)));
-        let throat = self.tool(Role::Die).and_then(|die| throat(&die));
-        let die = throat.map(|throat| format!("die throat {half} {} mm, ", trimmed(throat, 3)));
-        format!("{}{}{} mm wide in all", punch.unwrap_or_default(), die.unwrap_or_default(), trimmed(self.width(), 3))
+        let (half, punch) = (worded(self.geometry, "radius", "half-width"), extent(&self.punch).1);
+        let throat = throat(&self.die).map(|throat| format!("die throat {half} {} mm, ", trimmed(throat, 3)));
+        let others = [Some(&self.die), self.holder.as_ref()].into_iter().flatten().map(|tool| extent(tool).1);
+        let [punch, width] = [punch, 2.0 * others.fold(punch, f64::max)].map(|mm| trimmed(mm, 3));
+        format!("punch {half} {punch} mm, {}{width} mm wide in all", throat.unwrap_or_default())
     }
 
-    /// Sizes that hardly fit a sheet and may come from a wrong unit.
-    pub fn doubts(&self, unit: DrawingUnit, has_drawn_thickness: bool) -> Vec<String> {
-        let (width, is_given, thickness) = (self.width(), self.thickness.is_given(), self.thickness.value);
-        let (mut doubts, t) = (Vec::new(), trimmed(thickness, 3));
-        if !WIDTHS.contains(&width) {
-            let is_mm = unit == DrawingUnit::MM;
-            let (other, name) = if is_mm { (DrawingUnit::INCH, "inches") } else { (DrawingUnit::MM, "mm") };
-            let mm = width / unit.1 * other.1;
-            let other = WIDTHS.contains(&mm).then(|| format!("is it drawn in {name}, {mm:.0} mm wide? "));
-            let what = format!("the tools are {} mm wide in all, which is odd for a stamping", trimmed(width, 1));
-            doubts.push(format!("{what}: {}check --unit", other.unwrap_or_default()));
-        }
-        if has_drawn_thickness && !THICKNESSES.contains(&thickness) {
-            doubts.push(format!("a sheet of {t} mm fits the drawing, which is odd: check --unit and --thickness"));
-        }
-        if let Some(clearance) = self.clearance().filter(|clearance| *clearance > WIDE * thickness) {
-            let (gap, times) = (trimmed(clearance, 3), clearance / thickness);
-            let placeholder = if is_given { "" } else { ", a placeholder" };
-            let times = format!("{times:.1} times the sheet's thickness of {t} mm{placeholder}");
-            let what = format!("the drawing leaves {gap} mm between punch and die, {times}");
-            doubts.push(format!("{what}: check --unit and --thickness"));
-        }
-        doubts
+    /// Clearance that hardly fits the sheet's thickness and may come from a wrong unit.
+    pub fn gap_doubt(&self) -> Option<String> {
+        let thickness = self.thickness.value;
+        let clearance = self.clearance().filter(|clearance| *clearance > WIDE * thickness)?;
+        let [gap, t, times] =
+            [(clearance, 3), (thickness, 3), (clearance / thickness, 1)].map(|(n, to)| trimmed(n, to));
+        let placeholder = if self.thickness.is_given() { "" } else { ", a placeholder" };
+        let what =
+            format!("the drawing leaves {gap} mm between punch and die, {times} times the sheet's thickness of {t} mm");
+        Some(format!("{what}{placeholder}: check --unit and --thickness"))
+    }
+
+    /// The holder's pressure \[MPa\] and its rule.
+    pub fn pressure(&self, metal: &Material) -> (f64, &'static str) {
+        let (strength, ratio) = (tensile_strength(metal), self.blank.value / self.mouth());
+        let (pressure, rule) = if self.geometry == Geometry::Axisymmetric && ratio > 1.0 {
+            let siebel = siebel(ratio, 2.0 * self.mouth(), self.thickness.value, strength);
+            (siebel.max(Metal::of(metal).pressure), "usual pressure of the metal, Siebel's if more")
+        } else {
+            (strip_pressure(strength).value, "1 % of the tensile strength")
+        };
+        (Picked::up(pressure, 0.01, "").value, rule)
     }
 
     fn thickness_for(&self) -> Picked {
@@ -113,33 +146,33 @@ impl<'a> DrawnTools<'a> {
         }
     }
 
-    /// Smaller reach of die and holder from the axis, or else that of the punch \[mm\].
+    /// Smaller reach of die and holder from the axis \[mm\].
     fn reach(&self) -> f64 {
-        let outer = |role| self.tool(role).map(|tool| extent(&tool).1);
-        let face = [outer(Role::Die), outer(Role::Holder)].into_iter().flatten().reduce(f64::min);
-        face.or_else(|| outer(Role::Punch)).unwrap_or(0.0)
+        self.holder.iter().map(|holder| extent(holder).1).fold(extent(&self.die).1, f64::min)
     }
 
     /// A blank as far as die and holder reach, but no more than one draw takes.
     fn blank_for(&self) -> Picked {
-        let punch = self.mouth();
-        let Some(die) = self.tool(Role::Die) else {
-            return placeholder(rounded(1.2 * punch.unwrap_or(50.0)), "a little more than the punch");
-        };
-        let reach = self.reach();
-        match punch.map(|punch| down(RATIO * punch)) {
-            Some(drawn) if drawn < reach && drawn > shoulder_end(&die) => placeholder(drawn, "1.8 times the punch"),
-            _ => placeholder(down(reach), "as far as die and holder are drawn"),
+        let (drawn, reach) = (down(RATIO * self.mouth()), self.reach());
+        match drawn < reach && drawn > shoulder_end(&self.die) {
+            true => placeholder(drawn, "1.8 times the punch"),
+            false => placeholder(down(reach), "as far as die and holder are drawn"),
         }
     }
 
-    /// A share of the punch's size for which its drawn height and the die leave room.
-    fn travel_for(&self, punch: &Tool, blank: f64) -> Picked {
-        let (die, thickness) = (self.tool(Role::Die), self.thickness.value);
+    /// Travel as drawn, through the die with what the template adds to it; else a share of the punch's size for which its drawn
+    /// height and the die leave room.
+    fn travel_for(&self, blank: f64) -> Picked {
+        let (Self { punch, die, .. }, thickness) = (self, self.thickness.value);
+        if let Some(travel) = self.drawn {
+            let shoulder = throat(die).map_or(0.0, |throat| shoulder_end(die) - throat);
+            let through = self.is_through.then(|| drawn_travel(travel, shoulder, thickness));
+            return through.unwrap_or_else(|| Picked::by(travel, "as drawn"));
+        }
         let height = (punch.profile.last().y - punch.profile.first().y).abs();
-        let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
+        let size = TRAVEL * extent(punch).1;
         let most = if height > thickness { size.min(height) } else { size };
-        let has_room = |travel: &f64| die.as_ref().is_none_or(|die| has_room(punch, die, [blank, thickness], *travel));
+        let has_room = |travel: &f64| has_room(punch, die, [blank, thickness], *travel);
         let digits = |mm: f64| down(mm).max(rounded(mm.min(0.1)));
         let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(has_room);
         placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
