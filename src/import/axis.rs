@@ -1,13 +1,13 @@
 //! Check that the axis is at x = 0: tools that are drawn elsewhere would be read as rings.
 
-use super::{ImportError, chain::Chain, frame::Frame, layers::ToolId};
+use super::{ImportError, Result, chain::Chain, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 use crate::model::Role;
 
 /// Largest distance of a punch from x = 0 over the farthest x of all tools \[–\], at which it still reaches the axis.
 const REACHES: f64 = 0.02;
 
-pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], frame: &Frame) -> Result<(), ImportError> {
+pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], frame: &Frame) -> Result {
     let pieces = |roles: &[Role]| {
         let strokes = strokes.iter().filter(|(tool, _)| roles.contains(&tool.role)).flat_map(|(_, strokes)| strokes);
         strokes.flat_map(|stroke| stroke.pieces().copied()).collect::<Vec<Piece>>()

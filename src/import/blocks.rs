@@ -5,8 +5,8 @@
 //!                                               i, j column and row of an array, c, r their distances
 //! ```
 
-use super::ImportError;
 use super::dxf::{Block, Drawing, ENTITIES, Entity, Source, cut};
+use super::{Result, ensure};
 use crate::geometry::Point;
 use nalgebra::{Matrix2, Rotation2};
 use std::collections::BTreeMap;
@@ -73,7 +73,7 @@ fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Pl
 }
 
 /// Entities of a drawing with all blocks placed; a reference to a missing block or out of the plane stays.
-pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>, ImportError> {
+pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();
     let mut explosion = Explosion { blocks, ..Explosion::default() };
@@ -93,7 +93,7 @@ struct Explosion<'a> {
 }
 
 impl<'a> Explosion<'a> {
-    fn entities(&mut self, entities: &'a [Entity], outer: Placement, by: Option<&Source>) -> Result<(), ImportError> {
+    fn entities(&mut self, entities: &'a [Entity], outer: Placement, by: Option<&Source>) -> Result {
         for entity in entities {
             self.count(&entity.source)?;
             let source = placed_source(&entity.source, &outer, by);
@@ -120,13 +120,10 @@ impl<'a> Explosion<'a> {
         Ok(())
     }
 
-    fn count(&mut self, source: &Source) -> Result<(), ImportError> {
+    fn count(&mut self, source: &Source) -> Result {
         self.count += 1;
-        if self.count <= ENTITIES {
-            return Ok(());
-        }
-        let what = format!("with its blocks the drawing has more than {ENTITIES} entities: {source} is one more");
-        Err(source.error(what, "save the tools' layers only"))
+        let what = || format!("with its blocks the drawing has more than {ENTITIES} entities: {source} is one more");
+        ensure(self.count <= ENTITIES, || source.error(what(), "save the tools' layers only"))
     }
 }
 

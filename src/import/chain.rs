@@ -1,6 +1,6 @@
 //! Strokes of a tool joined end to end into one chain.
 
-use super::{ImportError, dxf::Source, frame::Frame, layers::ToolId};
+use super::{ImportError, Result, dxf::Source, ensure, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point, turn};
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -51,7 +51,7 @@ impl Chain {
     }
 }
 
-pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain, ImportError> {
+pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain> {
     let strokes = without_repeats(strokes, frame);
     let corners = corners(&strokes, frame.join);
     if let Some((at, ends)) = corners.iter().find(|(_, ends)| ends.len() > 2) {
@@ -68,9 +68,7 @@ pub(super) fn join(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<C
         let help = "which one meets the sheet cannot be told: leave only that, an open line or one outline";
         return Err(source.error(what, help));
     }
-    if lines.len() > 1 {
-        return Err(gap(&lines, tool, frame));
-    }
+    ensure(lines.len() == 1, || gap(&lines, tool, frame))?;
     let mut chain = lines.remove(0);
     let widest = close_joints(&mut chain);
     if widest > 1e-6 {
@@ -115,7 +113,7 @@ fn corners(strokes: &[Chain], join: f64) -> Vec<(Point, Vec<End>)> {
     corners
 }
 
-fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
+fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result {
     let boxes: Vec<Bounds> = strokes.iter().map(Chain::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
         let [first, last] = [&stroke.pieces[0].0, &stroke.pieces[stroke.pieces.len() - 1].0];

@@ -3,7 +3,7 @@
 //! # References
 //! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
-use super::ImportError;
+use super::{ImportError, Result, ensure};
 use crate::geometry::Point;
 use std::{borrow::Cow, fmt};
 
@@ -132,7 +132,7 @@ impl Entity {
         vertices
     }
 
-    fn read(&mut self, part: Part, (code, value): (i32, &str), line: usize) -> Result<(), ImportError> {
+    fn read(&mut self, part: Part, (code, value): (i32, &str), line: usize) -> Result {
         let is_number = matches!(code, 10..=59 | 70 | 71 | 210..=239);
         if is_number && (self.is_curve() || self.source.kind == "INSERT") {
             let source = &self.source;
@@ -141,9 +141,8 @@ impl Entity {
             let number = value.parse().ok().filter(|number: &f64| number.is_finite());
             let number = number.ok_or_else(|| damaged(format!("has to be a number, and is \"{}\"", cut(value))))?;
             let needs_x = matches!((source.kind.as_str(), code), ("LWPOLYLINE", 20 | 42) | ("SPLINE", 20 | 30));
-            if needs_x && !self.numbers.iter().rev().any(|(code, _)| *code == 10) {
-                return Err(damaged("belongs to a point that has no x before it".to_owned()));
-            }
+            let fits = !needs_x || self.numbers.iter().rev().any(|(code, _)| *code == 10);
+            ensure(fits, || damaged("belongs to a point that has no x before it".to_owned()))?;
             self.numbers.push((code, number));
         } else if part == Part::Entity {
             let source = &mut self.source;
@@ -162,11 +161,9 @@ impl Entity {
 }
 
 /// Text of the file: UTF-8, or the Windows code page of older files.
-pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
-    if bytes.len() > LARGEST {
-        let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
-        return Err(ImportError::new(what, "save the tools' layers only"));
-    }
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>> {
+    let what = || format!("the file is larger than {} MB", LARGEST / 1_000_000);
+    ensure(bytes.len() <= LARGEST, || ImportError::new(what(), "save the tools' layers only"))?;
     let others = [("AutoCAD Binary DXF", "the file is a binary DXF"), ("AC10", "the file is a DWG, not a DXF")];
     if let Some((_, what)) = others.into_iter().find(|(begin, _)| bytes.starts_with(begin.as_bytes())) {
         let help = "save the drawing as DXF in text form (ASCII), version R12 or later";
@@ -188,7 +185,7 @@ enum Part {
     Other,
 }
 
-pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
+pub(super) fn drawing(text: &str) -> Result<Drawing> {
     let mut drawing = Drawing::default();
     let (mut section, mut opens, mut is_dxf, mut last_line) = ("", false, false, 0);
     let (mut variable, mut part, mut count) = ("", Part::Other, 0);
@@ -232,20 +229,13 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
             }
             _ => {}
         }
-        if count > ENTITIES {
-            let what = format!("the drawing has more than {ENTITIES} entities: line {last_line} is one more");
-            return Err(ImportError::new(what, "save the tools' layers only").at(last_line));
-        }
+        let what = || format!("the drawing has more than {ENTITIES} entities: line {last_line} is one more");
+        ensure(count <= ENTITIES, || ImportError::new(what(), "save the tools' layers only").at(last_line))?;
     }
-    if !is_dxf {
-        let what = "the file is not a DXF drawing: it has no section";
-        return Err(ImportError::new(what, "give a DXF file in text form (ASCII)"));
-    }
-    if !section.is_empty() {
-        let section = cut(section);
-        let what = format!("the drawing is cut short: it ends inside its {section} section, at line {last_line}");
-        return Err(ImportError::new(what, AGAIN).at(last_line));
-    }
+    let what = "the file is not a DXF drawing: it has no section";
+    ensure(is_dxf, || ImportError::new(what, "give a DXF file in text form (ASCII)"))?;
+    let what = |section| format!("the drawing is cut short: it ends inside its {section} section, at line {last_line}");
+    ensure(section.is_empty(), || ImportError::new(what(cut(section)), AGAIN).at(last_line))?;
     Ok(drawing)
 }
 

@@ -1,7 +1,7 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
 use super::options::{DrawingUnit, Options};
-use super::{ImportError, dxf::Drawing};
+use super::{ImportError, Result, dxf::Drawing};
 use crate::assess::size::{WIDEST, WIDTHS};
 use crate::geometry::Point;
 use crate::units::{joined, rounded, significant};
@@ -36,7 +36,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub fn new(drawing: &Drawing, options: &Options) -> Result<Self, ImportError> {
+    pub fn new(drawing: &Drawing, options: &Options) -> Result<Self> {
         let (unit, from) = options.unit.map_or_else(|| header_unit(drawing), |unit| Ok((unit, "as asked for")))?;
         let Options { join, tolerance, .. } = *options;
         let frame = Self { unit, axis: options.axis.unwrap_or(0.0), join, tolerance, notes: RefCell::default() };
@@ -49,7 +49,7 @@ impl Frame {
 
     /// Refuses the header's unit if it makes the tools as wide as no stamping \[mm\]; declared: most headers that are wrong say
     /// inch, and wide panels are drawn in mm.
-    pub fn check_unit(&self, options: &Options, width: f64) -> Result<(), ImportError> {
+    pub fn check_unit(&self, options: &Options, width: f64) -> Result {
         let most = if self.unit == DrawingUnit::MM { WIDEST } else { *WIDTHS.end() };
         if options.unit.is_some() || (*WIDTHS.start()..=most).contains(&width) {
             return Ok(());
@@ -89,7 +89,7 @@ impl Frame {
     }
 }
 
-fn header_unit(drawing: &Drawing) -> Result<(DrawingUnit, &'static str), ImportError> {
+fn header_unit(drawing: &Drawing) -> Result<(DrawingUnit, &'static str)> {
     let name = drawing.unit.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
     if let Some(unit) = name.and_then(|name| name.parse().ok()) {
         return Ok((unit, "$INSUNITS of the drawing"));

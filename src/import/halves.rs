@@ -1,19 +1,18 @@
 //! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
 
 use super::chain::{Chain, join};
-use super::{ImportError, frame::Frame, layers::ToolId};
+use super::{ImportError, Result, ensure, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 
 /// Chain at x ≥ 0.
-pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain, ImportError> {
+pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain> {
     let parts = strokes.iter().flat_map(|stroke| cut(stroke, frame));
     let (right, left): (Vec<Chain>, Vec<Chain>) = parts.partition(|part| is_right(&part.pieces[0].0));
     let mirrored = |part: &Chain| Chain::stroke(part.pieces().map(Piece::across_axis), part.source(0));
     let left: Vec<Chain> = left.iter().map(mirrored).collect();
-    if right.is_empty() && left.is_empty() {
-        let help = "draw the side of the tool that meets the sheet; --axis says where the axis is";
-        return Err(ImportError::new(format!("all of the {tool}'s line lies on the axis"), help));
-    }
+    let help = "draw the side of the tool that meets the sheet; --axis says where the axis is";
+    let empty = || ImportError::new(format!("all of the {tool}'s line lies on the axis"), help);
+    ensure(!(right.is_empty() && left.is_empty()), empty)?;
     if right.is_empty() {
         frame.note(format!("the {tool} is drawn on the left of the axis only: its mirror image is used"));
         return join(left, tool, frame);
@@ -60,7 +59,7 @@ fn is_right(piece: &Piece) -> bool {
     piece.sample(2)[1].x > 0.0
 }
 
-fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result<(), ImportError> {
+fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
         let points =
             these.pieces.iter().flat_map(|(piece, source)| piece.sample(8).into_iter().map(move |p| (p, source)));

@@ -1,6 +1,6 @@
 //! Tool and operation of each layer.
 
-use super::{ImportError, blocks::Placed, dxf::cut, frame::Frame, options::Options};
+use super::{ImportError, Result, blocks::Placed, dxf::cut, ensure, frame::Frame, options::Options};
 use crate::model::{Role, operation_in};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -25,15 +25,14 @@ impl fmt::Display for ToolId {
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
 /// Tools by layer, those of `--layer`, then those by name; and all layers in words.
-pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String), ImportError> {
+pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String)> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {
         *counts.entry(&source.layer).or_default() += 1;
     }
-    if counts.is_empty() {
-        let what = "the drawing is empty: there is no entity in its model space";
-        return Err(ImportError::new(what, "check what was saved; entities on paper sheets are not read"));
-    }
+    let what = "the drawing is empty: there is no entity in its model space";
+    let help = "check what was saved; entities on paper sheets are not read";
+    ensure(!counts.is_empty(), || ImportError::new(what, help))?;
     let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), count_entities(*count));
     let all = list(counts.iter().map(counted));
     let is_same = |layer: &str, name: &str| layer.to_lowercase() == name.to_lowercase();
@@ -80,7 +79,7 @@ pub(super) fn count_entities(count: usize) -> String {
     if count == 1 { "1 entity".to_owned() } else { format!("{count} entities") }
 }
 
-fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
+fn by_name(layer: &str) -> Result<Option<Role>> {
     let roles = Role::named_in(layer);
     let names: Vec<&str> = roles.iter().map(|role| role.name()).collect();
     if names.len() < 2 {

@@ -58,6 +58,12 @@ impl ImportError {
     }
 }
 
+type Result<T = (), E = ImportError> = std::result::Result<T, E>;
+
+fn ensure(fits: bool, error: impl FnOnce() -> ImportError) -> Result {
+    if fits { Ok(()) } else { Err(error()) }
+}
+
 /// Label of a strip's blank.
 pub const STRIP: &str = "blank L = ";
 /// Label of the trimmed part.
@@ -139,7 +145,7 @@ pub struct Sections {
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 /// Fails when the drawing is damaged, its unit or axis unknown, or a tool's lines make no chain; with entities and place.
-pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
+pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     let text = dxf::decode(bytes)?;
     let (drawing, finished) = (dxf::drawing(&text)?, finished(&text));
     let frame = frame::Frame::new(&drawing, options)?;
@@ -153,16 +159,14 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     tools.sort_unstable();
     tools.dedup();
     let drawn = |tool: ToolId| Ok((tool, stroke::strokes(&entities, &layers, tool, &frame)?));
-    let mut strokes = tools.into_iter().map(drawn).collect::<Result<Vec<_>, ImportError>>()?;
+    let mut strokes = tools.into_iter().map(drawn).collect::<Result<Vec<_>>>()?;
     strokes.retain(|(_, drawn)| !drawn.is_empty());
-    if strokes.is_empty() {
-        return Err(layers::nothing_drawn(&all));
-    }
+    ensure(!strokes.is_empty(), || layers::nothing_drawn(&all))?;
     options.axis.map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
     let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
     frame.check_unit(options, 2.0 * pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;
     let right = |(tool, strokes)| Ok((tool, halves::right(strokes, tool, &frame)?));
-    let chains = strokes.into_iter().map(right).collect::<Result<Vec<_>, ImportError>>()?;
+    let chains = strokes.into_iter().map(right).collect::<Result<Vec<_>>>()?;
     let heading = orient::heading(&chains, options.punch_moves, &frame)?;
     let exported = entities.iter().filter_map(|placed| layers::exported(&placed.source.layer));
     let first = exported.filter(|(_, name)| FORMED.contains(name)).map(|(number, _)| number).min().flatten();

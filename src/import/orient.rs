@@ -15,7 +15,7 @@
 
 use super::dxf::{Source, cut};
 use super::layers::{ToolId, count_entities, list};
-use super::{ImportError, Section, chain::Chain, frame::Frame, options::Heading};
+use super::{ImportError, Result, Section, chain::Chain, ensure, frame::Frame, options::Heading};
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
 use std::{collections::BTreeSet, rc::Rc};
@@ -28,11 +28,7 @@ const APART: f64 = 0.1;
 /// Direction of the punch: the option's, or that of the walls, or that of the tools' places.
 ///
 /// A punch's body lies behind its face, so that its outer end is behind its inner one; a die's cavity is ahead of its face.
-pub(super) fn heading(
-    chains: &[(ToolId, Chain)],
-    option: Option<Heading>,
-    frame: &Frame,
-) -> Result<Heading, ImportError> {
+pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame: &Frame) -> Result<Heading> {
     let open = chains.iter().filter(|(tool, chain)| matches!(tool.role, Role::Punch | Role::Die) && !is_outline(chain));
     let mut walls = open.filter_map(|(tool, chain)| {
         let (a, b) = (chain.first(), chain.last());
@@ -68,7 +64,7 @@ pub(super) fn heading(
 }
 
 /// Section of a tool: z along the punch travel, the sheet on its left.
-pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section, ImportError> {
+pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section> {
     let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame)? } else { chain };
     let outward = outward(tool, chain, heading, frame)?;
     // Below the sheet one walks outward, above it inward.
@@ -106,7 +102,7 @@ pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Fram
 }
 
 /// Chain from the axis outward; with both ends equally far, the one nearer to the sheet is the inner end.
-fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
+fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain> {
     let (a, b) = (chain.first(), chain.last());
     if (b.x - a.x).abs() > frame.join {
         return Ok(if b.x > a.x { chain } else { chain.reversed() });
@@ -147,7 +143,7 @@ fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
 /// Two measures of a point, the second one among those with nearly the largest first.
 type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
-fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
+fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain> {
     // A pad is a punch upside down.
     let is_down = (heading == Heading::Down) != (tool.role == Role::Pad);
     // Larger where nearer to the sheet.
@@ -175,10 +171,9 @@ fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Re
     let pieces = if before.is_empty() { chain.pieces.clone() } else { before };
     let side = Chain { pieces, is_closed: false };
     let (a, b) = (frame.place(side.first()), frame.place(side.last()));
-    if (side.first() - side.last()).norm() <= frame.join {
-        let what = format!("no side of the {tool}'s outline meets the sheet: it would begin and end at {a}");
-        return Err(ImportError::new(what, "draw the side that meets the sheet as an open line"));
-    }
+    let is_open = (side.first() - side.last()).norm() > frame.join;
+    let what = || format!("no side of the {tool}'s outline meets the sheet: it would begin and end at {a}");
+    ensure(is_open, || ImportError::new(what(), "draw the side that meets the sheet as an open line"))?;
     frame.note(format!("the {tool} is drawn all round: the side towards the sheet is read, from {a} to {b}"));
     Ok(side)
 }

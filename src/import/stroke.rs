@@ -2,7 +2,7 @@
 
 use super::dxf::{MOST, Place};
 use super::layers::{Layers, ToolId, exported, list};
-use super::{ImportError, blocks::Placed, chain::Chain, frame::Frame, options::Options, spline};
+use super::{ImportError, Result, blocks::Placed, chain::Chain, ensure, frame::Frame, options::Options, spline};
 use crate::geometry::{Bounds, Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
 use std::f64::consts::{PI, TAU};
@@ -25,12 +25,7 @@ const CLOSED: i64 = 1;
 const MESH: i64 = 16 | 64;
 const OFF_THE_CURVE: i64 = 16;
 
-pub(super) fn strokes(
-    entities: &[Placed],
-    layers: &Layers,
-    tool: ToolId,
-    frame: &Frame,
-) -> Result<Vec<Chain>, ImportError> {
+pub(super) fn strokes(entities: &[Placed], layers: &Layers, tool: ToolId, frame: &Frame) -> Result<Vec<Chain>> {
     let is_ours = |placed: &&Placed| !placed.source.on_paper && layers.get(&placed.source.layer) == Some(&tool);
     let (curves, others): (Vec<&Placed>, Vec<&Placed>) =
         entities.iter().filter(is_ours).partition(|placed| placed.entity.is_curve());
@@ -59,12 +54,10 @@ pub(super) fn strokes(
     for placed in curves {
         let (source, pieces) = (&placed.source, Pen { placed, frame }.pieces()?);
         count += pieces.len();
-        if count > MOST {
-            let what = format!("the {tool} is drawn in more than {MOST} lines and arcs, {source} among them");
-            let help = "a section has a few dozen: leave only what meets the sheet, thin its points out, or give splines a \
-                        larger --tolerance";
-            return Err(source.error(what, help));
-        }
+        let what = || format!("the {tool} is drawn in more than {MOST} lines and arcs, {source} among them");
+        let help = "a section has a few dozen: leave only what meets the sheet, thin its points out, or give splines a \
+                    larger --tolerance";
+        ensure(count <= MOST, || source.error(what(), help))?;
         strokes.push(Chain::stroke(pieces, source));
     }
     Ok(strokes)
@@ -101,7 +94,7 @@ struct Pen<'a> {
 }
 
 impl Pen<'_> {
-    fn pieces(&self) -> Result<Vec<Piece>, ImportError> {
+    fn pieces(&self) -> Result<Vec<Piece>> {
         let entity = self.placed.entity;
         match entity.source.kind.as_str() {
             "LINE" => self.polyline(&self.points(1.0, &[entity.point(10), entity.point(11)])?, &[0.0]),
@@ -121,12 +114,11 @@ impl Pen<'_> {
     }
 
     /// Points in mm, of one z; `side` is −1 in a coordinate system seen from behind.
-    fn points(&self, side: f64, places: &[Place]) -> Result<Vec<Point>, ImportError> {
+    fn points(&self, side: f64, places: &[Place]) -> Result<Vec<Point>> {
         let heights = places.iter().map(|[.., z]| *z);
         let (low, high) = (heights.clone().fold(f64::INFINITY, f64::min), heights.fold(f64::NEG_INFINITY, f64::max));
-        if high - low > SHORTEST {
-            return Err(self.error(format!("leaves the x-y plane: its z goes from {low} to {high} drawing units")));
-        }
+        let what = || format!("leaves the x-y plane: its z goes from {low} to {high} drawing units");
+        ensure(high - low <= SHORTEST, || self.error(what()))?;
         let point = |[x, y, _]: &Place| {
             let placed = self.placed.placement.at(Point::new(side * x, *y));
             let (point, largest) = (self.frame.point(placed), Length::KIND.largest);
@@ -141,15 +133,14 @@ impl Pen<'_> {
     }
 
     /// +1 in the drawing's plane, −1 seen from behind.
-    fn side(&self) -> Result<f64, ImportError> {
+    fn side(&self) -> Result<f64> {
         let [x, y, z] = self.placed.entity.normal();
-        if x.abs() > 1e-9 || y.abs() > 1e-9 || z == 0.0 {
-            return Err(self.error(format!("does not lie in the x-y plane: its normal is ({x}, {y}, {z})")));
-        }
+        let what = || format!("does not lie in the x-y plane: its normal is ({x}, {y}, {z})");
+        ensure(x.abs() <= 1e-9 && y.abs() <= 1e-9 && z != 0.0, || self.error(what()))?;
         Ok(z.signum())
     }
 
-    fn arc(&self) -> Result<Piece, ImportError> {
+    fn arc(&self) -> Result<Piece> {
         let (side, entity) = (self.side()?, self.placed.entity);
         let center = self.points(side, &[entity.point(10)])?[0];
         let (scale, rotation) = self.similarity()?;
@@ -158,30 +149,25 @@ impl Pen<'_> {
         let [start, end] = [entity.number(50, 0.0), entity.number(51, 360.0)].map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
         let place = self.frame.place(center);
-        if !(radius > SHORTEST && radius <= Length::KIND.largest && sweep.is_finite()) {
-            return Err(self.error(format!("has a radius of {drawn_radius} drawing units about {place}")));
-        }
-        if sweep < 1e-12 {
-            return Err(self.error(format!("is a whole circle about {place}")));
-        }
+        let fits = radius > SHORTEST && radius <= Length::KIND.largest && sweep.is_finite();
+        ensure(fits, || self.error(format!("has a radius of {drawn_radius} drawing units about {place}")))?;
+        ensure(sweep >= 1e-12, || self.error(format!("is a whole circle about {place}")))?;
         let (start, sweep) = if side > 0.0 { (start, sweep) } else { (PI - start, -sweep) };
         let sense = self.placed.placement.sense();
         Ok(Piece::arc(center, radius, rotation + sense * start, sense * sweep))
     }
 
     /// Scale and rotation \[rad\] of the placement, which has to leave circles round.
-    fn similarity(&self) -> Result<(f64, f64), ImportError> {
+    fn similarity(&self) -> Result<(f64, f64)> {
         let elliptic = "is an arc in a block that is placed with different scales along x and y";
         self.placed.placement.similarity().ok_or_else(|| self.error(elliptic))
     }
 
-    fn vertices(&self) -> Result<Vec<Piece>, ImportError> {
+    fn vertices(&self) -> Result<Vec<Piece>> {
         let entity = self.placed.entity;
         let (flags, mut vertices) = (entity.number(70, 0.0) as i64, entity.vertices());
         if entity.source.kind == "POLYLINE" {
-            if flags & MESH != 0 {
-                return Err(self.error("is a mesh, not a line"));
-            }
+            ensure(flags & MESH == 0, || self.error("is a mesh, not a line"))?;
             vertices.retain(|vertex| vertex.flags & OFF_THE_CURVE == 0);
         }
         let side = self.side()?;
@@ -196,14 +182,12 @@ impl Pen<'_> {
     }
 
     /// Lines and arcs through points; a bulge is that of the arc to the next point.
-    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>, ImportError> {
+    fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>> {
         // Repeated points, which CAD programs leave behind, are one.
         let distinct = points.windows(2).zip(bulges).filter(|(pair, _)| (pair[1] - pair[0]).norm() > SHORTEST);
         let pieces: Vec<Piece> = distinct.map(|(pair, bulge)| bulged(pair[0], pair[1], *bulge)).collect();
-        if pieces.is_empty() {
-            let at = points.first().map(|p| format!(": it begins and ends at {}", self.frame.place(*p)));
-            return Err(self.error(format!("has no length{}", at.unwrap_or_default())));
-        }
+        let at = || points.first().map(|p| format!(": it begins and ends at {}", self.frame.place(*p)));
+        ensure(!pieces.is_empty(), || self.error(format!("has no length{}", at().unwrap_or_default())))?;
         Ok(pieces)
     }
 }
