@@ -16,11 +16,9 @@ mod random_die;
 use coverage::{Checked, case_of, check};
 use rayon::prelude::*;
 use stampflow::study::verify::Direction;
-use std::time::Instant;
 
 fn main() {
     let (count, seed) = (argument("--count", 300), argument("--seed", 7));
-    let start = Instant::now();
     let seeds: Vec<u64> = (0..count).map(|i| seed * 1_000_003 + i).collect();
     let checked: Vec<Checked> =
         seeds.par_iter().map(|seed| check(case_of(random_die::random_die(*seed).model))).collect();
@@ -29,7 +27,7 @@ fn main() {
             print_raw(checked, *seed);
         }
     }
-    println!("{count} random dies, seed {seed}, {:.0} s\n", start.elapsed().as_secs_f64());
+    println!("{count} random dies, seed {seed}\n");
     println!("{}", markdown(&tally(&checked)));
 }
 
@@ -92,7 +90,7 @@ struct Row {
     ratios: Vec<f64>,
 }
 
-/// A row for every number.
+/// A row for every number that has bars; places and travels have none.
 fn tally(checked: &[Checked]) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for (number, truth) in checked.iter().flat_map(Checked::with_truth) {
@@ -111,6 +109,7 @@ fn tally(checked: &[Checked]) -> Vec<Row> {
             }
         }
     }
+    rows.retain(|row| !row.ratios.is_empty());
     rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
     rows
 }

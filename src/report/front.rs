@@ -3,6 +3,7 @@
 use super::Report;
 use super::page::{figure_in_column, in_words, word};
 use super::results::{PART, plot};
+use super::sections::warnings;
 use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
 use crate::plot::chart::{Series, Style, bounds};
 use crate::plot::{Chart, axis::capitalised, load_travel};
@@ -10,8 +11,9 @@ use crate::solver::solution::StepRecord;
 use crate::units::joined;
 use maud::{Markup, html};
 
-/// Most issues that leave room for the pictures.
+/// Most issues and warnings that leave room for the pictures.
 const ISSUES: usize = 4;
+const WARNINGS: usize = 2;
 
 /// Pictures of the part: the first that there is.
 const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
@@ -39,6 +41,7 @@ pub(super) fn content(report: &Report) -> Markup {
         }
         @if left > 0 { p { (left) " more below: see Verdict." } }
         @if !unchecked.is_empty() { p { "Not checked: " (unchecked) "." } }
+        @for warning in warnings(report).iter().take(WARNINGS) { p { "Note: " (warning) "." } }
         dl.numbers {
             @for number in &answer.numbers {
                 div {

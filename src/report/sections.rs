@@ -58,7 +58,7 @@ pub(super) fn inputs(report: &Report) -> Markup {
     html! { div.columns style=(format!("font-size: {size:.2}pt", size = (SIZES[1] * (PAGE / letters).sqrt()).clamp(SIZES[0], SIZES[1]))) { (parts) } }
 }
 
-fn warnings(report: &Report) -> Vec<String> {
+pub(super) fn warnings(report: &Report) -> Vec<String> {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or_else(String::new, |i| report.stage(i));
     warnings.map(|f| format!("{}{}", stage(f.stage), f.sentence())).collect()
