@@ -221,13 +221,12 @@ pub fn holder_pressure(
     let force = 2.0 * PI * end * 0.25 * strength * thickness / HELD_OUT;
     // A blank that ends on the shoulder is refused elsewhere.
     let level = if edge > end { force / (PI * (edge * edge - end * end)) } else { 0.0 };
+    let hinge =
+        "π a R_m t/16 over its area: a plastic hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)";
     let rules = [
         (usual, "usual for this metal: 2 to 2.5 for steel, 1.2 to 1.5 for aluminium (Tschätsch)"),
         (siebel, "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"),
-        (
-            level,
-            "π a R_m t/16 over its area: a plastic hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)",
-        ),
+        (level, hinge),
     ];
     let [first, others @ ..] = rules;
     let (pressure, rule) = others.into_iter().fold(first, |most, next| if next.0 > most.0 { next } else { most });

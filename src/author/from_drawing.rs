@@ -7,7 +7,7 @@ mod sizes;
 use super::templates::{Inputs, LAW, mild_steel, rules::Picked};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library, overrides};
-use crate::import::{self, ImportError, Operation, Options, Section, Sections};
+use crate::import::{self, ImportError, Operation, Options, Result, Section, Sections};
 use crate::material::Material;
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Extent, Geometry, Role};
@@ -60,7 +60,7 @@ pub struct Imported {
 impl Import {
     /// Makes a case of the bytes of a DXF file.
     /// Fails when the drawing cannot be read, the sheet is unknown, or the tools make no case.
-    pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported, ImportError> {
+    pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported> {
         let sections = import::read(bytes, &self.options)?;
         let sheet = self.material.as_deref().map(library::material).transpose().map_err(refused)?;
         let metal = sheet.map_or_else(mild_steel, |sheet| sheet.material);
@@ -164,7 +164,7 @@ impl fmt::Display for Imported {
     }
 }
 
-fn case(text: &str, drawing: &str, first: &Operation, doubts: &[String]) -> Result<Case, ImportError> {
+fn case(text: &str, drawing: &str, first: &Operation, doubts: &[String]) -> Result<Case> {
     case::parse(text, drawing, &[]).map_err(|error| {
         let place = match error.key() {
             "tools.punch.travel" => Some("set it with --travel".to_owned()),

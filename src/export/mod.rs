@@ -137,12 +137,8 @@ impl Drawing {
         let rim = height.filter(|_| flange_diameter.is_none()).and_then(|height| wall_at(end, height));
         let flange = [flange_diameter.map_or(edge.r, |diameter| 0.5 * diameter), edge.z, edge.thickness];
         let ([r, z, thickness], along) = rim.map_or((flange, Point::y()), |rim| (rim, Point::x()));
-        self.layers.push(Layer::cut(
-            "TRIM".to_owned(),
-            Point::new(r, z),
-            thickness * along,
-            format!("{FINISHED}{sizes}"),
-        ));
+        let (at, text) = (Point::new(r, z), format!("{FINISHED}{sizes}"));
+        self.layers.push(Layer::cut("TRIM".to_owned(), at, thickness * along, text));
     }
 
     fn label(&self, mm: f64) -> String {

@@ -58,7 +58,7 @@ impl ImportError {
     }
 }
 
-type Result<T = (), E = ImportError> = std::result::Result<T, E>;
+pub(crate) type Result<T = (), E = ImportError> = std::result::Result<T, E>;
 
 fn ensure(fits: bool, error: impl FnOnce() -> ImportError) -> Result {
     if fits { Ok(()) } else { Err(error()) }

@@ -80,8 +80,7 @@ fn advice_does_what_it_says() {
 #[test]
 fn new_cases_are_green_with_their_defaults() {
     for template in TEMPLATES.iter().filter(|template| template.name != "erichsen") {
-        let text = template.fill(&[]).expect("a case");
-        let solution = solved_once(&case::parse(&text, "new.toml", &[]).expect("valid"));
+        let solution = solved_once(&made(template.name, &[], &[]));
         let (answer, findings) = judge(solution, None, false, &());
         let open = assess::judgements(&findings).filter(|row| row.light > Light::Green).map(|row| row.key);
         let expected = match template.name {

@@ -6,9 +6,8 @@ use stampflow::model::ReleaseStiffness;
 use std::fs::File;
 use std::io::{self, ErrorKind};
 
-fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::load(path, &overrides).unwrap_or_else(|error| panic!("{}", error.render(false)))
+fn load(path: impl AsRef<Path>) -> Case {
+    case::load(path, &[]).unwrap_or_else(|error| panic!("{}", error.render(false)))
 }
 
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
@@ -18,7 +17,7 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
     let cases = files("cases", "toml");
     assert!(cases.len() >= 8, "{cases:?}");
     for path in cases {
-        let case = load(&path, &[]);
+        let case = load(&path);
         assert!(!case.model().notes.is_empty(), "{}: no notes", case.name);
         let report = format!("{:#}", stampflow::assess::check::report(&case));
         assert!(case.model().notes.iter().all(|note| report.contains(note)), "{report}");
@@ -46,7 +45,7 @@ fn a_temperature_is_given_by_zones_or_by_a_file() {
     std::fs::write(folder.path().join("field.csv"), "# measured\ns0_in,temperature_C\n1,20\n2,120\n").expect("written");
     let path = folder.path().join("case.toml");
     std::fs::write(&path, format!("{MINIMAL}[heat]\ninitial = \"field.csv\"\n")).expect("written");
-    let heat = load(&path, &[]).model().heat.clone().expect("given");
+    let heat = load(&path).model().heat.clone().expect("given");
     for (found, expected) in at(&heat, [0.0, 25.4, 38.1, 54.0]).into_iter().zip([20.0, 20.0, 70.0, 120.0]) {
         assert!((found - expected).abs() < 1e-9, "{found} {expected}");
     }
@@ -67,7 +66,7 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
     }
     assert_eq!(sources.len(), curves.len(), "a source without its curve");
     for path in files("cases", "toml") {
-        for spec in load(&path, &[]).compare.iter().filter(|spec| spec.data.is_some()) {
+        for spec in load(&path).compare.iter().filter(|spec| spec.data.is_some()) {
             let text = std::fs::read_to_string(&spec.reference).unwrap();
             let header: Vec<&str> =
                 text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
@@ -97,7 +96,7 @@ fn a_twelve_line_case_is_enough_and_its_defaults_are_the_documented_ones() {
 #[test]
 fn with_a_depth_forces_are_of_the_whole_part() {
     let holder = |overrides: &[&str]| {
-        let model = load("cases/strip_draw.toml", overrides).model().clone();
+        let model = shipped_case("strip_draw", overrides).model().clone();
         assert_eq!(model.extent(), Extent::Depth(500.0));
         model.tool(Role::Holder).unwrap().motion.clone()
     };
@@ -127,20 +126,16 @@ fn overrides_take_toml_values_and_bare_text() {
         "output.count = 2",
         "title=Another cup",
     ];
-    let case = load("cases/quickstart.toml", &overrides);
+    let case = shipped_case("quickstart", &overrides);
     let model = case.model();
     assert_eq!(model.tool(Role::Punch).unwrap().friction, 0.1.into());
     assert_eq!((model.blank.thickness, model.blank.length), (0.9, 52.0));
     assert_eq!(model.settings.iteration, stampflow::model::Iteration::Newton);
     assert_eq!(model.frames.len(), 2);
     assert_eq!(model.title, "Another cup");
-    assert_eq!(
-        case::parse(&case.text, "cases/quickstart.toml", &[]).unwrap().model().clone(),
-        *case.model(),
-        "the text repeats the run"
-    );
-    let woo = load("cases/woo_hemispherical.toml", &["material.hardening.piecewise_power.branches.0.n=0.5045"]);
-    assert_ne!(woo.model().material, load("cases/woo_hemispherical.toml", &[]).model().material);
+    assert_eq!(parsed(&case.text, &[]).model(), case.model(), "the text repeats the run");
+    let woo = shipped_case("woo_hemispherical", &["material.hardening.piecewise_power.branches.0.n=0.5045"]);
+    assert_ne!(woo.model().material, shipped_case("woo_hemispherical", &[]).model().material);
 }
 
 /// All that is needed is read with the case: the shipped ones give the same where there is no disk.
@@ -156,7 +151,7 @@ fn a_case_can_be_read_from_memory() {
     for path in cases {
         let text = std::fs::read_to_string(&path).unwrap();
         let read = |files: &dyn Files| case::parse_with(&text, path.to_str().unwrap(), &[], files);
-        let case = load(&path, &[]);
+        let case = load(&path);
         assert_eq!(read(&memory).unwrap_or_else(|error| panic!("{}", error.render(false))), case);
         if read(&Memory::default()).is_err() {
             beside += 1;
@@ -211,8 +206,8 @@ fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
     assert_eq!(across.matches("diameter").count(), 4, "{across}");
     let across = parsed(&across, &[]);
     assert_eq!(across.model(), radii.model());
-    let set = load("cases/quickstart.toml", &["blank.diameter=104 mm"]);
-    let pressed = load("cases/quickstart.toml", &["tools.holder.pressure=2 MPa"]);
+    let set = shipped_case("quickstart", &["blank.diameter=104 mm"]);
+    let pressed = shipped_case("quickstart", &["tools.holder.pressure=2 MPa"]);
     assert!(pressed.text.contains("2 MPa") && !pressed.text.contains("10 kN"), "an override replaces the force");
     assert_eq!(set.model().blank.length, 52.0, "an override replaces the radius");
 }
@@ -246,13 +241,11 @@ name = "free"
 release = "constant"
 "#
     );
-    let case = case::parse(&text, "cup.toml", &elastic.map(str::to_owned)[..2])
-        .unwrap_or_else(|e| panic!("{}", e.render(false)));
-    let stages = case.stages;
+    let stages = parsed(&text, &elastic[..2]).stages;
     let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
     assert_eq!(names, ["forming", "back", "open", "redraw", "free"]);
     // Spring-back asks for more points through the thickness than the flow law alone, and for points on the faces.
-    let mut alone = load("cases/quickstart.toml", &elastic).model().clone();
+    let mut alone = shipped_case("quickstart", &elastic).model().clone();
     assert_eq!(alone.blank.rule, ThicknessRule::Parts);
     alone.blank.rule = ThicknessRule::Lobatto;
     assert_eq!(stages[0].model, alone);

@@ -8,7 +8,7 @@ fn quickstart(overrides: &[&str]) -> Case {
     shipped_case("quickstart", overrides)
 }
 
-fn value(check: &Check, label: &str) -> f64 {
+pub fn value(check: &Check, label: &str) -> f64 {
     let line = check.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}"));
     line.number.expect("a number")
 }
@@ -19,7 +19,7 @@ fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
     let check = report(&quickstart(&[]));
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     assert_relative_eq!(value(&check, "tensile strength"), strength, max_relative = 1e-4);
-    let area = std::f64::consts::PI * (55.0 * 55.0 - 37.25 * 37.25);
+    let area = PI * (55.0 * 55.0 - 37.25 * 37.25);
     assert_relative_eq!(value(&check, "holder pressure"), 10_000.0 / area, max_relative = 1e-9);
     let beta: f64 = 55.0 / 30.0;
     let siebel = 0.0025 * ((beta - 1.0).powi(2) + 0.3) * strength;

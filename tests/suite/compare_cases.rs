@@ -20,10 +20,7 @@ fn a_difference_is_beyond_the_error_bars_or_within_them() {
     let rows: Vec<&Vec<Cell>> = table.rows.iter().filter(|row| row[0].to_string() == "Punch force").collect();
     let beyond: Vec<String> = rows.iter().map(|row| row[4].to_string()).collect();
     assert_eq!(beyond, ["", "yes", "no"]);
-    let [a, b] = [0, 1].map(|i| {
-        let steps = &all.members[i].solution.stages[0].steps;
-        steps.iter().map(|step| step.punch_force).fold(0.0, f64::max)
-    });
+    let [a, b] = [0, 1].map(|i| peak(&all.members[i].solution.stages[0]));
     let Cell::Amount(by) = &rows[1][3] else { panic!("a number") };
     assert!((by.value - (b - a)).abs() < 1e-9 * b && b > 1.05 * a, "{a} {b}");
 }
@@ -32,11 +29,10 @@ fn a_difference_is_beyond_the_error_bars_or_within_them() {
 #[test]
 fn a_runs_own_tables_lie_on_its_curves() {
     let dir = folder(CUP);
-    let ran = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet", "--out", "r"]);
-    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    ends(&stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet", "--out", "r"]), 0, "");
     let args = ["compare", "cases/cup.toml", "r/load_travel.csv", "r/profile.csv", "--json", "--out", "c"];
     let done = stampflow(dir.path(), &args);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    ends(&done, 0, "");
     let value: Value = serde_json::from_slice(&done.stdout).expect("JSON");
     let rows = value["tables"][0]["rows"].as_array().expect("rows");
     let misfits: Vec<f64> = rows

@@ -16,7 +16,7 @@ pub fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
 
 /// A quarter of a circle about `center` that turns to the right as one goes along it: a convex corner.
 fn corner(center: [f64; 2], radius: f64, start_degrees: f64) -> Piece {
-    Piece::Arc(Arc::new(center.into(), radius, start_degrees.to_radians(), -std::f64::consts::FRAC_PI_2))
+    Piece::Arc(Arc::new(center.into(), radius, start_degrees.to_radians(), -FRAC_PI_2))
 }
 
 /// A flat punch: half-width of its flat, nose, level of its face and of its end, z downward along the travel.
@@ -54,14 +54,19 @@ fn assert_same(found: &Profile, expected: &[Piece], drawing: &str) {
     for (a, b) in found.pieces().iter().zip(expected) {
         let off = (a.first() - b.first()).norm().max((a.last() - b.last()).norm());
         assert!(off < 1e-6, "{drawing}: {a:?} {b:?}");
-        match (a, b) {
-            (Piece::Segment(_), Piece::Segment(_)) => {}
-            (Piece::Arc(a), Piece::Arc(b)) => {
-                assert!((a.center - b.center).norm() < 1e-6 && (a.radius - b.radius).abs() < 1e-6, "{drawing}");
-                assert!((a.sweep - b.sweep).abs() < 1e-6, "{drawing}: {a:?} {b:?}");
-            }
-            _ => panic!("{drawing}: {a:?} instead of {b:?}"),
+        assert_bends(a, b, Point::zeros(), drawing);
+    }
+}
+
+/// Both are lines, or arcs with one centre, radius and sense but for a shift.
+pub fn assert_bends(a: &Piece, b: &Piece, shift: Point, name: &str) {
+    match (a, b) {
+        (Piece::Segment(_), Piece::Segment(_)) => {}
+        (Piece::Arc(a), Piece::Arc(b)) => {
+            assert!((a.center + shift - b.center).norm() < 1e-6 && (a.radius - b.radius).abs() < 1e-6, "{name}");
+            assert!((a.sweep - b.sweep).abs() < 1e-6, "{name}: {a:?} {b:?}");
         }
+        _ => panic!("{name}: {a:?} instead of {b:?}"),
     }
 }
 
@@ -222,26 +227,23 @@ fn an_imported_case_can_be_checked_and_run() {
     ] {
         let dir = folder(&Path::new("tests/drawings").join(drawing).with_extension("dxf"));
         let file = format!("{drawing}.dxf");
-        let imported = stampflow(dir.path(), &[&["import", &file, "-o", "cases/die.toml"], more].concat());
-        assert_eq!(imported.status.code(), Some(0), "{drawing}: {}", text(&imported.stderr));
+        ends(&stampflow(dir.path(), &[&["import", &file, "-o", "cases/die.toml"], more].concat()), 0, "");
         assert!(fs::metadata(dir.path().join("cases/die.png")).unwrap().len() > 10_000);
-        let checked = stampflow(dir.path(), &["check", "cases/die.toml"]);
-        assert_eq!(checked.status.code(), Some(0), "{drawing}: {}", text(&checked.stderr));
-        let done = stampflow(dir.path(), &["run", "cases/die.toml", "--quiet", "--no-advice"]);
-        assert_eq!(done.status.code(), Some(0), "{drawing}: {}{}", text(&done.stderr), text(&done.stdout));
+        for args in [&["check", "cases/die.toml"][..], &["run", "cases/die.toml", "--quiet", "--no-advice"]] {
+            ends(&stampflow(dir.path(), args), 0, "");
+        }
     }
 }
 
 fn imported(dir: &Path, name: &str, args: &[&str]) -> (Case, String) {
     let done = stampflow(dir, &[&["import", name, "--force", "-o", "made.toml"], args].concat());
-    assert_eq!(done.status.code(), Some(0), "{args:?}: {}", text(&done.stderr));
+    ends(&done, 0, "");
     let printed = text(&done.stdout).to_owned() + text(&done.stderr);
     (case::load(dir.join("made.toml"), &[]).unwrap(), printed)
 }
 
 fn check_value(case: &Case, label: &str) -> f64 {
-    let report = stampflow::assess::check::report(case);
-    report.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}")).number.unwrap()
+    crate::check::value(&check::report(case), label)
 }
 
 /// Trust: the cup of `new`; the holder's pressure is 2.5 MPa, which is usual for steel (Tschätsch) and above Siebel's.
@@ -249,8 +251,7 @@ fn check_value(case: &Case, label: &str) -> f64 {
 fn an_import_picks_material_friction_and_pressure_as_new_does() {
     let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
     let (drawn, _) = imported(dir.path(), "ezdxf_lines_and_arcs.dxf", &[]);
-    let cup = stampflow::author::templates::find("cup").unwrap().fill(&[]).unwrap();
-    let cup = case::parse(&cup, "cup.toml", &[]).unwrap();
+    let cup = made("cup", &[], &[]);
     assert_eq!(drawn.model().material, cup.model().material);
     for (tool, picked) in drawn.model().tools.iter().zip(&cup.model().tools) {
         assert_eq!(tool.friction, picked.friction);
@@ -291,8 +292,7 @@ fn a_wrong_unit_is_doubted() {
     let path = dir.path().join("ezdxf_inches.dxf");
     let drawing = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
     fs::write(&path, Regex::new("(INSUNITS\n *70\n *)1\n").unwrap().replace(&drawing, "${1}4\n").as_ref()).unwrap();
-    let done = stampflow(dir.path(), &["import", "ezdxf_inches.dxf", "--force"]);
-    assert!(done.status.code() == Some(2) && text(&done.stderr).contains("try --unit in"), "{}", text(&done.stderr));
+    ends(&stampflow(dir.path(), &["import", "ezdxf_inches.dxf", "--force"]), 2, "try --unit in");
 }
 
 /// Trust: the drawing is in mm, 180 mm wide; as inches of a wrong header it would be 4.6 m. Without its punch it makes no run.
@@ -311,9 +311,7 @@ fn a_doubtful_drawing_is_asked_about() {
         (&["ezdxf_lines_and_arcs.dxf", "--layer", "PUNCH=none"], 2, "--layer NAME=punch"),
         (&["ezdxf_lines_and_arcs.dxf", "--layer", "DIE=none"], 2, "\"DIE\" (3 entities)"),
     ] {
-        let done = stampflow(dir.path(), &[&["import"], args].concat());
-        let errors = text(&done.stderr);
-        assert!(done.status.code() == Some(code) && errors.contains(says), "{args:?}: {errors}{}", text(&done.stdout));
+        ends(&stampflow(dir.path(), &[&["import"], args].concat()), code, says);
     }
 }
 
@@ -321,8 +319,7 @@ fn a_doubtful_drawing_is_asked_about() {
 #[test]
 fn the_written_case_holds_the_sections_exactly() {
     let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
-    let done = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--thickness", "1 mm"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    ends(&stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--thickness", "1 mm"]), 0, "");
     let case = case::load(dir.path().join("ezdxf_lines_and_arcs.toml"), &[]).unwrap();
     // By hand: the punch's face is drawn at y = 20 and goes to z = -0.5; the die's at y = -0.5 and is there already.
     for (role, expected, moved) in [
@@ -334,8 +331,7 @@ fn the_written_case_holds_the_sections_exactly() {
         assert_same(&case.model().tool(role).unwrap().profile, placed.pieces(), role.name());
     }
     // What is there stays, unless it is asked to go.
-    let again = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf"]);
-    assert!(again.status.code() == Some(2) && text(&again.stderr).contains("--force"), "{}", text(&again.stderr));
+    ends(&stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf"]), 2, "--force");
 }
 
 /// A drawing in mm of entities.

@@ -1,6 +1,7 @@
 //! Error bars beside whatever is told of a run: numbers, lights, JSON, reports and pictures.
 
 use crate::common::prelude::*;
+use crate::scripts::json;
 use stampflow::assess::error_bars::answered;
 use stampflow::study::verify::verify;
 
@@ -31,8 +32,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
 #[test]
 fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let given = [("height", "60 mm"), ("punch-radius", "40 mm"), ("shoulder", "6.5 mm")];
-    let text = stampflow::author::templates::find("cup").and_then(|cup| cup.fill(&given)).expect("a cup");
-    let solution = stampflow::case::parse(&text, "cup.toml", &[]).expect("valid").solve(&mut ());
+    let solution = made("cup", &given, &[]).solve(&mut ());
     let row = |findings: &[Finding]| findings.iter().find(|row| row.key == "forming_limit").expect("a row").clone();
     let found = verify(&solution, &()).bars;
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
@@ -42,29 +42,15 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     assert!(half < 30.0 && row(&findings).light == Light::Green, "{:?}", row(&findings));
 }
 
-struct Ended;
-
-impl Watch for Ended {
-    fn wants_to_stop(&self) -> bool {
-        true
-    }
-}
-
 /// Ctrl-C while the finer runs are solved: the run stays, and says that it has no bars.
 #[test]
 fn what_is_interrupted_has_no_bars_and_says_so() {
     let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
-    let found = verify(&solution, &Ended).bars;
+    let found = verify(&solution, &crate::study::After(0.into(), 0)).bars;
     assert!(found.numbers.iter().all(|number| number.half().is_none()));
     assert_eq!(found.sentences(), ["no error bars: interrupted by the user"]);
     let (answer, _) = answered(&solution, Some(&found));
     assert!(!answer.numbers[0].amount.to_string().contains('±'));
-}
-
-fn json(dir: &Path, args: &[&str]) -> Value {
-    let done = stampflow(dir, args);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    serde_json::from_slice(&done.stdout).expect("JSON")
 }
 
 fn numbers(value: &Value) -> Vec<(String, Option<f64>)> {
@@ -76,7 +62,7 @@ fn numbers(value: &Value) -> Vec<(String, Option<f64>)> {
 #[test]
 fn programs_read_the_bars_that_are_asked_for() {
     let dir = folder(CUP);
-    let check = json(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    let check = json(dir.path(), "check cases/cup.toml --run --json");
     assert_eq!(check["verdict"]["error_bars"]["runs"], 9);
     assert_eq!(check["verdict"]["error_bars"]["method"], "error bars from 9 finer runs");
     let told = numbers(&check["verdict"]);
@@ -87,15 +73,13 @@ fn programs_read_the_bars_that_are_asked_for() {
         assert!(row["error_bar"].is_number() || row["error_bar_reason"].is_string(), "{row}");
     }
 
-    for args in
-        [&["check", "cases/cup.toml", "--run", "--json", "--no-error-bars"][..], &["run", "cases/cup.toml", "--json"]]
-    {
-        let plain = json(dir.path(), args);
+    for line in ["check cases/cup.toml --run --json --no-error-bars", "run cases/cup.toml --json"] {
+        let plain = json(dir.path(), line);
         assert!(!plain.to_string().contains("error_bar"), "{plain}");
     }
 
-    let run = json(dir.path(), &["run", "cases/cup.toml", "--error-bars", "--json"]);
-    let verified = json(dir.path(), &["verify", "cases/cup.toml", "--json"]);
+    let run = json(dir.path(), "run cases/cup.toml --error-bars --json");
+    let verified = json(dir.path(), "verify cases/cup.toml --json");
     let of_verify = numbers(&verified);
     for (key, bar) in numbers(&run["verdict"]).into_iter().filter(|(_, bar)| bar.is_some()) {
         assert!(of_verify.contains(&(key.clone(), bar)), "{key} {bar:?} {of_verify:?}");

@@ -46,12 +46,12 @@ fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
 /// Trust: the second punch ends before the first cup's rim is down on the die, which is made too wide to be near it.
 #[test]
 fn a_rim_in_the_air_runs_onto_no_shoulder() {
-    let text = stampflow::author::templates::find("redraw").unwrap().fill(&[("trim", "5 mm")]).unwrap();
+    let text = made("redraw", &[("trim", "5 mm")], &[]).text;
     let [drawn, redrawn] = text.split("[stages.die]").collect::<Vec<_>>()[..] else { panic!("{text}") };
     let drawn = drawn.replace("name = \"redraw\"", "name = \"redraw\"\nremove = [\"holder\"]");
     assert!(redrawn.contains("[stages.holder]"));
     let text = format!("{drawn}[stages.die]\nthroat = \"32 mm\"\nshoulder = \"15 mm\"\nfriction = 0.08\n");
-    let stages = case::parse(&text, "case.toml", &["stages.0.punch.move=40 mm".into()]).unwrap().solve(&mut ()).stages;
+    let stages = parsed(&text, &["stages.0.punch.move=40 mm"]).solve(&mut ()).stages;
     assert!(stages[1].stop.is_complete() && stages[1].steps.last().unwrap().edge_gap[Role::Die as usize] > 3.0);
     assert!(!kinds(&events(&stages[1])).contains(&EventKind::RimOnShoulder));
 }

@@ -1,6 +1,7 @@
 //! Drawings that are exported: what import reads of them is the case again.
 
 use crate::common::prelude::*;
+use crate::drawings::assert_bends;
 use stampflow::author::Import;
 use stampflow::export::{Drawing, Format};
 use stampflow::import::{self, DrawingUnit, Operation};
@@ -36,14 +37,7 @@ fn assert_same(operation: &Operation, stage: &Stage, name: &str) {
                 let along = if is_end { tool.profile.pieces()[i].tangent(i > 0) } else { Point::zeros() };
                 assert!((off - off.dot(&along) * along).norm() < 1e-6, "{name}: {:?} {a} {b}", tool.role);
             }
-            match (a, b) {
-                (Piece::Segment(_), Piece::Segment(_)) => {}
-                (Piece::Arc(a), Piece::Arc(b)) => {
-                    let [round, moved] = [a.radius - b.radius, (a.center + shift - b.center).norm()];
-                    assert!(round.abs() < 1e-6 && moved < 1e-6, "{name}");
-                }
-                _ => panic!("{name}: {a:?} instead of {b:?}"),
-            }
+            assert_bends(a, b, shift, name);
         }
     }
 }
@@ -89,7 +83,7 @@ fn a_solved_case_comes_back_with_its_sheet_beside_it() {
             "BLANK OP10_PUNCH OP10_DIE OP10_HOLDER OP10_SHEET OP10_MIDLINE OP20_PUNCH OP20_DIE OP20_HOLDER OP20_SHEET OP20_MIDLINE TRIM AXIS",
         ),
     ] {
-        let solution = parse(&find(template).unwrap().fill(&[]).unwrap(), "new.toml", &[]).unwrap().solve(&mut ());
+        let solution = made(template, &[], &[]).solve(&mut ());
         let drawing = Drawing::new(&solution, DrawingUnit::MM);
         let names: Vec<&str> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
         assert_eq!(names.join(" "), layers);
@@ -114,7 +108,7 @@ fn a_solved_case_comes_back_with_its_sheet_beside_it() {
 fn a_drawn_part_runs_as_the_case_that_it_was_drawn_from() {
     let can = [("punch-diameter", "38 mm"), ("height", "70 mm"), ("material", "1.4301"), ("thickness", "0.8 mm")];
     for (template, sizes) in [("cup", &can[..]), ("cup", &[]), ("cup", &[("flange", "15 mm")]), ("hat-section", &[])] {
-        let own = parse(&find(template).unwrap().fill(sizes).unwrap(), "new.toml", &[]).unwrap().solve(&mut ());
+        let own = made(template, sizes, &[]).solve(&mut ());
         let drawing = Drawing::new(&own, DrawingUnit::MM).text(Format::DxfR12);
         let material = sizes.iter().find(|(key, _)| *key == "material").map(|(_, name)| (*name).to_owned());
         let imported = Import { material, ..Import::default() }.read(drawing.as_bytes(), Path::new("new.dxf")).unwrap();

@@ -133,11 +133,7 @@ fn the_groove_in_plane_strain_is_the_closed_form() {
             let a = a_of(b);
             n * a.ln() - a - f.ln() - n * b.ln() + b
         };
-        let (mut low, mut high) = (0.6 * n, n);
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            if missing(middle) * missing(high) > 0.0 { high = middle } else { low = middle }
-        }
+        let [low, _] = bisect(0.6 * n, n, 100, |b| missing(b) * missing(n) <= 0.0);
         let material = power(n, 1.0);
         let found = groove(f).limit(&sheet(&material), 0.0).expect("a limit").major;
         assert_relative_eq!(found, a_of(low), max_relative = 2.0 * 2e-3);
@@ -183,12 +179,8 @@ fn stepped(stress: impl Fn(f64) -> f64, imperfection: f64, alpha: f64, step: f64
             (force, increment, thinner)
         };
         // Force falls as the groove turns to plane strain, where its minor strain and the sheet's increment vanish.
-        let (mut low, mut high) = (0.5, alpha + 0.3);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if tried(middle).0 < 0.0 { low = middle } else { high = middle }
-        }
-        let (_, increment, thinner) = tried(low);
+        let [ratio, _] = bisect(0.5, alpha + 0.3, 60, |a| tried(a).0 < 0.0);
+        let (_, increment, thinner) = tried(ratio);
         (sheet, groove, thickness) = (sheet + increment, groove + step, thinner);
         if increment * MarciniakKuczynski::CRITICAL < step {
             return major * sheet;

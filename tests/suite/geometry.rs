@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 use proptest::prelude::*;
 use stampflow::geometry::{CavityError, Closest, Fold, Nearest, OffsetError, fillet};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::FRAC_PI_4;
 
 /// Chords in place of arcs, so many in 90°.
 fn chords(profile: &Profile, per_quarter: f64) -> Profile {
@@ -221,6 +221,11 @@ proptest! {
     }
 }
 
+/// Points along a falling line.
+fn falling(x: f64, y: f64) -> impl Iterator<Item = Point> {
+    (0..200).map(f64::from).map(move |i| Point::new(x + 0.3 * i, y - 0.1 * i))
+}
+
 fn points(list: &[[f64; 2]]) -> Vec<Point> {
     list.iter().map(|p| Point::new(p[0], p[1])).collect()
 }
@@ -233,10 +238,7 @@ fn a_filleted_rectangle_is_the_flat_punch() {
     let corner = points(&[[0.0, -0.5], [50.0, -0.5], [50.0, bottom]]);
     let pieces = fillet(&corner, &[0.0, 9.0, 0.0]).unwrap();
     let profile = Profile::new(pieces).unwrap();
-    for i in 0..200 {
-        let x = Point::new(0.3 * f64::from(i), 4.0 - 0.1 * f64::from(i));
-        assert_relative_eq!(profile.closest(x).distance, exact.closest(x).distance, epsilon = 1e-9);
-    }
+    assert!(are_alike(&profile, &exact, 1e-9, falling(0.0, 4.0)));
 }
 
 /// Trust: by hand. A right angle takes its radius from each side.
@@ -301,10 +303,7 @@ proptest! {
 fn the_offset_of_a_punch_is_a_larger_punch() {
     let offset = Profile::flat_punch(50.0, 9.0, 1.0).offset(1.2).unwrap();
     let larger = Profile::flat_punch(51.2, 10.2, 1.0).shifted(1.2);
-    for i in 0..200 {
-        let x = Point::new(0.3 * f64::from(i), 4.0 - 0.1 * f64::from(i));
-        assert_relative_eq!(offset.closest(x).distance, larger.closest(x).distance, epsilon = 1e-9);
-    }
+    assert!(are_alike(&offset, &larger, 1e-9, falling(0.0, 4.0)));
 }
 
 /// Trust: around a tip on the axis the offset is an arc of radius `by`, its top above the tip.
@@ -322,20 +321,18 @@ fn a_tip_on_the_axis_is_a_corner() {
 #[test]
 fn narrow_hollows_are_refused_with_their_place() {
     let slot = [[0.0, 0.0], [10.0, 0.0], [10.0, -8.0], [13.0, -8.0], [13.0, 0.0], [40.0, 0.0]];
-    let points: Vec<Point> = slot.iter().map(|p| Point::new(p[0], p[1])).collect();
-    let rounded = Profile::new(fillet(&points, &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0]).unwrap()).unwrap();
+    let rounded = Profile::new(fillet(&points(&slot), &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0]).unwrap()).unwrap();
     let error = rounded.offset(1.2).unwrap_err();
     let OffsetError::TooTight { radius, at } = error else { panic!("{error}") };
     assert!((radius - 1.0).abs() < 1e-9, "{error}");
     assert!((at - Point::new(10.3, -7.7)).norm() < 0.1, "{error}");
-    let soft = Profile::new(fillet(&points, &[0.0, 1.0, 1.5, 1.5, 1.0, 0.0]).unwrap()).unwrap();
+    let soft = Profile::new(fillet(&points(&slot), &[0.0, 1.0, 1.5, 1.5, 1.0, 0.0]).unwrap()).unwrap();
     assert!(soft.offset(1.2).is_ok());
     let sharp = chain(&slot).offset(1.2).unwrap_err();
     assert!(matches!(sharp, OffsetError::TooTight { radius: 0.0, .. }), "{sharp}");
     // Two hollow bends of 4 mm with walls that come within 3 mm of each other further out.
     let neck = [[0.0, 0.0], [10.0, 0.0], [8.0, -30.0], [30.0, -30.0], [12.5, 0.5], [40.0, 0.5]];
-    let points: Vec<Point> = neck.iter().map(|p| Point::new(p[0], p[1])).collect();
-    let bottle = Profile::new(fillet(&points, &[0.0, 0.1, 4.0, 4.0, 0.1, 0.0]).unwrap()).unwrap();
+    let bottle = Profile::new(fillet(&points(&neck), &[0.0, 0.1, 4.0, 4.0, 0.1, 0.0]).unwrap()).unwrap();
     assert!(matches!(bottle.offset(2.0), Err(OffsetError::Crosses { .. })), "{:?}", bottle.offset(2.0));
 }
 
@@ -365,10 +362,7 @@ fn a_wall_and_a_shoulder_are_the_standard_die() {
     let cavity = Profile::flat_punch(31.25, 7.0, 1.0).shifted(25.5);
     let die = cavity.cavity(0.5, 6.0, 500.0).unwrap();
     let standard = Profile::die(31.25, 6.0, 1.0);
-    for i in 0..100 {
-        let x = Point::new(25.0 + 0.3 * f64::from(i), 10.0 - 0.1 * f64::from(i));
-        assert_relative_eq!(die.closest(x).distance, standard.closest(x).distance, epsilon = 1e-9);
-    }
+    assert!(are_alike(&die, &standard, 1e-9, falling(25.0, 10.0).take(100)));
     // Its bottom: 25 mm above the face.
     assert_relative_eq!(die.closest(Point::new(0.0, 5.0)).distance, 20.5 - 0.5, epsilon = 1e-9);
     assert_eq!(die.fold(), None);

@@ -3,19 +3,17 @@
 use crate::common::prelude::*;
 use stampflow::measure::{Band, Stretch, bands};
 
-/// The quickstart's cup and its last frame.
-fn cup() -> (Model, Frame) {
-    let model = shipped::shipped("quickstart", &[]);
-    let frame = shipped::solve(&model).frames.pop().expect("a frame");
-    (model, frame)
+/// The last frame of a shipped case.
+fn end(name: &str) -> &'static Frame {
+    solved(name).stages[0].frames.last().expect("a frame")
 }
 
 /// Trust: what a frame says of an element is the mean of what it says of the element's layers, by the layers' rule.
 #[test]
 fn a_frame_keeps_its_layers() {
-    let (model, frame) = cup();
+    let frame = end("quickstart");
     let layers = &frame.through.layers;
-    assert_eq!(layers.len(), model.blank.layers);
+    assert_eq!(layers.len(), solved("quickstart").case.model().blank.layers);
     assert_eq!(frame.through.elements().len(), frame.elements.len());
     for (element, points) in frame.elements.iter().zip(frame.through.elements()) {
         let mean = |of: &dyn Fn(usize) -> f64| (0..layers.len()).map(|i| layers[i].weight * of(i)).sum::<f64>();
@@ -28,7 +26,7 @@ fn a_frame_keeps_its_layers() {
 /// Trust: where the cup's sheet was stretched around the punch's nose its outer face, the die's, is strained more: ξ = −1.
 #[test]
 fn the_first_layer_is_the_dies_face() {
-    let (_, frame) = cup();
+    let frame = end("quickstart");
     let nose = frame.elements.iter().position(|element| element.s0 > 20.0).expect("an element on the nose");
     let points = frame.through.elements().nth(nose).expect("points");
     assert!(points[0].strain_equivalent > points[points.len() - 1].strain_equivalent);
@@ -40,11 +38,11 @@ fn the_first_layer_is_the_dies_face() {
 /// and bending stiffness leave the wall within a degree of it.
 #[test]
 fn a_drawn_wall_is_the_common_tangent_of_the_tools() {
-    let (_, frame) = cup();
+    let frame = end("quickstart");
     let (nose, shoulder, travel) = (6.5_f64, 6.5, 25.0);
     let (dr, dz) = (31.25 + 6.0 - 24.0, travel - nose - shoulder);
     let tangent = 90.0 - (dz.atan2(dr) + ((nose + shoulder) / dr.hypot(dz)).asin()).to_degrees();
-    let shape = Shape::of(&frame);
+    let shape = Shape::of(frame);
     let angle = shape.wall_angle().expect("a wall");
     assert!((angle - tangent).abs() < 1.0, "{angle}° for {tangent}°");
     assert!((shape.height.expect("a height") - travel - 1.0).abs() < 0.5);
@@ -53,9 +51,7 @@ fn a_drawn_wall_is_the_common_tangent_of_the_tools() {
 /// Trust: holder and die are flat, and the sheet lies between them.
 #[test]
 fn a_held_flange_is_level() {
-    let model = shipped::shipped("brite_cylindrical", &[]);
-    let frame = shipped::solve(&model).frames.pop().expect("a frame");
-    let flange = Shape::of(&frame).flange_angle().expect("a flange");
+    let flange = Shape::of(end("brite_cylindrical")).flange_angle().expect("a flange");
     assert!(flange.abs() < 0.01, "{flange}°");
 }
 

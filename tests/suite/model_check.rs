@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
-use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::model::Stage;
 use stampflow::solver::solve;
 
@@ -93,26 +92,14 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("rate exponent", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: x, reference: 1.0 }))),
     ("rate reference", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: 0.1, reference: x }))),
     ("critical damage", |m, x| m.material.fracture = Some(Fracture::Brozzo(Brozzo { critical: x }))),
-    ("q1", |m, x| m.material.gtn = Some(Gtn { q1: x, ..Gtn::example() })),
-    ("q2", |m, x| m.material.gtn = Some(Gtn { q2: x, ..Gtn::example() })),
-    ("q3", |m, x| m.material.gtn = Some(Gtn { q3: x, ..Gtn::example() })),
-    ("porosity", |m, x| m.material.gtn = Some(Gtn { initial: x, ..Gtn::example() })),
-    ("nucleation", |m, x| {
-        let nucleation = Some(Nucleation { fraction: x, strain: 0.3, deviation: 0.1 });
-        m.material.gtn = Some(Gtn { nucleation, ..Gtn::example() });
-    }),
-    ("deviation", |m, x| {
-        let nucleation = Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: x });
-        m.material.gtn = Some(Gtn { nucleation, ..Gtn::example() });
-    }),
-    ("critical", |m, x| {
-        let coalescence = Some(Coalescence { critical: x, fracture: 0.25 });
-        m.material.gtn = Some(Gtn { coalescence, ..Gtn::example() });
-    }),
-    ("fracture", |m, x| {
-        let coalescence = Some(Coalescence { critical: 0.15, fracture: x });
-        m.material.gtn = Some(Gtn { coalescence, ..Gtn::example() });
-    }),
+    ("q1", |m, x| voids(m).q1 = x),
+    ("q2", |m, x| voids(m).q2 = x),
+    ("q3", |m, x| voids(m).q3 = x),
+    ("porosity", |m, x| voids(m).initial = x),
+    ("nucleation", |m, x| voids(m).nucleation.as_mut().expect("of the example").fraction = x),
+    ("deviation", |m, x| voids(m).nucleation.as_mut().expect("of the example").deviation = x),
+    ("critical", |m, x| voids(m).coalescence.as_mut().expect("of the example").critical = x),
+    ("fracture", |m, x| voids(m).coalescence.as_mut().expect("of the example").fracture = x),
     ("friction", |m, x| m.tools[0].friction = x.into()),
     ("friction at rest", |m, x| {
         m.tools[0].friction = Friction::Stribeck(Stribeck { at_rest: x, sliding: 0.05, speed: 2.0, viscous: 0.0 });
@@ -153,6 +140,10 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("slip_speed", |m, x| m.settings.slip_speed = x),
     ("strain_step", |m, x| m.settings.strain_step = x),
 ];
+
+fn voids(model: &mut Model) -> &mut Gtn {
+    model.material.gtn.insert(Gtn::example())
+}
 
 fn flow(model: &mut Model) -> &mut HeatFlow {
     model.heat.as_mut().and_then(|heat| heat.flow.as_mut()).expect("a flow of heat")

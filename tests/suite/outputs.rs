@@ -103,9 +103,7 @@ fn nothing_that_is_no_number_is_written() {
         ("gas on a membrane", dome, &["blank.elements=30"], true),
     ];
     for (name, text, sets, ends) in odd {
-        let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
-        let case = parse(&text, "case.toml", &sets).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)));
-        let solution = case.solve(&mut ());
+        let solution = parsed(&text, sets).solve(&mut ());
         assert_eq!(solution.is_complete(), ends, "{name}: {}", solution.stages.last().unwrap().stop);
         let mut texts = vec![
             ("summary".into(), solution.summary().to_string()),
@@ -132,8 +130,8 @@ fn nothing_that_is_no_number_is_written() {
 /// height with what is trimmed to 3 %; energies are the run's in N mm, a thousandth of which is a joule.
 #[test]
 fn a_cup_without_a_flange_has_its_holder_where_it_last_touched_and_its_numbers() {
-    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "3 mm")]).unwrap();
-    let run = shipped::solve(parse(&text, "cup.toml", &[]).unwrap().model());
+    let sizes = [("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "3 mm")];
+    let run = shipped::solve(made("cup", &sizes, &[]).model());
     let lost = run.steps.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
     let (before, after) = run.steps.split_at(lost);
     let stands = before[lost - 1].holder_move;
@@ -167,7 +165,7 @@ fn a_cup_without_a_flange_has_its_holder_where_it_last_touched_and_its_numbers()
 /// Trust: what is measured on the last frames of both stages; nothing yields as the bend opens.
 #[test]
 fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
-    let solution = parse(&find("v-bend").unwrap().fill(&[]).unwrap(), "case.toml", &[]).unwrap().solve(&mut ());
+    let solution = made("v-bend", &[], &[]).solve(&mut ());
     let ends = [0, 1].map(|i| Shape::of(solution.stages[i].frames.last().unwrap()));
     let json = serde_json::to_value(Summary::of(&StageView::alone("bend", &solution.stages[1]))).unwrap();
     let (listed, expected) = (json["springback"].as_array().unwrap(), changes(&ends[0], &ends[1]));

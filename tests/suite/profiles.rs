@@ -26,20 +26,19 @@ fn read(text: &str) -> Case {
 }
 
 /// Reads a case whose punch is the CSV file `points`.
-fn with_punch(points: &str, section: &str) -> Case {
+fn with_punch(points: &str, section: &str, travel: &str) -> Case {
     let folder = temp_dir::TempDir::new().unwrap();
     std::fs::write(folder.path().join("punch.csv"), points).unwrap();
-    read_in(folder.path(), &text(&format!("profile = {section}"), DIE, HOLDER, "25 mm"))
+    read_in(folder.path(), &text(&format!("profile = {section}"), DIE, HOLDER, travel))
 }
 
 fn profile(model: &Model, role: Role) -> &Profile {
     &model.tool(role).unwrap().profile
 }
 
-/// Largest difference of the distances to two profiles around the punch's nose [mm].
-fn difference(a: &Profile, b: &Profile) -> f64 {
-    let points = (0..400).map(|i| Point::new(0.1 * f64::from(i), 3.0 - 0.04 * f64::from(i)));
-    points.map(|x| (a.closest(x).distance - b.closest(x).distance).abs()).fold(0.0, f64::max)
+/// Points around the punch's nose.
+fn around() -> impl Iterator<Item = Point> {
+    (0..400).map(|i| Point::new(0.1 * f64::from(i), 3.0 - 0.04 * f64::from(i)))
 }
 
 /// The quickstart's punch as points: chords of 3° around the nose, in a unit.
@@ -58,8 +57,8 @@ fn chords(unit: &str, mm: f64) -> String {
 fn chords_of_a_punch_are_the_punch() {
     let standard = Profile::flat_punch(30.0, 6.0, 1.0);
     for (unit, mm) in [("mm", 1.0), ("in", 25.4)] {
-        let case = with_punch(&chords(unit, mm), "\"punch.csv\"");
-        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-5, "{unit}");
+        let case = with_punch(&chords(unit, mm), "\"punch.csv\"", "25 mm");
+        assert!(are_alike(profile(case.model(), Role::Punch), &standard, 1e-5, around()), "{unit}");
     }
 }
 
@@ -72,8 +71,8 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     let column = "# a punch\nz_mm, r_mm, radius_mm\n0,0,\n0,30,6\n-200,30,\n";
     let file = r#"{ file = "punch.csv", fillet = "6 mm" }"#;
     for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
-        let case = with_punch(points, section);
-        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
+        let case = with_punch(points, section, "25 mm");
+        assert!(are_alike(profile(case.model(), Role::Punch), &standard, 1e-9, around()), "{points}");
     }
 }
 
@@ -110,9 +109,7 @@ fn a_holder_can_be_the_mirror_image_of_the_die() {
 #[test]
 fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
     let sharp = |punch: &str, travel: &str| {
-        let folder = temp_dir::TempDir::new().unwrap();
-        std::fs::write(folder.path().join("punch.csv"), punch).unwrap();
-        let case = read_in(folder.path(), &text(r#"profile = "punch.csv""#, DIE, HOLDER, travel));
+        let case = with_punch(punch, "\"punch.csv\"", travel);
         check::report(&case).warnings.into_iter().filter(|w| w.to_string().contains("sharp corner")).collect::<Vec<_>>()
     };
     let found = sharp("r_mm,z_mm\n0,0\n30,0\n30,-200\n", "25 mm");

@@ -32,9 +32,7 @@ fn visible(mut tree: Tree) -> Tree {
 }
 
 fn names(dir: &Path) -> Vec<String> {
-    let mut names: Vec<_> = fs::read_dir(dir).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
+    files(dir, "").iter().map(|path| path.file_name().unwrap().to_str().unwrap().to_owned()).collect()
 }
 
 fn spawn(dir: &Path, args: &[&str]) -> Child {
@@ -166,8 +164,7 @@ fn of_two_runs_into_one_folder_one_is_refused_with_the_reason() {
         let (dir, args) = (cases(), arguments(verb[0]));
         let done = [spawn(dir.path(), &args), spawn(dir.path(), &args)].map(|run| run.wait_with_output().unwrap());
         for run in done.iter().filter(|run| run.status.code() != Some(0)) {
-            assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
-            assert!(text(&run.stderr).contains("is writing there"), "{}", text(&run.stderr));
+            ends(run, 2, "is writing there");
             refused += 1;
         }
         assert!(done.iter().any(|run| run.status.code() == Some(0)));
@@ -199,8 +196,7 @@ fn the_working_directory_may_be_the_folder() {
     let dir = folder(CUP);
     fs::write(dir.path().join("notes.txt"), "mine").unwrap();
     for _ in 0..2 {
-        let done = shell(dir.path(), "stampflow run cases/cup.toml -q --out . && ls summary.json");
-        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        ends(&shell(dir.path(), "stampflow run cases/cup.toml -q --out . && ls summary.json"), 0, "");
     }
     assert_eq!(fs::read_to_string(dir.path().join("notes.txt")).unwrap(), "mine");
     assert!(dir.path().join("cases/cup.toml").is_file() && names(dir.path()).iter().all(|name| !name.starts_with('.')));
@@ -239,8 +235,7 @@ fn a_folder_that_goes_away_or_is_blocked_during_a_run_loses_no_result() {
         fs::remove_dir_all(dir.path().join("out")).unwrap();
         fs::write(dir.path().join("out"), "in the way").unwrap();
     });
-    assert_eq!(done.status.code(), Some(1), "{}", text(&done.stderr));
-    assert!(text(&done.stderr).contains("cannot write out/cup/"), "{}", text(&done.stderr));
+    ends(&done, 1, "cannot write out/cup/");
     assert!(text(&done.stdout).contains("Punch force"), "{}", text(&done.stdout));
 }
 

@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 
 /// What a successful call prints as JSON, with nothing on the error stream.
-fn json(dir: &Path, line: &str) -> Value {
+pub fn json(dir: &Path, line: &str) -> Value {
     let done = stampflow(dir, &line.split(' ').collect::<Vec<_>>());
     assert_eq!((done.status.code(), text(&done.stderr)), (Some(0), ""), "{line}: {}", text(&done.stdout));
     serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{line}: {error}"))

@@ -1,14 +1,8 @@
 //! Searches against what is known: limits of a condition, wanted values, named goals, bad requests.
 
 use crate::common::prelude::*;
-use crate::study::run;
+use crate::study::{base, run, sweep};
 use stampflow::study::{Condition, Run, Side};
-
-fn base(set: &[&str]) -> BaseCase {
-    let coarse = ["blank.elements=30", "solver.max_step=0.05"];
-    let set = coarse.iter().chain(set).map(|text| (*text).to_owned()).collect();
-    BaseCase::load("cases/quickstart.toml", set).unwrap_or_else(|error| panic!("{error}"))
-}
 
 fn request(vary: &str, condition: Option<&str>, target: Option<&str>, side: Option<Side>) -> SearchRequest {
     let text = |text: Option<&str>| text.map(str::to_owned);
@@ -45,7 +39,7 @@ fn a_limit_is_bracketed_by_runs_on_both_sides() {
 /// Trust: the wanted force is that of a run with a known friction.
 #[test]
 fn a_target_gives_back_the_value_that_makes_it() {
-    let known = run(&mut crate::study::sweep(&["friction=0.1"], false).expect("a sweep"), 1, &());
+    let known = run(&mut sweep(&["friction=0.1"], false).expect("a sweep"), 1, &());
     let force = known.runs[0].numbers[known.response("punch_force").expect("a force")];
     let asked = request("friction=0.02..0.2", None, Some(&format!("punch_force={force} N")), None);
     let (search, table) = search(base(&[]), &asked).expect("a search");
@@ -92,7 +86,7 @@ fn a_search_without_a_limit_says_so() {
 /// Trust: by hand.
 #[test]
 fn conditions_judge_lights_tears_and_quantities() {
-    let table = run(&mut crate::study::sweep(&["friction=0.08"], false).expect("a sweep"), 1, &());
+    let table = run(&mut sweep(&["friction=0.08"], false).expect("a sweep"), 1, &());
     let force = table.response("punch_force").expect("a force");
     let with = |red: &[&str], amber: &[&str], newtons: f64, torn: bool| {
         let mut run = table.runs[0].clone();

@@ -5,8 +5,7 @@ use stampflow::measure::Change;
 
 /// The steel strip of the template, bent to this angle under the tools \[°\], with more at the end of its case.
 fn v_bend(angle: f64, more: &str) -> Case {
-    let text = find("v-bend").unwrap().fill(&[("angle", &format!("{angle} deg"))]).unwrap();
-    parsed(&(text + more), &[])
+    parsed(&(made("v-bend", &[("angle", &format!("{angle} deg"))], &[]).text + more), &[])
 }
 
 fn verdict(solution: &Solution) -> Finding {

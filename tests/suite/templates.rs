@@ -22,11 +22,6 @@ const OTHERS: &[(&str, &[(&str, &str)])] = &[
     ("u-bend", &[("leg", "35 mm"), ("half-width", "30 mm"), ("pad-pressure", "1 MPa")]),
 ];
 
-fn case(template: &str, given: &[(&str, &str)]) -> Case {
-    let text = find(template).unwrap().fill(given).unwrap_or_else(|e| panic!("{template} {given:?}: {e}"));
-    parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{template} {given:?}: {}", e.render(false)))
-}
-
 fn solved(case: &Case) -> &'static [StageSolution] {
     &solved_once(case).stages
 }
@@ -35,7 +30,7 @@ fn solved(case: &Case) -> &'static [StageSolution] {
 fn every_template_runs_to_its_end_and_check_has_no_doubt() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
     for (name, given) in defaults.chain(OTHERS.iter().copied()) {
-        let case = case(name, given);
+        let case = made(name, given, &[]);
         let warnings = check::report(&case).warnings;
         let is_torn = name == "erichsen";
         // The standard's die edge is what it is.
@@ -72,7 +67,7 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
         ("cup", &[("height", "40 mm"), ("step-diameter", "50 mm")], [40.0, 60.0], 2),
         ("redraw", &[("height", "80 mm"), ("punch-radius", "40 mm")], [80.0, 80.0], 2),
     ] {
-        let case = case(name, given);
+        let case = made(name, given, &[]);
         let stages = solved(&case);
         let [drawn, inside] = finished(stages, height);
         let trim = f64::max(2.0 * case.model().blank.thickness, 0.04 * height);
@@ -87,7 +82,7 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
         // A total ratio of 3.1, where two draws of 1.4301 reach 2.5.
         assert_eq!(found.iter().any(|row| row.key == "delayed_cracking"), draws == 4, "{name} {given:?}: {found:?}");
     }
-    let flanged = case("cup", &[("height", "20 mm"), ("flange-diameter", "90 mm")]);
+    let flanged = made("cup", &[("height", "20 mm"), ("flange-diameter", "90 mm")], &[]);
     let ([height, _], frames) = (finished(solved(&flanged), 20.0), &solved(&flanged)[0].frames);
     let edge = frames.last().unwrap().nodes.last().unwrap().r;
     assert!((height - 20.0).abs() < 0.2 && (edge - 47.0).abs() < 0.2, "{height} {edge}");
@@ -98,7 +93,7 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
 #[test]
 fn the_last_draw_irons_the_wall_to_its_clearance() {
     let redraw = |option: &str, gap: &str| {
-        let case = case("redraw", &[(option, gap)]);
+        let case = made("redraw", &[(option, gap)], &[]);
         let found = assess::after(&case, solved(&case));
         let row = |key: &str| found.iter().find(|row| row.key == key).expect("a row").clone();
         let frame = solved(&case).last().and_then(|stage| stage.frames.last()).expect("a frame");
@@ -116,8 +111,7 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
 #[test]
 fn the_blank_is_the_textbooks() {
     for (d, h, r) in [(61.0, 31.0, 6.5), (100.0, 50.0, 10.0), (41.0, 80.0, 20.5)] {
-        let textbook = d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
-            + (12.0 - 4.0 * std::f64::consts::PI) * r * r;
+        let textbook = d * d + 4.0 * d * h - (8.0 - 2.0 * PI) * r * d + (12.0 - 4.0 * PI) * r * r;
         let diameter = 2.0 * rules::blank_of(rules::cup_area(0.5 * d, r, h));
         assert!((diameter * diameter - textbook).abs() < 1e-9 * textbook, "{diameter}");
         // As tables have it, with two digits of each coefficient.
@@ -141,7 +135,7 @@ fn a_v_has_its_angle_before_it_springs_back() {
         .chain([other, wide, sharp].map(|given| (90.0, given)))
     {
         let angle = format!("{wanted} deg");
-        let runs = solved(&case("v-bend", &[given, &[("angle", &angle)]].concat()));
+        let runs = solved(&made("v-bend", &[given, &[("angle", &angle)]].concat(), &[]));
         let opening = |run: &StageSolution| Shape::of(run.frames.last().unwrap()).opening_angle().unwrap();
         let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
         assert!((bent - wanted).abs() < 0.2, "{angle} {given:?}: {bent}");
@@ -170,11 +164,10 @@ fn no_picked_size_is_doubted_by_the_verdict() {
     // A cupping test goes on until the sheet tears.
     let defaults = defaults.filter(|(name, _)| *name != "erichsen");
     for (name, given) in defaults.chain([("cup", &[("height", "20 mm")][..]), ("cup", &[("height", "50 mm")])]) {
-        let case = case(name, given);
+        let case = made(name, given, &[]);
         let passes = solved(&case);
         assert!(case.model().forming_limit.as_ref().is_some_and(|curve| curve.is_usual), "{name}");
-        let findings = assess::after(&case, passes);
-        for finding in findings {
+        for finding in assess::after(&case, passes) {
             if ["wrinkling", "solution_quality", "forming_limit", "yield_condition"].contains(&finding.key) {
                 assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.statement());
             }
@@ -192,7 +185,7 @@ fn box_sections_and_joggles_have_their_finished_sizes() {
         ("joggle", &[], [3.0, 53.05]),
         ("joggle", &[("depth", "8 mm"), ("material", "dp600"), ("radius", "10 mm")], [8.0, 72.0]),
     ] {
-        let end = solved(&case(name, given)).last().and_then(|run| run.frames.last()).unwrap();
+        let end = solved(&made(name, given, &[])).last().and_then(|run| run.frames.last()).unwrap();
         let z = |x: f64| end.nodes.iter().min_by(|a, b| (a.r - x).abs().total_cmp(&(b.r - x).abs())).unwrap().z;
         let width = end.nodes.last().unwrap().r;
         let height = if name == "joggle" { z(20.0) - z(width - 20.0) } else { part_height(end).unwrap() };
@@ -209,7 +202,7 @@ fn a_part_with_a_flange_comes_out_as_high_as_it_was_ordered() {
         ("conical-cup", &[("height", "30 mm")], 31.0),
         ("stretch-dome", &[("height", "12 mm")], 13.0),
     ] {
-        let stages = solved(&case(name, given));
+        let stages = solved(&made(name, given, &[]));
         let height = stages.last().unwrap().frames.last().and_then(part_height).unwrap();
         assert!((height - wanted).abs() < f64::max(0.01 * wanted, 0.5), "{name} {given:?}: {height} mm");
     }
@@ -243,7 +236,6 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
             run
         })
         .collect();
-    let peak = |run: &StageSolution| run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max);
     let (usual, hard) = (peak(&runs[0]), peak(&runs[1]));
     assert!(hard - usual > 0.08 * 19e3, "{usual} {hard}");
 }
@@ -251,14 +243,14 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
 /// Trust: a tonne-force is 9.80665 kN; the rounding is upward, to 0.01 kN.
 #[test]
 fn a_hat_is_let_go_over_its_length_in_its_press() {
-    let hat = case("hat-section", &[("length", "60 inch"), ("press", "250 tonf"), ("springback", "1 deg")]);
+    let hat = made("hat-section", &[("length", "60 inch"), ("press", "250 tonf"), ("springback", "1 deg")], &[]);
     assert_eq!(hat.model().depth, Some(1524.0));
     let force = hat.press.force.expect("a press");
     assert!((force - 250.0 * 9_806.65).abs() < 10.0, "{force}");
     assert_eq!(hat.springback.wall_tolerance.map(f64::round), Some(1.0));
     assert!(hat.model().elasticity().is_some() && hat.later().len() == 1 && hat.later()[0].model.release.is_some());
-    let library = case("hat-section", &[("material", "dc04"), ("springback", "0.5 deg")]);
+    let library = made("hat-section", &[("material", "dc04"), ("springback", "0.5 deg")], &[]);
     assert!(library.model().elasticity().is_some() && library.model().depth.is_none());
-    let flows = case("hat-section", &[]);
+    let flows = made("hat-section", &[], &[]);
     assert!(flows.later().is_empty() && !flows.springback.is_given() && flows.press.force.is_none());
 }

@@ -1,12 +1,11 @@
 //! Tools whose line ends where the sheet passes it: they act only where they are drawn.
 
 use crate::common::prelude::*;
-use crate::common::random_die::between;
+use crate::common::{random_die::between, random_work::make_elastic};
 
 /// A strip bent over a V by a nose without a wall, drawn to its full quarter or only as far as some share of the bend.
 fn v_bend(seed: u64) -> (Model, f64) {
-    let mut rng = Rng::with_seed(seed);
-    let rng = &mut rng;
+    let rng = &mut Rng::with_seed(seed);
     let t = 0.5 * 6f64.powf(rng.f64());
     let (nose, shoulder) = (t * between(rng, 1.5, 8.0), t * between(rng, 2.0, 8.0));
     let reach = (nose * between(rng, 3.0, 8.0)).max(nose + shoulder + 2.0 * t);
@@ -32,9 +31,7 @@ fn v_bend(seed: u64) -> (Model, f64) {
     ];
     drive_to(&mut model, travel);
     if rng.bool() {
-        model.mode = Mode::ElastoViscoplastic;
-        model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
-        model.blank.layers = 15;
+        make_elastic(&mut model);
     }
     (model, turn)
 }

@@ -1,13 +1,8 @@
 //! The verdict on a run: lights, limits and advice.
 
 use crate::common::prelude::*;
+use crate::observer::Stopper;
 use stampflow::solver::solve;
-
-/// The findings on a shipped case with overrides.
-fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
-    let case = shipped_case(name, overrides);
-    judged(&case, &solve(&case.stages, &mut ()))
-}
 
 /// The verdict's rows, all findings made sure to be whole.
 fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
@@ -80,10 +75,10 @@ fn overrides_have_their_lights_and_failure_modes() {
 /// Trust: by hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
 #[test]
 fn wrinkle_index_is_that_of_a_hand_calculation() {
-    let found = findings("quickstart", &[]);
+    let (_, found) = answered("quickstart", &[]);
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
-    let held = std::f64::consts::PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
+    let held = PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
     // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
     assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
 }
@@ -91,10 +86,7 @@ fn wrinkle_index_is_that_of_a_hand_calculation() {
 /// Trust: by hand, 1.5 of the second punch is beyond 1.3.
 #[test]
 fn later_draws_are_judged_too() {
-    let text = stampflow::author::templates::find("redraw")
-        .and_then(|t| t.fill(&[("first-radius", "45 mm")]))
-        .expect("a case");
-    let case = case::parse(&text, "made.toml", &[]).expect("valid");
+    let case = made("redraw", &[("first-radius", "45 mm")], &[]);
     let passes = solve(&case.stages, &mut ());
     let found = judged(&case, &passes);
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
@@ -115,17 +107,8 @@ fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
 /// Trust: the user's own doing is no fault of the part.
 #[test]
 fn an_interrupted_run_is_not_red() {
-    struct Early(usize);
-    impl stampflow::solver::Observer for Early {
-        fn step(&mut self, _: &stampflow::solver::solution::StepRecord) {
-            self.0 -= 1;
-        }
-        fn wants_to_stop(&mut self) -> bool {
-            self.0 == 0
-        }
-    }
     let case = shipped_case("quickstart", &[]);
-    let stages = solve(&case.stages, &mut Early(5));
+    let stages = solve(&case.stages, &mut Stopper { steps: 5, iterations: usize::MAX });
     let findings = judged(&case, &stages);
     let answer = Answer::of(&case, &stages, &findings);
     assert_eq!((answer.light, answer.sentence.to_string().as_str()), (Light::Amber, "interrupted by the user"));

@@ -2,7 +2,9 @@
 
 use crate::common::prelude::*;
 use crate::common::shipped::shipped;
-use stampflow::material::flow::Iteration;
+use stampflow::element::{kinematics::Reference, section::Section};
+use stampflow::material::flow::{Iterate, Iteration, PointState};
+use stampflow::numerics::quadrature::midpoint;
 
 /// Trust: plane-strain tension, T = t (2/√3) σ_y(2/√3 ε). The strain is homogeneous, so neither mesh nor step
 /// enters; what is left is the cut-off, (Δε₀/Δε̄)²/2 below 1e-6, and the corrector's tolerance 1e-5.
@@ -31,15 +33,11 @@ fn equi_biaxial_stretch_is_exact() {
         for record in run.steps.iter().skip(5) {
             let radius = 40.0 + record.travel;
             let strain = (radius / 40.0).ln();
-            let force = std::f64::consts::TAU
-                * radius
-                * (-2.0 * strain).exp()
-                * model.material.hardening.at(2.0 * strain).stress;
+            let force = TAU * radius * (-2.0 * strain).exp() * model.material.hardening.at(2.0 * strain).stress;
             let error = record.edge_force / force - 1.0;
             assert!(error.abs() < 2e-5, "{theory:?} at {} mm: {error:e}", record.travel);
         }
-        let last = run.frames.last().expect("the last frame is kept");
-        for element in &last.elements {
+        for element in &run.frames.last().expect("the last frame is kept").elements {
             assert!((element.strain_meridional - element.strain_hoop).abs() < 1e-6);
         }
     }
@@ -71,7 +69,7 @@ fn rate_and_anisotropy_enter_the_closed_forms() {
                     }
                     Geometry::Axisymmetric => {
                         let c = (0.5 * (1.0 + r)).powf(1.0 / a);
-                        (c, 2.0 * c, 2.0, std::f64::consts::TAU * radius)
+                        (c, 2.0 * c, 2.0, TAU * radius)
                     }
                 };
                 let speed = per_strain * model.speed / radius;
@@ -167,11 +165,6 @@ fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
 /// a jump of the stress with an error of the order 1/n².
 #[test]
 fn plastic_moment_converges_with_the_layers() {
-    use stampflow::element::{kinematics::Reference, section::Section};
-    use stampflow::material::flow::{Iterate, PointState, StressUpdate};
-    use stampflow::material::hardening::Ludwik;
-    use stampflow::numerics::quadrature::lobatto;
-
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
     let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
@@ -206,17 +199,11 @@ fn plastic_moment_converges_with_the_layers() {
 /// the first power of their number.
 #[test]
 fn tension_that_bends_moves_the_neutral_fibre() {
-    use stampflow::element::{kinematics::Reference, section::Section};
-    use stampflow::material::flow::{Iterate, PointState, StressUpdate};
-    use stampflow::material::hardening::Ludwik;
-    use stampflow::numerics::quadrature::midpoint;
-
     let (yield_stress, t, length, turn) = (200.0, 1.3, 0.8, 0.02);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
     let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
     let s = 2.0 / 3f64.sqrt() * yield_stress;
     let point = rate_free(&hardening);
-    let none = StressUpdate::default();
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
         let points = midpoint(n);
@@ -227,7 +214,7 @@ fn tension_that_bends_moves_the_neutral_fibre() {
             let stretch = length * ((0.5 * t * tau * turn / length).exp() - 1.0);
             let end = start.moved([0.0, 0.0, -0.5 * turn], [stretch, 0.0, 0.5 * turn]).expect("sound");
             let points = vec![PointState::at(0.0); n];
-            let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![none; n]);
+            let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![StressUpdate::default(); n]);
             let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
             // The force is that of the section as it is drawn out.
             let found = force[3] * (length + stretch) / length / (s * t);

@@ -189,8 +189,7 @@ fn a_wide_elastic_strip_contracts_by_poisson() {
         let travel = 0.01;
         let mut model = simple::pulled(Geometry::PlaneStrain, theory, travel);
         (model.mode, model.material.elastic) = (Mode::ElastoViscoplastic, Some(STEEL));
-        let run = run(&model, &mut ());
-        assert!(run.stop.is_complete(), "{}", run.stop);
+        let run = solve(&model);
         let strain = f64::ln_1p(travel / 40.0);
         for (t, dilation) in run.end.thickness.iter().zip(&run.end.dilation) {
             assert!((t.ln() + 0.3 / 0.7 * strain).abs() < 1e-9 * strain, "{theory:?}: {t}");
@@ -209,8 +208,7 @@ fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
         let mut model = simple::pulled(Geometry::Axisymmetric, theory, 4.0);
         let elastic = Elastic { young: 69_000.0, poisson: 0.3 };
         (model.mode, model.material.elastic) = (Mode::ElastoViscoplastic, Some(elastic));
-        let run = run(&model, &mut ());
-        assert!(run.stop.is_complete(), "{}", run.stop);
+        let run = solve(&model);
         let strain = f64::ln_1p(4.0 / 40.0);
         let (mut volume, mut yields) = (0.0f64, 0.0);
         for _ in 0..50 {
@@ -246,9 +244,7 @@ fn deflection(elements: usize, length: f64, pressure: f64) -> f64 {
     model.travel = 0.0;
     (model.mode, model.material.elastic) = (Mode::Elastic, Some(STEEL));
     model.gas = vec![Gas { face: Face::Lower, pressure: pressure.into(), within: length }];
-    let run = run(&model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
-    run.frames.last().expect("frames").nodes[0].z
+    solve(&model).frames.last().expect("frames").nodes[0].z
 }
 
 /// Trust: the clamped plate, w = p a⁴/(64 D) + p a²/(4 k G t) with the shear of Mindlin's plate; at a hundred thousandth of
@@ -261,8 +257,7 @@ fn clamped_elastic_plate_converges_to_the_closed_form_in_second_order() {
     let p = 1e-5 * t * 64.0 * d / (a * a * a * a);
     let exact = p * a.powi(4) / (64.0 * d) + p * a * a / (4.0 * shear);
     let misses = [10, 20, 40].map(|n| deflection(n, a, p) / exact - 1.0);
-    let told = format!("{} with 10, 20, 40 elements: second order", percent(&misses, 2));
-    agreement("clamped elastic plate", &[told]);
+    agreement("clamped elastic plate", &[format!("{} with 10, 20, 40 elements: second order", percent(&misses, 2))]);
     let orders = orders(&[4.0, 2.0, 1.0], &misses);
     assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.1), "{orders:?}");
     assert!(misses[2].abs() < 0.002, "{misses:?}");
@@ -295,8 +290,7 @@ fn elastica(elements: usize) -> [f64; 2] {
     // A breath of pressure tells it which way to go, and fades.
     let pressure = PiecewiseLinear::new(vec![(0.0, 0.02), (shortened, 0.0)]).expect("valid");
     model.gas = vec![Gas { face: Face::Upper, pressure: pressure.into(), within: length }];
-    let run = run(&model, &mut ());
-    assert!(run.stop.is_complete(), "{}", run.stop);
+    let run = solve(&model);
     let stiffness = 206_000.0 / (1.0 - 0.09) / 12.0;
     // Of one of both edges.
     let force = -0.5 * run.steps.last().expect("steps").edge_force / (stiffness * (first / quarter).powi(2));
@@ -336,8 +330,7 @@ fn thin_stretch_follows_the_continuum() {
     let model = shipped("stretch_thin", &[]);
     let flow = solve(&model);
     let run = solve(&Model { mode: Mode::ElastoViscoplastic, ..model });
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/stretch_solid_fe.csv");
-    let text = std::fs::read_to_string(file).expect("shipped");
+    let text = include_str!("../../reference_data/stretch_solid_fe.csv");
     let points = text.lines().filter_map(|line| {
         let (travel, force) = line.split_once(',')?;
         Some((travel.parse::<f64>().ok()?, force.parse::<f64>().ok()?))
@@ -406,8 +399,7 @@ fn opening(overrides: &[&str]) -> [f64; 2] {
 /// differ by. Other elements and points change it by less than they do.
 #[test]
 fn cylindrical_bending_springs_back_as_in_two_published_codes() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/cylindrical_bending_nafems.csv");
-    let text = std::fs::read_to_string(file).expect("shipped");
+    let text = include_str!("../../reference_data/cylindrical_bending_nafems.csv");
     let row = text.lines().find(|line| line.starts_with("0.0,")).expect("the frictionless row");
     let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();
     let angles = opening(&[]);

@@ -50,8 +50,8 @@ fn adiabatic_heating_keeps_the_energy() {
 #[test]
 fn adiabatic_softening_follows_its_closed_form() {
     let error = |max_step: f64| {
-        let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 6.0);
-        model = heated(model, 293.15, Some(flow(0.9)));
+        let model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 6.0);
+        let mut model = heated(model, 293.15, Some(flow(0.9)));
         model.material.thermal = softening();
         model.settings = Settings { max_step, first_step: 1e-5, ..Settings::default() };
         let run = solve(&model);
@@ -99,10 +99,7 @@ fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<Pi
     model.speed = 1.0 / seconds;
     (model.duration, model.frames) = (seconds, vec![seconds]);
     model.travel = 0.0;
-    let tools = vec![
-        ToolHeat { role: Role::Die, temperature: 293.15, transfer },
-        ToolHeat { role: Role::Holder, temperature: 293.15, transfer },
-    ];
+    let tools = [Role::Die, Role::Holder].map(|role| ToolHeat { role, temperature: 293.15, transfer }).to_vec();
     heated(model, initial, Some(HeatFlow { conductivity, tools, ..flow(0.0) }))
 }
 
@@ -129,8 +126,8 @@ fn a_sheet_between_two_tools_cools_as_by_hand() {
 #[test]
 fn heat_is_conducted_along_the_sheet() {
     let conductivity = 130.0; // W/(m K) = N/(s K)
-    let rate = conductivity / CAPACITY * (std::f64::consts::PI / 40.0).powi(2);
-    let cosine = |s: f64| 400.0 + 50.0 * (std::f64::consts::PI * s / 40.0).cos();
+    let rate = conductivity / CAPACITY * (PI / 40.0).powi(2);
+    let cosine = |s: f64| 400.0 + 50.0 * (PI * s / 40.0).cos();
     let points = (0..=400).map(|i| (0.1 * f64::from(i), cosine(0.1 * f64::from(i)))).collect();
     let mut model = pressed(1.0 / rate, conductivity, 0.0, PiecewiseLinear::new(points).expect("rising"));
     let run = solve(&model);
@@ -139,7 +136,7 @@ fn heat_is_conducted_along_the_sheet() {
         assert!((e.temperature - exact).abs() < 0.01 * 50.0, "{} {exact}", e.temperature);
     }
     let heat = run.steps.last().expect("steps").heat;
-    let moved = 50.0 * CAPACITY * 40.0 * 2.0 / std::f64::consts::PI;
+    let moved = 50.0 * CAPACITY * 40.0 * 2.0 / PI;
     assert!(heat.stored.abs() < 1e-9 * moved, "{heat:?}");
 
     let mut error = |elements: usize, step: f64| {
@@ -151,10 +148,8 @@ fn heat_is_conducted_along_the_sheet() {
     // What the steps leave is the same on every mesh, and the other way round.
     let in_space = orders_of_changes(&[10, 20, 40].map(|elements| error(elements, 2e-3)));
     let in_time = orders(&[4.0, 2.0, 1.0], &[0.02, 0.01, 0.005].map(|step| error(400, step)));
-    assert!(
-        (in_space[0] - 2.0).abs() < 0.1 && in_time.iter().all(|p| (p - 1.0).abs() < 0.1),
-        "{in_space:?} {in_time:?}"
-    );
+    assert!((in_space[0] - 2.0).abs() < 0.1, "{in_space:?}");
+    assert!(in_time.iter().all(|p| (p - 1.0).abs() < 0.1), "{in_time:?}");
 }
 
 /// The plain result, bit for bit: a sheet at room temperature, one whose temperature does not matter, and one that is
@@ -229,7 +224,6 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
     assert!((middle.strain_equivalent - strain).abs() < 1e-5, "{middle:?} {strain}");
 }
 
-/// A sheet whose voids grow together ends by it, and says where.
 #[test]
 fn coalescence_ends_the_run() {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 30.0);

@@ -2,11 +2,6 @@
 
 use crate::common::prelude::*;
 use crate::common::shipped::shipped_case as case;
-use stampflow::{Model, StageSolution};
-
-fn solve(model: &Model) -> StageSolution {
-    solver::run(model, &mut ())
-}
 
 /// Trust: one metal written twice; both runs stop their iterations at the solver's tolerance of 1e-4 of the velocities, whose
 /// square is what forces miss.
@@ -15,13 +10,13 @@ fn a_cup_with_exponent_two_is_hills() {
     for mode in ["flow", "elasto_viscoplastic"] {
         let common = [format!("material.mode=\"{mode}\""), "material.anisotropy=0.6".into()];
         let elastic = ["material.young=\"70 GPa\"", "material.poisson=0.33", "tools.punch.travel=\"8 mm\""];
-        let run = |condition: &str| {
+        let cup = |condition: &str| {
             let condition = format!("material.yield_condition={condition}");
             let overrides: Vec<&str> =
                 common.iter().map(String::as_str).chain(elastic).chain([condition.as_str()]).collect();
-            solve(case("quickstart", &overrides).model())
+            run(case("quickstart", &overrides).model(), &mut ())
         };
-        let (hill, hosford) = (run("\"hill48\""), run("{ hosford = { exponent = 2 } }"));
+        let (hill, hosford) = (cup("\"hill48\""), cup("{ hosford = { exponent = 2 } }"));
         assert_eq!(hill.steps.len(), hosford.steps.len(), "{mode}");
         for (a, b) in hill.steps.iter().zip(&hosford.steps) {
             assert!((a.punch_force / b.punch_force - 1.0).abs() < 1e-5, "{mode} at {} mm", a.travel);
@@ -34,13 +29,11 @@ fn a_cup_with_exponent_two_is_hills() {
 /// aluminium shifts the force over the travel by less than 2 %, and the thinnest place by less than 1 %.
 #[test]
 fn both_modes_agree_where_nothing_unloads() {
-    let run = |mode: &str| {
+    let end = |mode: &str| {
         let mode = format!("material.mode=\"{mode}\"");
-        solve(case("stretch_limit", &[&mode, HOSFORD, "tools.punch.travel=\"20 mm\""]).model())
+        *last(&run(case("stretch_limit", &[&mode, HOSFORD, "tools.punch.travel=\"20 mm\""]).model(), &mut ()))
     };
-    let (flow, elastic) = (run("flow"), run("elasto_viscoplastic"));
-    let end = |run: &StageSolution| *run.steps.last().expect("steps");
-    let (flow, elastic) = (end(&flow), end(&elastic));
+    let [flow, elastic] = ["flow", "elasto_viscoplastic"].map(end);
     assert!((flow.travel - elastic.travel).abs() < 1e-9);
     assert!((elastic.punch_force / flow.punch_force - 1.0).abs() < 0.02);
     assert!((elastic.thinnest / flow.thinnest - 1.0).abs() < 0.01);
@@ -53,11 +46,7 @@ const HOSFORD: &str = "material.yield_condition={ hosford = { crystal = \"fcc\" 
 fn a_stretched_dome_of_aluminium_thins_less_than_by_hills_condition() {
     let thinnest = |condition: &str| {
         let condition = format!("material.yield_condition={condition}");
-        solve(case("stretch_limit", &[&condition, "tools.punch.travel=\"20 mm\""]).model())
-            .steps
-            .last()
-            .expect("steps")
-            .thinnest
+        last(&run(case("stretch_limit", &[&condition, "tools.punch.travel=\"20 mm\""]).model(), &mut ())).thinnest
     };
     let (hill, hosford) = (thinnest("\"hill48\""), thinnest("{ hosford = { crystal = \"fcc\" } }"));
     assert!(hosford > hill);

@@ -121,12 +121,7 @@ fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> 
         let held = |h: f64| penalty.at(0.5 * (gap - h)).value;
         let yields = |h: f64| (flow(h) - pull / h).max(0.0);
         if held(h) > yields(h) {
-            let (mut low, mut high) = (0.5 * gap, h);
-            for _ in 0..50 {
-                let middle = 0.5 * (low + high);
-                if held(middle) > yields(middle) { high = middle } else { low = middle }
-            }
-            h = high;
+            h = bisect(0.5 * gap, h, 50, |h| held(h) <= yields(h))[1];
         }
         let p = held(h).min(yields(h));
         force += p * (tan + FRICTION) * dx;

@@ -310,11 +310,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
         let (mut worst, mut end): (f64, _) = (0.0, 0.0);
         for r in &solve(&model).steps {
             let strain = 3f64.sqrt() / 2.0 * rate * r.time;
-            let alpha = (0..200).fold((0.0, PI / 1.01), |(low, high), _| {
-                let middle: f64 = 0.5 * (low + high);
-                if (middle / middle.sin()).ln() > strain { (low, middle) } else { (middle, high) }
-            });
-            let alpha = alpha.0;
+            let [alpha, _] = bisect(0.0, PI / 1.01, 200, |alpha| (alpha / alpha.sin()).ln() <= strain);
             let (t, radius) = (alpha.sin() / alpha, a / alpha.sin());
             let pressure = 2.0 / 3f64.sqrt() * k * rate.powf(m) * t / radius;
             let height = radius * (1.0 - alpha.cos());

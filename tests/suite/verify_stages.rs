@@ -28,11 +28,12 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     model
 }
 
-fn complete(passes: &[StageSolution], stages: usize) {
-    for pass in passes {
-        assert!(pass.stop.is_complete(), "{}", pass.stop);
-    }
-    assert_eq!(passes.len(), stages);
+/// Stages that all run to their ends.
+fn solved(stages: &[Stage]) -> Vec<StageSolution> {
+    let passes = solve(stages, &mut ());
+    passes.iter().for_each(|pass| assert!(pass.stop.is_complete(), "{}", pass.stop));
+    assert_eq!(passes.len(), stages.len());
+    passes
 }
 
 /// Trust: nothing is computed between two stages, so every number is compared bit for bit; what begins anew is zero.
@@ -66,8 +67,6 @@ fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     assert!((1..left.tools.len()).all(|j| entered.pressure.row(j) == left.pressure.row(j)));
 }
 
-/// Tools are taken away while those that are left stand: the sheet comes to rest on them.
-///
 /// Trust: by the flow law nothing springs back, and the tools' springs move it by their penetration, hundredths of the thickness.
 #[test]
 fn a_sheet_rests_on_the_tools_that_are_left() {
@@ -78,8 +77,7 @@ fn a_sheet_rests_on_the_tools_that_are_left() {
         rest.tools.retain(|tool| roles.contains(&tool.role));
         rest.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
         (rest.travel, rest.speed, rest.duration, rest.frames) = (0.0, draw.speed, 1.0, vec![1.0]);
-        let passes = solve(&[stage("draw", draw.clone()), stage("rest", rest)], &mut ());
-        complete(&passes, 2);
+        let passes = solved(&[stage("draw", draw.clone()), stage("rest", rest)]);
         let (before, after) = (&passes[0].end, &passes[1].end);
         for (thickness, left) in before.thickness.iter().zip(&after.thickness) {
             assert!((thickness - left).abs() < 0.01, "{roles:?}: {thickness} {left}");
@@ -98,8 +96,7 @@ fn a_stage_much_shorter_than_the_sheet_is_thick_finds_equilibrium() {
         for moves in moves {
             let later = moves.iter().map(|(role, way)| stage(role.name(), moving(&draw, *role, *way, 0.0)));
             let stages: Vec<Stage> = [stage("draw", draw.clone())].into_iter().chain(later).collect();
-            let passes = solve(&stages, &mut ());
-            complete(&passes, stages.len());
+            let passes = solved(&stages);
             let rejected: usize = passes.iter().flat_map(|pass| &pass.steps).map(|step| step.rejected).sum();
             assert!(rejected <= 3, "{travel} mm {moves:?}: {rejected} rejected");
         }
@@ -111,17 +108,14 @@ fn a_stage_much_shorter_than_the_sheet_is_thick_finds_equilibrium() {
 /// force, and less of the shape.
 #[test]
 fn a_draw_in_two_stages_is_the_draw_in_one() {
-    let whole = solve(&[stage("whole", cup(20.0))], &mut ());
-    let halves = solve(&[stage("first", cup(10.0)), stage("second", cup(10.0))], &mut ());
-    complete(&whole, 1);
-    complete(&halves, 2);
+    let whole = solved(&[stage("whole", cup(20.0))]);
+    let halves = solved(&[stage("first", cup(10.0)), stage("second", cup(10.0))]);
     let (one, two) = (&whole[0], &halves[1]);
-    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
-    let apart = (force(two) / force(one) - 1.0).abs();
+    let apart = (last(two).punch_force / last(one).punch_force - 1.0).abs();
     let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let thickness = largest(&one.end.thickness, &two.end.thickness);
-    let z: Vec<f64> = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs()).collect();
-    let shape = z.into_iter().fold(0.0, f64::max);
+    let z = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs());
+    let shape = z.fold(0.0, f64::max);
     assert!((one.end.tools[0] - two.end.tools[0]).norm() < 1e-9);
     assert!(apart < 5e-3 && thickness < 2e-3 && shape < 2e-2);
     let imbalance = two.steps.last().expect("steps").work.imbalance();
@@ -133,16 +127,14 @@ fn a_draw_in_two_stages_is_the_draw_in_one() {
 fn a_punch_that_goes_back_leaves_the_sheet() {
     let draw = cup(15.0);
     let back = moving(&draw, Role::Punch, -16.0, 0.0);
-    let passes = solve(&[stage("draw", draw), stage("back", back)], &mut ());
-    complete(&passes, 2);
+    let passes = solved(&[stage("draw", draw), stage("back", back)]);
     let [drawn, left] = [0, 1].map(|i| &passes[i]);
-    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
-    assert!(force(drawn) > 1e4 && force(left).abs() < 1e-6 * force(drawn), "{} {}", force(drawn), force(left));
+    let [full, rest] = [drawn, left].map(|pass| last(pass).punch_force);
+    assert!(full > 1e4 && rest.abs() < 1e-6 * full, "{full} {rest}");
     assert!(left.end.pressure.row(0).iter().all(|p| *p == 0.0));
     assert!((left.end.tools[0].y - drawn.end.tools[0].y + 16.0).abs() < 1e-9);
-    let moved: Vec<f64> =
-        drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
-    let moved = moved.into_iter().fold(0.0, f64::max);
+    let moves = drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+    let moved = moves.fold(0.0, f64::max);
     assert!(moved < 0.05, "{moved}");
     let warnings = assess::of_stage(0, left);
     assert!(warnings.is_empty(), "{warnings:?}");
@@ -154,8 +146,7 @@ fn a_die_goes_aside() {
     let draw = cup(15.0);
     let mut aside = moving(&draw, Role::Die, 6.0, 8.0);
     aside.tools.retain(|tool| tool.role != Role::Holder);
-    let passes = solve(&[stage("draw", draw), stage("aside", aside)], &mut ());
-    complete(&passes, 2);
+    let passes = solved(&[stage("draw", draw), stage("aside", aside)]);
     let left = &passes[1];
     assert_eq!(left.model.travel, 10.0);
     let frame = left.frames.last().expect("a frame");
@@ -190,8 +181,7 @@ fn trimming_takes_the_rim_and_nothing_else() {
     let whole = PI * draw.blank.length.powi(2) * draw.blank.thickness;
     assert!(((volume + gone) / whole - 1.0).abs() < 1e-12);
 
-    let passes = solve(&[stage("draw", draw), cut], &mut ());
-    complete(&passes, 2);
+    let passes = solved(&[stage("draw", draw), cut]);
     assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
     let warnings = assess::sentences(&assess::of_stage(1, &passes[1]), assess::Kind::Warning);
     assert!(warnings.iter().any(|w| w.to_string().contains("cut to r = ")), "{warnings:?}");
@@ -204,11 +194,7 @@ fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
     let mut soft = stage("soft", cup(2.0));
     let hard = soft.clone();
     soft.begin.anneal = true;
-    let force = |next: &Stage| {
-        let passes = solve(&[stage("draw", draw.clone()), next.clone()], &mut ());
-        complete(&passes, 2);
-        passes[1].steps.last().expect("steps").punch_force
-    };
+    let force = |next: &Stage| last(&solved(&[stage("draw", draw.clone()), next.clone()])[1]).punch_force;
     let passes = solve(&[stage("draw", draw.clone())], &mut ());
     let left = &passes[0].end;
     let state = enter(&soft, &draw, left.clone());
@@ -225,8 +211,7 @@ fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
     let mut redraw = stage("redraw", cup(5.0));
     redraw.model.tools[0].profile = stampflow::geometry::Profile::flat_punch(20.0, 5.0, 1.0);
     redraw.begin.meets = vec![Role::Punch];
-    let passes = solve(&[stage("draw", draw.clone()), redraw.clone()], &mut ());
-    complete(&passes, 2);
+    let passes = solved(&[stage("draw", draw.clone()), redraw.clone()]);
     let left = &passes[0].end;
     let state = enter(&redraw, &draw, left.clone());
     let punch = &redraw.model.tools[0].profile;

@@ -38,13 +38,11 @@ fn judged(case: &Case) -> (f64, Light) {
 /// A cup of mild steel over a punch of Ø 70 mm with this nose and draw ratio, held by Siebel's pressure.
 fn cup(nose: &str, ratio: f64) -> Case {
     let given = [("material", "dc04"), ("punch-radius", "35 mm"), ("nose", nose)];
-    let text = templates::find("cup").and_then(|template| template.fill(&given)).expect("a case");
     let pressure = 0.0025 * ((ratio - 1.0).powi(2) + 0.35) * 300.0;
     let radius = 35.0 * ratio;
-    let force = pressure * std::f64::consts::PI * (radius * radius - 43.5 * 43.5);
-    let overrides = format!("blank.radius={radius} mm;tools.holder.force={force} N;tools.punch.travel=40 mm");
-    let overrides: Vec<String> = overrides.split(';').map(str::to_owned).collect();
-    case::parse(&text, "made.toml", &overrides).expect("valid")
+    let force = pressure * PI * (radius * radius - 43.5 * 43.5);
+    let [blank, force] = [format!("blank.radius={radius} mm"), format!("tools.holder.force={force} N")];
+    made("cup", &given, &[&blank, &force, "tools.punch.travel=40 mm"])
 }
 
 /// Trust: mild steel is drawn to 1.8 safely, to 2.0 over a generous nose (4ming, table of draw ratios: 2.0), and never to 2.4; a

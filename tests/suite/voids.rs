@@ -69,21 +69,13 @@ fn stress_lies_on_the_yield_surface_and_the_increment_is_normal_to_it() {
             for e in points() {
                 let metric = condition.metric(e);
                 let s = metric.gradient.map(|a| a / metric.square.sqrt());
-                assert!(
-                    phi(&Gtn::example(), r, f, s).abs() < 1e-12,
-                    "r {r} f {f} {e:?}: {}",
+                let shifted = |i: usize, h: f64| {
+                    let mut s = s;
+                    s[i] += h;
                     phi(&Gtn::example(), r, f, s)
-                );
-                let gradient: Vec<f64> = (0..3)
-                    .map(|i| {
-                        let shifted = |h: f64| {
-                            let mut s = s;
-                            s[i] += h;
-                            phi(&Gtn::example(), r, f, s)
-                        };
-                        (shifted(1e-5) - shifted(-1e-5)) / 2e-5
-                    })
-                    .collect();
+                };
+                assert!(shifted(0, 0.0).abs() < 1e-12, "r {r} f {f} {e:?}: {}", shifted(0, 0.0));
+                let gradient = [0, 1, 2].map(|i| (shifted(i, 1e-5) - shifted(i, -1e-5)) / 2e-5);
                 let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let cosine = (0..3).map(|i| gradient[i] * e[i]).sum::<f64>() / (norm(&gradient) * norm(&e));
                 assert!((cosine - 1.0).abs() < 1e-9, "r {r} f {f} {e:?}: {cosine}");
@@ -117,11 +109,8 @@ fn without_voids_it_is_the_plain_law() {
 /// Trust: central differences with h = 1e-4 of the increment; truncation near 1e-8 of the entries.
 #[test]
 fn newton_matrix_is_the_derivative_of_the_stress() {
-    let hardening = hardening();
-    let voids = Gtn::example();
-    let rates = Rate::examples();
-    let rates = std::iter::once(None).chain(rates.iter().map(|(_, rate)| Some(rate)));
-    for rate in rates {
+    let (hardening, voids, rates) = (hardening(), Gtn::example(), Rate::examples());
+    for rate in std::iter::once(None).chain(rates.iter().map(|(_, rate)| Some(rate))) {
         for (f, r) in [(0.001, 1.0), (0.05, 0.5), (0.1, 1.0), (0.2, 2.0)] {
             let law =
                 FlowLaw { rate, criterion: Hill48::new(r).into(), ..law(&hardening, Some(&voids), Iteration::Newton) };
@@ -177,13 +166,8 @@ pub fn rates(voids: &Gtn, f: f64, strain: f64, sigma: [f64; 3]) -> [f64; 3] {
         let mises = 0.5 * ((s[0] - s[1]).powi(2) + (s[1] - s[2]).powi(2) + (s[2] - s[0]).powi(2));
         mises + 2.0 * voids.q1 * star * (1.5 * voids.q2 * mean).cosh() - 1.0 - voids.q3 * star * star
     };
-    // The size of the stress, by bisection.
-    let (mut low, mut high) = (0.0, 2.0);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if unit(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    let s = sigma.map(|x| low * x);
+    let [size, _] = bisect(0.0, 2.0, 200, |size| unit(size) < 0.0);
+    let s = sigma.map(|x| size * x);
     let mean = (s[0] + s[1] + s[2]) / 3.0;
     let swell = voids.q1 * voids.q2 * star * (1.5 * voids.q2 * mean).sinh();
     let e = s.map(|s| 3.0 * (s - mean) + swell);
@@ -224,12 +208,8 @@ fn porosity_follows_the_integrated_equation_in_uniaxial_and_equi_biaxial_tension
                 let hoop = match name {
                     "uniaxial" => {
                         let condition = voids.condition(anisotropy, middle);
-                        let (mut low, mut high) = (-step, 0.0);
-                        for _ in 0..100 {
-                            let x = 0.5 * (low + high);
-                            if condition.metric([step, x, 0.0]).gradient[1] > 0.0 { high = x } else { low = x }
-                        }
-                        0.5 * (low + high)
+                        let is_pressed = |hoop| condition.metric([step, hoop, 0.0]).gradient[1] <= 0.0;
+                        bisect(-step, 0.0, 100, is_pressed)[0]
                     }
                     _ => step,
                 };

@@ -60,8 +60,7 @@ fn collection(path: &Path) -> Vec<(f64, String)> {
 fn the_section_is_that_of_the_profile_and_keeps_its_volume() {
     let dir = folder(CUP);
     // Steps end at kept frames, and those of whole fifths are among the states.
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu", "--set", "output.count=5"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    ends(&stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu", "--set", "output.count=5"]), 0, "");
     let out = dir.path().join("out/cup");
     let profile = columns(&out.join("profile.csv"));
     let sets = collection(&out.join("section.pvd"));

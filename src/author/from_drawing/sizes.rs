@@ -1,7 +1,7 @@
 //! Sizes of drawn tools, and placeholders for the sizes that no drawing has.
 
 use super::Import;
-use crate::import::{ImportError, Operation, Sections};
+use crate::import::{ImportError, Operation, Result, Sections};
 use crate::material::Material;
 use crate::model::tool_sizes::{extent, gap, has_room, mouth, shoulder_end, throat};
 use crate::model::{Geometry, Motion, Role, Tool};
@@ -45,12 +45,7 @@ fn down(mm: f64) -> f64 {
 
 impl DrawnTools {
     /// Tools of an operation; a die stays where no other is drawn, and with it the holder. Fails without a punch, or a die.
-    pub fn new(
-        import: &Import,
-        sections: &Sections,
-        operation: &Operation,
-        before: Option<&Self>,
-    ) -> Result<Self, ImportError> {
+    pub fn new(import: &Import, sections: &Sections, operation: &Operation, before: Option<&Self>) -> Result<Self> {
         let tool = |role: Role| {
             let profile = operation.tool(role)?.profile.clone();
             Some(Tool { role, profile, friction: 0.0.into(), motion: Motion::Fixed })

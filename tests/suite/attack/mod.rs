@@ -82,12 +82,6 @@ struct Budget {
     size: usize,
 }
 
-impl Budget {
-    fn new(left: usize) -> Self {
-        Self { left, size: 0 }
-    }
-}
-
 impl Observer for Budget {
     fn state(&mut self, model: &Model, _: &State) {
         let pieces: usize = model.tools.iter().map(|tool| tool.profile.pieces().len()).sum();
@@ -119,7 +113,7 @@ fn check_accepted(case: Case, work: usize) -> bool {
         assert!(error.to_string().chars().count() < 2_000, "{error}");
         return false;
     }
-    let solution = case.solve(&mut Budget::new(work));
+    let solution = case.solve(&mut Budget { left: work, size: 0 });
     for stage in &solution.stages {
         assert!(!stage.stop.to_string().is_empty());
         let end = stage.steps.last().map_or(0.0, |last| last.time / stage.model.duration);

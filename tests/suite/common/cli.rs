@@ -49,6 +49,12 @@ pub fn stampflow(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
 }
 
+/// Holds a call to its exit code, and its errors to a part of their text.
+pub fn ends(done: &Output, code: i32, says: &str) {
+    let errors = text(&done.stderr);
+    assert!(done.status.code() == Some(code) && errors.contains(says), "{says}: {errors}{}", text(&done.stdout));
+}
+
 pub fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }

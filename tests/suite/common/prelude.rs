@@ -1,14 +1,14 @@
 //! Names that several files of tests use.
 
 pub use crate::common::{
-    cli::{COMPARE, CUP, STAGES, folder, read_json, stampflow, text},
+    cli::{COMPARE, CUP, STAGES, ends, folder, read_json, stampflow, text},
     convergence::{orders, orders_of_changes},
     cup::{LAW, MINIMAL},
     files::{below, files},
     page::{agreement, at_most, percent, plain, signed, told},
     random_die,
     shipped::{self, DRAWN, last, made, parsed, peak, shipped_case, solve, solved, solved_once},
-    simple::{self, drive_to},
+    simple::{self, are_alike, drive_to},
 };
 pub use approx::assert_relative_eq;
 pub use fastrand::Rng;

@@ -24,6 +24,11 @@ pub fn drive_to(model: &mut Model, travel: f64) {
     model.frames = vec![model.duration];
 }
 
+/// Whether two profiles have one distance from all of these points within a tolerance \[mm\].
+pub fn are_alike(a: &Profile, b: &Profile, within: f64, mut points: impl Iterator<Item = Point>) -> bool {
+    points.all(|x| (a.closest(x).distance - b.closest(x).distance).abs() < within)
+}
+
 /// A strip too strong to yield, drawn by a flat punch over a die shoulder of 10 mm with friction `mu` there:
 /// a rope over a bollard on either side. The holder's own friction holds them back with `2 · 0.1 · holder` together [N/mm].
 pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
