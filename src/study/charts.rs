@@ -10,8 +10,8 @@ use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
 /// Responses by their importance.
-const FIRST: &str = "thinning_judged punch_force pressure draw_in wrinkling_judged part_height holder_force \
-                     forming_limit_judged ring_opening springback_judged thickest energy_judged";
+const FIRST: &str = "tearing_judged thinning_judged punch_force pressure draw_in wrinkling_judged part_height \
+                     holder_force forming_limit_judged ring_opening springback_judged thickest energy_judged";
 /// A number varies if it spans more than this share of its largest value \[–\].
 const VARIES: f64 = 2e-3;
 /// Least span of an axis over the largest value \[–\].
@@ -60,14 +60,17 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
 }
 
 fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
+    let is_amber = |run: &Run| run.failures.is_empty() && run.light == Some(Light::Amber);
     let dots = |mode: Option<FailureMode>| {
         let color = mode.map_or(color(2), |mode| [color(1), color(0), color(3), color(4), GREY][mode as usize]);
-        let own = points.iter().filter(|(_, run)| run.failures.first().copied() == mode);
+        let own = points.iter().filter(|(_, run)| run.failures.first().copied() == mode && !is_amber(run));
         let label = mode.map_or("sound", FailureMode::label);
         Series::new(label, own.map(|(point, _)| *point).collect(), Style::Dots { color })
     };
     let modes = FailureMode::ALL.map(Some).into_iter().chain([None]);
-    modes.map(dots).filter(|series| !series.points.is_empty()).collect()
+    let amber = points.iter().filter(|(_, run)| is_amber(run)).map(|(point, _)| *point).collect();
+    let amber = Series::new("sound, amber", amber, Style::Circles { color: color(2) });
+    modes.map(dots).chain([amber]).filter(|series| !series.points.is_empty()).collect()
 }
 
 /// Numbers of known runs over a variable, each with its limit and one circled run; labelled trials are not joined.

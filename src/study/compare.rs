@@ -56,7 +56,8 @@ pub fn variant(text: &str) -> Result<Vec<String>> {
 
 impl Candidate {
     fn name(&self) -> String {
-        if self.overrides.is_empty() { self.case.name.clone() } else { self.overrides.join(", ") }
+        let overrides = joined(self.overrides.iter().map(|text| in_words(text)), ", ");
+        if overrides.is_empty() { self.case.name.clone() } else { overrides }
     }
 }
 

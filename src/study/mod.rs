@@ -56,6 +56,6 @@ use std::path::{Path, PathBuf};
 use study_file::StudyFile;
 pub use sweep::{Sensitivity, Sweep};
 pub use table_file::{Shard, TableFile, merge};
-use variable::{Variable, in_unit, number, split_pair, written};
+use variable::{Variable, in_unit, in_words, number, split_pair, written};
 pub use verdict::judge;
 pub use verify::Watch;

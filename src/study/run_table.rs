@@ -53,13 +53,13 @@ impl RunTable {
         joined(keys.iter().map(label), ", ")
     }
 
-    /// ` (flange_angle 2.1°; red there: Spring-back; amber there: Tearing, Friction)`, or nothing.
+    /// ` (Flange to the horizontal 2.1°; Press force 1120 kN; red there: Spring-back; amber there: Tearing)`, or nothing.
     pub(super) fn lights_there(&self, run: &Run) -> String {
         let lights = [("red", &run.red), ("amber", &run.amber)].into_iter().filter(|(_, keys)| !keys.is_empty());
         let lights = lights.map(|(light, keys)| format!("{light} there: {}", self.labels(keys)));
-        let flange =
-            self.response("flange_angle").map(|at| format!("flange_angle {}", self.display(at, run.numbers[at])));
-        let text = joined(flange.into_iter().chain(lights), "; ");
+        let numbers = ["flange_angle", "press_force_judged"].into_iter().filter_map(|name| self.response(name).ok());
+        let number = |at: usize| format!("{} {}", self.responses[at].quantity.label, self.display(at, run.numbers[at]));
+        let text = joined(numbers.map(number).chain(lights), "; ");
         if text.is_empty() { text } else { format!(" ({text})") }
     }
 

@@ -1,6 +1,6 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
-use super::variable::{SearchRange, check_distinct, with_unit, written};
+use super::variable::{SearchRange, check_distinct, written};
 use super::*;
 use crate::plot;
 
@@ -48,7 +48,8 @@ impl Axis {
             drawn.names = values.clone();
             (0..values.len()).map(|i| i as f64).collect()
         });
-        let labels = values.iter().map(|value| with_unit(value.clone(), &variable.unit)).collect();
+        let label = |value: &String| number(value).map_or_else(|| value.clone(), |number| variable.display(number));
+        let labels = values.iter().map(label).collect();
         Ok(Self { variable, values, drawn, positions, labels, own })
     }
 
@@ -67,8 +68,7 @@ impl Sweep {
     /// Varies a case by `KEY=VALUES` texts.
     pub fn new(base: BaseCase, vary: &[String], one_at_a_time: bool) -> Result<Self> {
         let axes = vary.iter().map(|text| Axis::read(text, &base)).collect::<Result<Vec<_>, _>>()?;
-        let help = "give --vary KEY=VALUES, as often as needed";
-        ensure(!axes.is_empty(), "nothing of the case is varied", help)?;
+        ensure(!axes.is_empty(), "nothing of the case is varied", "give --vary KEY=VALUES, as often as needed")?;
         let variables = || axes.iter().map(|axis| &axis.variable);
         check_distinct(variables(), "is varied twice", "give all its values at once")?;
         let mut counts = axes.iter().map(|axis| axis.count() as u64);

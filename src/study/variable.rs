@@ -120,7 +120,7 @@ impl Variable {
 
     /// Name for tables and axes; the key if it has none.
     pub fn label(&self) -> &str {
-        NAMES.iter().find(|(key, _)| *key == self.key).map_or(&self.key, |(_, name)| name)
+        name(&self.key).unwrap_or(&self.key)
     }
 
     /// Solver unit of an axis, and the factor from the variable's unit to it.
@@ -129,20 +129,10 @@ impl Variable {
     }
 }
 
-const NAMES: [(&str, &str); 12] = [
-    ("friction", "Friction"),
-    ("tools.holder.force", "Holder force"),
-    ("tools.die.shoulder", "Die shoulder radius"),
-    ("tools.punch.flat.nose", "Punch nose radius"),
-    ("tools.punch.travel", "Punch travel"),
-    ("tools.beads.0.restraining", "Bead force"),
-    ("tools.beads.0.restraining.1.1", "Bead force"),
-    ("blank.radius", "Blank radius"),
-    ("blank.diameter", "Blank diameter"),
-    ("blank.thickness", "Sheet thickness"),
-    ("material", "Sheet"),
-    ("material.hardening.swift.n", "Hardening exponent n"),
-];
+/// Name of a key in words.
+fn name(key: &str) -> Option<&'static str> {
+    include_str!("names.csv").lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(','))
+}
 
 pub(super) fn written(value: f64) -> String {
     significant(value, 12).to_string()
@@ -155,6 +145,12 @@ pub(super) fn with_unit(number: String, unit: &str) -> String {
 pub(super) fn check_distinct<'a>(variables: impl Iterator<Item = &'a Variable>, what: &str, help: &str) -> Result<()> {
     let mut keys = BTreeSet::new();
     variables.map(|variable| &variable.key).try_for_each(|key| ensure(keys.insert(key), format!("{key} {what}"), help))
+}
+
+/// Override in words, `Die shoulder radius 4 mm`.
+pub(super) fn in_words(text: &str) -> String {
+    let known = split_pair(text).and_then(|(key, value)| Some((name(key)?, value)));
+    known.map_or_else(|| text.to_owned(), |(name, value)| format!("{name} {}", value.trim_matches('"')))
 }
 
 /// Key and values around the first `=`; `None` if either is empty.
