@@ -181,8 +181,7 @@ fn a_test_is_cut_where_its_force_is_largest() {
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
     let text = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
-    let curve = FlowCurve::read(text, "test.csv", &Reduction::default()).expect("a curve");
-    let fits = fit_laws(vec![curve], None, &()).expect("a fit");
+    let fits = fitted(text, None, &Reduction::default());
     let best = fits.best();
     assert_eq!(best.kind, HardeningKind::Ludwik);
     for (key, truth) in [("initial", 225.1), ("k", 1235.0), ("n", 0.7286)] {

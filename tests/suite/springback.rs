@@ -45,14 +45,9 @@ fn the_tolerance_lights_the_spring_back() {
     assert!(found.light == Light::Red && found.limit.to_string().ends_with("± 0.5 mm"), "{found:?}");
 }
 
-/// A hat by the template, elastic too, and let go.
-fn hat(elements: usize) -> Solution {
-    hat_held(elements, &[])
-}
-
-/// The same, with other values in its case.
-fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
-    let text = find("hat-section").unwrap().fill(&[]).unwrap();
+/// A hat by the template, elastic too, and let go, with other values in its case.
+fn hat(elements: usize, overrides: &[&str]) -> Solution {
+    let text = made("hat-section", &[], &[]).text;
     let elastic = "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n";
     let text = text.replacen("[material]\n", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
     let elements = format!("blank.elements={elements}");
@@ -64,7 +59,7 @@ fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
 /// that are written.
 #[test]
 fn a_wall_between_the_tools_is_straight_and_angles_have_the_digits_of_the_mesh() {
-    let [coarse, fine] = [97, 194].map(|elements| released(&hat(elements)));
+    let [coarse, fine] = [97, 194].map(|elements| released(&hat(elements, &[])));
     for found in [&coarse, &fine] {
         let curl = of(found, "curl_radius").to_string();
         assert!(curl.starts_with("straight → 2") && curl.ends_with(" mm"), "{curl}");
@@ -80,7 +75,7 @@ fn a_wall_between_the_tools_is_straight_and_angles_have_the_digits_of_the_mesh()
 /// leans by under the tools; past that no straight punch bends.
 #[test]
 fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
-    let mut solution = hat(97);
+    let mut solution = hat(97, &[]);
     let wall = *of(&released(&solution), "wall_angle");
     let (before, after) = (wall.before.unwrap(), wall.after.unwrap());
     assert!(before.abs() > 1e-3 && after > before, "{}", wall);
@@ -115,7 +110,7 @@ fn tools_over_bent_as_advised_make_the_part() {
 /// A weak bead changes little: it holds nothing once the tools are gone.
 #[test]
 fn tension_straightens_a_wall() {
-    let wall = |value: &str| of(&released(&hat_held(97, &[value])), "wall_angle").after.unwrap();
+    let wall = |value: &str| of(&released(&hat(97, &[value])), "wall_angle").after.unwrap();
     let loose = wall("tools.holder.force=100 N/mm");
     assert!(wall("tools.holder.force=3200 N/mm") < 0.5 * loose);
     assert!(wall("tools.beads=[{ at = \"42 mm\", restraining = \"5 N/mm\" }]") > 0.8 * loose);

@@ -31,9 +31,7 @@ fn rows_know_their_lines_between_comments_and_empty_lines() {
     let csv = read(text).unwrap();
     assert_eq!(csv.header.line, 3);
     let rows: Vec<_> = csv.rows.iter().map(|row| (row.line, row.number(0), row.number(1))).collect();
-    assert_eq!(
-        rows,
-        [(4, Ok(Some(0.0)), Ok(Some(1.0))), (8, Ok(Some(2.0)), Ok(None)), (9, Ok(Some(3.0)), Ok(Some(4.0)))]
-    );
+    let number = |value: f64| Ok(Some(value));
+    assert_eq!(rows, [(4, number(0.0), number(1.0)), (8, number(2.0), Ok(None)), (9, number(3.0), number(4.0))]);
     assert_eq!((csv.column("z_in"), csv.unit(1)), (Some(1), Ok((Unit::Mm, 25.4))));
 }

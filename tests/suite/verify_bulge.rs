@@ -97,10 +97,8 @@ fn special_metal_follows_hills_solution() {
             // Trust: chords for a sphere are second order in the elements; four digits and the line between two instants.
             let found = at(&poles, h);
             for (found, written) in [(found[1], thickness), (-found[1].ln(), strain), (found[2], load)] {
-                assert!(
-                    (found - written).abs() < 3.0 / (elements as f64).powi(2) + 3e-4,
-                    "{found} {written} at {h}, {elements} elements"
-                );
+                let within = 3.0 / (elements as f64).powi(2) + 3e-4;
+                assert!((found - written).abs() < within, "{found} {written} at {h}, {elements} elements");
             }
         }
         let off = |p: &Pole| (p[1] / hill(p[0])[1] - 1.0).abs().max((p[2] / hill(p[0])[2] - 1.0).abs());

@@ -35,10 +35,8 @@ fn a_low_r_by_hill_is_doubted() {
         let (solution, found) = solved(&overrides);
         let doubted = row(&found, "yield_condition");
         assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
-        assert!(
-            doubted.advice.to_string().contains("yield_condition = { hosford = { crystal = \"fcc\" } }"),
-            "{doubted:?}"
-        );
+        let line = "yield_condition = { hosford = { crystal = \"fcc\" } }";
+        assert!(doubted.advice.to_string().contains(line), "{doubted:?}");
         let held = row(&found, "forming_limit");
         assert!(held.light == Light::Amber && held.statement().starts_with("not judged"), "{held:?}");
         assert_eq!(row(&found, "thinning").light, Light::Red, "the rule of thumb stays");
@@ -99,12 +97,8 @@ fn r_by_direction_is_its_mean_and_tells_the_ears() {
     let of = |given: &str| cup(&[given]);
     let directions = of("material.anisotropy={ r0 = 0.525, r45 = 0.248, r90 = 0.429 }");
     assert_eq!(directions.stages, of("material.anisotropy=0.3625").stages);
-    assert!(
-        directions
-            .derived
-            .iter()
-            .any(|note| note.to_string().contains("(r0 + 2 r45 + r90)/4 of 0.525, 0.248 and 0.429"))
-    );
+    let mean = "(r0 + 2 r45 + r90)/4 of 0.525, 0.248 and 0.429";
+    assert!(directions.derived.iter().any(|note| note.to_string().contains(mean)), "{:?}", directions.derived);
     let ears = |case: Case| {
         let solution = case.solve(&mut ());
         let found = assess::after(&solution.case, &solution.stages);

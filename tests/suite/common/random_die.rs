@@ -116,8 +116,7 @@ fn conical_punch(radius: f64, nose: f64, angle: f64, height: f64, t: f64) -> Pro
 
 /// The section that belongs to `seed`.
 pub fn random_die(seed: u64) -> RandomDie {
-    let mut rng = Rng::with_seed(seed);
-    let rng = &mut rng;
+    let rng = &mut Rng::with_seed(seed);
     let process =
         [Process::Hemispherical, Process::Flat, Process::Stretch, Process::Hat, Process::Conical, Process::TwoRadius]
             [rng.usize(0..6)];
