@@ -30,7 +30,9 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let sheet = start.map_or_else(|| flat(model), |frame| whole_sheet(frame, 1.0));
     let points = || dimensions.iter().map(|own| (own.at.x, own.at.y)).chain(sheet.iter().copied());
     let width = bounds(points().map(|p| p.0)).1 + around;
-    let (top, bottom) = bounds(points().map(|p| p.1).chain([-4.0 * around, 4.0 * around]));
+    let (first, last) = bounds(sheet.iter().map(|p| p.1));
+    let least = [-4.0, 4.0].map(|times| 0.5 * (first + last) + times * around);
+    let (top, bottom) = bounds(points().map(|p| p.1).chain(least));
     let window = [(0.0, width), (top - around, bottom + around)];
     let flags: Vec<_> = dimensions.iter().map(|own| Annotation::flag(&own.text, (own.at.x, own.at.y))).collect();
     let note = match start {

@@ -16,8 +16,8 @@ const ROUNDINGS: usize = 8;
 /// Radii that differ by less are one \[–\].
 const ALIKE: f64 = 1e-4;
 
-/// Distance from the axis that counts as none \[mm\].
-const ON_AXIS: f64 = 1e-6;
+/// Distance that counts as none \[mm\].
+const NONE: f64 = 1e-6;
 
 /// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
 /// the sheet of `start`, without the blank's.
@@ -30,7 +30,13 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
-        let across = |name: &'static str, r: f64| wide(model, name, Amount::drawn, Point::new(r, 0.0));
+        let outline = tool.profile.polyline(0.01);
+        let across = |name: &'static str, r: f64| {
+            // The wall's end at the sheet: walls are drawn far away from it.
+            let heights = outline.iter().filter(|point| (point.x - r).abs() < NONE).map(|point| point.y);
+            let height = heights.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
+            wide(model, name, Amount::drawn, Point::new(r, height) + moved)
+        };
         match tool.role {
             Role::Punch => found.push(across("Punch", extent(tool).1)),
             Role::Die => {
@@ -46,7 +52,7 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
         found.extend(roundings(tool, moved));
         found.extend(load(model, tool, moved));
         if tool.role == Role::Punch && model.travel > 0.0 {
-            let lowest = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+            let lowest = outline.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
             let end = Point::new(0.25 * extent(tool).1.min(blank.length), lowest + moved.y + model.travel);
             found.push(plain("Travel", Amount::set(model.travel), end));
         }
@@ -99,7 +105,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
 }
 
 fn named(role: Role, arc: &Arc) -> String {
-    let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
+    let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < NONE);
     match (role, arc.sweep < 0.0) {
         (Role::Punch, true) if on_axis => "Punch crown",
         (Role::Punch, true) => "Punch nose",
