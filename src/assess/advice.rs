@@ -1,13 +1,19 @@
 //! Advice: of changes that were solved, those that help.
 
 use super::*;
+use crate::table::Unit;
 use std::cmp::Reverse;
 
 /// Most changes that are given.
 const MOST: usize = 3;
 
-/// Least gain of a number that is worth a change \[–\]: declared.
+/// Least gain of a number that is worth a change, as a share of it \[–\] and in points of percent: declared.
 const WORTH: f64 = 0.05;
+const POINTS: f64 = 2.0;
+
+/// Rows that ask for less pull: no shop holds the sheet more against them.
+const PULLED: [&str; 5] = ["tearing", "forming_limit", "thinning", "fracture", "ironing"];
+const HOLDS_MORE: [(&str, bool); 3] = [("holder force", true), ("bead force", true), ("holder gap", false)];
 
 /// Rows that no change of a size moves: input that is missing, and the solution itself.
 pub(super) const NO_DESIGN: [&str; 4] = ["friction", "hardening_range", "yield_condition", "solution_quality"];
@@ -18,6 +24,8 @@ pub struct Tried {
     pub words: String,
     /// Size, of which one value is given.
     pub size: &'static str,
+    /// True of a larger value.
+    pub is_more: bool,
     /// Verdict with it.
     pub findings: Vec<Finding>,
 }
@@ -33,7 +41,7 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
     let mut helpful: Vec<(&Tried, usize, f64)> = Vec::new();
     for one in tried.iter().filter(|one| score(&one.findings) <= base) {
         let open = findings.iter().enumerate().filter(|(_, row)| is_open(row));
-        let gains = open.filter_map(|(i, row)| Some((i, gain(row, &one.findings)?)));
+        let gains = open.filter_map(|(i, row)| Some((i, one.gain(row)?)));
         helpful.extend(gains.min_by_key(|(i, _)| Reverse(findings[*i].light)).map(|(row, gain)| (one, row, gain)));
     }
     helpful.sort_by(|a, b| score(&a.0.findings).cmp(&score(&b.0.findings)).then(b.2.total_cmp(&a.2)));
@@ -57,11 +65,33 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 }
 
 impl Tried {
+    /// Gain of a row: lights, and less than one for the number alone of a part that is not refused; `None` if it is not worth
+    /// a change, is less than the error bar, or goes against all practice.
+    fn gain(&self, row: &Finding) -> Option<f64> {
+        let holds_more = HOLDS_MORE.contains(&(self.size, self.is_more)) && PULLED.contains(&row.key);
+        let new =
+            judgements(&self.findings).find(|new| new.key == row.key && new.light > Light::Grey && !holds_more)?;
+        let by = row.limits().and_then(|limits| {
+            let by = row.value()? - new.value()?;
+            Some(if limits.sense == Sense::AtMost { by } else { -by })
+        });
+        let least = row.quantity.as_ref().map_or(0.0, |own| {
+            own.amount.bar.unwrap_or(0.0).max(if own.amount.unit == Unit::Percent { POINTS } else { 0.0 })
+        });
+        match (row.light as usize).checked_sub(new.light as usize)? {
+            _ if by.is_some_and(|by| by < least) => None,
+            0 if row.light == Light::Red => None,
+            0 => Some(by? / row.value()?.abs()).filter(|share| *share >= WORTH).map(|share| share.min(0.99)),
+            lights => Some(lights as f64),
+        }
+    }
+
     /// `die radius 8 mm: 21 → 14 %`; the row's limit stands beside it. `None` if no digit changes.
     fn text(&self, row: &Finding) -> Option<String> {
         let Self { words, findings, .. } = self;
         let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return Some(words.clone()) };
-        let amount = |row: &Finding| Some(row.quantity.as_ref().filter(|own| own.limits.is_some())?.amount);
+        let amount =
+            |row: &Finding| row.limits().and(row.quantity.as_ref()).map(|own| Amount { bar: None, ..own.amount });
         match amount(row).zip(amount(new)) {
             Some((from, to)) if from.parts().0 == to.parts().0 => None,
             Some((from, to)) => Some(format!("{words}: {} → {to}", from.parts().0)),
@@ -75,19 +105,4 @@ fn score(findings: &[Finding]) -> (Light, usize, usize) {
     let lights = || judgements(findings).filter(|row| !NO_DESIGN.contains(&row.key)).map(|row| row.light);
     let count = |light| lights().filter(|own| *own == light).count();
     (lights().max().unwrap_or(Light::Grey), count(Light::Red), count(Light::Amber))
-}
-
-/// Gain of a row in another verdict: lights, and less than one for the number alone of a part that is not refused; `None` if
-/// it is not worth a change.
-fn gain(row: &Finding, others: &[Finding]) -> Option<f64> {
-    let new = judgements(others).find(|new| new.key == row.key).filter(|new| new.light > Light::Grey)?;
-    if new.light != row.light {
-        return (new.light < row.light).then(|| (row.light as usize - new.light as usize) as f64);
-    }
-    if row.light == Light::Red {
-        return None;
-    }
-    let (from, to) = (row.value()?, new.value()?);
-    let by = if row.limits()?.sense == Sense::AtMost { from - to } else { to - from } / from.abs();
-    (by >= WORTH).then_some(by.min(0.99))
 }

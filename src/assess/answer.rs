@@ -275,12 +275,17 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
     Some(height.at(format!("over all{}", under_load(before))))
 }
 
+/// Excess of a wall over its gap that is worth a word \[mm\]: declared, two of the last digit.
+const PRESSED: f64 = 0.02;
+
 /// Wall of an upright part where it is trimmed.
 fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
     let height = case.finished.height.filter(|_| case.finished.flange_diameter.is_none())?;
     let [r, _, thickness] = wall_at(stage.frames.last()?, height)?;
+    let pressed = estimate::clearance(&stage.model).map(|gap| thickness - gap).filter(|by| *by > PRESSED);
+    let pressed = pressed.map(|by| format!(", pressed by {} into the tools (penalty)", Amount::thickness(by)));
     let outside = format!("thick where it is trimmed, {} outside", Amount::place(2.0 * r + thickness));
-    Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside))
+    Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside + &pressed.unwrap_or_default()))
 }
 
 fn under_load(before: Option<Amount>) -> String {

@@ -31,12 +31,13 @@ pub(super) fn ratio(model: &Model) -> Option<Finding> {
 fn single(run: &Run) -> Option<Finding> {
     let model = &run.stages.first()?.model;
     let (ratio, [limit, _]) = (draw_ratio(model)?, Metal::of(&model.material).ratios);
-    Finding::judged("draw_ratio", "Draw ratio", "{} of blank to punch")
+    let draws = super::tear::tearing(run).is_some_and(|row| row.light == Light::Green);
+    Finding::judged("draw_ratio", "Draw ratio", "{} of blank to punch; whether it draws, Tearing says")
         .number(Amount::ratio(ratio))
         .at_most(limit, None)
         .light(if ratio > limit + ROUNDED_RATIO { Light::Amber } else { Light::Green })
         .source(RATIOS)
-        .advice("whether it draws, Tearing says; if not, a first draw to a larger diameter")
+        .advice(if draws { "" } else { "a first draw to a larger diameter" })
         .into()
 }
 

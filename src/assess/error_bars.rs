@@ -168,12 +168,9 @@ impl ErrorBars {
             let error = self.error(Origin::Verdict, finding.key, "not estimated: it judges the solution, not the part");
             finding.quantity = finding.quantity.take().map(|number| number.with_error(error));
             if let Some(clause) = clause {
-                finding.text = format!("{clause}: {}", finding.text);
-                if finding.light < Light::Amber {
-                    finding.advice = match finding.key {
-                        RUN => "take the worse end as the true one, or refine until all runs end alike".to_owned(),
-                        key => self.finer(key),
-                    };
+                finding.text = joined([format!("{clause}: {}", finding.text), self.finer(finding.key)], "; ");
+                if finding.key == RUN {
+                    finding.advice = "take the worse end as the true one, or refine until all runs end alike".into();
                 }
                 finding.light = finding.light.max(Light::Amber);
             }
@@ -189,7 +186,7 @@ impl ErrorBars {
         match half.zip(tolerance) {
             Some((half, tolerance)) if half > tolerance => {
                 let keys = "a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers)";
-                format!("the error bar is wider than the tolerance: {}; {keys}", self.finer(finding.key))
+                format!("the error bar is wider than the tolerance: {keys}")
             }
             _ => String::new(),
         }
@@ -200,7 +197,7 @@ impl ErrorBars {
         let number = self.number(Origin::Verdict, key);
         let Some(Number { quantity, finer: Some(ends), .. }) = number else { return String::new() };
         let [low, high] = ends.map(|end| Amount::new(end, quantity.amount.unit, Digits::Significant(3)));
-        format!("the finer runs give {low} to {high}, their differences make the bar")
+        format!("the finer runs give {low} to {high}")
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.

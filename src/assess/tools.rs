@@ -77,6 +77,6 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
         .number(Amount::share(most.ironing))
         .at_most(100.0 * LIGHTLY, 100.0 * IRONING_LIMIT)
         .source("up to 15 % a draw sizes its wall (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
-        .advice("the penalty leaves the wall thicker by up to twice the penetration: raise solver.contact_stiffness")
+        .advice("a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
         .into()
 }

@@ -3,7 +3,7 @@
 use super::*;
 use super::{variable::split_number, verdict::is_known};
 use crate::assess::advice::{self, Tried, is_open};
-use crate::assess::{Finding, after, judgements};
+use crate::assess::{Finding, error_bars::ErrorBars, error_bars::answered, judgements};
 use crate::case::{self};
 use crate::solver::solution::StageSolution;
 use rayon::prelude::*;
@@ -41,17 +41,17 @@ const CHANGES: [Change; 21] = [
 ];
 
 /// Replaces the advice on red and amber rows by changes that help.
-pub(super) fn advise(solution: &Solution, findings: &mut [Finding], watch: &dyn Watch) {
+pub(super) fn advise(solution: &Solution, bars: Option<&ErrorBars>, findings: &mut [Finding], watch: &dyn Watch) {
     if !is_known(solution) || !judgements(findings).any(is_open) {
         return;
     }
     let most = RUNS.min(WORK / work(solution).max(1));
-    let changes: Vec<_> = CHANGES.iter().filter_map(|change| settings(&solution.case, change)).take(most).collect();
-    let tried = changes.into_par_iter().with_max_len(1).filter_map(|(words, size, settings)| {
-        let Case { text, path, .. } = &solution.case;
-        let case = case::parse(text, &path.to_string_lossy(), &settings).ok()?;
+    let changes = CHANGES.iter().filter_map(|change| Some((change.2(1.0) > 1.0, settings(&solution.case, change)?)));
+    let changes: Vec<_> = changes.take(most).collect();
+    let tried = changes.into_par_iter().with_max_len(1).filter_map(|(is_more, (words, size, settings))| {
+        let case = case::parse(&solution.case.text, &solution.case.path.to_string_lossy(), &settings).ok()?;
         let solution = BaseCase::solve(case, watch).ok().filter(is_known)?;
-        Some(Tried { words, size, findings: after(&solution.case, &solution.stages) })
+        Some(Tried { words, size, is_more, findings: answered(&solution, bars).1 })
     });
     let tried: Vec<Tried> = tried.collect();
     if !watch.wants_to_stop() {
@@ -65,7 +65,9 @@ fn settings(case: &Case, &(words, keys, change): &Change) -> Option<(String, &'s
     for (path, value) in keys.iter().flat_map(|key| case.written(key)) {
         let (old, unit) = split_number(&value)?;
         let new = significant(change(old), if (0.8..1.2).contains(&(change(old) / old)) { 3 } else { 2 });
-        (new != old).then_some(())?;
+        // A finished part needs its blank.
+        let is_free = case.finished.height.is_none() || !path.starts_with("blank.");
+        (new != old && is_free).then_some(())?;
         let variable = Variable::new(&path, unit.to_owned());
         all.push(variable.setting(&written(new)));
         shown = Some(variable.display(new));
@@ -75,9 +77,8 @@ fn settings(case: &Case, &(words, keys, change): &Change) -> Option<(String, &'s
 
 /// Work of a run, by which the time of others is known \[iterations × elements × points\].
 fn work(solution: &Solution) -> usize {
-    let of_stage = |stage: &StageSolution| {
-        let blank = &stage.model.blank;
-        blank.elements * blank.layers * stage.steps.iter().map(|step| step.iterations).sum::<usize>()
+    let of_stage = |StageSolution { model, steps, .. }: &StageSolution| {
+        model.blank.elements * model.blank.layers * steps.iter().map(|step| step.iterations).sum::<usize>()
     };
     solution.stages.iter().map(of_stage).sum()
 }

@@ -3,7 +3,7 @@
 use super::run::Silent;
 use super::verify::{Outcome, verify};
 use super::*;
-use crate::assess::{self, FailureMode, error_bars::ErrorBars, error_bars::answered};
+use crate::assess::{self, FailureMode, error_bars::ErrorBars};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};
 use crate::plot::{palette::color, sections};
@@ -29,7 +29,7 @@ pub struct Member {
     /// The solved case.
     pub solution: Solution,
     outcome: Outcome,
-    /// Worst light of its verdict, with the labels of its rows.
+    /// Worst light of its verdict, with the labels of all red and amber rows.
     light: Cell,
     /// Kind of its end, or where it tears.
     end: String,
@@ -108,9 +108,8 @@ impl SideBySide {
         });
         let help = "try `stampflow check` on each";
         ended.map_err(|reason: String| StudyError::new(format!("a case cannot be run: {reason}"), help))?;
-        let members = candidates.iter().zip(solved).enumerate();
-        let members = members.map(|(i, (candidate, solved))| Member::new(i, candidate, solved)).collect();
-        Ok(Self { members, curves })
+        let new = |(i, (candidate, solved))| Member::new(i, candidate, solved, watch);
+        Ok(Self { members: candidates.iter().zip(solved).enumerate().map(new).collect(), curves })
     }
 
     /// Labels of runs and measured curves.
@@ -247,10 +246,10 @@ impl SideBySide {
 }
 
 impl Member {
-    fn new(i: usize, candidate: &Candidate, (solution, bars): (Solution, ErrorBars)) -> Self {
-        let (answer, findings) = answered(&solution, Some(&bars));
-        let rows = assess::judgements(&findings).filter(|row| row.light == answer.light && row.light >= Light::Amber);
-        let light = Cell::Light(answer.light, rows.map(|row| row.label).collect::<Vec<_>>().join(", "));
+    fn new(i: usize, candidate: &Candidate, (solution, bars): (Solution, ErrorBars), watch: &dyn Watch) -> Self {
+        let (answer, findings) = judge(&solution, Some(&bars), false, &Silent(watch));
+        let rows = [Light::Red, Light::Amber].map(|light| assess::by_advice(&findings, light)).into_iter().flatten();
+        let light = Cell::Light(answer.light, rows.flatten().map(|row| row.label).collect::<Vec<_>>().join(", "));
         let mark = (b'A'..=b'Z').nth(i).map_or((i + 1).to_string(), |letter| char::from(letter).to_string());
         let outcome = Outcome { numbers: bars.numbers, ..Outcome::of(&solution, None) };
         let tears = answer.failures.first() == Some(&FailureMode::Tears);

@@ -10,18 +10,17 @@ use rayon::prelude::*;
 pub fn judge(solution: &Solution, bars: Option<&ErrorBars>, advice: bool, watch: &dyn Watch) -> (Answer, Vec<Finding>) {
     let mut findings = after(&solution.case, &solution.stages);
     if is_known(solution) {
-        let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(|(other, case)| {
-            let run = BaseCase::solve(case, watch).ok().filter(is_known)?;
-            Some((other, run))
-        });
+        let solved = |(other, case)| Some((other, BaseCase::solve(case, watch).ok().filter(is_known)?));
+        let others = sensitivity::neighbours(&solution.case, &findings).into_par_iter().map(solved);
         if let Some(others) = others.collect::<Option<Vec<_>>>() {
             sensitivity::judge(solution, &others, &mut findings);
         }
     }
+    let (answer, mut findings) = weighed(solution, findings, bars);
     if advice {
-        advise(solution, &mut findings, watch);
+        advise(solution, bars, &mut findings, watch);
     }
-    weighed(solution, findings, bars)
+    (answer, findings)
 }
 
 /// Whether a run says something of the part: it was not ended by the numerics or by the user.

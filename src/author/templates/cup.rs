@@ -16,6 +16,8 @@ const MET: f64 = 0.1;
 const NEAR: f64 = 1.0;
 /// Most draws that `--draws` takes.
 const MOST_GIVEN: usize = 6;
+/// Rule of the blank that runs correct.
+const AREA: &str = "half of D, area of the mid-surface with what is trimmed (Guldin)";
 /// Step of a blank's radius or half-length \[mm\]: it is cut to 0.1 mm.
 pub(super) const BLANK: f64 = 0.05;
 /// Least flat beside the slope of a recess \[mm\].
@@ -32,11 +34,11 @@ struct Cup<'a> {
     nose: Picked,
 }
 
-/// How runs of a plan end.
+/// How runs of a plan end; steep if the corrected blank takes more draws.
+#[derive(PartialEq)]
 enum End {
     Met,
     Tears,
-    /// The corrected blank takes more draws.
     Steep,
 }
 
@@ -44,7 +46,8 @@ enum End {
 struct Plan {
     radii: Vec<f64>,
     blank: Picked,
-    travel: f64,
+    travel: Picked,
+    end: End,
 }
 
 /// Punch and die of a draw, and the cup that comes of it \[mm\].
@@ -101,8 +104,8 @@ impl<'a> Cup<'a> {
         if let Some([at, depth]) = recess {
             let half = 0.5 * self.part.slope(depth)[1] + FLAT;
             let what = || format!("the slope of a recess {} deep does not fit into the bottom", plain(depth));
-            let help = "make --recess or --nose smaller, or --recess-radius other";
-            ensure(at > half && at + half < radius - nose, what, help)?;
+            let fits = at > half && at + half < radius - nose;
+            ensure(fits, what, "make --recess or --nose smaller, or --recess-radius other")?;
         }
         let first = self.inputs.number("first-radius");
         let what = || format!("the first punch is no wider than the last one of {}", plain(radius));
@@ -132,7 +135,7 @@ impl<'a> Cup<'a> {
             let what = || format!("--draws {given} is no number of draws for this part{why}");
             let fits = draws as f64 == given && (least + stepped..=most_given).contains(&draws);
             ensure(fits, what, &format!("from {} to {most_given}", least + stepped))?;
-            return self.values(&self.tried(draws, true)?.0, "");
+            return self.values(&self.tried(draws, true)?);
         }
         let (most, limit, of, or) = if is_single {
             // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
@@ -147,23 +150,20 @@ impl<'a> Cup<'a> {
             let or = format!("a larger --punch-radius; or --draws up to {MOST_GIVEN}: its run judges them");
             (most, metal.total(most), of, or)
         };
-        let (nose, t) = (part.nose, part.thickness);
-        let blank = |height: f64| self::part(self.inputs, t, nose, height).blank(height);
-        let ratio = draw_ratio(blank, [nose + t, part.height], part.radius, (limit, &of), &or)?;
+        let blank = |height: f64| self::part(self.inputs, part.thickness, part.nose, height).blank(height);
+        let heights = [part.nose + part.thickness, part.height];
+        let ratio = draw_ratio(blank, heights, part.radius, (limit, &of), &or)?;
         let first = metal.draws(ratio).min(most).max(least) + stepped;
-        let mut steep = None;
-        for draws in first..=if is_single { first } else { first + 1 } {
-            match self.tried(draws, is_single)? {
-                (plan, End::Met) => return self.values(&plan, ""),
-                (_, End::Steep) => steep = Some(draws),
-                (_, End::Tears) => {}
+        let mut kept = first;
+        for draws in [first, first + 1] {
+            let plan = self.tried(draws, is_single)?;
+            match plan.end {
+                End::Steep => kept = draws,
+                End::Tears if !is_single => {}
+                _ => return self.values(&plan),
             }
         }
-        let warning = " Runs of it tear: a wider or lower part, a larger --nose or less friction helps.";
-        match steep {
-            Some(draws) => self.values(&self.tried(draws, true)?.0, ""),
-            None => self.values(&self.plan(first), warning),
-        }
+        self.values(&self.tried(kept, true)?)
     }
 
     /// Radii of the punches in equal shares of what each draw takes.
@@ -181,20 +181,19 @@ impl<'a> Cup<'a> {
     /// Plan with the blank by area.
     fn plan(&self, draws: usize) -> Plan {
         let Part { step, height, thickness, .. } = self.part;
-        let why = "half of D, area of the mid-surface with what is trimmed (Guldin), corrected by runs of this case";
-        let blank = self.inputs.pick("blank-radius", || Picked::nearest(self.part.blank(height), BLANK, why));
-        let travel = step.map_or(height - thickness, |[_, low]| low);
-        Plan { radii: self.radii(blank.value, draws), blank, travel }
+        let blank = self.inputs.pick("blank-radius", || Picked::nearest(self.part.blank(height), BLANK, AREA));
+        let travel = Picked::nearest(step.map_or(height - thickness, |[_, low]| low), 0.1, "height inside");
+        Plan { radii: self.radii(blank.value, draws), blank, travel, end: End::Met }
     }
 
-    /// Plan whose run meets the sizes; the uncorrected one if the sheet tears on the way. If the number of draws is not kept,
-    /// runs end where the blank takes more.
-    fn tried(&self, draws: usize, is_kept: bool) -> Result<(Plan, End), CaseError> {
+    /// Plan whose run meets the sizes, or comes as near as runs that end do. Whether it tears the last run says, on the case's
+    /// own mesh. If the number of draws is not kept, runs end where the blank takes more.
+    fn tried(&self, draws: usize, is_kept: bool) -> Result<Plan, CaseError> {
         let mut plan = self.plan(draws);
         let runs = if plan.blank.is_given() { 0 } else { RUNS };
         let mut is_coarse = draws > 1;
         for _ in 0..runs {
-            let text = self.values(&plan, "")?.fill(find("cup")?.text);
+            let text = self.values(&plan)?.fill(find("cup")?.text);
             let elements = (0.7 * rules::elements(plan.blank.value, self.part.nose) as f64) as usize;
             let coarse = if is_coarse { vec![format!("blank.elements={elements}")] } else { Vec::new() };
             let Ok(case) = parse(&text, "cup.toml", &coarse) else { break };
@@ -202,26 +201,30 @@ impl<'a> Cup<'a> {
             let findings = assess::after(&solution.case, &solution.stages);
             let tears = FailureMode::all(&solution.stages, &findings).contains(&FailureMode::Tears);
             let frame = solution.stages.last().and_then(|stage| stage.frames.last());
-            let Some(frame) = frame.filter(|_| solution.is_complete() && !tears) else {
-                return Ok((self.plan(draws), End::Tears));
+            let missing = frame.filter(|_| solution.is_complete()).and_then(|frame| self.part.missing(frame));
+            plan.end = if tears || missing.is_none() { End::Tears } else { End::Met };
+            let [area, low] = match missing {
+                Some(missing) => missing,
+                None if std::mem::take(&mut is_coarse) => continue,
+                None => break,
             };
-            let Some([area, low]) = self.part.missing(frame) else { break };
             let error = low.abs().max(area.abs() / (2.0 * PI * self.part.flange.unwrap_or(self.part.radius)));
             let blank = (plan.blank.value.powi(2) + area / PI).sqrt();
             if !is_kept && error < NEAR && self.metal.draws(blank / self.part.bottom_radius()) > draws {
-                return Ok((plan, End::Steep));
-            }
-            if error < MET && !is_coarse {
+                plan.end = End::Steep;
                 break;
             }
-            plan.blank = Picked::nearest(blank, BLANK, plan.blank.why);
+            if error < if tears && !is_kept { NEAR } else { MET } && !is_coarse {
+                break;
+            }
+            plan.blank = Picked::nearest(blank, BLANK, format!("{AREA}, corrected by runs of this case"));
             if plan.blank.value > self.metal.ratios[0] * plan.radii[0] {
                 plan.radii = self.radii(plan.blank.value, draws);
             }
-            plan.travel += low;
+            plan.travel = Picked::nearest(plan.travel.value + low, 0.1, "as runs of this case need for the height");
             is_coarse &= error > NEAR;
         }
-        Ok((plan, End::Met))
+        Ok(plan)
     }
 
     /// Punch and die of each draw.
@@ -245,11 +248,10 @@ impl<'a> Cup<'a> {
             let rule = || Some(rules::drawn_shoulder(rim)).filter(fits).unwrap_or_else(narrow);
             let shoulder = self.inputs.pick("shoulder", rule);
             (radius_before, rim_before) = (*radius, rim.min(clearance.value));
-            let (end, why) = (shoulder.value, "as runs of this case need for the height");
             let travel = || match is_last {
-                true if flange.is_some() || step.is_some() => Picked::nearest(plan.travel, 0.1, why),
-                true => rules::drawn_travel(height + trim, end, t),
-                false => rules::drawn_travel(HIGHER * cup, end, t),
+                true if flange.is_some() || step.is_some() => plan.travel.clone(),
+                true => rules::drawn_travel(height + trim, shoulder.value, t),
+                false => rules::drawn_travel(HIGHER * cup, shoulder.value, t),
             };
             let travel = Picked::or(self.inputs.number("travel").filter(|_| is_last), travel);
             let punch = self.punch(is_last, *radius, nose.value, clearance.value);
@@ -258,7 +260,7 @@ impl<'a> Cup<'a> {
         plan.radii.iter().enumerate().map(tools).collect()
     }
 
-    fn values(&self, plan: &Plan, warning: &str) -> Result<Values, CaseError> {
+    fn values(&self, plan: &Plan) -> Result<Values, CaseError> {
         let (Self { inputs, sheet, .. }, Part { radius, height, flange, recess, .. }) = (self, self.part);
         let (blank, tools) = (plan.blank.clone(), self.tools(plan));
         let first = &tools[0];
@@ -268,7 +270,8 @@ impl<'a> Cup<'a> {
         let (corner, clearance, ratio) = (first.nose.value, first.clearance.clone(), blank.value / first.radius);
         let draw = Draw { punch: first.radius, corner, ratio, clearance, shoulder: first.shoulder.clone(), blank };
         let (mut sizes, pressure) = draw.values(inputs, sheet)?;
-        if !warning.is_empty() {
+        if plan.end == End::Tears {
+            let warning = " Its run tears or stops: a wider or lower part, a larger --nose or less friction helps.";
             sizes.set("warning", warning, "");
         }
         self.describe(&tools, &mut sizes);

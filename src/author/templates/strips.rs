@@ -32,8 +32,11 @@ pub(super) fn corrected(
     values(sizes)
 }
 
-/// Sets a pad on the bottom's flat \[mm\], or keeps the note that there is none.
+/// Sets a pad on the bottom's flat \[mm\], or keeps the note that there is none; and the tolerance of the angle.
 fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64) {
+    if let Some(angle) = inputs.number("springback") {
+        sizes.set("springback", format!("\"{} deg\"", rounded(angle.to_degrees())), "");
+    }
     match inputs.number("pad-pressure") {
         Some(pressure) => {
             sizes.lengths([("pad", &Picked::by(flat, "the bottom's flat"))]);
@@ -157,8 +160,7 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose)]);
     sizes.lengths([("travel", &Picked::by(height, "the depth that is wanted"))]);
     let press = press.map(|force| ("press", newtons(force)));
-    let tolerance = springback.map(|angle| ("springback", format!("\"{} deg\"", rounded(angle.to_degrees()))));
-    let given = depth.map(|depth| ("depth", mm(depth))).into_iter().chain(press).chain(tolerance);
+    let given = depth.map(|depth| ("depth", mm(depth))).into_iter().chain(press);
     given.for_each(|(name, value)| sizes.set(name, value, ""));
     pad(&mut sizes, inputs, half_width - nose.value);
     let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.tensile_strength));
@@ -186,8 +188,7 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     // Straight legs from nose to shoulder.
     let radii = nose.value + shoulder.value + t;
     let travel = |turn: f64| radii + (reach * turn.sin() - radii) / turn.cos();
-    let what =
-        || format!("an angle of {degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel(turn)));
+    let what = || format!("{degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel(turn)));
     ensure(travel(turn) >= t, what, help)?;
     let leg = inputs.number("leg").unwrap_or(reach);
     let why = "longer than the way to the V's shoulders along the bent leg";
@@ -226,9 +227,6 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     sizes.die(&blank, &throat, &shoulder, nose.value);
     sizes.set("width", plain(2.0 * half_width), "");
     pad(&mut sizes, inputs, half_width - nose.value);
-    if let Some(angle) = inputs.number("springback") {
-        sizes.set("springback", format!("\"{} deg\"", rounded(angle.to_degrees())), "");
-    }
     sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
     Ok(sizes)
 }
