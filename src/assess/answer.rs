@@ -90,7 +90,7 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
-        _ if is("springback", Light::Grey) && stages.iter().any(|stage| stage.model.release.is_some()) => {
+        _ if is("springback", Light::Grey) && largest_force(stages).is_some() => {
             "it does not tear; its spring-back is not judged".into()
         }
         _ if is("wall_wrinkles", Light::Grey) => "it does not tear; whether its free wall puckers is not judged".into(),

@@ -4,7 +4,7 @@
 mod picture;
 mod sizes;
 
-use super::templates::{Inputs, LAW, mild_steel, rules::Picked};
+use super::templates::{Inputs, LAW, elastic, mild_steel, rules::Picked};
 use crate::assess::size_doubts;
 use crate::case::{self, Case, CaseError, library, overrides};
 use crate::import::{self, ImportError, Operation, Options, Result, Section, Sections};
@@ -125,7 +125,7 @@ impl Import {
             list(&format!("holder force{of}"), &format!("--set {holder}force"), &holder, holds);
         }
         values.set_text("open", &open.join(", "));
-        let name = if tools.len() > 1 { "\"first\"" } else { "" };
+        let name = if tools.len() > 1 || sections.is_released { "\"first\"" } else { "" };
         let number = sections.operations[0].number.map(|number| format!("\"op{number}\""));
         values.set_text("stage", number.as_deref().unwrap_or(name));
         let lengths = [(key, blank), ("thickness", thickness), ("travel", &first.travel)];
@@ -139,6 +139,8 @@ impl Import {
             Some(name) => values.set("name", format!("{name:?}"), "of the library: stampflow materials"),
             None => values.swift(Inputs::of_sheet().values(LAW)),
         }
+        sections.is_released.then(|| elastic(&mut values, metal));
+        sections.depth.iter().for_each(|depth| values.set("depth", exact(*depth), "length of the part"));
         values.set("forming_limit", forming_limit(metal, thickness.value, false), "");
         let (pressure, rule) = first.pressure(metal);
         let why = format!("placeholder: {rule}, between holder and die; change it, or give a force");
@@ -170,6 +172,7 @@ fn case(text: &str, drawing: &str, first: &Operation, doubts: &[String]) -> Resu
             "tools.punch.travel" => Some("set it with --travel".to_owned()),
             "blank.thickness" => Some("set it with --thickness".to_owned()),
             "blank.radius" | "blank.half_length" => Some("set it with --blank-radius".to_owned()),
+            "tools.holder.force" => Some("the part's length is --set blank.depth=\"1 m\" in plane strain".to_owned()),
             key => first.tools.iter().find_map(|section| {
                 let is_here = key.split('.').take(2).eq(["tools", section.role.name()]);
                 is_here.then(|| format!("it is drawn in {}, r is x from the axis", section.made_of))
@@ -187,8 +190,7 @@ fn refused(error: CaseError) -> ImportError {
 
 /// Each later operation with its new tools.
 fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, friction: &Picked) -> Vec<String> {
-    let stage = |(later, pair): (&Operation, &[DrawnTools])| {
-        let [before, now] = pair else { return String::new() };
+    let stage = |(later, (before, now)): (&Operation, (&DrawnTools, &DrawnTools))| {
         let mut values = tool_values(&later.tools, friction);
         values.set("label", later.number.map_or_else(String::new, |number| format!("op{number}")), "");
         if before.holder.is_some() && now.holder.is_none() {
@@ -199,7 +201,7 @@ fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, fricti
         values.set("force", force, &why);
         values.fill(include_str!("from_drawing/stage.toml"))
     };
-    later.iter().zip(tools.windows(2)).map(stage).collect()
+    later.iter().zip(tools.iter().zip(&tools[1..])).map(stage).collect()
 }
 
 /// Force of the first holder's pressure on the sheet between the die's throat and the part as it comes, and why.

@@ -16,7 +16,7 @@ mod dxf;
 
 use crate::case::{Finished, Solution};
 use crate::geometry::{Bounds, Point};
-use crate::import::{DrawingUnit, FINISHED, SIZES, STRIP};
+use crate::import::{DrawingUnit, FINISHED, RELEASED, SIZES, STRIP};
 use crate::measure::wall_at;
 use crate::model::{Geometry, Stage, Tool};
 use crate::plot::drawing::{Layer, extent, layers_csv, true_size_svg};
@@ -76,7 +76,8 @@ impl Drawing {
                 stage.model.tools.iter().enumerate().for_each(|tool| drawing.tool(&prefix, tool, stage, solved));
             }
             let end = solved.and_then(|solved| solved.frames.last());
-            drawing.layers.extend(end.into_iter().flat_map(|frame| Layer::sheet(&prefix, frame)));
+            let label = (stage.model.release.is_some() && i + 1 == stages.len()).then_some(RELEASED);
+            drawing.layers.extend(end.into_iter().flat_map(|frame| Layer::sheet(&prefix, frame, label)));
             stage.begin.trim.into_iter().for_each(|r| drawing.trim(&prefix, r, solved));
         }
         drawing.finished(&solution.case.finished, solution.stages.get(stages.len() - 1));
@@ -99,7 +100,8 @@ impl Drawing {
     fn blank(&mut self, stage: &Stage) {
         let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
         let sign = if stage.model.geometry == Geometry::Axisymmetric { "blank Ø " } else { STRIP };
-        let text = format!("{sign}{} x {}", self.label(2.0 * length), self.label(2.0 * half));
+        let sizes = [Some(2.0 * length), Some(2.0 * half), stage.model.depth].into_iter().flatten();
+        let text = format!("{sign}{}", joined(sizes.map(|mm| self.label(mm)), " x "));
         let corners = [(hole, -half), (length, -half), (length, half), (hole, half), (hole, -half)];
         let blank = Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), corners);
         self.layers.push(Layer { label: Some((Point::new(length, half), text)), ..blank });

@@ -24,8 +24,8 @@ impl fmt::Display for ToolId {
 
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
-/// Tools by layer, those of `--layer`, then those by name; and all layers in words.
-pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String)> {
+/// Tools by layer, those of `--layer`, then those by name; all layers in words; and the names of those left out.
+pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String, Vec<String>)> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {
         *counts.entry(&source.layer).or_default() += 1;
@@ -47,12 +47,11 @@ pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> R
             layers.insert((*layer).to_owned(), ToolId { operation: operation_in(layer), role });
         }
     }
-    let is_ignored = |layer: &str| !layers.contains_key(layer) && exported(layer).is_none();
-    let ignored = list(counts.iter().filter(|(layer, _)| is_ignored(layer)).map(counted));
-    if !ignored.is_empty() {
-        frame.note(format!("layers that are no tool are left out: {ignored}"));
+    counts.retain(|layer, _| !layers.contains_key(*layer) && exported(layer).is_none());
+    if !counts.is_empty() {
+        frame.note(format!("layers that are no tool are left out: {}", list(counts.iter().map(counted))));
     }
-    Ok((ordered(layers), all))
+    Ok((ordered(layers), all, counts.into_keys().map(str::to_owned).collect()))
 }
 
 pub(super) fn nothing_drawn(all: &str) -> ImportError {

@@ -64,19 +64,25 @@ fn ensure(fits: bool, error: impl FnOnce() -> ImportError) -> Result {
     if fits { Ok(()) } else { Err(error()) }
 }
 
-/// Label of a strip's blank.
+/// Label of a strip's blank, before its width, thickness and length: `240 mm x 1 mm x 1000 mm`.
 pub const STRIP: &str = "blank L = ";
 /// Label of the trimmed part.
 pub const FINISHED: &str = "finished: ";
+/// Label of the sheet once its tools are taken away.
+pub const RELEASED: &str = "sprung back";
 /// Layers of the formed sheet.
 const FORMED: [&str; 2] = ["sheet", "midline"];
 /// Words before the sizes of the trimmed part.
 pub const SIZES: [&str; 3] = ["height ", "diameter ", "flange diameter "];
 
+fn length(text: &str) -> Option<f64> {
+    Some(parse(text).ok()?.value)
+}
+
 /// Sizes of the trimmed part \[mm\], in the order of [`SIZES`], where the drawing has its label.
 fn finished(text: &str) -> [Option<f64>; 3] {
     let label = text.lines().find_map(|line| line.trim().strip_prefix(FINISHED)).unwrap_or_default();
-    SIZES.map(|name| label.split(", ").find_map(|size| Some(parse(size.strip_prefix(name)?).ok()?.value)))
+    SIZES.map(|name| label.split(", ").find_map(|size| length(size.strip_prefix(name)?)))
 }
 
 /// Section of a tool.
@@ -137,8 +143,14 @@ pub struct Sections {
     pub finished: [Option<f64>; 3],
     /// Plane strain if the blank is labelled as that of a strip.
     pub geometry: Geometry,
+    /// Length of the strip across the section \[mm\], where it is labelled.
+    pub depth: Option<f64>,
+    /// True if a formed sheet is labelled as sprung back.
+    pub is_released: bool,
     /// All layers with the number of their entities.
     pub layers: String,
+    /// Names of layers that are left out.
+    pub others: Vec<String>,
     /// How the drawing was understood: unit, direction, halves, joints, omissions.
     pub notes: Vec<String>,
 }
@@ -154,7 +166,7 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     if let Some([_, edge, thickness]) = blank {
         frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
     }
-    let (layers, all) = layers::layers(&entities, options, &frame)?;
+    let (layers, all, others) = layers::layers(&entities, options, &frame)?;
     let mut tools: Vec<ToolId> = layers.values().copied().collect();
     tools.sort_unstable();
     tools.dedup();
@@ -182,6 +194,13 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
             }
         }
     }
-    let geometry = if text.contains(STRIP) { Geometry::PlaneStrain } else { Geometry::Axisymmetric };
-    Ok(Sections { operations, blank, finished, geometry, layers: all, notes: frame.notes.into_inner() })
+    let strip = text.split_once(STRIP).and_then(|(_, sizes)| sizes.lines().next());
+    let geometry = strip.map_or(Geometry::Axisymmetric, |_| Geometry::PlaneStrain);
+    let depth = strip.and_then(|sizes| length(sizes.split(" x ").nth(2)?));
+    let is_released = text.contains(RELEASED);
+    if is_released {
+        frame.note("the formed sheet has sprung back: a last stage takes the tools away, the sheet is elastic".into());
+    }
+    let notes = frame.notes.into_inner();
+    Ok(Sections { operations, blank, finished, geometry, depth, is_released, layers: all, others, notes })
 }

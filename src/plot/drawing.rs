@@ -46,13 +46,14 @@ impl Layer {
         Self { is_joined: true, ..Self::of_pieces(name, color, pieces) }
     }
 
-    /// Faces and middle of a formed sheet.
-    pub(crate) fn sheet(prefix: &str, frame: &Frame) -> [Self; 2] {
+    /// Faces, with a label, and middle of a formed sheet.
+    pub(crate) fn sheet(prefix: &str, frame: &Frame, label: Option<&str>) -> [Self; 2] {
         let outline = whole_sheet(frame, 1.0);
         let outline = outline.iter().chain(outline.first()).copied();
         let middle = frame.nodes.iter().map(|node| (node.r, node.z));
         let faces = Self::polyline(format!("{prefix}SHEET"), (7, "#000000"), outline);
-        [faces, Self::polyline(format!("{prefix}MIDLINE"), (9, "#909090"), middle)]
+        let label = faces.pieces.first().map(Piece::first).zip(label.map(str::to_owned));
+        [Self { label, ..faces }, Self::polyline(format!("{prefix}MIDLINE"), (9, "#909090"), middle)]
     }
 
     /// Line of a cut through a sheet, its thickness along the line, and its text.

@@ -2,6 +2,8 @@
 
 use super::{PROGRAM, Report, front, part, results, sections};
 use crate::assess::Light;
+use crate::case::Case;
+use crate::model::{Geometry, Role, tool_sizes::extent};
 use crate::plot::{Chart, chart::Scale, svg, svg_on_paper};
 use crate::results::REPORT_MARKER;
 use crate::units::{Amount, joined};
@@ -54,7 +56,7 @@ impl Report<'_> {
         let case = &self.solution.case;
         let thickness = Amount::size(case.model().blank.thickness);
         let sheet = joined([case.sources.sheet.clone().unwrap_or_default(), format!("{thickness} thick")], ", ");
-        let finished = case.finished.to_string();
+        let finished = joined([case.finished.to_string(), drawn_section(case)], ", ");
         let own = [("Sheet", sheet.as_str()), ("Finished part", &finished), ("Case", &case.name)];
         let block = self.title_block.entries().chain(own).filter(|(_, value)| !value.is_empty());
         let mut folded = vec![sections::verdict(self)];
@@ -93,6 +95,16 @@ impl Report<'_> {
         };
         page.into_string()
     }
+}
+
+/// Sizes of a section that a holder lets the punch draw: `60 mm wide inside, 40 mm deep inside, 1000 mm long`.
+fn drawn_section(case: &Case) -> String {
+    let model = case.model();
+    let is_drawn = model.geometry == Geometry::PlaneStrain && model.tool(Role::Holder).is_some();
+    let Some(punch) = model.tool(Role::Punch).filter(|_| is_drawn) else { return String::new() };
+    let depth = Some(model.travel).filter(|_| !model.stop.drawn_through);
+    let sizes = [(Some(2.0 * extent(punch).1), "wide inside"), (depth, "deep inside"), (model.depth, "long")];
+    joined(sizes.into_iter().filter_map(|(size, of)| Some(format!("{} {of}", Amount::size(size?)))), ", ")
 }
 
 /// Picture with its caption; the style counts the figures.

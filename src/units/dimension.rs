@@ -38,6 +38,7 @@ impl Dimension {
 /// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
 pub(super) const LBF: f64 = 4.448_221_615_260_5;
 pub(super) const INCH: f64 = 25.4;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 const UNITS: &[(Dimension, &[(&str, f64)])] = &[
     (
@@ -51,7 +52,7 @@ const UNITS: &[(Dimension, &[(&str, f64)])] = &[
     (STRESS, &[("Pa", 1e-6), ("kPa", 1e-3), ("bar", 0.1), ("MPa", 1.0), ("GPa", 1e3)]),
     (STRESS, &[("psi", LBF / (INCH * INCH)), ("ksi", 1e3 * LBF / (INCH * INCH))]),
     (TIME, &[("s", 1.0), ("ms", 1e-3), ("min", 60.0), ("h", 3600.0)]),
-    (ANGLE, &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)]),
+    (ANGLE, &[("rad", 1.0), ("deg", DEGREE), ("°", DEGREE)]),
     (TEMPERATURE, &[("K", 1.0)]),
     // 1 kg = 1 N s²/m
     (MASS, &[("kg", 1e-3), ("g", 1e-6)]),
@@ -63,7 +64,7 @@ const UNITS: &[(Dimension, &[(&str, f64)])] = &[
 /// Units with other names of theirs in lower case, without the plural's s.
 const OTHER_NAMES: &str = "in inch inche in, mm millimetre millimeter mm, cm centimetre centimeter, m metre meter, \
     um micron µm μm, N newton, kN kilonewton, lbf lb, tonf ton tonne t_f tf tonf_metric, tonf_us ton tonf_short, \
-    tonf_uk ton tonf_long, Pa pascal, s sec second, deg degree °, K kelvin, °C c ºc celsiu, J joule, W watt";
+    tonf_uk ton tonf_long, Pa pascal, s sec second, deg degree, K kelvin, °C c ºc celsiu, J joule, W watt";
 
 /// Degrees of temperature, the only unit that does not start at zero, are read by themselves.
 pub(super) const CELSIUS: &str = "°C";

@@ -277,6 +277,13 @@ def no_punch_in_an_operation(doc, space):
         space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on(layer))
 
 
+def no_die_in_an_operation(doc, space):
+    for layer in ["OP20_PUNCH", "OP30_PUNCH"]:
+        space.add_lwpolyline([(0, 0), (30, 0), (30, 100)], dxfattribs=on(layer))
+    for layer in ["OP20_DIE", "OP30_Zihering"]:
+        space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on(layer))
+
+
 for name, draw in [
     ("gap", gap), ("overlap", overlap), ("branch", branch), ("branch_at_a_corner", branch_at_end),
     ("halves_differ", halves), ("unknown_layers", unknown), ("circle", circle), ("closed", closed),
@@ -285,7 +292,8 @@ for name, draw in [
     ("out_of_plane", out_of_plane), ("block", block),
     ("block_in_itself", block_in_itself), ("block_stretched", block_stretched), ("off_the_axis", off_the_axis),
     ("off_the_axis_with_a_centre_line", off_the_axis_with_a_centre_line), ("whole_off_the_axis", whole_off_the_axis),
-    ("two_outlines", two_outlines), ("no_punch_in_an_operation", no_punch_in_an_operation), ("empty", lambda doc, space: None),
+    ("two_outlines", two_outlines), ("no_punch_in_an_operation", no_punch_in_an_operation),
+    ("no_die_in_an_operation", no_die_in_an_operation), ("empty", lambda doc, space: None),
 ]:
     faulty(name, draw)
 faulty("no_units", lambda doc, space: punch(space), 0, 0)

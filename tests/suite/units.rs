@@ -39,7 +39,7 @@ fn units_convert_to_solver_units() {
         (value::<Stress>("1 N·mm^-2"), 1.0),
         (value::<Stress>("30N/mm2"), 30.0),
         (value::<Stress>("300 bar"), 30.0),
-        (value::<Angle>("180 deg"), std::f64::consts::PI),
+        (value::<Angle>("90 deg") + value::<Angle>("60°") + value::<Angle>("30 °"), std::f64::consts::PI),
         (value::<Speed>("6 m/min"), 100.0),
         (value::<Time>("30 ms"), 0.03),
         (value::<Ratio>("5 %"), 0.05),

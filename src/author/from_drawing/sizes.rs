@@ -4,7 +4,7 @@ use super::Import;
 use crate::import::{ImportError, Operation, Result, Sections};
 use crate::material::Material;
 use crate::model::tool_sizes::{extent, gap, has_room, mouth, shoulder_end, throat};
-use crate::model::{Geometry, Motion, Role, Tool};
+use crate::model::{Geometry, Motion, Role, Tool, operation_in};
 use crate::rules::{Metal, Picked, drawn_travel, siebel, strip_pressure, tensile_strength};
 use crate::table::worded;
 use crate::units::{rounded, trimmed};
@@ -44,22 +44,21 @@ fn down(mm: f64) -> f64 {
 }
 
 impl DrawnTools {
-    /// Tools of an operation; a die stays where no other is drawn, and with it the holder. Fails without a punch, or a die.
+    /// Tools of an operation. Fails without a punch, or a die.
     pub fn new(import: &Import, sections: &Sections, operation: &Operation, before: Option<&Self>) -> Result<Self> {
         let tool = |role: Role| {
             let profile = operation.tool(role)?.profile.clone();
             Some(Tool { role, profile, friction: 0.0.into(), motion: Motion::Fixed })
         };
         let missing = |role: Role| {
+            let is_own = |layer: &&String| operation.number.is_some() && operation_in(layer) == operation.number;
+            let layer = sections.others.iter().find(is_own).map_or("NAME", String::as_str);
             let what = format!("{} has no {}: there are {}", operation.name(), role.name(), sections.layers);
-            let help = format!("draw its side towards the sheet, or name its layer: --layer NAME={}", role.name());
+            let help = format!("draw its side towards the sheet, or name its layer: --layer {layer}={}", role.name());
             ImportError { what, help, line: None }
         };
         let punch = tool(Role::Punch).ok_or_else(|| missing(Role::Punch))?;
-        let own = tool(Role::Die);
-        let staying = before.filter(|_| own.is_none());
-        let holder = tool(Role::Holder).or_else(|| staying?.holder.clone());
-        let die = own.or_else(|| Some(staying?.die.clone())).ok_or_else(|| missing(Role::Die))?;
+        let (die, holder) = (tool(Role::Die).ok_or_else(|| missing(Role::Die))?, tool(Role::Holder));
         let shoulder = throat(&die).and_then(|throat| die.profile.extreme(false, [0.0, throat + 1e-6]));
         let is_beyond = |end| shoulder.is_some_and(|shoulder| end >= shoulder.y);
         let is_pushed = || import.overrides.iter().any(|set| set == "stop.drawn_through=true");

@@ -1,7 +1,6 @@
 //! Options of templates and their values.
 
 use super::*;
-use crate::rules::Picked;
 use crate::units::{
     Angle, Dimensioned, Force, Fraction, Length, NonNegative, Number, Positive, QuantityError, Ratio, Stress,
     thicknesses,

@@ -22,7 +22,7 @@ mod strips;
 pub use crate::rules;
 pub use inputs::Choice;
 pub(super) use inputs::Inputs;
-pub(super) use sheet::{LAW, Sheet, mild_steel};
+pub(super) use sheet::{LAW, Sheet, elastic, mild_steel};
 
 use crate::assess::size;
 use crate::case::CaseError;

@@ -3,13 +3,11 @@
 use super::*;
 use crate::case::file::Crystal;
 use crate::case::library::{self, Entry};
-use crate::material::{Elastic, Hardening, Hosford, Material, hardening::Swift};
+use crate::material::{Hardening, Hosford, Material, hardening::Swift};
 use crate::rules::tensile_strength;
 use crate::writer::forming_limit;
 
 const TYPICAL: &str = "hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
-/// Elasticity of steel \[MPa, –\], where the library has none of a sheet.
-const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
 pub(in crate::author) const LAW: [&str; 3] = ["k", "n", "offset"];
 
 pub(in crate::author) struct Sheet {
@@ -54,29 +52,22 @@ impl Sheet {
 
     pub fn values(&self, is_elastic: bool) -> Values {
         let (mut values, mut material) = (Values::default(), Values::default());
-        let mut why = String::new();
+        let of = self.entry.as_ref().and_then(|(entry, _)| entry.about.thickness.as_ref());
+        let why = of.map_or_else(String::new, |of| format!("the material's numbers are of a sheet of {of}"));
+        material.set_text("table", if self.origin == TYPICAL || is_elastic { "[material]" } else { "" });
         if let Some((entry, word)) = &self.entry {
-            let of = entry.about.thickness.as_ref();
-            why = of.map_or(why, |of| format!("the material's numbers are of a sheet of {of}"));
             let named = if word == entry.name { String::new() } else { format!("named as {word}: ") };
-            material.set("table", "[material]", "");
             material.set("name", format!("{:?}", entry.name), &format!("{named}stampflow materials {}", entry.name));
         } else {
             material.swift(self.law.map(rounded));
             values.set("law", format!("\"declared: {}\"", self.origin), "");
         }
         if self.entry.is_none() && self.origin == TYPICAL {
-            material.set("table", "[material]", "");
             material.set("yield_condition", "{ hosford = { crystal = \"bcc\" } }", "ferritic steel");
         }
         if is_elastic {
-            material.set("table", "[material]", "");
-            material.set("mode", "\"elasto_viscoplastic\"", "");
             material.set("elastic", "Elastic and plastic", "");
-        }
-        if is_elastic && self.metal.elastic.is_none() {
-            material.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
-            material.set("poisson", STEEL.poisson, "");
+            elastic(&mut material, &self.metal);
         }
         let is_measured = self.entry.as_ref().is_some_and(|(entry, _)| entry.measured_limit.is_some());
         values.set("thickness", mm(self.thickness), &why);
@@ -84,6 +75,15 @@ impl Sheet {
         values.set("material", material.fill(SHEET.1).trim(), "");
         values.set("forming_limit", forming_limit(&self.metal, self.thickness, is_measured), "");
         values
+    }
+}
+
+/// Sets the elasto-viscoplastic mode, and the elasticity of steel for a metal without its own.
+pub(in crate::author) fn elastic(values: &mut Values, metal: &Material) {
+    values.set("mode", "\"elasto_viscoplastic\"", "");
+    if metal.elastic.is_none() {
+        values.set("young", "\"206 GPa\"", "of steel, declared, as is ν");
+        values.set("poisson", 0.3, "");
     }
 }
 
