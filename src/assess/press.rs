@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::table::{JOULES, Unit};
-use crate::units::DisplaySettings;
+use crate::units::{DisplaySettings, significant};
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
@@ -49,6 +49,8 @@ impl<'a> Load<'a> {
 
 /// Force as the data sheet of a press has it, in metric tonnes-force too: `812 kN (83 t)`.
 pub(super) fn with_tonnes(force: Amount) -> String {
+    // A rating in tonnes has many digits in kN.
+    let force = force.with_value(significant(force.value, 4));
     match force.unit {
         Unit::N if DisplaySettings::current() == DisplaySettings::Si => {
             format!("{force} ({} t)", Amount::new(force.value / TONNE, Unit::None, Digits::Significant(2)))
