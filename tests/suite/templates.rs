@@ -88,6 +88,18 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
     assert!((height - 20.0).abs() < 0.2 && (edge - 47.0).abs() < 0.2, "{height} {edge}");
 }
 
+/// Trust: runs with fewer elements tear where the case itself does not; its plan still has the finished sizes.
+#[test]
+fn a_tear_of_coarse_runs_does_not_end_a_plan() {
+    let sizes = [("punch-diameter", "38 mm"), ("height", "66 mm"), ("material", "1.4301"), ("thickness", "0.8 mm")];
+    let can = [&sizes[..], &[("last-clearance", "0.95 mm")]].concat();
+    let case = made("cup", &can, &[]);
+    let found = assess::after(&case, solved(&case));
+    let light = |key: &str| found.iter().find(|row| row.key == key).map(|row| row.light);
+    assert_eq!([light("trim_allowance"), light("tearing")], [Some(Light::Green), Some(Light::Amber)]);
+    assert!(case.text.contains("corrected by runs") && !case.text.contains("Its run tears"), "{}", case.text);
+}
+
 /// Trust: the gap, and a penalty's penetration of some percent more; a wide gap is doubted by its row, whose advice makes it
 /// green.
 #[test]
