@@ -172,7 +172,7 @@ fn case(text: &str, drawing: &str, first: &Operation, doubts: &[String]) -> Resu
             "tools.punch.travel" => Some("set it with --travel".to_owned()),
             "blank.thickness" => Some("set it with --thickness".to_owned()),
             "blank.radius" | "blank.half_length" => Some("set it with --blank-radius".to_owned()),
-            "tools.holder.force" => Some("the part's length is --set blank.depth=\"1 m\" in plane strain".to_owned()),
+            "tools.holder.force" => Some("in plane strain give the part's length with --length".to_owned()),
             key => first.tools.iter().find_map(|section| {
                 let is_here = key.split('.').take(2).eq(["tools", section.role.name()]);
                 is_here.then(|| format!("it is drawn in {}, r is x from the axis", section.made_of))

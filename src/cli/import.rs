@@ -31,6 +31,8 @@ options! {
             "Thickness of the sheet [default: a placeholder]",
         blank: Option<f64> = "LENGTH" [long = "blank-radius", visible_alias = "blank-half-length", allow_hyphen_values = true, value_parser = length]
             "Radius of the blank, in plane strain its half-length [default: a placeholder]",
+        length: Option<String> = "LENGTH" [long]
+            "Length of a strip across the section, over which forces are given [default: that of the blank's label]",
         travel: Option<f64> = "LENGTH" [long, allow_hyphen_values = true, value_parser = length]
             "Punch travel [default: as drawn where the tools are closed, else a placeholder]",
         friction: Option<f64> = "NUMBER" [long, value_parser = |text: &str| text.parse().map(stampflow::units::Fraction::value)]
@@ -44,10 +46,11 @@ options! {
 pub fn import(args: Args) -> Result<Code> {
     let Args { drawing, out, force, layers, unit, axis, punch_moves, join, tolerance, .. } = args;
     let Args { geometry, material, thickness, blank, travel, friction, .. } = args;
-    let Args { holder_force, drawn_through, set, json: Json { json }, .. } = args;
+    let Args { holder_force, length, drawn_through, set, json: Json { json }, .. } = args;
     let holder = holder_force.map(|force| format!("tools.holder.force={force:?}"));
     let through = drawn_through.then(|| "stop.drawn_through=true".to_owned());
-    let overrides = holder.into_iter().chain(through).chain(set).collect();
+    let length = length.map(|length| format!("blank.depth={length:?}"));
+    let overrides = holder.into_iter().chain(length).chain(through).chain(set).collect();
     let bytes = Disk.read(&drawing, import::LARGEST).map_err(|error| {
         let is_large = error.kind() == std::io::ErrorKind::FileTooLarge;
         let help = if is_large { "save the tools' layers only" } else { "give the path of a DXF file" };
