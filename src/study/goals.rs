@@ -4,7 +4,7 @@ use super::*;
 use crate::assess::estimate::{flange_strength, held_from};
 use crate::model::tool_sizes::{extent, mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role, Tool};
-use crate::rules::HolderRule;
+use crate::rules::{HolderRule, THIN};
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Goal {
@@ -126,7 +126,8 @@ fn radius(model: &Model) -> Result<Goal> {
     need(shoulder > 0.0, "a die with a `shoulder`")?;
     // A shell says nothing of a bend sharper than its thickness.
     let ends = [model.blank.thickness.min(0.5 * shoulder), 2.0 * shoulder];
-    Ok(Goal::keep(range("tools.die.shoulder", ends, "mm"), "no red", Side::Smallest))
+    let note = Some(format!("Below {THIN} thicknesses a shell's forces are rough."));
+    Ok(Goal { note, ..Goal::keep(range("tools.die.shoulder", ends, "mm"), "no red", Side::Smallest) })
 }
 
 /// Travel that bends legs in air to the wanted angle of the case; of a wall drawn under a holder the bead that stretches it into
