@@ -1,6 +1,6 @@
 //! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
-use super::*;
+use super::{tear::REMEDY, *};
 use crate::case::Solution;
 use crate::units::{ErrorBar, Limits, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -169,9 +169,11 @@ impl ErrorBars {
             finding.quantity = finding.quantity.take().map(|number| number.with_error(error));
             if let Some(clause) = clause {
                 finding.text = joined([format!("{clause}: {}", finding.text), self.finer(finding.key)], "; ");
-                if finding.key == RUN {
-                    finding.advice = "take the worse end as the true one, or refine until all runs end alike".into();
-                }
+                finding.advice = match finding.key {
+                    RUN => "take the worse end as the true one, or refine until all runs end alike".into(),
+                    "tearing" => REMEDY.into(),
+                    _ => std::mem::take(&mut finding.advice),
+                };
                 finding.light = finding.light.max(Light::Amber);
             }
             finding.advice = joined([self.refinement(finding), std::mem::take(&mut finding.advice)], "; ");
@@ -183,13 +185,9 @@ impl ErrorBars {
     fn refinement(&self, finding: &Finding) -> String {
         let tolerance = finding.limits().and_then(|limits| limits.red).filter(|_| finding.key == "springback");
         let half = self.number(Origin::Verdict, finding.key).and_then(Number::half);
-        match half.zip(tolerance) {
-            Some((half, tolerance)) if half > tolerance => {
-                let keys = "a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers)";
-                format!("the error bar is wider than the tolerance: {keys}")
-            }
-            _ => String::new(),
-        }
+        let is_wider = half.zip(tolerance).is_some_and(|(half, tolerance)| half > tolerance);
+        let keys = "a finer mesh and steps narrow it (blank.elements, solver.max_step, blank.layers)";
+        if is_wider { format!("the error bar is wider than the tolerance: {keys}") } else { String::new() }
     }
 
     /// Range of the finer runs for a row, in words.

@@ -56,6 +56,9 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].
 pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
+/// Usual change against tearing.
+pub(super) const REMEDY: &str = "one draw more, larger radii, or less friction of die and holder";
+
 /// Largest meridional force of all stages over the one at which the place tears; see `solver::tearing_index`.
 ///
 /// A sheet whose edge is held is stretched by the travel, whose limit is a strain: near its load maximum the force hardly rises.
@@ -83,7 +86,7 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
             .number(Amount::share(step.tearing_index))
             .at_most(near, tears)
             .source("Considère in plane strain, bent over the punch; 90 %: declared")
-            .advice("one draw more, larger radii, or less friction of die and holder")
+            .advice(REMEDY)
     })
 }
 
