@@ -3,6 +3,7 @@
 use super::*;
 use crate::case::Springback;
 use crate::geometry::Piece;
+use crate::material::chaboche::shifting;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, WALL_ANGLE, changes};
 use crate::units::Unit;
 
@@ -54,7 +55,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let others = others.map(|change| format!("{} {change}", change.quantity.label));
     let mut limits: Vec<String> = judged.iter().map(Judged::limit).collect();
     limits.dedup();
-    let is_isotropic = last.model.material.chaboche.iter().all(|back_stress| back_stress.modulus == 0.0);
+    let is_isotropic = shifting(last.model.material.chaboche).is_none();
     let law = is_isotropic.then(|| "by isotropic hardening, no [[material.kinematic]]".to_owned());
     let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others).chain(law);
     Finding::judged("springback", "Spring-back", joined(texts, "; "))
