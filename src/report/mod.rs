@@ -49,7 +49,7 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Prepares a report on a verdict from [`error_bars::answered`](assess::error_bars::answered), which may have taken a second solution.
+    /// Prepares a report on a verdict from [`answered`](assess::error_bars::answered), which may have taken a second solution.
     pub fn answered(solution: &'a Solution, bars: Option<&'a ErrorBars>, verdict: (Answer, Vec<Finding>)) -> Self {
         let (before, (answer, after)) = (assess::before(&solution.case), verdict);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
