@@ -7,7 +7,6 @@ use std::panic::{self, AssertUnwindSafe};
 const LONGEST: usize = 300;
 
 thread_local! {
-    /// Place in the source of this thread's last panic.
     static PLACE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 

@@ -102,7 +102,6 @@ fn plain(path: &Path) -> PathBuf {
     })
 }
 
-/// Files, and the folder that those of a case are looked up from.
 #[derive(Clone, Copy)]
 pub(crate) struct Folder<'a> {
     pub files: &'a dyn Files,

@@ -4,7 +4,6 @@ use super::*;
 use crate::table::Unit;
 use std::cmp::Reverse;
 
-/// Most changes that are given.
 const MOST: usize = 3;
 
 /// Least gain of a number that is worth a change, as a share of it \[–\] and in points of percent: declared.

@@ -241,7 +241,6 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
     Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
 }
 
-/// Largest holder force, or the gap of a fixed holder.
 fn holder(stage: &StageSolution) -> Option<Quantity> {
     let model = &stage.model;
     if let Motion::Gap(gap) = model.tool(Role::Holder)?.motion {
@@ -268,7 +267,6 @@ fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
     Some(opening.at(format!("sprung back{}", under_load(angle(before)))))
 }
 
-/// Height at the end, after release if there is one.
 fn height(stage: &StageSolution) -> Option<Quantity> {
     let before = stage.released().and_then(|[before, _]| part_height(before)).map(Amount::place);
     let height = Quantity::new("part_height", "Height", Amount::place(part_height(stage.frames.last()?)?));
@@ -278,7 +276,6 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
 /// Excess of a wall over its gap that is worth a word \[mm\]: declared, two of the last digit.
 const PRESSED: f64 = 0.02;
 
-/// Wall of an upright part where it is trimmed.
 fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
     let height = case.finished.height.filter(|_| case.finished.flange_diameter.is_none())?;
     let [r, _, thickness] = wall_at(stage.frames.last()?, height)?;

@@ -142,7 +142,6 @@ const ROWS: usize = 24;
 const COLUMNS: usize = 60;
 
 impl Check {
-    /// Rows with their labels: all, or the brief ones.
     fn rows(&self, is_full: bool) -> Vec<(&str, String)> {
         let mut rows: Vec<(&str, String)> = Vec::new();
         for Line { label, value, meaning, .. } in &self.lines {
@@ -174,7 +173,6 @@ impl Check {
     }
 }
 
-/// Text cut between words to a number of letters.
 fn shortened(text: &str, most: usize) -> String {
     let Some((end, _)) = text.char_indices().nth(most - 1) else { return text.to_owned() };
     let words = text[..end].rfind(' ').map_or(&text[..end], |end| &text[..end]);

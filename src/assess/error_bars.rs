@@ -155,7 +155,6 @@ impl ErrorBars {
         self.numbers.iter().find(|number| number.origin == origin && number.quantity.key == key)
     }
 
-    /// Error bar of a number, or the reason why a number that is not listed has none.
     fn error(&self, origin: Origin, key: &str, why_none: &str) -> ErrorBar {
         let missing = || ErrorBar::Missing(why_none.to_owned());
         self.number(origin, key).map_or_else(missing, |number| number.quantity.error.clone())
@@ -190,7 +189,6 @@ impl ErrorBars {
         if is_wider { format!("the error bar is wider than the tolerance: {keys}") } else { String::new() }
     }
 
-    /// Range of the finer runs for a row, in words.
     fn finer(&self, key: &str) -> String {
         let number = self.number(Origin::Verdict, key);
         let Some(Number { quantity, finer: Some(ends), .. }) = number else { return String::new() };

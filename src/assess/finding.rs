@@ -96,7 +96,6 @@ impl Serialize for Finding {
     }
 }
 
-/// Position of the number in [`Finding::text`].
 const PLACEHOLDER: &str = "{}";
 
 impl Finding {
@@ -120,7 +119,6 @@ impl Finding {
         Self::new(Kind::Assumption, Light::Grey, "assumed", "Assumed", text).limit("what the case says")
     }
 
-    /// Sets the light that no limit gives.
     pub(super) fn light(self, light: Light) -> Self {
         Self { light, ..self }
     }

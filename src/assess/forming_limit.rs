@@ -89,7 +89,6 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         .into()
 }
 
-/// Place strained beyond the end of the curve, where nothing is judged.
 fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
     let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::ratio);
     let text = format!(
@@ -102,7 +101,6 @@ fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
         .advice(format!("{}, or give measured points of the coil in [forming_limit]", other_condition()))
 }
 
-/// Remedy where Hill's yield condition is too soft.
 pub(super) fn other_condition() -> String {
     format!("write {} in [material] (bcc for steel)", YieldCondition::FCC)
 }

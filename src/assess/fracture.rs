@@ -7,12 +7,10 @@ const CAREFUL: f64 = 0.9;
 /// Difference of damage through the thickness up to which no face is named, over the largest \[–\].
 const EVEN: f64 = 0.05;
 
-/// First step of a stage at which a place breaks.
 pub(super) fn reached(stage: &StageSolution) -> Option<&StepRecord> {
     stage.steps.iter().find(|step| step.damage >= 1.0)
 }
 
-/// Largest damage over the sheet; `None` for a case without a criterion.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let criterion = run.case.model().material.fracture?;
     let (i, damage, at) = run.peak(|_, stage| {
@@ -36,7 +34,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         .into()
 }
 
-/// Face with the larger damage at the end of a stage.
 fn face(stage: &StageSolution, s0: f64) -> &'static str {
     let (state, rule) = (&stage.end, stage.model.blank.points());
     let nearest = |a: &usize, b: &usize| (state.middle(*a) - s0).abs().total_cmp(&(state.middle(*b) - s0).abs());

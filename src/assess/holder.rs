@@ -18,7 +18,6 @@ const RIM_SHARE: f64 = 0.9;
 /// Share of the travel from which resting on the blocks is reported \[–\].
 const RESTS: f64 = 0.1;
 
-/// True if a pressed tool acts, or does not.
 fn is_pressed(tool: &Tool, acts: bool) -> bool {
     matches!(&tool.motion, Motion::Pressed(press) if press.is_idle() != acts)
 }
@@ -29,7 +28,6 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
     model.tools.iter().any(|tool| is_pressed(tool, false)).then_some(warning)
 }
 
-/// Holder pressure above the strength of the sheet, unless the hardening law is to blame.
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
     let strength = flange_strength(model);
     let pressure = Amount::stress(holder_pressure(model).filter(|_| !material::is_weak(model))?);
@@ -89,7 +87,6 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     warning.number(Amount::place(end.value - begin.value)).at_most(RESTS * stage.model.travel, None).if_beyond()
 }
 
-/// Holder that the sheet has left, unless the part was to be pushed through.
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     if stage.model.stop.drawn_through {
         return None;

@@ -92,7 +92,6 @@ pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
     Some(judged.source(source).limit(limit))
 }
 
-/// Whether the thinnest place, or the one nearest to the forming limit, is stretched both ways.
 fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
     let thinnest = last.frames.last().and_then(|frame| {
         let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
@@ -126,7 +125,6 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Placeholders that an import wrote, as long as the case says so.
 pub(super) fn placeholders(run: &Run) -> Option<Finding> {
     let text = format!("the case holds placeholders: {}", run.case.model().placeholders()?);
     let judged = Finding::judged("placeholders", "Placeholders", text).light(Light::Amber).limit("none");

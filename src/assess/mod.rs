@@ -53,7 +53,6 @@ const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::short,
 ];
 
-/// Findings on each tool of the first stage.
 const ON_TOOL: &[fn(&Model, &Tool) -> Option<Finding>] =
     &[bends::tool_radius, tools::dry_friction, bends::sharp_corner, solution_quality::line_end];
 
@@ -132,7 +131,6 @@ pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
     findings.map(|finding| Finding { stage: Some(i), ..finding }).collect()
 }
 
-/// Solved case, as findings see it.
 struct Run<'a> {
     case: &'a Case,
     stages: &'a [StageSolution],
@@ -180,7 +178,6 @@ fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     here.map_or_else(String::new, |event| format!("({})", event.kind.label()))
 }
 
-/// Largest of a figure over a stage, or 0.
 pub(crate) fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
     stage.steps.iter().map(value).fold(0.0, f64::max)
 }

@@ -69,7 +69,6 @@ pub(super) fn remedied(stage: &StageSolution) -> Option<Finding> {
     Some(Finding::warning("remedied", "Other settings", text).source("the solver").advice(advice))
 }
 
-/// Share of the sheet on its tools below the one that was to end the run.
 pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
     let share = stage.steps.last()?.contact_share;
     let wanted = stage.model.stop.contact_share.filter(|_| stage.stop.kind != StopKind::ContactShare)?;

@@ -32,7 +32,6 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Neck that took over, in any stage.
 pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     last.steps.last()?;
@@ -56,7 +55,6 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].
 pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
-/// Usual change against tearing.
 pub(super) const REMEDY: &str = "one draw more, larger radii, or less friction of die and holder";
 
 /// Largest meridional force of all stages over the one at which the place tears; see `solver::tearing_index`.
@@ -149,7 +147,6 @@ pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
     named.or(stages.last()).map_or_else(String::new, |stage| on_part(stage, s0))
 }
 
-/// Location on a stage's sheet by its name on the part, and by its measures at the stage's end.
 fn on_part(stage: &StageSolution, s0: f64) -> String {
     let from = worded(stage.model.geometry, "axis", "middle");
     let at = stage.frames.last().and_then(|frame| {

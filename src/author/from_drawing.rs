@@ -152,7 +152,6 @@ impl Import {
 }
 
 impl fmt::Display for Imported {
-    /// Tools, sizes, how the drawing was understood, and what is left to give.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let operations = &self.sections.operations;
         operations.iter().try_for_each(|operation| write!(f, "{operation}"))?;
@@ -188,7 +187,6 @@ fn refused(error: CaseError) -> ImportError {
     ImportError { what: error.to_string(), help: error.remedy().unwrap_or_default().to_owned(), line: None }
 }
 
-/// Each later operation with its new tools.
 fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, friction: &Picked) -> Vec<String> {
     let stage = |(later, (before, now)): (&Operation, (&DrawnTools, &DrawnTools))| {
         let mut values = tool_values(&later.tools, friction);
@@ -218,7 +216,6 @@ fn force(before: &DrawnTools, now: &DrawnTools, pressure: f64) -> (String, Strin
     (format!("\"{:.0} {unit}\"", (pressure * area).ceil().max(1.0)), why)
 }
 
-/// Source, profile and friction of each tool.
 fn tool_values(tools: &[Section], friction: &Picked) -> Values {
     let mut values = Values::default();
     values.set("friction", friction.value, &friction.why);

@@ -190,7 +190,6 @@ pub struct Compare {
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
-/// Comparisons of a case; `limited` if it has a forming limit.
 pub(super) fn specs(file: &CaseFile, limited: bool, source: &source::Source) -> Result<Vec<Spec>> {
     file.compare.iter().enumerate().map(|(i, compare)| compare.spec(&format!("compare.{i}"), limited, source)).collect()
 }
@@ -210,7 +209,6 @@ fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<
 }
 
 impl Compare {
-    /// Comparison of the table `path` with its reference; `limited` if the case has a forming limit.
     fn spec(&self, path: &str, limited: bool, source: &source::Source) -> Result<Spec> {
         let Self { reference, quantity, x, y, range, tolerance, band, error, reason, optional, demonstration } =
             self.clone();

@@ -226,7 +226,6 @@ pub fn material(name: &str) -> Result<Entry> {
     Ok(find(name, None)?.0)
 }
 
-/// Fills the keys that a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources> {
     let Some(written) = file.material.name.clone() else {
         let help = "write name = \"dc04\", or strength = 1.08 in its place";

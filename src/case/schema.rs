@@ -4,7 +4,6 @@ use super::*;
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// Examples of keys by the schema's definition of their table.
 const EXAMPLES: &str = include_str!("examples.toml");
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {

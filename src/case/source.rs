@@ -9,7 +9,6 @@ use std::{cell::RefCell, ops::Range, sync::Arc};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
-/// Most entries of a list.
 const ENTRIES: usize = 10_000;
 
 /// Longest title and longest other text, which plots and messages repeat \[characters\].
@@ -99,7 +98,6 @@ impl<'t> Source<'t> {
         *self.stage.borrow_mut() = stage.map(|(i, name)| (i, name.to_owned()));
     }
 
-    /// Key path in the whole case.
     fn whole(&self, path: &str) -> String {
         if let (Some((i, _)), Some(rest)) = (&*self.stage.borrow(), path.strip_prefix("tools.")) {
             let tool = rest.split('.').next().unwrap_or(rest);
@@ -226,7 +224,6 @@ const ALTERNATIVES: [&[&str]; 10] = [
     &["tolerance", "wall_tolerance"],
 ];
 
-/// Path of the diameter that may be given instead of a radius.
 fn diameter_key(path: &str) -> Option<String> {
     let (table, key) = path.rsplit_once('.')?;
     let keys = ALTERNATIVES[..6].iter().find(|keys| keys[0] == key)?;
@@ -241,7 +238,6 @@ pub(super) fn alternatives(key: &str) -> impl Iterator<Item = &'static str> {
 /// Keys of texts, in which "6 t" is no length, and of forces, in which "250 t" is no length either.
 const NO_LENGTHS: [&str; 8] = ["title", "notes", "name", "source", "file", "quantity", "force", "preload"];
 
-/// Replaces lengths in thicknesses of the blank, "6 t", by millimetres.
 fn resolve_thicknesses(tree: &mut DeTable) {
     let blank = tree.get("blank").and_then(|blank| blank.get_ref().as_table());
     let thickness = blank.and_then(|blank| blank.get("thickness")?.get_ref().as_str()?.parse::<Length>().ok());

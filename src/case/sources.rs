@@ -69,7 +69,6 @@ fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
     overrides.iter().filter_map(|written| written.split_once('=')).map(|(path, _)| path.trim())
 }
 
-/// Note on a measured forming limit that stays with another sheet.
 pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<String> {
     let measured = file.forming_limit.as_ref().is_some_and(|limit| limit.points.is_some());
     let stays = measured && !keys(overrides).any(|path| path.starts_with("forming_limit"));
@@ -77,7 +76,6 @@ pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> O
     (stays && other).then(|| "the points of [forming_limit] are still those of the sheet before".into())
 }
 
-/// Removes the source of a number that an override has replaced.
 pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
     let forget = |source: &mut Option<String>, path: &str, is_of: fn(&str) -> bool| {
         if keys(overrides).any(is_of) && !keys(overrides).any(|key| key == path) {

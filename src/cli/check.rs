@@ -38,7 +38,6 @@ pub fn check(args: &Args) -> Result<Code> {
     Ok(solved.code(args.strict))
 }
 
-/// Every row of the verdict with its limit and the limit's source, or what to give.
 fn every_row(findings: &[Finding]) -> ScreenText {
     let rows = judgements(findings).map(|finding| {
         let light = Cell::Light(finding.light, String::new());

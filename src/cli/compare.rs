@@ -57,7 +57,6 @@ pub fn is_curve(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
-/// Compares every case of a folder, or one case, with its references.
 fn references(args: &Args, path: &Path) -> Result<Code> {
     let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", path.display()));
     let files =

@@ -44,7 +44,6 @@ pub fn materials(args: &Args) -> Result<Code> {
     emit(args.json.json, as_json(&entry), || wrapped(format!("{name}: {title}\n\n")) + list(notes) + band + paste)
 }
 
-/// Row of the table, within 80 columns.
 fn row(entry: &Entry) -> [String; 9] {
     let number = |value: Option<f64>, decimals: usize| value.map(|value| format!("{value:.decimals$}"));
     [

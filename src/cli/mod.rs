@@ -64,7 +64,6 @@ use std::time::{Duration, Instant};
 use std::{borrow::Cow, process::ExitCode};
 use study::StudyOptions;
 
-/// Examples and exit codes in help texts, a section for each verb.
 const HELP: &str = include_str!("help.txt");
 
 fn help(section: &str) -> &'static str {

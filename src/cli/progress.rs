@@ -4,7 +4,6 @@ use super::*;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stampflow::{Observer, Stage, State, solver::Iterate};
 
-/// Ticks of a full bar.
 const FULL: f64 = 1000.0;
 /// Time until bars appear, as shorter work needs none.
 const DELAY: Duration = Duration::from_millis(400);

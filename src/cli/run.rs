@@ -96,7 +96,6 @@ impl Args {
         Ok(output)
     }
 
-    /// Printed text below the answer, with --verbose also the solver's part.
     fn rest(&self, results: &Results, files: &str) -> ScreenText {
         let summary = CaseSummary::of(results.solution, &results.views);
         let lines = Some(&summary.lines).filter(|lines| !lines.is_empty());

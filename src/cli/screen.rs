@@ -68,7 +68,6 @@ fn print_lines(stream: &mut impl Write, ScreenText(text): &ScreenText) -> io::Re
     write!(stream, "{text}{}", if text.is_empty() || text.ends_with('\n') { "" } else { "\n" })
 }
 
-/// ANSI colours of grey, green, amber and red.
 const COLORS: [Option<u8>; 4] = [None, Some(2), Some(3), Some(1)];
 
 /// ANSI colour of a light; `None` without colours.

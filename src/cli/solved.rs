@@ -78,7 +78,6 @@ impl Solved {
     }
 }
 
-/// Red rows, then amber ones; advice stands once under the rows that it is good for.
 fn judged(findings: &[Finding]) -> ScreenText {
     let mut lines: Vec<[Cell; 3]> = Vec::new();
     for alike in [Light::Red, Light::Amber].iter().flat_map(|light| by_advice(findings, *light)) {

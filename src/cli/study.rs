@@ -7,7 +7,6 @@ use stampflow::study::{
 };
 use std::ops::ControlFlow;
 
-/// Designs that are begun without --yes.
 const MANY: u64 = 100_000;
 
 options! {
@@ -100,7 +99,6 @@ impl ShardOptions {
 }
 
 impl TableOptions {
-    /// Evaluates a study, by its verb and its table's name, and presents it, perhaps with error bars and curves.
     fn run(&self, study: &mut dyn Study, [verb, name]: [&str; 2], shard: Shard, with_curves: bool) -> Result<Code> {
         let file = &self.file;
         let dir = self.study.folder(file, verb)?;

@@ -48,7 +48,6 @@ pub fn trace(Args { case, step, stage, methods, tolerance, out, quiet, overrides
     printed
 }
 
-/// Iterations of the last pass, and how fast they converge.
 fn iterations(history: &IterationHistory) -> ScreenText {
     let pass = history.last_pass();
     let start = pass.first().map_or("", |row| row.start.key());

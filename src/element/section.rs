@@ -27,7 +27,6 @@ pub struct Section<'a, L> {
 /// Stiffness C of a section, by its strains.
 type Matrix5 = SMatrix<f64, 5, 5>;
 
-/// Resultants of a stress at ζ that acts on the volume `v`.
 #[inline]
 fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
     let [s, t, shear] = stress.map(|stress| v * stress);

@@ -57,7 +57,6 @@ impl Writer {
         }
     }
 
-    /// Point of the codes 10, 20 and, with a height, 30.
     fn point(&mut self, x: i32, p: Point, has_height: bool) {
         let [across, up] = [p.x, p.y].map(|mm| coordinate(mm / self.unit));
         let height = if has_height { format!("\n{}\n0.0", x + 20) } else { String::new() };

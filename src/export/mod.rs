@@ -107,7 +107,6 @@ impl Drawing {
         self.layers.push(Layer { label: Some((Point::new(length, half), text)), ..blank });
     }
 
-    /// Tool where it stands at the end of its stage, with the part of endless walls that the sheet passes.
     fn tool(&mut self, prefix: &str, (index, tool): (usize, &Tool), stage: &Stage, solved: Option<&StageSolution>) {
         let frames = || solved.into_iter().flat_map(|solved| solved.start.iter().chain(&solved.frames));
         let up = |frame: &Frame| tool_displacement(frame, index).y;
@@ -121,7 +120,6 @@ impl Drawing {
         self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
     }
 
-    /// Line across the sheet where it was cut before a stage.
     fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {
         let edge = solved.and_then(|solved| solved.start.as_ref()?.nodes.last());
         let (z, thickness) = edge.map_or((0.0, 1.0), |edge| (edge.z, edge.thickness));
@@ -129,7 +127,6 @@ impl Drawing {
         self.layers.push(Layer::cut(format!("{prefix}TRIM"), at, Point::y() * thickness, text));
     }
 
-    /// Line across the wall or the flange where the part is trimmed after the last stage, and the sizes that it then has.
     fn finished(&mut self, finished: &Finished, solved: Option<&StageSolution>) {
         let Finished { height, diameter, flange_diameter } = *finished;
         let sizes = SIZES.into_iter().zip([height, diameter, flange_diameter]);

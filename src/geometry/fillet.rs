@@ -60,7 +60,6 @@ pub fn with_radius(pieces: &[Piece], radius: f64) -> Option<[Piece; 3]> {
     fillet(&[before.first(), corner, after.last()], &[0.0, radius, 0.0]).ok()?.try_into().ok()
 }
 
-/// Arc that rounds the corner between two pieces; `None` without corner, radius or room.
 fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
     let turn_at_vertex = turn(before.tangent(true), after.tangent(false));
     if radius <= 0.0 || turn_at_vertex.abs() < STRAIGHT {

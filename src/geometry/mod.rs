@@ -36,7 +36,6 @@ pub(crate) fn turn(from: Point, to: Point) -> f64 {
     from.perp(&to).atan2(from.dot(&to))
 }
 
-/// True on the axis r = 0, where a profile meets its mirror image.
 pub(crate) fn on_axis(point: &Point) -> bool {
     point.x.abs() < 1e-9
 }

@@ -114,7 +114,6 @@ impl Profile {
     }
 }
 
-/// Adds a piece to a line, joined by an arc about the vertex or cut at the intersection.
 fn join(line: &mut Vec<Piece>, piece: Piece, by: f64) {
     let Some(last) = line.last().copied() else { return line.push(piece) };
     let (a, b) = (last.tangent(true), piece.tangent(false));

@@ -87,7 +87,6 @@ impl Arc {
         (Self::new(center, (start - center).norm(), angle(start), sweep), off.abs())
     }
 
-    /// Arc from the first point of this one to the last of the next, with the turn of both.
     pub(super) fn joined(&self, next: &Arc) -> Self {
         let sweep = self.sweep + next.sweep;
         let radius = 0.5 * (next.ends[1] - self.ends[0]).norm() / (0.5 * sweep).abs().sin();
@@ -269,7 +268,6 @@ impl Piece {
         }
     }
 
-    /// Image of the piece, by those of points and of angles; `turn` is −1 for a mirror image.
     pub(super) fn image(&self, point: impl Fn(Point) -> Point, angle: impl Fn(f64) -> f64, turn: f64) -> Self {
         match self {
             Piece::Segment(s) => Piece::line(point(s.from), point(s.to)),

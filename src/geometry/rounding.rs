@@ -76,7 +76,6 @@ pub fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
     }
 }
 
-/// Arc from `a` along the unit tangent `t` to `b`; `None` when straight.
 fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
     let chord = b - a;
     let normal = turned(t);

@@ -38,7 +38,6 @@ pub(super) struct Block {
     pub entities: Vec<Entity>,
 }
 
-/// Origin of a curve in the file, for messages.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Source {
     pub kind: String,

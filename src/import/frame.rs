@@ -12,7 +12,6 @@ const UNITS: &str = "in, ft, miles, mm, cm, m, km, microinches, mil, yards, ång
     hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey yards, US \
     survey miles";
 
-/// Units of a drawing whose header is wrong, the likeliest first.
 const LIKELY: [DrawingUnit; 4] =
     [DrawingUnit::MM, DrawingUnit::INCH, DrawingUnit("cm", 10.0), DrawingUnit("m", 1000.0)];
 

@@ -4,7 +4,6 @@ use super::chain::{Chain, join};
 use super::{ImportError, Result, ensure, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 
-/// Chain at x ≥ 0.
 pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain> {
     let parts = strokes.iter().flat_map(|stroke| cut(stroke, frame));
     let (right, left): (Vec<Chain>, Vec<Chain>) = parts.partition(|part| is_right(&part.pieces[0].0));

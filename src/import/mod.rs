@@ -70,7 +70,6 @@ pub const STRIP: &str = "blank L = ";
 pub const FINISHED: &str = "finished: ";
 /// Label of the sheet once its tools are taken away.
 pub const RELEASED: &str = "sprung back";
-/// Layers of the formed sheet.
 const FORMED: [&str; 2] = ["sheet", "midline"];
 /// Words before the sizes of the trimmed part.
 pub const SIZES: [&str; 3] = ["height ", "diameter ", "flange diameter "];
@@ -122,7 +121,6 @@ impl Operation {
 }
 
 impl fmt::Display for Operation {
-    /// A line for each tool.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.tools.iter().try_for_each(|Section { role, profile, made_of, .. }| {
             let pieces = profile.pieces().len();

@@ -20,7 +20,6 @@ const THIN: f64 = 0.25;
 /// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
 
-/// Flags of a polyline and of its vertices.
 const CLOSED: i64 = 1;
 const MESH: i64 = 16 | 64;
 const OFF_THE_CURVE: i64 = 16;

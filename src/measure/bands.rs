@@ -211,7 +211,6 @@ fn node_bands(geometry: Geometry, frame: &Frame, contacts: &[Option<NodeContact>
     names
 }
 
-/// Band of a free node by its neighbours.
 fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: Option<&NodeContact>) -> Band {
     let along = |touch: &NodeContact| {
         let at = node - touch.moved;
@@ -227,7 +226,6 @@ fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: 
     }
 }
 
-/// Band on a piece of a tool at a point of the tool's own frame.
 fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     let (role, profile) = (tool.role, &tool.profile);
     match &profile.pieces()[piece] {

@@ -142,7 +142,6 @@ fn comes(stage: &StageSolution, gap: impl Fn(&StepRecord) -> f64) -> Option<&Ste
     stage.steps[off..].iter().find(|step| gap(step) < ON * thickness)
 }
 
-/// Event at a travel between two steps, with interpolated time and force.
 fn between(steps: &[StepRecord], kind: EventKind, travel: f64) -> Event {
     let after = steps.partition_point(|step| step.travel < travel).min(steps.len().saturating_sub(1));
     let now = steps.get(after).copied().unwrap_or_default();

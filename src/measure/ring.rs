@@ -138,7 +138,6 @@ impl Ring {
     }
 }
 
-/// Released cup of the last stage, and its elastic constants.
 fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
     let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
     let [_, frame] = last.released()?;

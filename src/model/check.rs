@@ -42,7 +42,6 @@ fn check(holds: bool, what: &str, problem: impl FnOnce() -> String) -> Checked {
     if holds { Ok(()) } else { Err(ModelError { what: what.into(), problem: problem(), nearest: None }) }
 }
 
-/// A number within its range, both ends included.
 fn number(what: &str, value: f64, range: [f64; 2]) -> Checked {
     let [least, most] = range;
     check((least..=most).contains(&value), what, || match range {
@@ -77,7 +76,6 @@ fn rising(what: &str, mut before: f64, values: impl IntoIterator<Item = f64>) ->
     Ok(())
 }
 
-/// A curve with finite arguments and values in a range.
 fn curve(what: &str, curve: &PiecewiseLinear, range: [f64; 2]) -> Checked {
     curve.points().iter().try_for_each(|(x, value)| number(what, *x, FINITE).and_then(|()| number(what, *value, range)))
 }

@@ -84,7 +84,6 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     nodes
 }
 
-/// Parts of the blank that go over corners of punch and die.
 fn zones(model: &Model) -> Vec<Zone> {
     let length = model.blank.length;
     // Largest draw-in \[mm\].

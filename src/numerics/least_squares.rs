@@ -175,7 +175,6 @@ impl Minimum {
         (weights, normal)
     }
 
-    /// The point that a damping leads to, within the bounds.
     fn stepped(&self, parameters: &[Parameter], damping: f64) -> Vec<f64> {
         let (weights, normal) = self.normal(damping);
         let step = normal.cholesky().map(|factors| -&weights * factors.solve(&(&weights * self.gradient())));

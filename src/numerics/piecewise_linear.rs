@@ -18,7 +18,6 @@ pub struct PiecewiseLinear {
 }
 
 impl From<f64> for PiecewiseLinear {
-    /// A value that stays.
     fn from(value: f64) -> Self {
         Self { points: vec![(0.0, value)] }
     }

@@ -27,7 +27,6 @@ pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>
     vec![("shapes.gif".to_owned(), raster::gif(pictures, &delays))]
 }
 
-/// Picture of a frame, with the window, scale and axes of the whole animation.
 fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
     let model = view.model();
     let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
@@ -44,7 +43,6 @@ fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
     Chart { title, ..view.chart("", panels, [thinning.note()]) }
 }
 
-/// Load up to a time, in front of the whole curve; `None` without a load.
 fn load(view: &StageView, time: f64) -> Option<Panel> {
     let mut panel = load_travel::panel(view, LOAD_HEIGHT)?;
     let acts = panel.series.iter().flat_map(|series| &series.points).any(|point| point.1 != 0.0);

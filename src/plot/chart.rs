@@ -153,7 +153,6 @@ impl Series {
     }
 }
 
-/// Most markers of a series.
 const MARKERS: usize = 400;
 
 /// Points that are drawn as markers, evenly picked of many.
@@ -249,7 +248,6 @@ impl Panel {
 /// Larger values are not drawn: ranges must not overflow.
 const LARGEST: f64 = 1e300;
 
-/// Least and largest finite value.
 pub(crate) fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let finite = values.filter(|v| v.abs() < LARGEST);
     finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))

@@ -34,19 +34,16 @@ pub struct Layer {
 const ACROSS: f64 = 5.0;
 
 impl Layer {
-    /// Layer with an entity of each line and arc.
     pub(crate) fn of_pieces(name: String, color: Color, pieces: Vec<Piece>) -> Self {
         Self { name, color, pieces, is_joined: false, label: None }
     }
 
-    /// Layer with one polyline.
     pub(crate) fn polyline(name: String, color: Color, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let points: Vec<Point> = points.into_iter().map(|(x, y)| Point::new(x, y)).collect();
         let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();
         Self { is_joined: true, ..Self::of_pieces(name, color, pieces) }
     }
 
-    /// Faces, with a label, and middle of a formed sheet.
     pub(crate) fn sheet(prefix: &str, frame: &Frame, label: Option<&str>) -> [Self; 2] {
         let outline = whole_sheet(frame, 1.0);
         let outline = outline.iter().chain(outline.first()).copied();

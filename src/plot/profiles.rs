@@ -56,7 +56,6 @@ fn over_blank(view: &StageView, subject: &str, field: &Field<ElementRecord>, lea
     Some(Chart { legend, ..view.chart(subject, vec![panel], view.frames_note()) })
 }
 
-/// Strains at the last frame, with earlier frames thin behind them.
 pub(crate) fn strains(view: &StageView) -> Option<Chart> {
     let (extent, last) = (view.extent(), view.stage.frames.last()?);
     let values = STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value));

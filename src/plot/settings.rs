@@ -90,7 +90,6 @@ impl Format {
 }
 
 impl Pictures {
-    /// Pixels per inch, if PNG files state them.
     fn density(&self) -> Option<f64> {
         self.dpi.or(self.width.map(|_| PRINTED))
     }

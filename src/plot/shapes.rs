@@ -35,7 +35,6 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     Some(view.chart("sections", panels, notes.into_iter().flatten()))
 }
 
-/// Start, if there is room for it, and frames spread evenly up to the last.
 fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
     let shown = spread(&view.stage.frames, STATES);
     let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len()));

@@ -50,7 +50,6 @@ impl Solution {
         self.views_with(&assess::before(&self.case))
     }
 
-    /// Views of every solved stage, with these findings from before the run.
     pub(crate) fn views_with(&self, before: &[Finding]) -> Vec<StageView<'_>> {
         let case = &self.case;
         let findings = assess::by_stage(before, &self.stages).into_iter().enumerate();
@@ -174,7 +173,6 @@ impl<'a> StageView<'a> {
         self.model().release.is_some() && high - low < LEVEL * least
     }
 
-    /// Name of the quantity that measures progress.
     pub(super) fn progress(&self) -> &'static str {
         self.progress_quantity().0
     }
@@ -201,7 +199,6 @@ impl<'a> StageView<'a> {
     }
 }
 
-/// At most `most` items spread evenly, the last among them.
 pub(super) fn spread<T>(items: &[T], most: usize) -> Vec<&T> {
     let most = most.min(items.len());
     (1..=most).map(|i| &items[i * items.len() / most - 1]).collect()

@@ -107,7 +107,6 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     Some(picture(report, stage, "load_travel.png", chart.displayed(), about))
 }
 
-/// Stage with the largest punch force or pressure, counted from 0.
 fn heaviest(report: &Report) -> Option<usize> {
     let peak = |i: usize, load: fn(&StepRecord) -> f64| bounds(report.stages[i].0.stage.steps.iter().map(load)).1;
     let forming = (0..report.stages.len()).filter(|i| report.stages[*i].0.model().release.is_none());

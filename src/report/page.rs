@@ -14,7 +14,6 @@ const STYLE: &str = include_str!("style.css");
 /// Longest cell that has room beside others on a phone \[letters\].
 const SHORT: usize = 24;
 
-/// Tables of a case file that texts name.
 const KEYS: [&str; 7] = ["press", "friction", "material", "forming_limit", "springback", "stop", "finished"];
 
 /// Half the width between the margins of A4 \[mm\].
@@ -107,7 +106,6 @@ fn drawn_section(case: &Case) -> String {
     joined(sizes.into_iter().filter_map(|(size, of)| Some(format!("{} {of}", Amount::size(size?)))), ", ")
 }
 
-/// Picture with its caption; the style counts the figures.
 pub(super) fn figure(chart: &Chart, caption: &str) -> Markup {
     drawn(&svg(chart), caption)
 }

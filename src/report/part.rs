@@ -32,7 +32,6 @@ const TOOLS: [(&str, &str); 4] = [
 
 const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_limit.png", "forming limit")];
 
-/// Sections that leave room for them.
 const SECTIONS: usize = 4;
 
 pub(super) fn content(report: &Report) -> Markup {
@@ -64,7 +63,6 @@ pub(super) fn ratios(report: &Report) -> Vec<Option<f64>> {
     models.first().map(|first| draw_ratio(first)).into_iter().chain(redraws).collect()
 }
 
-/// Sizes of the tools of every stage that brings some, the ratio to the punch before, and the height that they make.
 fn tools(report: &Report) -> Markup {
     let stages: Vec<usize> = with_new_tools(report).collect();
     let sizes: Vec<_> = stages.iter().map(|i| begun(report, *i).2).collect();
@@ -87,7 +85,6 @@ fn value(report: &Report, i: usize, key: &str) -> Option<String> {
     report.stages.get(i)?.1.numbers().find(|(own, ..)| *own == key).map(|(_, _, amount)| amount.to_string())
 }
 
-/// Table with a row per stage; columns without a value are left out.
 fn by_stage(report: &Report, stages: &[usize], columns: Vec<(&str, Vec<Option<String>>)>) -> Markup {
     let columns: Vec<_> = columns.into_iter().filter(|(_, values)| values.iter().any(Option::is_some)).collect();
     let head: Vec<&str> = std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect();
@@ -100,7 +97,6 @@ fn by_stage(report: &Report, stages: &[usize], columns: Vec<(&str, Vec<Option<St
     table(&head, rows)
 }
 
-/// Stages that bring tools of their own, counted from 0.
 fn with_new_tools<'a>(report: &'a Report) -> impl Iterator<Item = usize> + 'a {
     let stages = &report.solution.stages;
     (0..report.stages.len()).filter(|i| {

@@ -12,7 +12,6 @@ use maud::{Markup, html};
 pub(super) const PART: &str = "part.png";
 const TORN: &str = "the part coloured by thinning, its thinnest place and where it tears";
 
-/// One section per stage, without the pictures of the first page.
 pub(super) fn sections(report: &Report) -> Vec<Section> {
     let on_front: Vec<(usize, &str)> = front::pictures(report).map(|picture| (picture.stage, picture.file)).collect();
     let section = |(i, (view, summary)): (usize, &(StageView, Summary))| {
@@ -35,7 +34,6 @@ pub(super) fn figures(summary: &Summary, group: Group) -> Markup {
     table(&["Quantity", "Value", "Unit"], summary.figures(group).map(row))
 }
 
-/// Plot of a stage by its file, with its caption.
 pub(super) fn plot(view: &StageView, file: &str) -> Option<(Chart, &'static str)> {
     let output = OUTPUTS.iter().find(|output| output.file == file)?;
     let is_torn = file == PART && tears_at(view.stage).is_some();

@@ -64,7 +64,6 @@ pub(super) fn warnings(report: &Report) -> Vec<String> {
     warnings.map(|f| format!("{}{}", stage(f.stage), f.sentence())).collect()
 }
 
-/// Constants of the sheet and the solver, and mesh, steps and norms of every stage.
 pub(super) fn solver(report: &Report) -> Section {
     let row = |line: &Line| [line.label.clone(), line.value.clone(), line.meaning.clone()];
     let content = html! {

@@ -66,7 +66,6 @@ fn plain(of: &'static str, amount: Amount, at: Point) -> Dimension {
     Dimension { name: of.into(), text: format!("{of} {amount}"), amount, at }
 }
 
-/// Diameter of a round part, or width of a strip, at a point's distance from the middle.
 fn wide(model: &Model, of: &'static str, amount: fn(f64) -> Amount, at: Point) -> Dimension {
     let (kind, sign) = worded(model.geometry, ("diameter", "Ø"), ("width", "width"));
     let amount = amount(2.0 * at.x);
@@ -121,7 +120,6 @@ fn named(role: Role, arc: &Arc) -> String {
     .into()
 }
 
-/// Force or gap of a holder.
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let middle = 0.5 * (inner + outer.min(model.blank.length.max(inner)));

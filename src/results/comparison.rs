@@ -126,7 +126,6 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
     Ok(Comparison { spec: spec.clone(), points, band, verdict, x, y })
 }
 
-/// Reference file with its contents.
 struct Reference<'a> {
     spec: &'a Spec,
     csv: &'a Csv,
@@ -229,7 +228,6 @@ fn held_at_ends(rising: &[(f64, f64)], x: f64) -> Option<f64> {
     is_near.then(|| interpolated(rising, x))
 }
 
-/// Least and largest of some values; `None` without values.
 fn interval(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     values.into_iter().map(|v| [v, v]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
@@ -334,7 +332,6 @@ impl<'a> Computed<'a> {
         }
     }
 
-    /// Major and minor strain, over the run, of the place that is thinnest at the end.
     fn path(&self) -> (Column, Column) {
         let thinner = |a: &usize, b: &usize| self.elements[*a].thickness.total_cmp(&self.elements[*b].thickness);
         let thinnest = (0..self.elements.len()).min_by(thinner);

@@ -54,7 +54,6 @@ pub(super) fn can_replace(path: &Path) -> io::Result<()> {
     opened.map_err(|error| io::Error::new(error.kind(), format!("{}: {error}; {remedy}", path.display())))
 }
 
-/// Replaces the content of an open file; a failure says how much was to be written.
 pub(super) fn fill(mut file: &File, bytes: &[u8]) -> io::Result<()> {
     let written = file.set_len(0).and_then(|()| file.write_all(bytes));
     written.map_err(|error| io::Error::new(error.kind(), format!("{error} ({} kB to write)", bytes.len() / 1000 + 1)))

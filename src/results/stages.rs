@@ -14,7 +14,6 @@ pub(super) const FILE: &str = "stages.csv";
 /// First columns, by which the table is recognised.
 pub(super) const HEADERS: &str = "stage,name,stop,";
 
-/// Folders of the stages in a table: `1-draw`.
 pub(super) fn folders(list: &str) -> Vec<String> {
     list.lines().skip(1).map(|line| line.split(',').take(2).collect::<Vec<_>>().join("-")).collect()
 }
@@ -61,7 +60,6 @@ pub(super) fn files(results: &Results) -> Files {
     vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
 }
 
-/// One printed line per stage with the main numbers at its end; empty if there is one only.
 pub(super) fn printed(solution: &Solution) -> String {
     let lines = lines(solution);
     let width = lines.iter().map(|(name, ..)| name.len()).max().unwrap_or(0);

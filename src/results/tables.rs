@@ -60,7 +60,6 @@ const HEAT: [Field<StepRecord>; 5] = [
     Field::new("heat_stored", "Heat stored in the sheet", Unit::Joule, |s| JOULES * s.heat.stored),
 ];
 const TIME: Field<StepRecord> = Field::new("time", "Time", Unit::Second, |s| s.time);
-/// Columns of a superplastic forming cycle.
 const CYCLE: [Field<StepRecord>; 7] = [
     TIME,
     GAS_PRESSURE,
@@ -107,13 +106,11 @@ pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord
     Column::new("edge_diameter", label, Unit::Mm, values)
 }
 
-/// Gas pressure that holds a strain rate: one row per accepted step.
 pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {
     view.stage.steps.first().and(view.model().rate_control())?;
     Some(Table::new(CYCLE.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
 }
 
-/// Fields of an element apart from its place; porosity, damage and temperature if the model has them.
 pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
     let strains = [THICKNESS, STRAIN_MERIDIONAL, STRAIN_HOOP, STRAIN_THICKNESS, STRAIN_EQUIVALENT];
     let others = [STRESS_MERIDIONAL, STRESS_HOOP, STRAIN_EQUIVALENT_MAX, TEARING_INDEX_NOW, TEARING_INDEX_MAX];

@@ -14,14 +14,11 @@ use crate::solver::solution::Frame;
 use crate::table::{Column, Unit};
 use std::fmt::{Display, Write};
 
-/// Cell type in VTK.
 const QUADRILATERAL: u8 = 9;
 /// Step between the pictures of an animation that are written.
 const EVERY: usize = 2;
-/// Name of the file that names the others and gives their times.
 pub(super) const COLLECTION: &str = "section.pvd";
 
-/// Tells whether a file's name is one of the collection.
 pub(super) fn is_ours(name: &str) -> bool {
     let number = name.strip_prefix("section_").and_then(|rest| rest.strip_suffix(".vtu"));
     name == COLLECTION || number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
@@ -45,7 +42,6 @@ pub(super) fn files(view: &StageView, frames: &[&Frame]) -> Files {
     files
 }
 
-/// Unstructured grid of one quadrilateral per element, with one entry of every field per cell.
 fn grid(model: &Model, frame: &Frame) -> String {
     let thinning = frame.elements.iter().map(|element| percent(model.blank.thickness, element.thickness)).collect();
     let others = [S0].into_iter().chain(tables::element_fields(model));

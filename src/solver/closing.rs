@@ -38,7 +38,6 @@ pub(super) fn block_height(model: &Model) -> Option<f64> {
     Some(on_die.unwrap_or(model.blank.thickness - apart))
 }
 
-/// Closes the holder over the flat blank, in the model without its punch.
 pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> StageSolution {
     let apart = closing_model(model, way);
     let solution = run_from(&apart, State::flat(&apart, mesh::nodes(&apart)), &mut Unseen(observer));
@@ -79,7 +78,6 @@ fn closing_model(model: &Model, way: f64) -> Model {
     model
 }
 
-/// Observer that sees nothing of a run, and may end it.
 pub(super) struct Unseen<'a>(pub &'a mut dyn Observer);
 
 impl Observer for Unseen<'_> {

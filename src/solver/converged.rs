@@ -108,7 +108,6 @@ impl<'a> Converged<'a> {
     }
 }
 
-/// Marks in `next` the elements whose thickness points all flow steadily.
 fn mark_steady(step: &Step, evaluation: &Evaluation, next: &mut State) {
     if step.model.mode != Mode::Flow {
         return;
@@ -141,7 +140,6 @@ fn correct_elastic_volume(elastic: Elastic, step: &Step, evaluation: &Evaluation
     }
 }
 
-/// Integrates the porosity of every thickness point, and corrects strain and thickness of `next` by it.
 fn grow_voids(voids: &Gtn, step: &Step, trial: &Trial, evaluation: &Evaluation, next: &mut State) {
     let metal = step.model.material.yield_criterion.quadratic();
     for (e, points) in next.points.rows_mut().enumerate() {

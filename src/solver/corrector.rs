@@ -64,14 +64,12 @@ impl Outcome {
         self.velocity_norm = norm;
     }
 
-    /// True if the next evaluation is expected to be the last by the velocity norm.
     fn foresees_end(&self, model: &Model) -> bool {
         let settings = &model.settings;
         settings.norm == Norm::Velocity && self.velocity_norm.min(self.velocity_left) <= settings.tolerance
     }
 }
 
-/// One pass of the corrector: at most so many iterations with one matrix.
 #[derive(Clone, Copy)]
 pub(super) struct Pass {
     pub start: Start,

@@ -19,7 +19,6 @@ pub(super) struct Checkpoint {
     effort: Effort,
 }
 
-/// State that a run has come to, and its results so far.
 #[derive(Clone)]
 pub(super) struct Course {
     pub now: Checkpoint,

@@ -15,7 +15,6 @@
 use super::*;
 use crate::material::{Fracture, fracture::FractureStress};
 
-/// Adds the damage of a step to the points and faces of the next state.
 pub(super) fn add(fracture: &Fracture, converged: &Converged, next: &mut State) {
     let (step, rule) = (converged.step, &converged.step.context.rule);
     let (model, criterion) = (step.model, &step.model.material.yield_criterion);

@@ -19,13 +19,11 @@ struct Over {
     tolerance: f64,
 }
 
-/// Search for the end, from the first step that goes beyond it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EndSearch {
     /// Excess at the last accepted state \[–\]: negative.
     before: f64,
     over: Option<Over>,
-    /// True if the last repeated step stopped short.
     short: bool,
     /// Time resolution \[s\].
     smallest: f64,

@@ -8,7 +8,6 @@ const PRESSED: f64 = 0.1;
 /// Largest cosine between the normals of two tools that press on opposite faces \[–\].
 const OPPOSED: f64 = -0.5;
 
-/// Adds the ironing strain of a step to the next state, and the ironing forces to its record.
 pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepRecord) {
     let Converged { step, evaluation, .. } = converged;
     let (mut most, times) = (0, step.model.extent().times());

@@ -55,7 +55,6 @@ pub use remedies::{Remedy, run_from};
 pub use retry::{Start, try_step};
 pub use stages::{enter, run, solve};
 
-/// State after a converged step, with porosity and temperatures, and its record.
 fn advance(before: &Evaluation, converged: &Converged, rejected: usize, last: &StepRecord) -> (State, StepRecord) {
     let Converged { step, .. } = converged;
     let times = step.model.extent().times();

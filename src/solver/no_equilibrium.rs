@@ -13,7 +13,6 @@ const AHEAD: f64 = 1.0;
 /// Least share of the punch's travel that closes the gap in front of its face \[–\]: 6° of lean, declared.
 const CLOSING: f64 = 0.1;
 
-/// Reason why no equilibrium was found for `step`, by the outcome of its last try.
 pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
     let worst = evaluation.worst_node;
     mechanism(step, evaluation, worst, steps).unwrap_or_else(|| {
@@ -83,7 +82,6 @@ fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
     })
 }
 
-/// True for a strip that nothing pulls tight.
 fn is_loose(context: &RunContext) -> bool {
     let model = context.model;
     let tools = || context.acting_tools();

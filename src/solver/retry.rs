@@ -19,7 +19,6 @@ pub enum Start {
 }
 
 impl Start {
-    /// Order of a step in the midst of a run.
     const USUAL: &[Start] = &[Start::Predictor, Start::Secant, Start::Softened];
     /// Order of the first step: nothing has moved yet; velocities of the stage before may help.
     const FIRST: &[Start] = &[Start::Secant, Start::Softened, Start::SoftenedInSteps, Start::Predictor];

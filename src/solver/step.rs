@@ -146,7 +146,6 @@ fn surroundings(context: &RunContext, state: &State, time: f64, near: &NonlocalA
     around
 }
 
-/// Points of the flow law; steady flow is extrapolated from the last step.
 fn flow_points(
     context: &RunContext,
     state: &State,

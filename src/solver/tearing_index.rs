@@ -32,7 +32,6 @@ use crate::material::Material;
 /// Least radius over the thickness, on a corner without one \[–\].
 const LEAST_RADIUS: f64 = 0.1;
 
-/// Largest meridional stress that a place bears in plane strain.
 pub(super) struct PlaneStrainStrength<'a> {
     material: &'a Material,
     /// c \[–\].

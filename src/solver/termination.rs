@@ -32,7 +32,6 @@ struct Throat {
     end: f64,
 }
 
-/// State of all rules after a step; a step that is not accepted leaves no trace.
 #[derive(Clone)]
 pub(super) struct Termination {
     /// Time since which a neck has taken over \[s\].

@@ -21,7 +21,6 @@ const LEAST_APPROACH: f64 = 0.1;
 /// Predicted penetration over the thickness that limits a step \[–\]: the largest move of one iteration.
 const TOO_FAR: f64 = 0.5;
 
-/// Chooses the length of steps and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
     /// Wanted and given step \[s of process time\].

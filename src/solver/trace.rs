@@ -120,11 +120,9 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     Ok(Trace { stage, tolerance, before, record: *record, dt, histories })
 }
 
-/// Keeps the state before the requested step and ends the run once it cannot go back before it.
 struct Replay<'a> {
     request: &'a TraceRequest,
     stage: usize,
-    /// Steps of the stage so far.
     steps: usize,
     begin: Option<(Model, State)>,
     /// Duration of the requested step \[s\].

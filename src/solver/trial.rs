@@ -7,7 +7,6 @@ use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::Iterate;
 use crate::model::ReleaseStiffness;
 
-/// Memory of a pair of tool and contact point between evaluations.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactMemory {
     /// Last measured position in the tool's frame, and its distance \[mm\].

@@ -40,7 +40,6 @@ const CHANGES: [Change; 21] = [
     ("travel", &["tools.punch.travel"], |x| 0.9 * x),
 ];
 
-/// Replaces the advice on red and amber rows by changes that help.
 pub(super) fn advise(solution: &Solution, bars: Option<&ErrorBars>, findings: &mut [Finding], watch: &dyn Watch) {
     if !is_known(solution) || !judgements(findings).any(is_open) {
         return;

@@ -37,7 +37,6 @@ pub enum Bracket {
 const PLACES: usize = 9;
 /// Default tolerance over the range \[–\].
 const TOLERANCE: f64 = 0.005;
-/// Trials of one round that divide a bracket.
 const AT_ONCE: usize = 3;
 /// Distance of the two trials that close in on a secant's zero, over the bracket \[–\].
 const CLOSE: f64 = 0.05;

@@ -9,7 +9,6 @@ use crate::units::Sense;
 use contour::ContourBuilder;
 use std::collections::BTreeSet;
 
-/// Responses by their importance.
 const FIRST: &str = "tearing_judged thinning_judged punch_force pressure draw_in wrinkling_judged part_height \
                      holder_force forming_limit_judged ring_opening springback_judged thickest energy_judged";
 /// A number varies if it spans more than this share of its largest value \[–\].
@@ -22,7 +21,6 @@ const DASHED: Style = Style::Line { color: BLACK, width: 1.6, dash: &[5.0, 4.0] 
 
 pub(super) type Charts = Vec<(String, Chart)>;
 
-/// Places of the most important responses that vary.
 pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
     let place = |key: &str| runs.responses.iter().position(|response| response_key(response) == key);
     let varies = |place: &usize| {
@@ -33,7 +31,6 @@ pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
     FIRST.split_whitespace().filter_map(place).filter(varies).take(most).collect()
 }
 
-/// One chart of some panels, each label once in its legend.
 pub(super) fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
     let mut labels = BTreeSet::new();
     for series in panels.iter_mut().flat_map(|panel| &mut panel.series) {

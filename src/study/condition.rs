@@ -63,7 +63,6 @@ impl Condition {
         known.filter(|_| run.is_known())
     }
 
-    /// Places of its quantities, with their limits.
     pub(super) fn limits(&self) -> Vec<(usize, f64)> {
         let limit = |term: &Term| if let Term::Quantity { resolved, .. } = term { *resolved } else { None };
         self.terms.iter().filter_map(limit).collect()

@@ -14,7 +14,6 @@ const RULES: [(ComparedQuantity, &[&str], &[&str]); 4] = [
     (ComparedQuantity::ThicknessAtS0, &["s0"], &["thickness"]),
     (ComparedQuantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
-/// Words of a standard deviation.
 pub(super) const SCATTER: [&str; 6] = ["deviation", "stdev", "std", "scatter", "sd", "sigma"];
 const OTHER: [&str; 4] = ["holder", "edge", "binder", "error"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \

@@ -95,7 +95,6 @@ pub(super) fn column(number: &Number) -> String {
     number.quantity.amount.unit.keyed(&response_key(number))
 }
 
-/// Numbers of a solved base case, and keys and labels of its verdict's rows.
 pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, String)>) {
     let findings = assess::after(&solution.case, &solution.stages);
     let rows = assess::judgements(&findings).map(|row| (row.key.to_owned(), row.label.to_owned()));
@@ -128,7 +127,6 @@ pub(super) fn evaluated(mut run: Run, solution: &Solution, responses: &[Number])
     Evaluated { run, outcome: Some(outcome) }
 }
 
-/// Watch that ends finer runs with the study and does not count them.
 pub(super) struct Silent<'a>(pub &'a dyn Watch);
 
 impl Watch for Silent<'_> {

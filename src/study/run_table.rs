@@ -63,7 +63,6 @@ impl RunTable {
         if text.is_empty() { text } else { format!(" ({text})") }
     }
 
-    /// Sentence with the first reason if no run came to a result.
     pub(super) fn no_result(&self) -> Option<String> {
         let reasons = self.runs.iter().map(|run| if run.reason.is_empty() { &run.end } else { &run.reason });
         let reason = reasons.map(|reason| reason.trim_end_matches('.')).next().unwrap_or("nothing was run");

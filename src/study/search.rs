@@ -101,7 +101,6 @@ impl LimitSearch {
         }
     }
 
-    /// Run that comes nearest to the target, and by how much it misses.
     fn nearest(&self, runs: &RunTable) -> Option<(usize, f64)> {
         self.target()?;
         let missed = self.trials(runs).into_iter().enumerate().filter_map(|(i, trial)| Some((i, trial.1?)));
@@ -146,7 +145,6 @@ impl LimitSearch {
         runs.runs.iter().map(|run| (run.value(0), value(run))).collect()
     }
 
-    /// Place of the quantity to reach, and its wanted value.
     fn target(&self) -> Option<(usize, f64)> {
         self.aim.limits().first().copied().filter(|_| !self.search.is_limit)
     }
@@ -263,7 +261,6 @@ impl Study for LimitSearch {
     }
 }
 
-/// The request's condition or target, else the goal's.
 fn aim(request: &SearchRequest, goal: &Goal) -> Result<Condition> {
     match (&request.condition, &request.target, goal.quantity) {
         (Some(_), Some(_), _) => fail("both a condition and a target are given", "give --while or --target"),

@@ -18,7 +18,6 @@ use super::*;
 use serde::Deserialize;
 use toml::{Table, Value};
 
-/// Keys of every case, by which one is recognised.
 const CASE_KEYS: [&str; 3] = ["blank", "tools", "material"];
 
 /// A study; paths are relative to the working directory once it is loaded.

@@ -137,7 +137,6 @@ impl Distribution {
     }
 }
 
-/// Reads `LOW..HIGH`.
 fn ends(reader: &mut NumberReader, text: &str) -> Result<(f64, f64)> {
     let (low, high) = text.split_once("..").ok_or_else(|| reader.wrong("has no .."))?;
     let (low, high) = (reader.number(low)?, reader.number(high)?);

@@ -129,7 +129,6 @@ impl Variable {
     }
 }
 
-/// Name of a key in words.
 fn name(key: &str) -> Option<&'static str> {
     include_str!("names.csv").lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(','))
 }
@@ -147,7 +146,6 @@ pub(super) fn check_distinct<'a>(variables: impl Iterator<Item = &'a Variable>, 
     variables.map(|variable| &variable.key).try_for_each(|key| ensure(keys.insert(key), format!("{key} {what}"), help))
 }
 
-/// Override in words, `Die shoulder radius 4 mm`.
 pub(super) fn in_words(text: &str) -> String {
     let known = split_pair(text).and_then(|(key, value)| Some((name(key)?, value)));
     known.map_or_else(|| text.to_owned(), |(name, value)| format!("{name} {}", value.trim_matches('"')))

@@ -37,7 +37,6 @@ pub fn joined(parts: impl IntoIterator<Item = String>, separator: &str) -> Strin
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator)
 }
 
-/// Text with a gap in its middle where it is far too long for a message.
 pub(crate) fn shortened(text: &str) -> String {
     let length = text.chars().count();
     if length <= 2 * LONGEST {

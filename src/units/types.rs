@@ -46,7 +46,6 @@ impl Kind {
         format!("{}, {}", self.name.trim_start_matches("a ").trim_start_matches("an "), self.unit)
     }
 
-    /// The examples, quoted where the case file wants quotes.
     fn written(&self) -> String {
         let quoted = |text: &&str| if self.unit.is_empty() { (*text).into() } else { format!("{text:?}") };
         self.examples.iter().map(quoted).collect::<Vec<_>>().join(" or ")
@@ -215,7 +214,6 @@ bounded! {
 /// Plain number in 0..=1.
 pub type Fraction = UpToOne<Number>;
 
-/// Reader of a quantity in a case file: text with a unit, or a plain number if the quantity has none.
 struct Written<Q>(PhantomData<Q>);
 
 impl<Q: Dimensioned> Visitor<'_> for Written<Q> {

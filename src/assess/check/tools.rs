@@ -9,9 +9,7 @@ use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Rol
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
 
-/// Number of arcs above which a die's entry is a curve.
 const MANY: usize = 8;
-/// Number of radii above which only their range is given.
 const FEW: usize = 4;
 
 pub(super) fn lines(model: &Model) -> Vec<Line> {
@@ -53,7 +51,6 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     line(tool.role.name(), size, meaning)
 }
 
-/// Entry cone, land and relief of a die, as far as it has them.
 fn opening(tool: &Tool) -> String {
     let die = Some(&tool.profile).filter(|_| tool.role == Role::Die);
     let angle = |angle: f64| format!("{}°", Amount::number(angle.to_degrees()));

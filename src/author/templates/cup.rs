@@ -14,7 +14,6 @@ const RUNS: usize = 8;
 /// Error of height or edge that is met, and below which runs go on with the case's own mesh \[mm\].
 const MET: f64 = 0.1;
 const NEAR: f64 = 1.0;
-/// Most draws that `--draws` takes.
 const MOST_GIVEN: usize = 6;
 /// Rule of the blank that runs correct.
 const AREA: &str = "half of D, area of the mid-surface with what is trimmed (Guldin)";
@@ -25,7 +24,6 @@ const FLAT: f64 = 0.05;
 /// Height of an early cup over that of its blank's area at an even thickness \[–\].
 const HIGHER: f64 = 1.05;
 
-/// Part, what its sheet takes, and what was given.
 struct Cup<'a> {
     inputs: &'a Inputs,
     sheet: &'a Sheet,
@@ -178,7 +176,6 @@ impl<'a> Cup<'a> {
         (0..early).map(radius).chain([last]).chain(step.map(|[narrow, _]| narrow)).collect()
     }
 
-    /// Plan with the blank by area.
     fn plan(&self, draws: usize) -> Plan {
         let Part { step, height, thickness, .. } = self.part;
         let blank = self.inputs.pick("blank-radius", || Picked::nearest(self.part.blank(height), BLANK, AREA));
@@ -227,7 +224,6 @@ impl<'a> Cup<'a> {
         Ok(plan)
     }
 
-    /// Punch and die of each draw.
     fn tools(&self, plan: &Plan) -> Vec<Tools> {
         let Part { thickness: t, height, trim, flange, step, .. } = self.part;
         let (blank, draws) = (plan.blank.value, plan.radii.len());

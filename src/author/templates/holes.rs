@@ -51,7 +51,6 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
     Ok(sizes)
 }
 
-/// Collar that is as high as was wanted.
 pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [radius, height] = inputs.values(["radius", "height"]);

@@ -78,7 +78,6 @@ impl Sheet {
     }
 }
 
-/// Sets the elasto-viscoplastic mode, and the elasticity of steel for a metal without its own.
 pub(in crate::author) fn elastic(values: &mut Values, metal: &Material) {
     values.set("mode", "\"elasto_viscoplastic\"", "");
     if metal.elastic.is_none() {

@@ -6,9 +6,7 @@ use crate::measure::{Shape, part_height};
 use crate::numerics::interpolated;
 use crate::solver::{self, solution::Frame};
 
-/// Runs that correct two sizes.
 const RUNS: usize = 4;
-/// Reason of a corrected size.
 const CORRECTED: &str = "as runs of this case need";
 
 /// Values of a template for two sizes \[mm\] that runs of its first `stages` correct, each by what the part then `misses` \[mm\].

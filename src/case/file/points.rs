@@ -83,7 +83,6 @@ pub fn convert(
     Ok((profile, Points { text, chords, lines }))
 }
 
-/// Rows without those that repeat the one before; one note reports them.
 fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {
     let (mut kept, mut repeats): (Vec<Row>, Vec<[usize; 2]>) = (Vec::new(), Vec::new());
     for row in rows {

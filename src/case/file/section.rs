@@ -8,7 +8,6 @@ use crate::geometry::{Arc, Fold, with_radius};
 const ROUNDED: f64 = 0.01;
 /// Largest turn of one arc \[rad\]: half a circle, and round-off.
 const HALF_TURN: f64 = std::f64::consts::PI + 1e-6;
-/// Checked places along the flat sheet.
 const PLACES: usize = 400;
 
 /// Section of a tool, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.

@@ -4,7 +4,6 @@ use super::*;
 use crate::material::{Hill48, Hosford, yield_condition::differences};
 use approx::assert_relative_eq;
 
-/// Strain increments, half of them with a spread.
 const INCREMENTS: [Layer; 6] = [
     [1e-2, -5e-3, 0.0, 0.0, 0.0],
     [3e-3, 0.0, 4e-3, 1e-3, 1e-3],

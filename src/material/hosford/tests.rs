@@ -12,7 +12,6 @@ fn conditions() -> impl Iterator<Item = Hosford> {
     RATIOS.into_iter().flat_map(|r| EXPONENTS.into_iter().map(move |a| Hosford::new(r, a)))
 }
 
-/// All around the plane, with shear and without.
 fn directions() -> impl Iterator<Item = Triple> {
     let angles = (0..720).map(|i| TAU * f64::from(i) / 720.0);
     angles.flat_map(|angle| [0.0, 0.4].map(|shear| [angle.cos(), angle.sin(), shear]))

@@ -85,7 +85,6 @@ pub trait Family: Sized {
     fn prepared(self, young: Option<f64>) -> Result<Self, LawError>;
 }
 
-/// Restricts the schema of a table of laws to exactly one of them.
 pub(crate) fn one_of(table: &mut schemars::Schema) {
     let laws = table.get_mut("properties").and_then(|laws| laws.as_object_mut());
     laws.into_iter().flat_map(|laws| laws.values_mut()).for_each(|law| *law = law["anyOf"][0].take());

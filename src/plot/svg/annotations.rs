@@ -84,7 +84,6 @@ impl Flags {
     }
 }
 
-/// Draws texts; `to_px` maps a point of the axes to the panel.
 pub(super) fn draw(plot: &Canvas, panel: &Panel, to_px: impl Fn((f64, f64)) -> (f64, f64)) {
     for annotation in &panel.annotations {
         let ((x, y), label) = (to_px(annotation.at), annotation.text.as_str());

@@ -33,7 +33,6 @@ pub fn svg(chart: &Chart) -> String {
     sized(chart, WIDTH, None)
 }
 
-/// Standalone SVG, laid out `width` px wide and `paper` mm wide on paper.
 pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
     text::register();
     let chart = &chart.clone().displayed();

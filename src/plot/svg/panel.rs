@@ -71,7 +71,6 @@ impl Frame {
         borders
     }
 
-    /// Draws the panel into its area; `left` is the width of its y labels.
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         let is_section = panel.is_section();
         let y = if is_section { (self.y.1, self.y.0) } else { self.y };

@@ -43,12 +43,10 @@ pub(super) fn style(size: f64, color: Color) -> TextStyle<'static> {
     FontDesc::new(FontFamily::Name(FONT), size * FINE * POINTS, FontStyle::Normal).color(&rgb(color))
 }
 
-/// Draws a line of text by its upper left corner.
 pub(super) fn draw(canvas: &Canvas, text: &str, size: f64, color: Color, (x, top): (f64, f64)) {
     canvas.draw_text(&clean(text), &style(size, color), (units(x), units(top))).expect(IN_MEMORY);
 }
 
-/// Draws a line of black text centred vertically on a point.
 pub(super) fn draw_line(canvas: &Canvas, line: &str, size: f64, (x, y): (f64, f64), side: HPos) {
     let style = style(size, BLACK).pos(Pos::new(side, VPos::Top));
     canvas.draw_text(&clean(line), &style, (units(x), units(y - 0.4 * size))).expect(IN_MEMORY);
@@ -59,7 +57,6 @@ pub(super) fn clean(text: &str) -> String {
     text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "")
 }
 
-/// Characters of a text that the built-in font lacks, each once.
 pub(crate) fn missing(text: &str) -> Vec<char> {
     let mut missing: Vec<char> = text.chars().filter(|c| !c.is_control() && FACE.glyph_id(*c).0 == 0).collect();
     missing.sort_unstable();

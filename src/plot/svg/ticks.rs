@@ -63,7 +63,6 @@ fn tick(value: f64, all: &[f64]) -> String {
     label + tail
 }
 
-/// Tick values of an axis: round ones, or one per name.
 pub(super) fn values(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
     match axis.names.as_slice() {
         [] if axis.spacing.is_logarithmic() => decades(range, most),
@@ -72,7 +71,6 @@ pub(super) fn values(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
     }
 }
 
-/// Label of a tick among all ticks of its axis.
 pub(super) fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
     match axis.names.as_slice() {
         [] if axis.spacing.is_logarithmic() => {

@@ -9,7 +9,6 @@ use crate::results::{Files, Format, Results, csv};
 use crate::table::{Column, Table, Unit};
 use crate::units::{Amount, Digits, joined, rounded, without_zeros};
 
-/// Beginning of the names of files.
 pub(in crate::results) const PREFIX: &str = "compare_";
 
 /// Largest drawn difference in tolerances, if half of the points lie within.
@@ -105,7 +104,6 @@ impl Comparison {
         })
     }
 
-    /// Value of the compared quantity, to three digits.
     fn amount(&self, value: f64) -> Amount {
         Amount::new(value, self.y.unit, Digits::Significant(3))
     }
@@ -229,7 +227,6 @@ pub(in crate::results) fn files(results: &Results) -> Files {
     files
 }
 
-/// True if a file's name is one that [`files`] gives.
 pub(in crate::results) fn is_comparison(name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(Format::stem(name));
     let parts = stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_'));

@@ -12,7 +12,6 @@ struct Lines<'a> {
     lines: Vec<Line>,
 }
 
-/// Lines of a stage in the order of printing.
 pub(super) fn lines(view: &StageView) -> Vec<Line> {
     let (model, run) = (view.model(), view.stage);
     let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
@@ -58,7 +57,6 @@ impl Lines<'_> {
         Amount::force(force, self.model.extent().force_unit())
     }
 
-    /// End, travel and forces of the punch, or pressure of the gas.
     fn load(&mut self) {
         let Self { model, run, last, .. } = *self;
         self.plain("hardening", "Hardening", model.material.describe());
@@ -95,7 +93,6 @@ impl Lines<'_> {
         self.add("events", "Events", Value::events(&events(run), model.extent().force_unit()));
     }
 
-    /// Height, angles, the thinnest and thickest places, the distance to the forming limit, and the draw-in.
     fn part(&mut self) {
         let Self { view, model, run, last, .. } = *self;
         let end = run.frames.last();
@@ -140,7 +137,6 @@ impl Lines<'_> {
         self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in));
     }
 
-    /// Work, heat, voids, temperatures, ironing, bends, and force and lift of the holder.
     fn condition(&mut self) {
         let Self { model, run, last, .. } = *self;
         let energy = |energy: f64| Amount::force(JOULES * energy, model.extent().energy_unit());
@@ -207,7 +203,6 @@ impl Lines<'_> {
         self.number("holder_lift", "  lifted by up to, while there is a flange", lift);
     }
 
-    /// Errors of the balance and the layers, contact, mesh, method and effort.
     fn solution(&mut self) {
         let Self { view, model, run, last, .. } = *self;
         let (effort, work) = (&run.effort, last.work.without_round_off());

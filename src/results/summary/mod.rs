@@ -103,7 +103,6 @@ impl Summary {
 }
 
 impl Value {
-    /// Value of a line that is no list.
     fn text(&self) -> Option<String> {
         match self {
             Self::Number(amount) => Some(amount.to_string()),

@@ -42,7 +42,6 @@ pub fn with_step<T>(
     test(&step, &mut trial, &mut evaluation)
 }
 
-/// A cup with every load: tools, springs, bead and gas.
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
@@ -63,7 +62,6 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
     }
 }
 
-/// The state that the model is formed to.
 fn formed(model: &Model) -> State {
     let mut model = model.clone();
     model.settings.iteration = Iteration::PrimalDual;
@@ -118,7 +116,6 @@ fn matrix_of_other_metals_is_the_derivative_of_the_residual() {
     }
 }
 
-/// An unknown of the whole system: the freedoms of the nodes, then the shared ones.
 fn unknown<'t>(trial: &'t mut Trial, context: &RunContext, k: usize) -> &'t mut f64 {
     let n = trial.moves.len();
     if k < 3 * n {

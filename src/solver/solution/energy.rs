@@ -23,7 +23,6 @@ impl Energy {
     /// Round-off over the largest entry \[–\].
     const ROUND_OFF: f64 = 1e-9;
 
-    /// Combines the entries of both one by one.
     pub(in crate::solver) fn combined(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             external: of(self.external, other.external),

@@ -81,12 +81,10 @@ impl Stop {
         Self::new(StopKind::FullTravel, "full travel reached")
     }
 
-    /// End of a kind, by the whole sheet or tools.
     pub(in crate::solver) fn new(kind: StopKind, text: impl ToString) -> Self {
         Self { kind, s0: None, text: text.to_string() }
     }
 
-    /// End of a kind at a place of the sheet.
     pub(in crate::solver) fn at(kind: StopKind, s0: f64, text: String) -> Self {
         Self { kind, s0: Some(s0), text }
     }

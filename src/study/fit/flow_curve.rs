@@ -50,7 +50,6 @@ pub struct FlowCurve {
 
 /// Stress range of the elastic line over the stress at 1 % strain: between seating and yield \[–\].
 const ELASTIC: [f64; 2] = [0.1, 0.4];
-/// Fewest points of a line.
 const LINE: usize = 4;
 /// Most means in the search of the largest force, so that noise of single rows is no peak.
 const FORCES: usize = 200;

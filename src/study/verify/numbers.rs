@@ -125,7 +125,6 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
     all.map(|n| if is_lost(&n) { n.without_bar("in a neck it depends on the mesh") } else { n }).collect()
 }
 
-/// Force at half travel, places and travels, the largest thickness, and the angles that the part springs back to.
 fn part(stages: &[StageSolution]) -> Vec<Number> {
     let number = |key, label, amount| Number::new(Origin::Part, Quantity::new(key, label, amount));
     let place = |key, label, place: f64| {
