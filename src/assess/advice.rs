@@ -5,11 +5,9 @@ use crate::table::Unit;
 use std::cmp::Reverse;
 
 const MOST: usize = 3;
-
 /// Least gain of a number that is worth a change, as a share of it \[–\] and in points of percent: declared.
 const WORTH: f64 = 0.05;
 const POINTS: f64 = 2.0;
-
 /// Rows that ask for less pull: no shop holds the sheet more against them.
 const PULLED: [&str; 5] = ["tearing", "forming_limit", "thinning", "fracture", "ironing"];
 const HOLDS_MORE: [(&str, bool); 3] = [("holder force", true), ("bead force", true), ("holder gap", false)];

@@ -18,7 +18,6 @@ const FREE: [f64; 2] = [15.0, 20.0];
 const TOLERANCE: f64 = 0.2;
 /// Gap between a fixed holder and the die, over the thickness, above which waves can grow \[–\].
 const GAP: f64 = 1.2;
-
 const RATIOS: &str = "4ming, Forming handbook, table of draw ratios: 2 in the first draw, 1.3 of DC04 in the second";
 
 pub(super) fn ratio(model: &Model) -> Option<Finding> {

@@ -7,7 +7,6 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
-
 /// Contributions in text: the largest, each at least this share of the bar \[–\].
 const MOST: usize = 3;
 const SHARE: f64 = 0.05;

@@ -13,7 +13,6 @@ const NEAR: f64 = 0.8;
 /// A wall that leans by less from the punch's straight wall was drawn against it \[°\]; a strip that is bent in air leans by
 /// tens of degrees.
 const BESIDE: f64 = 8.0;
-
 /// Further measures of the row: what Numisheet '93 has, and the flange.
 const MEASURES: [&str; 4] = ["bottom_to_wall", "wall_to_flange", "curl_radius", FLANGE_ANGLE.key];
 

@@ -10,7 +10,6 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
 const ENTRIES: usize = 10_000;
-
 /// Longest title and longest other text, which plots and messages repeat \[characters\].
 const TITLE: usize = 200;
 const TEXT: usize = 1000;

@@ -73,7 +73,6 @@ fn help(section: &str) -> &'static str {
 
 /// Verbs of a die's design, in the order of use; the list of verbs begins with them.
 const DESIGN: [&str; 7] = ["new", "import", "check", "run", "report", "export", "materials"];
-
 const TEMPLATE: &str = "{about}\n\n{usage-heading} {usage}\n{after-help}\n\nOptions:\n{options}";
 
 /// Deep drawing, stretching and bending of sheet metal: the section of a round part or a strip.

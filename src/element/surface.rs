@@ -31,10 +31,8 @@ pub const STATIONS: usize = 2;
 
 /// Contact points of an element that bends, Gauss's: they integrate pressures that vary like a cubic along it.
 const INSIDE: [Station; STATIONS] = [Station::at(-GAUSS, -0.25 * GAUSS), Station::at(GAUSS, 0.25 * GAUSS)];
-
 /// Contact points of a membrane: its nodes, because only the ends of its chord lie where the sheet does.
 const ENDS: [Station; STATIONS] = [Station::at(-1.0, -1.0 / 12.0), Station::at(1.0, 1.0 / 12.0)];
-
 /// 1/√3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 

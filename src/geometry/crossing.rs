@@ -5,10 +5,8 @@ use std::f64::consts::PI;
 
 /// Largest distance of touching pieces \[mm\].
 const TOUCH: f64 = 1e-7;
-
 /// Turn at a vertex above which a chain goes back on itself \[rad\].
 const BACK: f64 = 175.0 * PI / 180.0;
-
 /// Distance from their vertex within which neighbours may meet a second time \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.05;
 

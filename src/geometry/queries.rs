@@ -4,10 +4,8 @@ use super::{Arc, Piece, Point, Profile, crossing::common, turn};
 
 /// Largest turn between two arcs of one corner \[rad\].
 const SMOOTH: f64 = 0.02;
-
 /// Largest ratio of the radii of arcs of one corner \[–\].
 const ALIKE: f64 = 1.5;
-
 /// Most rises of a search, and the last one over the wanted distance \[–\].
 const MOST_RISES: usize = 200;
 const LAST_RISE: f64 = 1e-6;

@@ -13,7 +13,6 @@ pub const CORNER: f64 = 25.0 * PI / 180.0;
 
 /// Turn below which a chain is straight \[rad\]: larger arcs would lose their ends to round-off.
 const STRAIGHT: f64 = 1e-6;
-
 /// Length over that of a neighbour above which a piece is a straight wall \[–\].
 const WALL: f64 = 4.0;
 

@@ -15,7 +15,6 @@ pub(super) const MOST: usize = 5000;
 pub(super) const ENTITIES: usize = 200_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
-
 /// Code page 1252 from 0x80 to 0x9F; other characters are those of Unicode.
 const WINDOWS: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
 

@@ -13,13 +13,10 @@ const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER
 
 /// Largest distance of coinciding points \[mm\].
 const SHORTEST: f64 = 1e-7;
-
 /// Largest thickness of a drawn blank over its edge's distance from the axis \[–\].
 const THIN: f64 = 0.25;
-
 /// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
-
 const CLOSED: i64 = 1;
 const MESH: i64 = 16 | 64;
 const OFF_THE_CURVE: i64 = 16;

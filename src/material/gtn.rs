@@ -42,7 +42,6 @@ const STRAIN_STEP: f64 = 0.005;
 const POROUS: f64 = 0.3;
 /// Share of the porosity of fracture up to which stress is computed \[–\].
 const LARGEST: f64 = 0.99;
-
 /// Newton's method stops when m moves by less than this \[–\].
 const ROOT: f64 = 1e-14;
 const MOST_ROOTS: usize = 60;

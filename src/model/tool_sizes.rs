@@ -13,7 +13,6 @@ pub fn extent(tool: &Tool) -> (f64, f64) {
 /// Sampling of arcs \[rad\] and number of parts of a line.
 const FINE: f64 = 0.005;
 const PARTS: usize = 8;
-
 /// Rounding of coordinates \[mm\].
 const ROUNDED: f64 = 1e-6;
 

@@ -23,7 +23,6 @@ const SAFE: Color = (232, 244, 248);
 const MARGINAL: Color = (252, 226, 156);
 const FAILED: Color = (231, 171, 143);
 const NOT_JUDGED: Color = (226, 226, 226);
-
 const LIMIT: Style = Style::Line { color: BLACK, width: 2.4, dash: &[] };
 const AXIS: Style = Style::Line { color: GREY, width: 0.8, dash: &[2.5, 3.0] };
 const PATH: Style = Style::Line { color: (210, 210, 210), width: 0.9, dash: &[] };

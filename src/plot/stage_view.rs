@@ -16,7 +16,6 @@ use std::time::Duration;
 
 /// Share of an axis of the least span below which a curve looks level \[–\].
 const LEVEL: f64 = 0.1;
-
 /// Relative difference below which two numbers are one: round-off of a change to percent and back \[–\].
 const SAME: f64 = 1e-12;
 

@@ -14,7 +14,6 @@ use maud::{Markup, html};
 /// Most issues and warnings that leave room for the pictures.
 const ISSUES: usize = 4;
 const WARNINGS: usize = 2;
-
 /// Pictures of the part: the first that there is.
 const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
 

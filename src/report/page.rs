@@ -10,15 +10,11 @@ use crate::units::{Amount, joined};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("style.css");
-
 /// Longest cell that has room beside others on a phone \[letters\].
 const SHORT: usize = 24;
-
 const KEYS: [&str; 7] = ["press", "friction", "material", "forming_limit", "springback", "stop", "finished"];
-
 /// Half the width between the margins of A4 \[mm\].
 const COLUMN: f64 = 88.0;
-
 /// Largest height of curves in it \[px of a picture 800 wide\].
 const CURVES: f64 = 330.0;
 

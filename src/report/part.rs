@@ -31,7 +31,6 @@ const TOOLS: [(&str, &str); 4] = [
 ];
 
 const RESULTS: [(&str, &str); 2] = [("thickness.png", "thickness"), ("forming_limit.png", "forming limit")];
-
 const SECTIONS: usize = 4;
 
 pub(super) fn content(report: &Report) -> Markup {

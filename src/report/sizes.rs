@@ -12,10 +12,8 @@ use maud::html;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;
-
 /// Radii that differ by less are one \[–\].
 const ALIKE: f64 = 1e-4;
-
 /// Distance that counts as none \[mm\].
 const NONE: f64 = 1e-6;
 

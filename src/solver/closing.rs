@@ -10,7 +10,6 @@ use crate::solver::solution::Closing;
 const LIES: f64 = 0.1;
 /// Overtravel into the closed sheet over the thickness \[–\]: any force is reached there.
 const SQUEEZE: f64 = 0.05;
-
 /// Least distance of holder and die over the sheet thickness \[–\].
 const APART: f64 = 0.5;
 

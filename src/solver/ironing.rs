@@ -4,7 +4,6 @@ use super::*;
 
 /// Least pressure on each face over the yield stress \[–\]: that of a holder or over a radius stays below.
 const PRESSED: f64 = 0.1;
-
 /// Largest cosine between the normals of two tools that press on opposite faces \[–\].
 const OPPOSED: f64 = -0.5;
 

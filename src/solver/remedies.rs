@@ -10,7 +10,6 @@ use crate::units::joined;
 const BEYOND: f64 = 0.01;
 /// Tries that the remedies of one stage may take before the last of them is begun.
 const MOST_TRIES: usize = 1000;
-
 /// Share of the settings' own largest and first step \[–\].
 const SHORTER: f64 = 0.1;
 /// Sliding speed of full friction over the punch speed \[–\].

@@ -47,7 +47,6 @@ pub(super) fn holder_setting(rule: HolderRule, blank: f64) -> String {
 
 const BEAD_FORCE: &str = "tools.beads.0.restraining";
 const NAMES: &str = "limiting-draw-ratio, greatest-height, least-holder-force, smallest-radius, over-bend, bead-force";
-
 /// Smallest and largest draw ratio \[–\].
 const RATIOS: [f64; 2] = [1.2, 3.0];
 /// Travel beyond the height of the largest blank's cup, over the punch diameter \[–\].

@@ -7,7 +7,6 @@ use csv::StringRecord;
 const MOST: usize = 100_000;
 /// Longest quotation from a file \[characters\].
 const LONGEST: usize = 40;
-
 const DECIMALS: &str = "write decimals with a point, not a comma: 30.5";
 
 /// Column names and rows.

@@ -20,10 +20,8 @@ pub const WIDTH: f64 = 800.0;
 
 /// Backend units per px: plotters rounds to whole units, which shows as steps in curves at 1.
 const FINE: f64 = 8.0;
-
 /// Height of the canvas until its content is drawn \[units\].
 const TALL: u32 = 1_999_999_999;
-
 const IN_MEMORY: &str = "drawing into memory does not fail";
 
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -13,7 +13,6 @@ pub(in crate::results) const PREFIX: &str = "compare_";
 
 /// Largest drawn difference in tolerances, if half of the points lie within.
 const DRAWN: f64 = 6.0;
-
 const TOLERANCE: Style = Style::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] };
 /// Tints of the reference's colour for its band, and for the band widened by its measurement error.
 const MEASURED: Style = Style::Area { fill: (238, 174, 132), edge: Some((213, 94, 0)) };

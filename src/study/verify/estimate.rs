@@ -8,10 +8,8 @@ use crate::units::ErrorBar;
 /// 20 and more hold the truth of random dies.
 const EXTRAPOLATED: f64 = 1.25;
 const SPREAD: f64 = 2.0;
-
 /// Least error over the number, in tolerances to which every step was solved \[–\].
 const SOLVED: f64 = 10.0;
-
 /// A number jumps if the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this share.
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
