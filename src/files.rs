@@ -26,10 +26,7 @@ pub trait Files {
     /// Fails when there is no such file, it is a folder, a pipe or a device, or it is larger.
     fn read(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>>;
 
-    /// Text of a file.
-    ///
-    /// # Errors
-    /// Those of [`Files::read`], and when it is not UTF-8.
+    /// Text of a file. Fails as [`Files::read`], and when it is not UTF-8.
     fn text(&self, path: &Path, limit: usize) -> io::Result<String> {
         let no_text = |_| io::Error::new(ErrorKind::InvalidData, "it is not UTF-8 text");
         String::from_utf8(self.read(path, limit)?).map_err(no_text)

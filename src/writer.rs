@@ -26,7 +26,6 @@ impl Values {
         self.0.insert(name.to_owned(), (value.to_string(), why.to_owned()));
     }
 
-    /// Sets a text that is not empty.
     pub fn set_text(&mut self, name: &str, text: &str) {
         (!text.is_empty()).then(|| self.set(name, text, ""));
     }
@@ -35,7 +34,6 @@ impl Values {
         lengths.into_iter().for_each(|(name, picked)| self.set(name, mm(picked.value), &picked.why));
     }
 
-    /// Leaves out lines with these values.
     pub fn drop(&mut self, names: &[&str]) {
         self.0.retain(|name, _| !names.contains(&name.as_str()));
     }

@@ -156,7 +156,6 @@ impl Finding {
         self.limit(joined([format!("{} {most}", text(amber)), red_text], ", "))
     }
 
-    /// Drops a warning whose number keeps its limit.
     pub(super) fn if_beyond(self) -> Option<Self> {
         (self.light > Light::Green).then_some(self)
     }

@@ -2,7 +2,6 @@
 
 use super::*;
 
-/// Red if a stage stopped early, amber if the cup left the die.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);

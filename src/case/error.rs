@@ -2,6 +2,7 @@
 
 use super::files::{remedy, visible};
 use super::schema::{example, is_index};
+use super::source::path_at;
 use super::*;
 use crate::units::{self, QuantityError, did_you_mean, shortened};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
@@ -36,7 +37,6 @@ impl CaseError {
         Self { what: shortened(&what), label: shortened(&label), help, source_code: source, span: Some(span.into()) }
     }
 
-    /// An error outside of any file's text.
     pub(crate) fn bare(what: String, help: String) -> Self {
         let source_code = Arc::new(NamedSource::new("", String::new()));
         Self { what, label: String::new(), help: (!help.is_empty()).then_some(help), source_code, span: None }
@@ -162,7 +162,7 @@ fn unquoted_number(line: &str, at: usize) -> Option<String> {
 
 pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
     let span = error.span().unwrap_or(0..0);
-    let path = source.path_at(&span).unwrap_or_default();
+    let path = path_at(&source.root, &span).unwrap_or_default();
     let message = error.message();
     let mut quoted = message.split('`').skip(1).step_by(2);
     let subject = quoted.next().unwrap_or("");

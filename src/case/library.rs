@@ -207,10 +207,7 @@ impl Entry {
     }
 }
 
-/// Returns every material: the fitted ones, those made from a band, then the shop's own.
-///
-/// # Errors
-/// Those of a sheet in the shop's folder.
+/// Returns every material: the fitted ones, those made from a band, then the shop's own. Fails at a faulty sheet in the shop's folder.
 pub fn materials() -> Result<Vec<Entry>> {
     texts()?.map(|text| entry(text, None)).collect()
 }
@@ -306,7 +303,7 @@ fn entry(text: SheetText, coil: Option<Coil>) -> Result<Entry> {
     let limit = about.forming_limit.as_ref().map(|limit| limit.curve(&material, 1.0, None, &source));
     let measured_limit = limit.transpose()?.flatten();
     about.material.r_values(&source);
-    about.notes.extend(source.take_notes());
+    about.notes.extend(source.notes.take());
     let table = text.find("[material").map_or("", |at| &text[at..]);
     let made = about.made.iter().map(|made| format!("[material]\n{made}"));
     let text = made.fold(table.to_owned(), |table, made| table.replacen("[material]\n", &made, 1));

@@ -79,10 +79,7 @@ impl Solution {
 }
 
 impl Case {
-    /// Reads a case file as it stands.
-    ///
-    /// # Errors
-    /// Those of [`load`].
+    /// Reads a case file as it stands. Fails as [`load`].
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         load(path, &[])
     }
@@ -138,9 +135,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case> {
 }
 
 /// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
-///
-/// # Errors
-/// Those of [`parse`].
+/// Fails as [`parse`].
 pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case> {
     let path = PathBuf::from(name);
     if text.len() > files::CASE {
@@ -174,7 +169,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         title_block: file.report,
         finished: file.finished,
         r_values,
-        derived: source.take_notes(),
+        derived: source.notes.take(),
         inputs: [path.clone()].into_iter().chain(source.read.take()).collect(),
         path,
     })

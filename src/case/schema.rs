@@ -36,17 +36,10 @@ pub(super) fn is_index(name: &str) -> bool {
     name.parse::<usize>().is_ok()
 }
 
-fn reference(node: &Value) -> Option<&'static Value> {
-    Some(&SCHEMA["$defs"][node.get("$ref")?.as_str()?.rsplit('/').next()?])
-}
-
-fn alternatives(node: &Value) -> impl Iterator<Item = &Value> {
-    node.get("anyOf").and_then(Value::as_array).into_iter().flatten()
-}
-
 /// Schema of a key of a table or of an entry of an array, in the first alternative that has it.
 fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
     let own = if is_index(segment) { node.get("items") } else { node.get("properties").and_then(|p| p.get(segment)) };
-    let referred = || reference(node).and_then(|node| property(node, segment));
-    own.or_else(referred).or_else(|| alternatives(node).find_map(|choice| property(choice, segment)))
+    let referred = || property(&SCHEMA["$defs"][node.get("$ref")?.as_str()?.rsplit('/').next()?], segment);
+    let in_choices = || node.get("anyOf")?.as_array()?.iter().find_map(|choice| property(choice, segment));
+    own.or_else(referred).or_else(in_choices)
 }

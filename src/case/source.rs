@@ -18,9 +18,9 @@ pub struct Source<'t> {
     shown: Arc<NamedSource<String>>,
     text: &'t str,
     tree: Spanned<DeTable<'t>>,
-    root: DeValue<'t>,
+    pub root: DeValue<'t>,
     pub folder: Folder<'t>,
-    notes: RefCell<Vec<String>>,
+    pub notes: RefCell<Vec<String>>,
     /// Paths of the files that were read beside the case, in order.
     pub read: RefCell<Vec<PathBuf>>,
     /// Index and name of the later stage to which `tools.…` refers.
@@ -88,10 +88,6 @@ impl<'t> Source<'t> {
         result
     }
 
-    pub fn take_notes(&self) -> Vec<String> {
-        self.notes.take()
-    }
-
     /// Lets `tools.…` refer to the tools of a later stage, counted from 0; `None` for the first stage.
     pub fn enter_stage(&self, stage: Option<(usize, &str)>) {
         *self.stage.borrow_mut() = stage.map(|(i, name)| (i, name.to_owned()));
@@ -119,7 +115,6 @@ impl<'t> Source<'t> {
         if ok { Ok(()) } else { Err(self.error(path, what, help)) }
     }
 
-    /// Those of some keys of a table that the case writes.
     pub fn written<'k>(&self, table: &str, keys: &[&'k str]) -> Vec<&'k str> {
         keys.iter().copied().filter(|key| self.has(&format!("{table}.{key}"))).collect()
     }
@@ -140,7 +135,6 @@ impl<'t> Source<'t> {
         }
     }
 
-    /// Error for a missing key, with a line that could be added.
     pub fn missing(&self, table: &str, key: &str) -> CaseError {
         let (path, name) = match table {
             "" => (key.to_owned(), "the case".to_owned()),
@@ -172,11 +166,6 @@ impl<'t> Source<'t> {
         }
         (span, true)
     }
-
-    /// Key path whose key or value has exactly this span; `None` for the whole file.
-    pub fn path_at(&self, span: &Range<usize>) -> Option<String> {
-        path_at(&self.root, span)
-    }
 }
 
 /// Top keys of most cases and studies; other TOML files share one of them at most.
@@ -202,7 +191,8 @@ fn entries<'a>(value: &'a DeValue<'a>) -> Vec<(String, Range<usize>, &'a Spanned
     }
 }
 
-fn path_at(value: &DeValue, span: &Range<usize>) -> Option<String> {
+/// Key path whose key or value has exactly this span; `None` for the whole file.
+pub fn path_at(value: &DeValue, span: &Range<usize>) -> Option<String> {
     entries(value).into_iter().find_map(|(name, key, value)| match key == *span || value.span() == *span {
         true => Some(name),
         false => Some(format!("{name}.{}", path_at(value.get_ref(), span)?)),

@@ -38,7 +38,6 @@ pub fn compare(args: &Args) -> Result<Code> {
     args.options.present(&all.report(), (&dir, folder), Vec::new(), &[], Value::Null)
 }
 
-/// Cases with variants of the first, and measured curves.
 pub fn to_compare(files: &[PathBuf], variants: &Variants, set: &[String]) -> Result<(Vec<Candidate>, Vec<Spec>)> {
     let (curves, cases): (Vec<&PathBuf>, Vec<&PathBuf>) = files.iter().partition(|file| is_curve(file));
     let variants = variants.also.iter().map(|text| variant(text)).collect::<Result<Vec<_>, _>>()?;

@@ -4,7 +4,6 @@ use super::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
-/// Exit code of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Code {
     #[default]
@@ -29,7 +28,6 @@ pub fn bad_request(what: impl Into<String>) -> anyhow::Error {
     BadInput { what: what.into(), help: String::new(), path: None }.into()
 }
 
-/// Error of a file or folder, named before `what`, with a remedy.
 pub fn bad_path(path: &Path, what: impl std::fmt::Display, help: impl Into<String>) -> anyhow::Error {
     BadInput { what: format!("{} {what}", path.display()), help: help.into(), path: Some(path.to_owned()) }.into()
 }
@@ -54,7 +52,6 @@ pub fn sound<T>(all: impl IntoIterator<Item = Result<T>>, failed: &mut Vec<anyho
     all.into_iter().filter_map(|one| one.map_err(|error| failed.push(error)).ok()).collect()
 }
 
-/// Prints all errors; returns the exit code of the first, or `code` without any.
 pub fn complained(failed: &[anyhow::Error], code: Code) -> Code {
     failed.iter().for_each(complain);
     failed.first().map_or(code, Code::of)

@@ -128,7 +128,6 @@ enum Verb {
     },
 }
 
-/// Reads the command line and does what it asks for; a panic is an error.
 pub fn main(words: &[std::ffi::OsString]) -> ExitCode {
     bug::listen();
     let code = caught("the program", || command(words)).unwrap_or_else(|error| complained(&[error], Code::Done));

@@ -4,7 +4,6 @@ use super::*;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use stampflow::author::templates::{self, Choice, TEMPLATES, Template};
 
-/// Writes a case, or lists all templates without a subcommand.
 pub fn new(matches: &ArgMatches) -> Result<Code> {
     let Some((name, matches)) = matches.subcommand() else {
         let options = |one: &'static Template| one.options().collect::<Vec<&Choice>>();

@@ -88,7 +88,6 @@ impl Common {
         Progress::new(self.quiet || self.json())
     }
 
-    /// Reads every case; the errors of the others come second.
     pub fn load_all(&self, paths: &[PathBuf]) -> (Vec<Case>, Vec<anyhow::Error>) {
         let mut failed = Vec::new();
         (sound(paths.iter().map(|path| self.overrides.load(path)), &mut failed), failed)
@@ -96,7 +95,6 @@ impl Common {
 }
 
 impl Threads {
-    /// Runs at the same time: one per core by default.
     pub fn count(&self) -> usize {
         self.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from)
     }
@@ -108,7 +106,6 @@ impl Threads {
 }
 
 impl PictureOptions {
-    /// Settings of pictures; refuses those that take too much memory.
     pub fn pictures(&self) -> Result<Pictures> {
         let formats = FORMATS.map(|(_, format)| format).into_iter().filter(|one| self.format.contains(one)).collect();
         let (width, dpi) = (self.width, self.dpi.map(f64::from));

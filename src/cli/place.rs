@@ -28,14 +28,12 @@ pub fn results(case: &Case, dir: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a file that is an input, or there and not to be replaced.
 pub fn free(path: &Path, force: bool, inputs: &[PathBuf], option: &str) -> Result<()> {
     let help = format!("choose another name with {option}, or replace it with --force");
     ensure!(force || path.symlink_metadata().is_err(), bad_path(path, "is there already", help));
     file(path, inputs, option)
 }
 
-/// Refuses a file that is an input.
 pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<()> {
     let place = real(path);
     ensure!(inputs.iter().all(|input| real(input) != place), refused(path, "is what is read", option));

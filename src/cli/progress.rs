@@ -10,12 +10,10 @@ const DELAY: Duration = Duration::from_millis(400);
 
 pub struct Progress(MultiProgress);
 
-/// Progress of many runs.
 pub struct Count(ProgressBar);
 
 /// Observer of one run: shows its progress, keeps frames, and iterations if there is a list of them.
 pub struct Watch {
-    /// Iterations of each stage.
     pub trace: Option<Vec<Vec<IterationRecord>>>,
     pub recorder: FrameRecorder,
     names: std::vec::IntoIter<String>,

@@ -59,7 +59,6 @@ pub fn with(mut value: Value, more: Value) -> Value {
     value
 }
 
-/// Prints whole lines on the error stream; failures are ignored.
 pub fn warn(text: impl Into<ScreenText>) {
     let _ = print_lines(&mut io::stderr().lock(), &text.into());
 }
@@ -118,7 +117,6 @@ pub fn rows<Row: IntoIterator<Item: Into<Cell>>>(rows: impl IntoIterator<Item = 
     table::<Row>(&[""; 0], rows)
 }
 
-/// Text wrapped to the width, each line's rest under its last column.
 pub fn wrapped(text: impl AsRef<str>) -> ScreenText {
     let (text, width) = (visible(text.as_ref()), width());
     let lines = text.lines().map(|line| {
@@ -134,7 +132,6 @@ pub fn list(lines: impl IntoIterator<Item = impl AsRef<str>>) -> ScreenText {
     wrapped(lines.into_iter().map(|line| format!("- {}\n", line.as_ref())).collect::<String>())
 }
 
-/// Text with the first occurrence of a word in the colour of a light.
 pub fn highlighted(text: &str, word: &str, light: Light) -> ScreenText {
     let coloured = color(light).map_or(word.to_owned(), |color| format!("\u{1b}[1;3{color}m{word}\u{1b}[0m"));
     ScreenText(wrapped(text).0.replacen(word, &coloured, 1))

@@ -11,7 +11,6 @@ pub struct Output {
     pub failed: Vec<anyhow::Error>,
 }
 
-/// Prints the outputs of all cases, then the errors; the exit code is that of the first error, or the largest.
 pub fn finish(outputs: Vec<Result<Output>>, mut failed: Vec<anyhow::Error>, several: bool) -> Result<Code> {
     let (mut code, mut screen, mut values) = (Code::Done, ScreenText::default(), Vec::new());
     for output in sound(outputs, &mut failed) {
@@ -36,7 +35,6 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Judges a solution, with error bars from finer runs and advice if they are wanted.
     pub fn new(solution: Solution, progress: &Progress, has_bars: bool, has_advice: bool) -> Self {
         let count = |what| progress.count(format!("{}, {what}", solution.case.name));
         let verification = has_bars.then(|| stampflow::study::verify::verify(&solution, &count("finer")).bars);
@@ -64,7 +62,6 @@ impl Solved {
         screen::highlighted(&format!("{}: {word}: {sentence}. {more}", self.solution.case.name), &word, *light)
     }
 
-    /// The whole answer, with rows of the verdict in it.
     pub fn screen(&self, verdict: ScreenText) -> ScreenText {
         let Self { solution, verification, answer, findings } = self;
         let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);

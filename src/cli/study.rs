@@ -146,7 +146,6 @@ impl TableOptions {
 }
 
 impl StudyOptions {
-    /// Folder of the results; pictures that are too large are refused.
     pub fn folder(&self, file: &Path, verb: &str) -> Result<PathBuf> {
         self.pictures.pictures()?;
         Ok(self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-{verb}", stem(file)))))

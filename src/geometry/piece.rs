@@ -298,7 +298,6 @@ impl Piece {
         self.poles().fold(ends, Bounds::with)
     }
 
-    /// Points of an arc where it is parallel to an axis.
     pub(crate) fn poles(&self) -> impl Iterator<Item = Point> + use<> {
         let arc = if let Piece::Arc(arc) = *self { Some(arc) } else { None };
         let poles = [Point::x(), Point::y(), -Point::x(), -Point::y()].map(|way| {
@@ -316,12 +315,10 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// Box around pieces; `None` without pieces.
     pub fn around(pieces: &[Piece]) -> Option<Self> {
         pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
     }
 
-    /// Box that also holds a point.
     pub fn with(self, p: Point) -> Self {
         Self { low: self.low.inf(&p), high: self.high.sup(&p) }
     }

@@ -92,7 +92,6 @@ impl Entity {
         matches!(self.source.kind.as_str(), "LINE" | "ARC" | "LWPOLYLINE" | "POLYLINE" | "SPLINE")
     }
 
-    /// Last number of a code before all vertices.
     pub fn number(&self, code: i32, default: f64) -> f64 {
         let own = self.numbers.iter().take_while(|(code, _)| *code != VERTEX);
         own.filter(|(own, _)| *own == code).last().map_or(default, |(_, number)| *number)
@@ -111,7 +110,6 @@ impl Entity {
         [(210, 0.0), (220, 0.0), (230, 1.0)].map(|(code, default)| self.number(code, default))
     }
 
-    /// Vertices of a polyline, control points of a spline.
     pub fn vertices(&self) -> Vec<Vertex> {
         let begin = if self.source.kind == "POLYLINE" { VERTEX } else { 10 };
         let mut vertices: Vec<Vertex> = Vec::new();

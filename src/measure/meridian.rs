@@ -50,7 +50,6 @@ struct Bend {
 pub(super) struct Stretch {
     /// Lengths from the axis to its ends \[mm\].
     pub(super) ends: [f64; 2],
-    /// Sense of the bend at its inner end.
     pub(super) sense: f64,
 }
 

@@ -98,10 +98,8 @@ fn once(is_repeated: bool, what: &str) -> Checked {
 }
 
 impl Model {
-    /// Checks that every number is finite and in its range, and that every needed part is there.
-    ///
-    /// # Errors
-    /// The first invalid value, with its bounds.
+    /// Checks that every number is finite and in its range, and that every needed part is there. Fails with the first
+    /// invalid value and its bounds.
     pub fn check(&self) -> Checked {
         self.check_blank()?;
         self.check_material()?;
@@ -262,10 +260,7 @@ impl Model {
 }
 
 impl Stage {
-    /// Checks the model, and that the stage can continue with the sheet of the one before.
-    ///
-    /// # Errors
-    /// As [`Model::check`].
+    /// Checks the model, and that the stage can continue with the sheet of the one before. Fails as [`Model::check`].
     pub fn check(&self, before: Option<&Model>) -> Checked {
         self.model.check()?;
         optional("begin.trim", self.begin.trim, POSITIVE)?;
@@ -283,10 +278,8 @@ impl Stage {
 }
 
 impl Settings {
-    /// Checks that every parameter is in its range and the steps in their order.
-    ///
-    /// # Errors
-    /// The first invalid parameter; `what` is its key behind `settings.`.
+    /// Checks that every parameter is in its range and the steps in their order. Fails with the first invalid
+    /// parameter; `what` is its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
         let ranges = [

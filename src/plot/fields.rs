@@ -1,6 +1,5 @@
 //! Fields that several tables share.
 
-/// Fields of an accepted step.
 pub mod step {
     use crate::solver::solution::StepRecord;
     use crate::table::{Field, Unit};

@@ -11,7 +11,6 @@ const STATES: usize = 6;
 /// Width of a small panel \[px\].
 const SMALL: f64 = 230.0;
 
-/// States of a stage in small panels; a run that never started shows the flat blank.
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frames) = (view.model(), &view.stage.frames);
     let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);

@@ -67,7 +67,6 @@ impl Thinning {
         viridis(if level < 0 { zero + (LIGHTEST - zero) * middle / start } else { zero * (1.0 - middle / end) })
     }
 
-    /// One half of the section, or both.
     pub fn section(&self, frame: &Frame, is_whole: bool) -> Vec<Series> {
         let parts = |outline| if is_whole { mirrored(outline) } else { vec![outline] };
         let levels: Vec<i32> = frame.elements.iter().map(|element| self.level(element.thickness)).collect();
@@ -87,7 +86,6 @@ impl Thinning {
         series
     }
 
-    /// Colour bar.
     pub fn scale(&self) -> Panel {
         let at = |level: i32| f64::from(level) * self.step;
         let colors = self.levels.clone().map(|level| {
@@ -100,7 +98,6 @@ impl Thinning {
         Panel::new(axis.clone(), axis, Scale::Bar).with(colors.chain([zero]))
     }
 
-    /// Sentence on the drawn thickness.
     pub fn note(&self) -> String {
         match self.times {
             1.0 => "The sheet is true to thickness.".to_owned(),

@@ -28,7 +28,6 @@ pub(crate) fn records<R: IntoIterator<Item = C>, C: AsRef<str>>(rows: impl IntoI
     writer.into_inner().expect("memory takes every row")
 }
 
-/// Text of a number with nine significant digits; empty if it is not finite.
 pub(crate) fn number(value: f64) -> String {
     let value = rounded(value);
     match value.abs() {

@@ -67,7 +67,6 @@ impl Course {
         self.is_lost = is_lost;
     }
 
-    /// Results with the last state and its frame.
     pub fn finished(self) -> StageSolution {
         let Self { now: Checkpoint { state, last, effort, .. }, solution: mut run, .. } = self;
         if last.step > 0 {

@@ -9,7 +9,6 @@ use std::sync::Arc;
 /// Duration of a step at rest over that of the run \[–\].
 const AT_REST: f64 = 1e-9;
 
-/// Evaluates a trial; `false` when an element has collapsed.
 #[must_use]
 pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     for (x, (start, u)) in out.nodes.iter_mut().zip(step.state.nodes.iter().zip(&trial.moves)) {

@@ -48,7 +48,6 @@ impl LineSearch {
         }
     }
 
-    /// Solves for the direction; `false` where the matrix is singular.
     pub fn aim(&mut self, system: &mut System) -> bool {
         self.residual.copy_from_slice(&system.rhs);
         self.shared_residual = system.corner_rhs;

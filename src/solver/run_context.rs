@@ -35,7 +35,6 @@ impl ActiveTool {
 pub(super) struct RunContext<'a> {
     pub model: &'a Model,
     pub tools: Vec<ActiveTool>,
-    /// Thickness points.
     pub rule: Vec<ThicknessPoint>,
     /// Index of each gas pressure among the shared unknowns, if it is one.
     pub gas_shared: Vec<Option<usize>>,
@@ -45,7 +44,6 @@ pub(super) struct RunContext<'a> {
     pub least_force: f64,
     /// Move of the holder relative to the die at which it stands on its blocks \[mm\].
     pub blocks: Option<f64>,
-    /// Strength of a sheet that may tear.
     pub strength: Option<PlaneStrainStrength<'a>>,
 }
 

@@ -92,13 +92,11 @@ impl<'a> StepControl<'a> {
         increment > OVERSTRAINED * self.model.settings.strain_step
     }
 
-    /// Halves the step; `false` at the smallest.
     pub fn reject(&mut self) -> bool {
         self.wanted = 0.5 * self.given;
         self.wanted >= self.smallest
     }
 
-    /// True if the state is at a frame; moves on to the next one.
     pub fn at_frame(&mut self, state: &State) -> bool {
         let Some(target) = self.model.frames.get(self.next_frame) else { return false };
         let reached = state.time >= target * (1.0 - 1e-12);

@@ -12,7 +12,6 @@ pub(super) struct ContactMemory {
     /// Last measured position in the tool's frame, and its distance \[mm\].
     pub position: Point,
     pub distance: f64,
-    /// Closest piece of the tool.
     pub nearest: Nearest,
     /// Carried pressure \[MPa\].
     pub carried: f64,

@@ -14,7 +14,6 @@ pub struct BaseCase {
     text: String,
     path: PathBuf,
     overrides: Vec<String>,
-    /// Hash of the case file, the files beside it and the overrides.
     pub(super) key: String,
 }
 

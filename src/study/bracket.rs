@@ -44,7 +44,6 @@ const ROUNDS: usize = 40;
 
 #[derive(Clone, Debug)]
 pub(super) struct Search {
-    /// Sorted.
     pub range: SearchRange,
     /// Wanted width of the bracket; a share of the range by default.
     pub tolerance: Option<f64>,
@@ -73,12 +72,10 @@ impl Search {
         significant((x / step).round() * step, 12).clamp(low, high)
     }
 
-    /// Share of the range at a value.
     pub fn share(&self, x: f64) -> f64 {
         self.range.spacing.share(self.range.ends, x)
     }
 
-    /// Values of the next round; empty when the search is over.
     pub fn next(&self, trials: &[Trial]) -> Vec<f64> {
         let even = |n: usize| (0..n).map(|i| i as f64 / (n - 1) as f64).collect::<Vec<_>>();
         let places = self.range.count.unwrap_or(PLACES).max(3);
@@ -106,7 +103,6 @@ impl Search {
         self.untried(trials, &shares)
     }
 
-    /// Result of some trials.
     pub fn result(&self, trials: &[Trial]) -> Bracket {
         let mut sorted: Vec<Trial> = trials.to_vec();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -43,7 +43,6 @@ impl Condition {
         Ok(Self { text: text.split_whitespace().collect::<Vec<_>>().join(" "), terms })
     }
 
-    /// Reads `QUANTITY=VALUE`, a wanted value.
     pub(super) fn target(text: &str) -> Result<Self> {
         let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
         let wrong = || StudyError::new(format!("`{text}` is no target"), help);

@@ -8,7 +8,6 @@ use crate::rules::{HolderRule, THIN};
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Goal {
-    /// Overrides of all runs.
     pub settings: Vec<String>,
     pub vary: Option<String>,
     pub condition: Option<&'static str>,
@@ -62,7 +61,6 @@ const BEAD: f64 = 5.0;
 const LATE: [f64; 2] = [0.9, 0.925];
 
 impl Goal {
-    /// The request of a named goal for a case.
     pub fn request(name: &str, case: &Case) -> Result<Self> {
         let goal = match name {
             "limiting-draw-ratio" => draw_ratio(case),

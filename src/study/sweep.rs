@@ -21,9 +21,7 @@ pub(super) struct Axis {
     pub drawn: plot::Axis,
     /// In the solver's unit; the index for words.
     pub positions: Vec<f64>,
-    /// Values with their unit.
     pub labels: Vec<String>,
-    /// Position of the case as it stands.
     pub own: Option<f64>,
 }
 
@@ -171,7 +169,6 @@ pub struct Sensitivity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct End {
     pub number: f64,
-    /// Index of the axis value.
     pub place: usize,
     pub is_sound: bool,
 }

@@ -26,7 +26,6 @@ pub(super) struct UncertainVariable {
     distribution: Distribution,
     /// The law that must be written into the case before one of its numbers can be changed.
     hardening: Option<Value>,
-    /// Whether it takes nothing from the case.
     pub is_absolute: bool,
     /// Source of the distribution, if it is not the study's.
     pub source: Option<String>,
@@ -61,7 +60,6 @@ impl UncertainVariable {
         Ok(Self { variable: Variable::new(key, unit), distribution, hardening, is_absolute, source })
     }
 
-    /// Its value at a coordinate between 0 and 1.
     pub fn value(&self, coordinate: f64) -> String {
         written(self.distribution.quantile(coordinate))
     }
@@ -105,7 +103,6 @@ const HELP: &str = "write \"uniform 0.05..0.12\", \"normal 1 ± 0.02 mm\", \"nor
                     \"normal 1 ± 0.02 mm in 0.95..1.05 mm\"";
 
 impl Distribution {
-    /// The value that is not exceeded with a probability between 0 and 1.
     pub fn quantile(&self, probability: f64) -> f64 {
         let (low, high) = self.limits;
         let Some((mean, deviation)) = self.normal else { return low + probability * (high - low) };

@@ -36,7 +36,6 @@ pub(super) struct SearchRange {
 }
 
 impl Variable {
-    /// A key without values of its own.
     pub fn new(key: &str, unit: String) -> Self {
         Self { key: key.to_owned(), unit, list: Vec::new(), range: None }
     }
@@ -84,7 +83,6 @@ impl Variable {
         Ok(Self { list, ..Self::new(key, unit) })
     }
 
-    /// All values, for a design of experiments.
     pub fn values(&self) -> Result<Vec<String>> {
         let Some(SearchRange { ends, count, spacing, .. }) = self.range else { return Ok(self.list.clone()) };
         let what = format!("{}: the range does not say how many values", self.key);
@@ -93,7 +91,6 @@ impl Variable {
         Ok((0..=last).map(|i| written(at(i))).collect())
     }
 
-    /// The interval, for a search or a fit.
     pub fn search_range(&self) -> Result<SearchRange> {
         let help = "write KEY=FROM..TO UNIT, such as \"blank.diameter=90..140 mm\"";
         self.range.ok_or_else(|| StudyError::new(format!("`{}` gives no range to search", self.key), help))
@@ -151,7 +148,6 @@ pub(super) fn in_words(text: &str) -> String {
     known.map_or_else(|| text.to_owned(), |(name, value)| format!("{name} {}", value.trim_matches('"')))
 }
 
-/// Key and values around the first `=`; `None` if either is empty.
 pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     let (key, values) = text.split_once('=')?;
     Some((key.trim(), values.trim())).filter(|(key, values)| !key.is_empty() && !values.is_empty())
@@ -215,7 +211,6 @@ pub(super) fn number(text: &str) -> Option<f64> {
     text.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// A number and the unit behind it; `None` for a word.
 pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let is_exponent = |rest: &str| rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
     let is_of_number = |(i, c): (usize, char)| {

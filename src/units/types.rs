@@ -256,10 +256,7 @@ impl<Q: Dimensioned> As<Q> {
         from.deserialize_any(Written::<Q>(PhantomData)).map(|quantity| quantity.value().into())
     }
 
-    /// Writes the number with its unit.
-    ///
-    /// # Errors
-    /// Errors of the serializer.
+    /// Writes the number with its unit. Fails where the serializer does.
     pub fn serialize<N: Copy + Into<Option<f64>>, S: Serializer>(number: &N, to: S) -> Result<S::Ok, S::Error> {
         match ((*number).into(), Q::KIND.unit) {
             (None, _) => to.serialize_none(),

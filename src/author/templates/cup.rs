@@ -61,7 +61,6 @@ struct Tools {
     punch: String,
 }
 
-/// Cup of `LEAST` draws or more.
 pub(super) fn cup<const LEAST: usize>(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     Cup::read(inputs, sheet)?.planned(LEAST)
 }

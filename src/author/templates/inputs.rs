@@ -91,7 +91,6 @@ impl Inputs {
         before.map_or(Ok(()), |(other, ..)| Err(both_given(&other, key)))
     }
 
-    /// Fails if both options of one size are given.
     pub fn either(&self, keys: [&str; 2]) -> Result<(), CaseError> {
         match keys.map(|key| self.given.get(key)) {
             [Some((one, ..)), Some((other, ..))] => Err(both_given(one, other)),
@@ -99,7 +98,6 @@ impl Inputs {
         }
     }
 
-    /// Fails if an option is given without the one that it belongs to.
     pub fn only_with(&self, key: &str, of: &str) -> Result<(), CaseError> {
         let what = || format!("--{key} is given without --{of}");
         ensure(!self.given.contains_key(key) || self.given.contains_key(of), what, &format!("give --{of} too"))
@@ -113,7 +111,6 @@ impl Inputs {
         self.given.get(key).map(|(_, text, _)| text.as_str())
     }
 
-    /// Number that was given, or the option's default value.
     pub fn value(&self, key: &str) -> f64 {
         let choice = || self.options.iter().find(|choice| choice.key == key);
         let default = || choice().and_then(|choice| choice.read(&choice.default).ok());
@@ -124,7 +121,6 @@ impl Inputs {
         keys.map(|key| self.value(key))
     }
 
-    /// Number that was given, or what a rule picks.
     pub fn pick(&self, key: &str, rule: impl FnOnce() -> Picked) -> Picked {
         Picked::or(self.number(key), rule)
     }

@@ -38,7 +38,6 @@ impl Values {
     }
 }
 
-/// Round part that is drawn with a holder.
 pub(super) struct Draw {
     /// Radius of the punch and of its corner \[mm\].
     pub punch: f64,

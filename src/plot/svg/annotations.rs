@@ -57,7 +57,6 @@ impl Flags {
         Self { flags, size }
     }
 
-    /// Height that the flags add to the panel.
     pub fn height(&self) -> f64 {
         let rows = self.flags.iter().map(|flag| flag.rows[1]).max();
         rows.map_or(0.0, |rows| SPACING * self.size * rows as f64 + 2.0 * AROUND)

@@ -17,7 +17,6 @@ const AFTER_LABEL: f64 = 20.0;
 const SMALL: f64 = 230.0;
 const SMALL_WITH_AXES: f64 = 360.0;
 
-/// Draws a picture and gives its height.
 pub(super) fn draw(chart: &Chart, width: f64, canvas: &Canvas) -> f64 {
     let mut y = MARGIN;
     let paragraph = |text: &str, size: f64, color, y: &mut f64| {

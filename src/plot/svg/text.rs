@@ -52,7 +52,6 @@ pub(super) fn draw_line(canvas: &Canvas, line: &str, size: f64, (x, y): (f64, f6
     canvas.draw_text(&clean(line), &style, (units(x), units(y - 0.4 * size))).expect(IN_MEMORY);
 }
 
-/// Text without the characters that XML cannot hold.
 pub(super) fn clean(text: &str) -> String {
     text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "")
 }
