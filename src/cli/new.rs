@@ -31,7 +31,9 @@ fn flag(name: &'static str, help: &'static str) -> Arg {
 fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item = Arg> {
     let value = |key: &'static str, help: String| {
         let arg = Arg::new(key).long(key).value_name(choice.value.as_str()).allow_hyphen_values(true);
-        arg.help_heading(heading).help(help)
+        let arg = arg.help_heading(heading).help(help);
+        let is_switch = choice.value == "SWITCH";
+        if is_switch { arg.num_args(0..=1).require_equals(true).default_missing_value("yes") } else { arg }
     };
     let arg = value(&choice.key, format!("{} [default: {}]", choice.about, choice.default));
     // A height that is measured inside is a depth.

@@ -17,6 +17,8 @@ pub struct Stage {
 /// Preparation of the sheet and the tools before a stage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Beginning {
+    /// Turns the sheet over, z → −z, as for a reverse redraw; every tool begins anew.
+    pub turn_over: bool,
     /// Resets equivalent strain and stress to 0.
     pub anneal: bool,
     /// Distance from the axis or symmetry plane at which the sheet is cut, by whole elements \[mm\].

@@ -69,7 +69,7 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
     let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
     if !state.unloading.is_empty() && model.travel > 0.0 {
-        let is_new = |tool: &&mut Tool| !before.model.tools.iter().any(|old| is_same(tool, old));
+        let is_new = |tool: &&mut Tool| !before.model.tools.iter().any(|old| stays(stage, tool, old));
         for tool in model.tools.iter_mut().filter(is_new) {
             if let Motion::Pressed(press) = &mut tool.motion {
                 press.force = press.force.rising_to(FADING * model.travel);
@@ -92,6 +92,9 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
+    if begin.turn_over {
+        turn_over(&mut state);
+    }
     let pace = model.speed / before.speed;
     for velocity in state.velocity.iter_mut().chain(&mut state.end_velocity) {
         *velocity = velocity.map(|v| pace * v);
@@ -121,7 +124,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.tool_velocity = vec![0.0; model.tools.len()];
     state.tools = model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect();
     for (j, tool) in model.tools.iter().enumerate() {
-        if let Some(k) = before.tools.iter().position(|other| is_same(tool, other)) {
+        if let Some(k) = before.tools.iter().position(|other| stays(stage, tool, other)) {
             state.tools[j] = old.tools[k];
             state.pressure.row_mut(j).copy_from_slice(old.pressure.row(k));
             state.shift.row_mut(j).copy_from_slice(old.shift.row(k));
@@ -130,14 +133,29 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
             state.tools[j].y = met(model, &state, j);
         }
     }
-    let has_gone = |old: &Tool| !model.tools.iter().any(|tool| is_same(tool, old));
+    let has_gone = |old: &Tool| !model.tools.iter().any(|tool| stays(stage, tool, old));
     let is_unheld = model.release.is_some() || begin.trim.is_some() || before.tools.iter().any(has_gone);
     state.unloading = if is_unheld && model.mode != Mode::Flow { unloading(model, &state) } else { Arc::default() };
     state
 }
 
-fn is_same(tool: &Tool, other: &Tool) -> bool {
-    other.role == tool.role && other.profile == tool.profile
+fn stays(stage: &Stage, tool: &Tool, old: &Tool) -> bool {
+    !stage.begin.turn_over && old.role == tool.role && old.profile == tool.profile
+}
+
+/// Mirrors the sheet, z → −z: its faces change places, and with them the thickness points; rotation and shear change their sign.
+fn turn_over(state: &mut State) {
+    for [_, axial, turn] in state.nodes.iter_mut().chain(&mut state.velocity).chain(&mut state.end_velocity) {
+        (*axial, *turn) = (-*axial, -*turn);
+    }
+    for point in state.points.iter_mut() {
+        let [one, other] = &mut point.back;
+        for [.., shear] in [&mut point.stress, &mut point.carried, &mut point.strain_rate, one, other] {
+            *shear = -*shear;
+        }
+    }
+    (0..state.thickness.len()).for_each(|e| state.points.row_mut(e).reverse());
+    state.face_damage.iter_mut().for_each(|faces| faces.reverse());
 }
 
 /// Removes the elements from the edge inward whose middle lies beyond a distance from the axis.

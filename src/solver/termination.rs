@@ -115,10 +115,11 @@ impl Termination {
         let through = self.throat.as_ref().map_or(f64::NAN, |throat| {
             let [r, z, _] = state.nodes[state.nodes.len() - 1];
             let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
-            match model.stop.drawn_through {
-                true => (height - throat.end) / model.blank.thickness - THROUGH,
-                false => within.min(height - throat.face) / model.blank.thickness,
-            }
+            let beyond = match model.stop.drawn_through {
+                true => height - throat.end - THROUGH * model.blank.thickness,
+                false => height - throat.face,
+            };
+            within.min(beyond) / model.blank.thickness
         });
         let localised = self
             .neck

@@ -18,6 +18,8 @@ pub struct Ring {
     /// Throat of the die, also the sleeve's bore, and radius of its shoulder.
     pub throat: f64,
     pub shoulder: f64,
+    /// True of a ring that stands inside the cup before, which is turned over and drawn inside out.
+    pub is_reverse: bool,
 }
 
 impl Ring {
@@ -44,6 +46,9 @@ impl Ring {
 
     /// Whether the cones face each other over some width, so that a sleeve has something to hold.
     pub fn has_room(&self) -> bool {
+        if self.is_reverse {
+            return false;
+        }
         let die = self.cone_start().x - self.thickness * CONE.to_radians().sin();
         self.cone_end().x - die.max(self.edge()[0].x) >= LEAST_CLAMPED * self.thickness
     }
@@ -51,11 +56,23 @@ impl Ring {
     pub fn die(&self) -> String {
         let (start, far) = (self.cone_start(), 1.5 * self.outer);
         let center = Point::new(self.throat + self.shoulder, 0.0);
-        let steps = [
-            (start, None),
-            (Point::new(self.throat, 0.0), Some((center, false))),
-            (Point::new(self.throat, 4.0 * far), None),
-        ];
+        let throat =
+            [(Point::new(self.throat, 0.0), Some((center, false))), (Point::new(self.throat, 4.0 * far), None)];
+        if self.is_reverse {
+            let corner = self.nose.min(self.outer - self.throat - self.shoulder);
+            let [rim, face] = [corner - self.shoulder, -self.shoulder];
+            let corner_center = Point::new(self.outer - corner, rim);
+            let lip = [
+                (Point::new(self.outer, rim), None),
+                (Point::new(self.outer - corner, face), Some((corner_center, false))),
+                (Point::new(self.throat + self.shoulder, face), None),
+            ];
+            // Two arcs that meet leave no flat between them.
+            let flat = usize::from(self.outer - corner - self.throat - self.shoulder > 1e-3);
+            let steps = [&lip[..2 + flat], &throat].concat();
+            return profile_text(Point::new(self.outer, 4.0 * far), &steps, mm);
+        }
+        let steps = [&[(start, None)], &throat[..]].concat();
         profile_text(Point::new(far, start.y - (far - start.x) * CONE.to_radians().tan()), &steps, mm)
     }
 

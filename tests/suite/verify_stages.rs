@@ -223,3 +223,62 @@ fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
     assert!(gap > 0.0 && gap < 0.05, "{gap}");
     assert!(passes[1].steps.last().expect("steps").punch_force > 1e3);
 }
+
+/// Stages of a reverse redraw on a coarse mesh, the sheet elastic or not.
+fn reverse_redraw(mode: Mode) -> Vec<Stage> {
+    let given = [("reverse", "yes"), ("blank-radius", "69.35 mm")];
+    let text = stampflow::author::templates::find("redraw").and_then(|template| template.fill(&given)).expect("text");
+    let mut stages = parse(&text, "reverse.toml", &["blank.elements=90".into()]).expect("a case").stages;
+    for stage in &mut stages {
+        stage.model.mode = mode;
+        stage.model.material.elastic = Some(Elastic { young: 210e3, poisson: 0.3 });
+    }
+    stages
+}
+
+/// Trust: to turn over twice changes no number. The same motion seen from the other side, a pad that pushes the sheet down over
+/// a ring below it, is the same motion: sums through the thickness run the other way, so both agree within what iterations leave.
+#[test]
+fn a_sheet_turned_over_is_its_mirror_image() {
+    for mode in [Mode::Flow, Mode::ElastoViscoplastic] {
+        let [draw, mut turned] = reverse_redraw(mode).try_into().expect("two stages");
+        turned.model.stop = stampflow::model::StopRules::default();
+        drive_to(&mut turned.model, 12.0);
+        turned.model.tools[0].motion = Motion::Path(Point::new(0.0, 12.0));
+        let mut mirrored = turned.clone();
+        mirrored.begin.turn_over = false;
+        for (tool, role) in mirrored.model.tools.iter_mut().zip([Role::Pad, Role::Holder]) {
+            tool.profile = tool.profile.mirrored();
+            tool.role = role;
+        }
+        mirrored.model.tools[0].motion = Motion::Path(Point::new(0.0, -12.0));
+        mirrored.model.tools.reverse();
+        mirrored.begin.meets = vec![Role::Pad, Role::Holder];
+
+        let first = solved(&[draw.clone()]).remove(0);
+        let plain = Stage { begin: Beginning::default(), ..turned.clone() };
+        let once = enter(&turned, &draw.model, first.end.clone());
+        let twice = enter(&turned, &turned.model, once.clone());
+        let left = enter(&plain, &draw.model, first.end.clone());
+        assert!(twice.nodes == left.nodes && twice.velocity == left.velocity && once.nodes != left.nodes);
+        assert!(twice.points == left.points && twice.face_damage == left.face_damage && once.points != left.points);
+
+        let [a, b] = [turned, mirrored].map(|next| solved(&[draw.clone(), next]).remove(1));
+        let nodes = a.end.nodes.iter().zip(&b.end.nodes);
+        let apart = nodes.map(|(a, b)| (a[0] - b[0]).abs().max((a[1] + b[1]).abs()).max((a[2] + b[2]).abs()));
+        let apart = apart.fold(0.0, f64::max);
+        let [push, pull] = [last(&a).punch_force, last(&b).pad_force];
+        assert!(apart < 1e-9 && (push / pull - 1.0).abs() < 1e-9, "{mode:?}: {apart:e} mm, {push} {pull} N");
+    }
+}
+
+/// Trust: the cup comes out inside out, with the bottom ahead of its rim, as high as its volume makes it in a direct redraw.
+#[test]
+fn a_reverse_redraw_draws_the_cup_inside_out() {
+    for mode in [Mode::Flow, Mode::ElastoViscoplastic] {
+        let passes = solved(&reverse_redraw(mode));
+        let [bottom, rim] = [0, passes[1].end.nodes.len() - 1].map(|i| passes[1].end.nodes[i]);
+        assert!(bottom[1] - rim[1] > 60.0 && rim[0] < 31.5, "{mode:?}: {bottom:?} {rim:?}");
+        assert!(last(&passes[1]).work.imbalance().abs() < 0.01);
+    }
+}

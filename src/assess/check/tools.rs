@@ -148,6 +148,7 @@ pub(super) fn stage(n: usize, stage: &Stage) -> Line {
     let mut does = Vec::new();
     let most = if model.stop.drawn_through { " at most" } else { "" };
     does.extend(begin.trim.map(|half| format!("cut at {}", size_of(model, half, Amount::set))));
+    does.extend(begin.turn_over.then(|| "turned over".into()));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
         let name = tool.role.name();

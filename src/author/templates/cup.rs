@@ -168,7 +168,9 @@ impl<'a> Cup<'a> {
         let Part { radius: last, step, .. } = self.part;
         let early = draws - 1 - usize::from(step.is_some());
         let share = (blank / last).ln() / self.metal.total(early + 1).ln();
-        let radius = |i: usize| match self.inputs.number("first-radius") {
+        // The ring of a reverse redraw is as wide as its ratio lets it be.
+        let widest = self.inputs.is_on("reverse").then(|| last * self.metal.ratios[1].powi(early as i32));
+        let radius = |i: usize| match self.inputs.number("first-radius").or(widest) {
             Some(first) => first * (last / first).powf(i as f64 / early as f64),
             None => Picked::nearest(blank / self.metal.total(i + 1).powf(share), 0.05, "").value,
         };

@@ -13,7 +13,7 @@ use std::{collections::BTreeMap, str::FromStr};
 pub struct Choice {
     /// Name, without dashes in front.
     pub key: String,
-    /// Kind of its value, as in help texts: LENGTH, STRESS, ANGLE, FORCE, PERCENT, NUMBER, FRACTION or NAME.
+    /// Kind of its value, as in help texts: LENGTH, STRESS, ANGLE, FORCE, PERCENT, NUMBER, FRACTION, SWITCH or NAME.
     pub value: String,
     /// Default value, or in words the rule that picks it.
     pub default: String,
@@ -42,6 +42,15 @@ impl Choice {
             "PERCENT" => number::<NonNegative<Ratio>>(text),
             "NUMBER" => number::<NonNegative<Number>>(text),
             "FRACTION" => number::<Fraction>(text),
+            "SWITCH" => match text {
+                "yes" | "true" => Ok(1.0),
+                "no" | "false" => Ok(0.0),
+                _ => Err(QuantityError {
+                    what: format!("{text:?} is neither yes nor no"),
+                    help: String::new(),
+                    with_point: None,
+                }),
+            },
             _ => Ok(0.0),
         }
     }
@@ -105,6 +114,10 @@ impl Inputs {
 
     pub fn number(&self, key: &str) -> Option<f64> {
         self.given.get(key).map(|(_, _, number)| *number)
+    }
+
+    pub fn is_on(&self, key: &str) -> bool {
+        self.number(key) == Some(1.0)
     }
 
     pub fn name(&self, key: &str) -> Option<&str> {

@@ -44,6 +44,9 @@ pub struct Stage {
     /// Sets equivalent strain and stress back to nothing before the stage.
     #[serde(default)]
     anneal: bool,
+    /// Turns the sheet over before the stage, as for a reverse redraw; every tool that is left is brought up to it.
+    #[serde(default)]
+    turn_over: bool,
     /// Cuts the sheet at this current distance from the axis or symmetry plane before the stage; whole elements go.
     trim: Option<Positive<Length>>,
     /// Diameter of the cut, instead of `trim`, of a round part.
@@ -160,7 +163,9 @@ impl StageContext<'_> {
         let frames_key = format!("{}.frames", self.path);
         let frames = count(self.source, &frames_key, self.written.frames.unwrap_or(4), 1..=1000)?;
         model.frames = equally_spaced(model.duration, frames);
-        let begin = Beginning { anneal: self.written.anneal, trim: self.trim()?, meets };
+        let Stage { turn_over, anneal, .. } = *self.written;
+        meets.extend(model.tools.iter().map(|tool| tool.role).filter(|_| turn_over));
+        let begin = Beginning { turn_over, anneal, trim: self.trim()?, meets };
         let pressed = model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
         let help = "remove the holder too, or let it stand still or go back with `move`";
         let what = "the holder has no die to press against";

@@ -1,7 +1,7 @@
 //! Punches of a round part's draws, and the stages after the first.
 
 use super::*;
-use crate::writer::redraw::Ring;
+use crate::writer::{recessed_punch, redraw::Ring};
 
 impl Cup<'_> {
     /// Text of the stages after the first draw, with the holder's pressure of that \[MPa\].
@@ -10,21 +10,32 @@ impl Cup<'_> {
         for (i, pair) in tools.windows(2).enumerate() {
             let [before, now] = [&pair[0], &pair[1]];
             let (gap, outer) = (throat(now.radius, &now.clearance), before.radius - 0.5 * thickness);
-            let [throat, shoulder] = [gap.value, now.shoulder.value];
-            let ring = Ring { thickness, outer, nose: before.nose.value, throat, shoulder };
+            let (throat, is_reverse) = (gap.value, self.inputs.is_on("reverse"));
+            let widest = Picked::by(0.5 * (outer - throat), "half the width of the ring inside the cup");
+            let narrow = is_reverse && now.shoulder.value > widest.value;
+            let round = if narrow { &widest } else { &now.shoulder };
+            let (shoulder, nose) = (round.value, before.nose.value);
+            let ring = Ring { thickness, outer, nose, throat, shoulder, is_reverse };
             let mut stage = Values::default();
             let name = if i > 0 { format!("\"redraw-{}\"", i + 1) } else { "\"redraw\"".into() };
             let size = |length: f64, picked: &Picked| plain(length) + &picked.reason(", ");
-            let why = format!("throat Ø {}; shoulder {}", size(2.0 * throat, &gap), size(shoulder, &now.shoulder));
+            let why = format!("throat Ø {}; shoulder {}", size(2.0 * throat, &gap), size(shoulder, round));
             let given = [("name", name, ""), ("punch", now.punch.clone(), ""), ("die", ring.die(), why.as_str())];
             given.into_iter().for_each(|(name, value, why)| stage.set(name, value, why));
             stage.set("friction", rounded(self.inputs.value("friction")), "");
             stage.lengths([("move", &now.travel)]);
+            let (bend, shape) = if is_reverse { ("lip", "lip by 180°") } else { ("cone", "cone of 40°") };
+            stage.set(bend, shape, "");
+            if self.inputs.is_on("anneal") {
+                stage.set("anneal", true, "");
+            }
             let has_sleeve = ring.has_room();
             if has_sleeve {
                 stage.set("sleeve", ring.sleeve(4.0 * before.cup), "");
                 let why = "the first holder's pressure on the sleeve's ring (declared)";
                 stage.set("force", newtons(rounded_up(pressure * ring.area(), 3)), why);
+            } else if is_reverse {
+                stage.set("turn_over", true, "");
             } else {
                 let (share, ratio) = (50.0 * thickness / before.radius, before.radius / now.radius);
                 stage.set("unheld", format!("{share:.1} % of the diameter before, the redraw ratio {ratio:.2}"), "");
@@ -46,20 +57,8 @@ impl Cup<'_> {
             (Some(face), _) if is_last => format!("crowned = {{ radius = {wall}, face = {face}, nose = {corner} }}"),
             (_, Some([at, depth])) => {
                 let depth = depth + gap - self.sheet.thickness;
-                let [bend, width] = self.part.slope(depth);
-                let [from, to, flat] = [at - 0.5 * width, at + 0.5 * width, radius - nose];
-                let arc = |x: f64, y: f64, center: [f64; 2], left: bool| {
-                    (Point::new(x, y), Some((Point::new(center[0], center[1]), left)))
-                };
-                let steps = [
-                    (Point::new(from, -depth), None),
-                    arc(at, -0.5 * depth, [from, bend - depth], true),
-                    arc(to, 0.0, [to, -bend], false),
-                    (Point::new(flat, 0.0), None),
-                    arc(radius, -nose, [flat, -nose], false),
-                    (Point::new(radius, -4.0 * self.part.height), None),
-                ];
-                format!("profile = {}", profile_text(Point::new(0.0, -depth), &steps, mm))
+                let hollow = [at, depth];
+                recessed_punch([radius, nose, 4.0 * self.part.height], hollow, self.part.slope(depth))
             }
             _ => format!("flat = {{ radius = {wall}, nose = {corner} }}"),
         }
