@@ -255,7 +255,7 @@ fn a_sheet_turned_over_is_its_mirror_image() {
         mirrored.model.tools.reverse();
         mirrored.begin.meets = vec![Role::Pad, Role::Holder];
 
-        let first = solved(&[draw.clone()]).remove(0);
+        let first = solved(std::slice::from_ref(&draw)).remove(0);
         let plain = Stage { begin: Beginning::default(), ..turned.clone() };
         let once = enter(&turned, &draw.model, first.end.clone());
         let twice = enter(&turned, &turned.model, once.clone());
