@@ -6,7 +6,7 @@ use crate::forming_limit::{Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use crate::rules::Picked;
-use crate::units::trimmed;
+use crate::units::{joined, trimmed};
 use std::{collections::BTreeMap, fmt::Display};
 
 /// Longest line \[characters\]; a comment that does not fit stands above its line.
@@ -83,7 +83,7 @@ impl Values {
         let radius = filled.split('"').nth(1).and_then(|text| text.strip_suffix(" mm")?.parse::<f64>().ok());
         let diameter = radius.filter(|_| is_radius).map(|radius| format!("Ø {}", plain(2.0 * radius)));
         reasons.insert(0, diameter.as_deref().unwrap_or(""));
-        Some((filled, joined(&reasons)))
+        Some((filled, joined(reasons, ", ")))
     }
 }
 
@@ -145,10 +145,6 @@ pub fn recessed_punch([wall, nose, end]: [f64; 3], [at, depth]: [f64; 2], [bend,
         (Point::new(wall, -end), None),
     ];
     format!("profile = {}", profile_text(Point::new(0.0, -depth), &steps, mm))
-}
-
-pub fn joined(reasons: &[&str]) -> String {
-    reasons.iter().filter(|reason| !reason.is_empty()).copied().collect::<Vec<_>>().join(", ")
 }
 
 pub fn plain(length: f64) -> String {

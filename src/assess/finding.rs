@@ -255,7 +255,7 @@ pub fn headline(findings: &[Finding]) -> String {
 /// Rows that are not judged, with the key to give: `Press force, Energy ([press]), Hardening law (fitted_up_to)`.
 pub fn unchecked(findings: &[Finding]) -> String {
     let group = |group: Vec<&Finding>| {
-        let labels = joined(group.iter().map(|finding| finding.label.into()), ", ");
+        let labels = joined(group.iter().map(|finding| finding.label), ", ");
         let key = group[0].advice.split('`').nth(1);
         key.map_or(labels.clone(), |key| format!("{labels} ({key})"))
     };

@@ -69,8 +69,7 @@ impl MarciniakKuczynski {
     const STEEPEST: f64 = 1.05;
     const ANGLES: usize = 12;
 
-    /// Checks what was read.
-    /// Fails when the groove is none that makes sense.
+    /// Checks what was read. Fails when the groove is none that makes sense.
     pub fn check(&self) -> Result<(), LawError> {
         let help = "it is the groove's thickness over the sheet's: 0.98 to 0.999 is usual";
         require_or("imperfection", GROOVES.contains(&self.imperfection), help, || {

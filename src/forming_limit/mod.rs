@@ -73,8 +73,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The curve of a sheet.
-    /// Fails when the kind does not hold for the sheet, or its equations have no solution.
+    /// The curve of a sheet. Fails when the kind does not hold for the sheet, or its equations have no solution.
     pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         match self {
             Self::Points(kind) => kind.curve(),

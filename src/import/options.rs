@@ -75,8 +75,7 @@ impl FromStr for Heading {
     }
 }
 
-/// Reads `NAME=TOOL`, the tool that a layer draws; `None` for `NAME=none`.
-/// Fails when no layer or no tool is named.
+/// Reads `NAME=TOOL`, the tool that a layer draws; `None` for `NAME=none`. Fails when no layer or no tool is named.
 pub fn layer(text: &str) -> Result<(String, Option<Role>), String> {
     let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
     match Role::named_in(tool)[..] {

@@ -286,4 +286,4 @@ impl Iterate {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -48,8 +48,7 @@ impl Hill48 {
         Self { ratio: r, coupling, direct, coupled: coupling * direct }
     }
 
-    /// For r̄ of sheet metals, with room: 0.1 to 10.
-    /// Fails when it lies beyond.
+    /// For r̄ of sheet metals, with room: 0.1 to 10. Fails when it lies beyond.
     pub fn checked(r: f64) -> Result<Self, LawError> {
         require_range(["", "anisotropy"], r, RATIO, "0.6 to 0.8 for aluminium, 1 to 2 for steel").map(|()| Self::new(r))
     }

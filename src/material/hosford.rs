@@ -65,8 +65,7 @@ impl Hosford {
         }
     }
 
-    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10.
-    /// Fails when one lies beyond.
+    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10. Fails when one lies beyond.
     pub fn checked(r: f64, exponent: f64) -> Result<Self, LawError> {
         Hill48::checked(r)?;
         require_range(["exponent"; 2], exponent, EXPONENT, "6 for steel (bcc), 8 for aluminium (fcc)")?;

@@ -59,18 +59,15 @@ impl System {
 
     /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
     pub fn clear(&mut self) {
-        for i in 0..self.rhs.len() {
-            self.lower[i] = Matrix3::zeros();
-            self.diagonal[i] = Matrix3::zeros();
-            self.upper[i] = Matrix3::zeros();
-            self.rhs[i] = Vector3::zeros();
-            self.columns[i][..self.shared].fill(Vector3::zeros());
-            self.rows[i][..self.shared].fill(Vector3::zeros());
+        for blocks in [&mut self.lower, &mut self.diagonal, &mut self.upper] {
+            blocks.fill(Matrix3::zeros());
         }
-        self.corner = Corner::zeros();
-        for k in self.shared..MAX_SHARED {
-            self.corner[(k, k)] = 1.0;
+        self.rhs.fill(Vector3::zeros());
+        for border in self.columns.iter_mut().chain(&mut self.rows) {
+            border[..self.shared].fill(Vector3::zeros());
         }
+        self.corner.fill_with_identity();
+        self.corner.view_mut((0, 0), (self.shared, self.shared)).fill(0.0);
         self.corner_rhs = Shared::zeros();
     }
 

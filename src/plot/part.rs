@@ -18,7 +18,9 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let is_released = model.release.is_some();
     let tools = whole_tools(model, frame, right).filter(|_| !is_released);
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
-    let text = thickness_text(initial, thinnest.thickness);
+    let thinned = 1.0 - thinnest.thickness / initial;
+    let word = if thinned < 0.0 { "thicker" } else { "thinner" };
+    let text = format!("{}, {} {word}", Amount::thickness(thinnest.thickness), Amount::share(thinned.abs()));
     let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, true));
     section.annotations.push(Annotation::flag(text, (thinnest.r, thinnest.z)));
     if let Some(torn) = tears_at(view.stage).and_then(|s0| element_at(frame, s0)) {
@@ -28,11 +30,4 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let tools = if is_released { "" } else { " Grey: the tools at the end." };
     let note = thinning.note() + tools;
     Some(view.chart("the part and its thinning", vec![section, thinning.scale()], [note]))
-}
-
-/// `0.61 mm, 39 % thinner`
-fn thickness_text(initial: f64, thickness: f64) -> String {
-    let thinning = 1.0 - thickness / initial;
-    let word = if thinning < 0.0 { "thicker" } else { "thinner" };
-    format!("{}, {} {word}", Amount::thickness(thickness), Amount::share(thinning.abs()))
 }

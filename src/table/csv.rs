@@ -81,16 +81,14 @@ impl Csv {
         self.header.fields.iter().collect::<Vec<_>>().join(", ").chars().take(10 * LONGEST).collect()
     }
 
-    /// Unit that a column's name ends in, and the factor to it.
-    /// Fails if it ends in no known unit.
+    /// Unit that a column's name ends in, and the factor to it. Fails if it ends in no known unit.
     pub fn unit(&self, column: usize) -> Result<(Unit, f64), String> {
         Unit::of_header(self.header.fields.get(column).unwrap_or(""))
     }
 }
 
 impl Record {
-    /// Number in a column; `None` if it is empty.
-    /// Fails if it is no finite number.
+    /// Number in a column; `None` if it is empty. Fails if it is no finite number.
     pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
         let field = self.fields.get(column).unwrap_or("");
         let is = match field.parse::<f64>() {

@@ -1,5 +1,7 @@
 //! Numbers as text, long texts cut, and the word that was probably meant.
 
+use std::borrow::Borrow;
+
 /// Longest quote in a message \[characters\].
 const LONGEST: usize = 300;
 
@@ -33,8 +35,8 @@ pub fn without_zeros(text: &str) -> &str {
 }
 
 /// Joins the parts that are not empty.
-pub fn joined(parts: impl IntoIterator<Item = String>, separator: &str) -> String {
-    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator)
+pub fn joined<S: Borrow<str>>(parts: impl IntoIterator<Item = S>, separator: &str) -> String {
+    parts.into_iter().filter(|part| !part.borrow().is_empty()).collect::<Vec<S>>().join(separator)
 }
 
 pub(crate) fn shortened(text: &str) -> String {

@@ -250,8 +250,7 @@ impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
 pub struct As<Q>(PhantomData<Q>);
 
 impl<Q: Dimensioned> As<Q> {
-    /// Reads the number.
-    /// Fails when it is not such a quantity.
+    /// Reads the number. Fails when it is not such a quantity.
     pub fn deserialize<'de, N: From<f64>, D: Deserializer<'de>>(from: D) -> Result<N, D::Error> {
         from.deserialize_any(Written::<Q>(PhantomData)).map(|quantity| quantity.value().into())
     }

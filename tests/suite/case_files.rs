@@ -6,10 +6,6 @@ use stampflow::model::ReleaseStiffness;
 use std::fs::File;
 use std::io::{self, ErrorKind};
 
-fn load(path: impl AsRef<Path>) -> Case {
-    case::load(path, &[]).unwrap_or_else(|error| panic!("{}", error.render(false)))
-}
-
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 
 #[test]
@@ -17,7 +13,7 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
     let cases = files("cases", "toml");
     assert!(cases.len() >= 8, "{cases:?}");
     for path in cases {
-        let case = load(&path);
+        let case = loaded(&path, &[]);
         assert!(!case.model().notes.is_empty(), "{}: no notes", case.name);
         let report = format!("{:#}", stampflow::assess::check::report(&case));
         assert!(case.model().notes.iter().all(|note| report.contains(note)), "{report}");
@@ -45,7 +41,7 @@ fn a_temperature_is_given_by_zones_or_by_a_file() {
     std::fs::write(folder.path().join("field.csv"), "# measured\ns0_in,temperature_C\n1,20\n2,120\n").expect("written");
     let path = folder.path().join("case.toml");
     std::fs::write(&path, format!("{MINIMAL}[heat]\ninitial = \"field.csv\"\n")).expect("written");
-    let heat = load(&path).model().heat.clone().expect("given");
+    let heat = loaded(&path, &[]).model().heat.clone().expect("given");
     for (found, expected) in at(&heat, [0.0, 25.4, 38.1, 54.0]).into_iter().zip([20.0, 20.0, 70.0, 120.0]) {
         assert!((found - expected).abs() < 1e-9, "{found} {expected}");
     }
@@ -66,7 +62,7 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
     }
     assert_eq!(sources.len(), curves.len(), "a source without its curve");
     for path in files("cases", "toml") {
-        for spec in load(&path).compare.iter().filter(|spec| spec.data.is_some()) {
+        for spec in loaded(&path, &[]).compare.iter().filter(|spec| spec.data.is_some()) {
             let text = std::fs::read_to_string(&spec.reference).unwrap();
             let header: Vec<&str> =
                 text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
@@ -109,7 +105,7 @@ fn with_a_depth_forces_are_of_the_whole_part() {
     for stiffness in ["50 N/mm^2", "25 kN/mm"] {
         let spring = format!("spring = {{ preload = \"10 kN\", stiffness = \"{stiffness}\" }}");
         let text = text.replace("force = \"2600 N/mm\"", &spring);
-        let case = case::parse(&text, "strip.toml", &[depth.to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+        let case = parsed(&text, &[depth]);
         let model = case.model();
         let press = Motion::Pressed(Press { force: 10e3.into(), stiffness: 25e3 });
         assert_eq!(model.tool(Role::Holder).unwrap().motion, press, "{stiffness}");
@@ -151,7 +147,7 @@ fn a_case_can_be_read_from_memory() {
     for path in cases {
         let text = std::fs::read_to_string(&path).unwrap();
         let read = |files: &dyn Files| case::parse_with(&text, path.to_str().unwrap(), &[], files);
-        let case = load(&path);
+        let case = loaded(&path, &[]);
         assert_eq!(read(&memory).unwrap_or_else(|error| panic!("{}", error.render(false))), case);
         if read(&Memory::default()).is_err() {
             beside += 1;

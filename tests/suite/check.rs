@@ -54,7 +54,7 @@ fn no_shipped_case_is_doubted() {
     let cases = files("cases", "toml");
     assert!(cases.len() > 10);
     for path in cases {
-        let case = case::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let case = loaded(&path, &[]);
         let doubts: Vec<_> = SIZE_CHECKS.iter().filter_map(|check| check(case.model())).collect();
         assert!(doubts.is_empty(), "{}: {doubts:?}", path.display());
     }

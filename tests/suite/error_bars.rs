@@ -11,7 +11,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
     let plain = solved("quickstart");
     let force = |solution: &Solution, found: Option<&ErrorBars>| {
         let (answer, findings) = answered(solution, found);
-        (answer, findings.into_iter().find(|finding| finding.key == "press_force").expect("a row"))
+        (answer, row(&findings, "press_force").clone())
     };
     let needed = force(plain, None).1.value().expect("a force");
     let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
@@ -34,7 +34,7 @@ fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
 fn whether_it_tears_is_said_alike_with_and_without_bars() {
     let given = [("height", "60 mm"), ("punch-radius", "40 mm"), ("shoulder", "6.5 mm")];
     let solution = made("cup", &given, &[]).solve(&mut ());
-    let row = |findings: &[Finding]| findings.iter().find(|row| row.key == "forming_limit").expect("a row").clone();
+    let row = |findings: &[Finding]| row(findings, "forming_limit").clone();
     let found = verify(&solution, &()).bars;
     let (plain, (barred, findings)) = (answered(&solution, None), answered(&solution, Some(&found)));
     let tears = |answer: &Answer| answer.sentence.split(';').next().map(str::to_owned);

@@ -213,9 +213,8 @@ fn curve_of(dir: &TempDir, noise: f64, rng: &mut Rng) -> PathBuf {
 }
 
 fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
-    let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
     let base = BaseCase::load(CASE, coarse()).expect("a case");
-    let request = CaseFitRequest::new(base, &texts, &[path.to_owned()]);
+    let request = CaseFitRequest::new(base, &owned(texts), &[path.to_owned()]);
     fit_case(&request.unwrap_or_else(|error| panic!("{error}")), 2, watch).unwrap_or_else(|error| panic!("{error}"))
 }
 

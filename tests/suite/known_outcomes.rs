@@ -30,8 +30,7 @@ fn parts() -> Vec<Part> {
 
 /// Outcome by the lights: a tear or wrinkles by the failure mode, ironing by its row, spring-back by the case's tolerance.
 fn outcome_by_the_lights(part: &Part) -> &'static str {
-    let case =
-        case::load(format!("{FOLDER}/{}.toml", part.file), &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let case = loaded(format!("{FOLDER}/{}.toml", part.file), &[]);
     let stages = solver::solve(&case.stages, &mut ());
     let findings = assess::after(&case, &stages);
     let ironed = findings.iter().any(|finding| finding.key == "ironing" && finding.value() > Some(1.0));

@@ -27,7 +27,7 @@ fn cup() -> Model {
         die = { throat = "11.2 mm", shoulder = "3 mm", friction = 0.08 }
         holder = { inner_radius = "12 mm", force = "1 kN" }
     "#;
-    let mut model = case::parse(text, "cup.toml", &[]).expect("a case").stages.remove(0).model;
+    let mut model = parsed(text, &[]).stages.remove(0).model;
     model.settings.max_step = 0.2;
     model.settings.min_step = 1e-3;
     model.settings.first_step = 0.05;

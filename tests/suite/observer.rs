@@ -151,8 +151,7 @@ impl Observer for Seen {
 /// Trust: the results of the run; its last stretch is lost and taken with other settings.
 #[test]
 fn an_observer_sees_a_remedied_run_as_its_results_have_it() {
-    let overrides = ["blank.elements=36", "tools.punch.travel=36.8 mm"].map(str::to_owned);
-    let case = case::load("tests/suite/stops/w_bend.toml", &overrides).expect("sound");
+    let case = loaded("tests/suite/stops/w_bend.toml", &["blank.elements=36", "tools.punch.travel=36.8 mm"]);
     let recorder = FrameRecorder::new(vec![Extra::Vtu]);
     let mut seen = Seen { recorder, steps: vec![], iterations: vec![], states: vec![], restarts: 0 };
     let run = &solver::solve(&case.stages, &mut seen)[0];

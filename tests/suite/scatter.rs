@@ -9,9 +9,8 @@ fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
 }
 
 fn scatter_of(set: &[&str], vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
-    let set = [&["blank.elements=24", "solver.max_step=0.06"], set].concat().into_iter().map(str::to_owned).collect();
-    let base = BaseCase::load("cases/quickstart.toml", set).expect("a case");
-    Scatter::new(base, &vary.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>(), runs, seed)
+    let set = owned(&[&["blank.elements=24", "solver.max_step=0.06"], set].concat());
+    Scatter::new(BaseCase::load("cases/quickstart.toml", set).expect("a case"), &owned(vary), runs, seed)
 }
 
 fn values(scatter: &mut Scatter) -> Vec<Vec<f64>> {

@@ -90,8 +90,7 @@ fn conditions_judge_lights_tears_and_quantities() {
     let force = table.response("punch_force").expect("a force");
     let with = |red: &[&str], amber: &[&str], newtons: f64, torn: bool| {
         let mut run = table.runs[0].clone();
-        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
-        (run.red, run.amber) = (words(red), words(amber));
+        (run.red, run.amber) = (owned(red), owned(amber));
         run.failures = if torn { vec![stampflow::study::FailureMode::Tears] } else { Vec::new() };
         run.numbers[force] = newtons;
         run
@@ -137,8 +136,7 @@ fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
     ] {
         let sizes = [("material", "drawing-steel"), ("punch-diameter", &format!("{diameter} mm"))];
         let text = find("cup").and_then(|cup| cup.fill(&sizes)).unwrap_or_else(|error| panic!("{error}"));
-        let set = set.iter().map(|key| (*key).to_owned()).collect();
-        let base = BaseCase::from_text(text, "cup.toml", set).unwrap_or_else(|error| panic!("{error}"));
+        let base = BaseCase::from_text(text, "cup.toml", owned(set)).unwrap_or_else(|error| panic!("{error}"));
         let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
         let (search, table) = search(base, &request).unwrap_or_else(|error| panic!("{error}"));
         assert!(table.runs.iter().all(|run| !run.red.contains(&"wrinkling".to_owned())), "{row}");

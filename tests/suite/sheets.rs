@@ -61,8 +61,7 @@ fn every_sheet_comes_to_an_end_that_is_told_and_so_does_every_template() {
             let release = template.options().any(|one| one.key == "springback") && entry.material.elastic.is_some();
             let given = [("material", entry.name), ("springback", "1 deg")];
             let text = template.fill(&given[..1 + usize::from(release)]).unwrap_or_else(|e| panic!("{name}: {e}"));
-            let coarse = ["blank.elements=30".to_owned()];
-            let case = case::parse(&text, "case.toml", &coarse).unwrap_or_else(|e| panic!("{}", e.render(false)));
+            let case = parsed(&text, &["blank.elements=30"]);
             let solved = solve(&case.stages, &mut ());
             for stage in &solved {
                 assert!(stage.stop.is_complete() || stage.stop.is_physical(), "{name}: {}", stage.stop);
@@ -116,11 +115,8 @@ fn a_law_made_from_a_band_has_its_strength_and_uniform_strain() {
 #[test]
 fn strength_scales_the_flow_stress_of_a_sheet() {
     for set in [&["material=dc04"][..], &["material=aa5754-o", "material.mode=elasto_viscoplastic"]] {
-        let stress = |more: &[&str]| {
-            let set: Vec<String> = set.iter().chain(more).map(|set| set.to_string()).collect();
-            let case = case::parse(QUICKSTART, "case.toml", &set).unwrap_or_else(|e| panic!("{}", e.render(false)));
-            case.model().material.monotonic(0.1, 0.0).stress
-        };
+        let stress =
+            |more: &[&str]| parsed(QUICKSTART, &[set, more].concat()).model().material.monotonic(0.1, 0.0).stress;
         assert!((stress(&["material.strength=1.08"]) / stress(&[]) - 1.08).abs() < 1e-12);
     }
 }

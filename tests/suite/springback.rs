@@ -9,8 +9,7 @@ fn v_bend(angle: f64, more: &str) -> Case {
 }
 
 fn verdict(solution: &Solution) -> Finding {
-    let found = assess::after(&solution.case, &solution.stages);
-    found.into_iter().find(|finding| finding.key == "springback").expect("a verdict on the spring-back")
+    row(&findings(solution), "springback").clone()
 }
 
 fn released(solution: &Solution) -> Vec<Change> {

@@ -11,7 +11,7 @@ fn solved(geometry: &str, blank: &str, tools: &str) -> StageSolution {
     let case = parsed(&text, &[]);
     let stages: Vec<StageSolution> = solve(&case.stages, &mut ());
     let found = assess::after(&case, &stages);
-    let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
+    let run = row(&found, "stop");
     let stage = stages.into_iter().next_back().expect("one stage");
     let stop = &stage.stop;
     use StopKind::{Coalesced, LoadMaximum, Localised, PressureMaximum};
@@ -103,7 +103,7 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
     assert!(travel > 0.0 && travel < 0.01 * case.model().travel, "{travel}");
     assert!(stop.s0.is_some_and(|s0| s0 <= case.model().blank.length) && stop.text.contains("touches"), "{stop}");
     let found = assess::after(&case, &stages);
-    let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
+    let run = row(&found, "stop");
     assert!(run.statement().contains("creeping") && !run.advice.is_empty(), "{run:?}");
     assert!(!stages[0].stop.is_complete() && !stages[0].stop.is_physical());
 }
@@ -114,13 +114,10 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
 /// to what rubs in the throat, by the quickstart's thick rim a seventh of the peak.
 #[test]
 fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
-    let text = std::fs::read_to_string("cases/quickstart.toml").expect("shipped");
     let run = |overrides: &[&str]| {
-        let case = parsed(&text, overrides);
-        let stages = solve(&case.stages, &mut ());
-        let found = assess::after(&case, &stages);
-        let run = found.into_iter().find(|finding| finding.key == "stop").expect("the stop is judged");
-        (stages.into_iter().next().expect("one stage"), run)
+        let mut solution = shipped_case("quickstart", overrides).solve(&mut ());
+        let run = row(&findings(&solution), "stop").clone();
+        (solution.stages.remove(0), run)
     };
     let through = |travel: &'static str| run(&[travel, "stop.drawn_through=true"]);
     let (stage, judged) = through("tools.punch.travel=60 mm");
@@ -130,8 +127,7 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     // The shoulder of 6 mm begins half a thickness above the sheet's middle. Found to a thousandth of a step of 0.6 mm.
     let end = 0.5 + 6.0 + 1.0;
     assert!(rim[1] >= end && rim[1] < end + 1e-2, "{rim:?}");
-    let peak = stage.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
-    assert!(stage.steps.last().expect("steps").punch_force < 0.2 * peak);
+    assert!(last(&stage).punch_force < 0.2 * peak(&stage));
 
     let (early, judged) = run(&["tools.punch.travel=60 mm"]);
     assert!(early.stop.kind == StopKind::DrawnThrough && !early.stop.is_complete(), "{}", early.stop);
@@ -151,8 +147,7 @@ fn what_is_drawn_back_goes_all_the_way_and_what_bottoms_ends_as_closed() {
         ("w_bend", &["blank.elements=36", "tools.punch.travel=36.8 mm"], StopKind::ToolsClosed, true),
         ("w_bend", &["solver.min_step=5e-4"], StopKind::ToolsClosed, false),
     ] {
-        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-        let case = case::load(format!("tests/suite/stops/{name}.toml"), &overrides).expect("sound");
+        let case = loaded(format!("tests/suite/stops/{name}.toml"), overrides);
         let stages = solve(&case.stages, &mut ());
         let (last, found) = (stages.last().expect("a stage"), assess::after(&case, &stages));
         let light = |key: &str| found.iter().find(|finding| finding.key == key).map(|finding| finding.light);

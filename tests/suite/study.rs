@@ -7,14 +7,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The quickstart on a coarse mesh in long steps, with overrides.
 pub fn base(set: &[&str]) -> BaseCase {
-    let coarse = ["blank.elements=30", "solver.max_step=0.05"];
-    let set = coarse.iter().chain(set).map(|text| (*text).to_owned()).collect();
+    let set = owned(&[&["blank.elements=30", "solver.max_step=0.05"], set].concat());
     BaseCase::load("cases/quickstart.toml", set).unwrap_or_else(|error| panic!("{error}"))
 }
 
 pub fn sweep(vary: &[&str], one_at_a_time: bool) -> Result<Sweep, StudyError> {
-    let vary: Vec<String> = vary.iter().map(|text| (*text).to_owned()).collect();
-    Sweep::new(base(&[]), &vary, one_at_a_time)
+    Sweep::new(base(&[]), &owned(vary), one_at_a_time)
 }
 
 pub fn run(study: &mut dyn Study, threads: usize, watch: &dyn Watch) -> RunTable {

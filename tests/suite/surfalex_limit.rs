@@ -132,12 +132,11 @@ fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
     assert!(text.contains("Forming limit: measured on the library's sheet"), "{text}");
     let curve = case.model().forming_limit.clone().expect("a limit");
     assert!(curve.name == "Points" && (curve.major_at(0.0915) - 0.2616).abs() < 1e-12);
-    let solution = case.solve(&mut ());
-    let found = assess::after(&solution.case, &solution.stages);
-    let limit = found.iter().find(|finding| finding.key == "forming_limit").expect("a row");
+    let found = findings(&case.solve(&mut ()));
+    let limit = row(&found, "forming_limit");
     assert!(limit.light != Light::Grey && limit.limit.to_string().contains("of Points"), "{limit:?}");
     for other in ["hill", "none"] {
-        let two = ["forming_limit.measured=true".to_owned(), format!("forming_limit.{other}=true")];
+        let two = owned(&["forming_limit.measured=true", &format!("forming_limit.{other}=true")]);
         assert!(case::parse(&text, "made.toml", &two).is_err(), "the measured points, and {other}");
     }
     // Of a sheet without measured points, and of none, the case says what is missing.
@@ -145,7 +144,7 @@ fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
         ("aa6016a-surfalex", "drawing-steel"),
         ("name = \"aa6016a-surfalex\"", "hardening.swift = { k = \"500 MPa\", n = 0.2, offset = 0.01 }"),
     ] {
-        let measured = ["forming_limit.measured=true".to_owned()];
+        let measured = owned(&["forming_limit.measured=true"]);
         let error = case::parse(&text.replace(from, to), "made.toml", &measured).expect_err("no points");
         assert!(error.to_string().contains("names none that has some"), "{error}");
     }

@@ -107,7 +107,7 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
     let redraw = |option: &str, gap: &str| {
         let case = made("redraw", &[(option, gap)], &[]);
         let found = assess::after(&case, solved(&case));
-        let row = |key: &str| found.iter().find(|row| row.key == key).expect("a row").clone();
+        let row = |key: &str| row(&found, key).clone();
         let frame = solved(&case).last().and_then(|stage| stage.frames.last()).expect("a frame");
         let wall = stampflow::measure::thickest(frame).map_or(0.0, |(wall, _)| wall);
         (row("clearance"), row("ironing").value().unwrap_or(0.0), wall)

@@ -17,19 +17,11 @@ fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
     findings
 }
 
-fn light(findings: &[Finding], key: &str) -> Light {
-    findings.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}: {findings:?}")).light
-}
-
-fn value(findings: &[Finding], key: &str) -> f64 {
-    findings.iter().find(|f| f.key == key).and_then(|f| f.value()).unwrap_or_else(|| panic!("no {key}"))
-}
-
 /// Rows that are not green.
 #[test]
 fn shipped_cases_have_their_lights() {
-    for row in include_str!("../golden/lights.csv").lines().skip(1) {
-        let [name, expected @ ..] = &row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
+    for line in include_str!("../golden/lights.csv").lines().skip(1) {
+        let [name, expected @ ..] = &line.split(',').collect::<Vec<_>>()[..] else { panic!("{line}") };
         let found = judged(&solved(name).case, &solved(name).stages);
         let keys = |light| found.iter().filter(|f| f.light == light).map(|f| f.key).collect::<Vec<_>>().join(" ");
         assert_eq!([Light::Red, Light::Amber, Light::Grey].map(keys), *expected, "{name}");
@@ -68,7 +60,7 @@ fn overrides_have_their_lights_and_failure_modes() {
         (&["tools.die.shoulder=1.5 mm", "tools.punch.travel=8 mm"], "solution_quality", Light::Amber, None),
     ] {
         let (answer, found) = answered("quickstart", overrides);
-        assert_eq!((self::light(&found, key), answer.failures.first().copied()), (light, mode), "{overrides:?} {key}");
+        assert_eq!((row(&found, key).light, answer.failures.first().copied()), (light, mode), "{overrides:?} {key}");
     }
 }
 
@@ -80,7 +72,7 @@ fn wrinkle_index_is_that_of_a_hand_calculation() {
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
     let held = PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
     // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
-    assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
+    assert!((row(&found, "wrinkling").value().unwrap() / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
 }
 
 /// Trust: by hand, 1.5 of the second punch is beyond 1.3.
@@ -89,11 +81,11 @@ fn later_draws_are_judged_too() {
     let case = made("redraw", &[("first-radius", "45 mm")], &[]);
     let passes = solve(&case.stages, &mut ());
     let found = judged(&case, &passes);
-    assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
-    assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
+    assert_eq!(row(&found, "redraw_ratio").light, Light::Amber, "{found:?}");
+    assert!((row(&found, "redraw_ratio").value().unwrap() - 1.5).abs() < 1e-9);
     // One stroke's energy, not the sum of both.
     let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
-    assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
+    assert!((row(&found, "energy").value().unwrap() - works.fold(0.0, f64::max)).abs() < 1e-9);
 }
 
 /// The verdict on a shipped case with overrides.

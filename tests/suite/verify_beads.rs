@@ -118,11 +118,11 @@ fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
     let closing = stages[0].closing.expect("the holder closes");
     assert!(closing.gap > 0.3 && (closing.force / 15e3 - 1.0).abs() < 1e-2, "{closing:?}");
     assert!(!stages[0].steps.is_empty(), "{}", stages[0].stop);
-    let open = found.iter().find(|finding| finding.key == "holder_open").expect("a warning");
+    let open = row(&found, "holder_open");
     assert!(open.kind == Kind::Warning && open.value() == Some(closing.gap), "{open:?}");
     assert!(open.sentence().to_string().contains("[[tools.beads]]"), "{open:?}");
     for key in ["holder", "wrinkling"] {
-        let row = found.iter().find(|finding| finding.key == key).expect(key);
+        let row = row(&found, key);
         assert!(row.light == Light::Grey && row.statement().contains("open by"), "{row:?}");
     }
 }
@@ -131,7 +131,6 @@ fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
 #[test]
 fn holders_that_lie_flat_on_the_sheet_do_not_close_first() {
     for path in files("cases", "toml") {
-        let case = case::load(&path, &[]).expect("valid");
-        assert_eq!(closing_way(case.model()), None, "{}", path.display());
+        assert_eq!(closing_way(loaded(&path, &[]).model()), None, "{}", path.display());
     }
 }

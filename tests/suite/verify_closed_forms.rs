@@ -147,41 +147,34 @@ fn the_draw_die_s_punch_force_is_that_of_its_closed_form() {
     }
 }
 
-/// The flow law of a rate-free sheet, with Newton's matrix and hardly any cut-off.
-fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
-    FlowLaw {
-        hardening,
-        rate: None,
-        softening: None,
-        criterion: Hill48::default().into(),
-        voids: None,
-        matrix: Iteration::Newton,
-        cutoff: 1e-7,
-        duration: 1.0,
-    }
+/// Yield stress [MPa], thickness and length [mm], and turn [rad] of a bent element.
+const YIELD: f64 = 200.0;
+const T: f64 = 1.3;
+const LENGTH: f64 = 0.8;
+const TURN: f64 = 0.02;
+
+/// Force and moment of a plane-strain element that does not harden, as it is bent and drawn out by `stretch` [N/mm, N].
+fn bent(rule: &[ThicknessPoint], stretch: f64) -> [f64; 2] {
+    let hardening = &Hardening::Ludwik(Ludwik::new(YIELD, 0.0, 1.0).expect("valid"));
+    let (rate, softening, voids) = (None, None, None);
+    let (criterion, matrix) = (Hill48::default().into(), Iteration::Newton);
+    let law = FlowLaw { hardening, rate, softening, criterion, voids, matrix, cutoff: 1e-7, duration: 1.0 };
+    let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + LENGTH, 0.0, 0.0]);
+    let end = start.moved([0.0, 0.0, -0.5 * TURN], [stretch, 0.0, 0.5 * TURN]).expect("sound");
+    let section = Section { law: &law, rule, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
+    let points = vec![PointState::at(0.0); rule.len()];
+    let (mut iterates, mut updates) = (vec![Iterate::default(); rule.len()], vec![StressUpdate::default(); rule.len()]);
+    let (force, _) = section.internal(&end, start.area() * T, T, &points, &mut iterates, &mut updates);
+    [force[3], force[5]]
 }
 
 /// Trust: moment of a fully plastic plane-strain section, M = S t²/4 with S = (2/√3) Y. The Lobatto rule integrates
 /// a jump of the stress with an error of the order 1/n².
 #[test]
 fn plastic_moment_converges_with_the_layers() {
-    let (yield_stress, t, length) = (200.0, 1.3, 0.8);
-    let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
-    let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
-    let turn = 0.02;
-    let end = start.moved([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
-    let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
-    let error = |n: usize| {
-        let layers = lobatto(n);
-        let law = rate_free(&hardening);
-        let section = Section { law: &law, rule: &layers, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
-        let points = vec![PointState::at(0.0); n];
-        let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![StressUpdate::default(); n]);
-        let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
-        (force[5] / exact - 1.0).abs()
-    };
+    let exact = 2.0 / 3f64.sqrt() * YIELD * T * T / 4.0;
     let layers = [5, 7, 11, 21, 51];
-    let errors = layers.map(error);
+    let errors = layers.map(|n| (bent(&lobatto(n), 0.0)[1] / exact - 1.0).abs());
     let orders = orders(&layers.map(|n| 1.0 / n as f64), &errors);
     let told = layers.iter().zip(errors).map(|(layers, error)| match error {
         error if error < 1e-3 => format!("{:.2} % with {layers}", 100.0 * error),
@@ -199,27 +192,16 @@ fn plastic_moment_converges_with_the_layers() {
 /// the first power of their number.
 #[test]
 fn tension_that_bends_moves_the_neutral_fibre() {
-    let (yield_stress, t, length, turn) = (200.0, 1.3, 0.8, 0.02);
-    let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
-    let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
-    let s = 2.0 / 3f64.sqrt() * yield_stress;
-    let point = rate_free(&hardening);
+    let s = 2.0 / 3f64.sqrt() * YIELD;
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
-        let points = midpoint(n);
-        let section = Section { law: &point, rule: &points, slack_tension: 0.0, last_move: 0.0, forces_alone: false };
         let (mut tension, mut moment) = (0.0_f64, 0.0_f64);
-        for i in 0..=100 {
-            let tau = 0.005 * f64::from(i);
-            let stretch = length * ((0.5 * t * tau * turn / length).exp() - 1.0);
-            let end = start.moved([0.0, 0.0, -0.5 * turn], [stretch, 0.0, 0.5 * turn]).expect("sound");
-            let points = vec![PointState::at(0.0); n];
-            let (mut iterates, mut updates) = (vec![Iterate::default(); n], vec![StressUpdate::default(); n]);
-            let (force, _) = section.internal(&end, start.area() * t, t, &points, &mut iterates, &mut updates);
+        for tau in (0..=100).map(|i| 0.005 * f64::from(i)) {
+            let stretch = LENGTH * ((0.5 * T * tau * TURN / LENGTH).exp() - 1.0);
+            let [force, turning] = bent(&midpoint(n), stretch);
             // The force is that of the section as it is drawn out.
-            let found = force[3] * (length + stretch) / length / (s * t);
-            tension = tension.max((found - tau).abs());
-            moment = moment.max((force[5] / (s * t * t / 4.0) - (1.0 - tau * tau)).abs());
+            tension = tension.max((force * (LENGTH + stretch) / LENGTH / (s * T) - tau).abs());
+            moment = moment.max((turning / (s * T * T / 4.0) - (1.0 - tau * tau)).abs());
         }
         [tension, moment]
     };

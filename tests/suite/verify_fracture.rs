@@ -160,10 +160,8 @@ fn fracture_has_its_light() {
         let set = format!("material.fracture={{brozzo={{critical={critical}}}}}");
         let case = shipped_case("quickstart", &[&set, "material.fracture_source=a notched test"]);
         let solution = case.solve(&mut ());
-        let (case, stages) = (&solution.case, &solution.stages);
-        let findings = assess::after(case, stages);
-        let found = findings.iter().find(|finding| finding.key == "fracture").expect("a row");
-        let answer = Answer::of(case, stages, &findings);
+        let (stages, all) = (&solution.stages, findings(&solution));
+        let (found, answer) = (row(&all, "fracture"), Answer::of(&solution.case, stages, &all));
         assert_eq!((found.light, &answer.failures[..], &*found.source), (light, failures, "a notched test"));
         assert!(parts.iter().all(|part| found.statement().contains(part)), "{}", found.statement());
         let picture = OUTPUTS.iter().find(|output| output.file == "damage.png").expect("an output");
@@ -173,9 +171,8 @@ fn fracture_has_its_light() {
         let breaks = answer.sentence.starts_with("it breaks ");
         assert_eq!(breaks, light == Light::Red, "{}", answer.sentence);
     }
-    let case = shipped_case("quickstart", &["tools.punch.travel=3 mm"]);
-    let findings = assess::after(&case, &solver::solve(&case.stages, &mut ()));
-    assert!(findings.iter().all(|finding| finding.key != "fracture"));
+    let whole = shipped_case("quickstart", &["tools.punch.travel=3 mm"]).solve(&mut ());
+    assert!(findings(&whole).iter().all(|finding| finding.key != "fracture"));
 }
 
 /// Trust: a dome whose place, instant and word are those of the first event, fracture or forming limit.
@@ -185,8 +182,7 @@ fn the_first_tear_has_the_sentence() {
         let set = format!("material.fracture={{brozzo={{critical={critical}}}}}");
         let solution = shipped_case("osu_stretch", &[&set]).solve(&mut ());
         let stage = &solution.stages[0];
-        let findings = assess::after(&solution.case, &solution.stages);
-        let answer = Answer::of(&solution.case, &solution.stages, &findings);
+        let answer = Answer::of(&solution.case, &solution.stages, &findings(&solution));
         let first = stage.steps.iter().find(|step| step.damage >= 1.0);
         assert!(answer.sentence.starts_with(verb) && answer.sentence.contains("mm of travel"), "{}", answer.sentence);
         assert_eq!(first.is_some_and(|step| assess::tears_at(stage) == Some(step.damage_s0)), verb == "it breaks");

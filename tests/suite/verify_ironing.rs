@@ -301,7 +301,7 @@ fn a_thick_aluminium_rim_is_ironed() {
     assert!((1.0 - (-pressed.fold(0.0, f64::max)).exp() - last.ironing).abs() < 1e-9, "{}", last.ironing);
     let next = stampflow::solver::enter(&case.stages[0], case.model(), run.end.clone());
     assert_eq!(next.instant().strains, *stretched);
-    let findings = assess::after(&case, &[run]);
-    let ironing = findings.iter().find(|finding| finding.key == "ironing").expect("a judgement");
+    let found = assess::after(&case, &[run]);
+    let ironing = row(&found, "ironing");
     assert!(ironing.light == Light::Green && ironing.statement().contains("wall ironed by"), "{ironing:?}");
 }

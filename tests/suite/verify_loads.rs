@@ -139,7 +139,7 @@ fn holder_models_hold_what_they_promise() {
 #[test]
 fn holder_pressure_acts_on_the_initial_area() {
     let text = include_str!("../../cases/quickstart.toml").replace("force = \"10 kN\" ", "pressure = \"2 MPa\" ");
-    let model = case::parse(&text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{e}")).model().clone();
+    let model = parsed(&text, &[]).model().clone();
     let Motion::Pressed(press) = &model.tool(Role::Holder).expect("a holder").motion else { panic!("pressed") };
     let area = PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
     assert!((press.force.at(0.0) / (2.0 * area) - 1.0).abs() < 1e-9);
@@ -303,12 +303,11 @@ fn a_capped_pressure_or_the_rate_is_at_its_limit_in_every_step() {
 fn superplastic_long_box_follows_its_closed_form_before_contact() {
     let (a, k, m, rate) = (50.0, 300.0, 0.6, 1e-3_f64);
     let worst_of = |elements: usize| {
-        let overrides = ["geometry=plane_strain", &format!("blank.elements={elements}")].map(str::to_owned);
         let text =
             include_str!("../../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
-        let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model().clone();
+        let case = parsed(&text, &["geometry=plane_strain", &format!("blank.elements={elements}")]);
         let (mut worst, mut end): (f64, _) = (0.0, 0.0);
-        for r in &solve(&model).steps {
+        for r in &solve(case.model()).steps {
             let strain = 3f64.sqrt() / 2.0 * rate * r.time;
             let [alpha, _] = bisect(0.0, PI / 1.01, 200, |alpha| (alpha / alpha.sin()).ln() <= strain);
             let (t, radius) = (alpha.sin() / alpha, a / alpha.sin());

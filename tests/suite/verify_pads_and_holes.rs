@@ -42,9 +42,9 @@ fn the_edge_of_a_hole_thins_as_a_tension_test() {
 #[test]
 fn a_hole_expands_to_the_limit_of_its_edge() {
     let edge = |run: &Solution| {
-        let findings = assess::after(&run.case, &run.stages);
-        let answer = Answer::of(&run.case, &run.stages, &findings);
-        let row = findings.into_iter().find(|row| row.key == "edge").expect("a row");
+        let found = findings(run);
+        let answer = Answer::of(&run.case, &run.stages, &found);
+        let row = row(&found, "edge");
         (row.light, row.statement(), answer.sentence)
     };
     let limit = |expansion: f64, scatter: f64| {

@@ -10,17 +10,9 @@ fn largest_tick(run: &StageSolution) -> f64 {
     for i in 4..h.len().saturating_sub(4) {
         let at = [i - 4, i - 2, i + 2, i + 4];
         // Lagrange's interpolation at the travel of i.
-        let smooth: f64 = at
-            .iter()
-            .map(|&a| {
-                let weight: f64 = at
-                    .iter()
-                    .filter(|&&b| b != a)
-                    .map(|&b| (h[i].travel - h[b].travel) / (h[a].travel - h[b].travel))
-                    .product();
-                weight * h[a].punch_force
-            })
-            .sum();
+        let factor = |a: usize, b: usize| (h[i].travel - h[b].travel) / (h[a].travel - h[b].travel);
+        let weight = |a: usize| at.iter().filter(|b| **b != a).map(|b| factor(a, *b)).product::<f64>();
+        let smooth: f64 = at.iter().map(|a| weight(*a) * h[*a].punch_force).sum();
         worst = worst.max((h[i].punch_force - smooth).abs());
     }
     worst / peak(run)
@@ -99,17 +91,12 @@ fn volume_is_constant() {
         let flat = State::flat(&model, mesh::nodes(&model));
         let before: f64 = flat.volume.iter().sum();
         let state = solver::run_from(&model, flat, &mut ()).end;
-        let after: f64 = (0..state.thickness.len())
-            .map(|e| {
-                let (a, b) = (state.nodes[e], state.nodes[e + 1]);
-                let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-                let around = match model.geometry {
-                    Geometry::Axisymmetric => PI * (a[0] + b[0]),
-                    Geometry::PlaneStrain => 1.0,
-                };
-                around * length * state.thickness[e]
-            })
-            .sum();
+        let volumes = state.nodes.windows(2).zip(&state.thickness).map(|(ends, thickness)| {
+            let (a, b) = (ends[0], ends[1]);
+            let around = if model.geometry == Geometry::Axisymmetric { PI * (a[0] + b[0]) } else { 1.0 };
+            around * (b[0] - a[0]).hypot(b[1] - a[1]) * thickness
+        });
+        let after: f64 = volumes.sum();
         assert!((after / before - 1.0).abs() < 1e-12, "{name}: {:e}", after / before - 1.0);
     }
 }
@@ -126,14 +113,9 @@ fn all_iteration_matrices_find_the_same_state() {
         drive_to(&mut model, 15.0 + step);
         let after = |iteration: Iteration| {
             let mut model = model.clone();
-            model.settings = Settings {
-                iteration,
-                tolerance: 1e-10,
-                max_iterations: 400,
-                first_step: 0.01,
-                cutoff_strain: 2e-4,
-                ..model.settings
-            };
+            let (max_iterations, first_step, cutoff_strain) = (400, 0.01, 2e-4);
+            let own = Settings { iteration, tolerance: 1e-10, ..model.settings };
+            model.settings = Settings { max_iterations, first_step, cutoff_strain, ..own };
             let run = solver::run_from(&model, start.clone(), &mut ());
             assert!(run.stop.is_complete() && run.steps.len() == 1, "{name} {iteration:?}: {}", run.stop);
             run

@@ -109,7 +109,7 @@ impl Sheet {
             // As in the closed form, the same for every blank.
             format!("tools.holder.force={FORCE} N"),
         ];
-        set.extend(more.iter().map(|set| (*set).to_owned()));
+        set.extend(owned(more));
         let request = SearchRequest { goal: Some("limiting-draw-ratio".into()), ..SearchRequest::default() };
         let mut search = LimitSearch::new(BaseCase::load(CASE, set).expect("a case"), &request).expect("a search");
         let runs = run(&mut search, 2, &());

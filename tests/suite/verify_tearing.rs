@@ -30,8 +30,8 @@ fn the_index_of_a_wide_strip_is_one_at_its_load_maximum() {
 /// Largest tearing index, and its light.
 fn judged(case: &Case) -> (f64, Light) {
     let stages = solve(&case.stages, &mut ());
-    let findings = assess::after(case, &stages);
-    let row = findings.iter().find(|finding| finding.key == "tearing").expect("a row");
+    let found = assess::after(case, &stages);
+    let row = row(&found, "tearing");
     (0.01 * row.value().expect("a number"), row.light)
 }
 
@@ -74,8 +74,7 @@ fn an_embossed_bottom_does_not_tear_a_cup() {
         fs::write(folder.child("punch.csv"), format!("r_mm,z_mm,radius_mm\n{punch}35,-200,\n")).expect("written");
         let line = if is_flat { punch } else { "profile = \"punch.csv\"" };
         fs::write(&file, text.replace(plain, line)).expect("written");
-        let set: Vec<String> = set.iter().map(|key| (*key).to_owned()).collect();
-        judged(&case::load(&file, &set).expect("valid"))
+        judged(&loaded(&file, set))
     };
     let flat = cup(plain, &[]);
     let recess = cup("0,-3,\n15,-3,4\n18,0,4\n35,0,6\n", &[]);

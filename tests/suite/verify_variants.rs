@@ -129,8 +129,7 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     let finish =
         "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
     let text = text.replacen("[[stages]]\n", finish, 1);
-    let overrides = ["material.mode=flow", "blank.layers=15"].map(str::to_owned);
-    let two = case::parse(&text, "hat.toml", &overrides).unwrap_or_else(|error| panic!("{error}"));
+    let two = parsed(&text, &["material.mode=flow", "blank.layers=15"]);
     assert!(two.stages[0].model.mode == Mode::Flow && two.stages[1].model.mode == Mode::ElastoViscoplastic);
     let at_last = let_go(&two.solve(&mut ()));
     for i in 0..2 {

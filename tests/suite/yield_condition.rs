@@ -10,12 +10,8 @@ fn cup(overrides: &[&str]) -> Case {
 
 fn solved(overrides: &[&str]) -> (Solution, Vec<Finding>) {
     let solution = cup(overrides).solve(&mut ());
-    let findings = assess::after(&solution.case, &solution.stages);
-    (solution, findings)
-}
-
-fn row<'a>(findings: &'a [Finding], key: &str) -> &'a Finding {
-    findings.iter().find(|finding| finding.key == key).unwrap_or_else(|| panic!("no {key}"))
+    let found = findings(&solution);
+    (solution, found)
 }
 
 const HILL: &str = "material.yield_condition=hill48";
@@ -51,8 +47,7 @@ fn a_low_r_by_hill_is_doubted() {
 #[test]
 fn a_high_r_by_hill_is_doubted() {
     for (overrides, light) in [(&[][..], Light::Green), (&[HILL], Light::Amber)] {
-        let solution = made("cup", &[("material", "drawing-steel")], overrides).solve(&mut ());
-        let found = assess::after(&solution.case, &solution.stages);
+        let found = findings(&made("cup", &[("material", "drawing-steel")], overrides).solve(&mut ()));
         assert_eq!(row(&found, "yield_condition").light, light, "{:?}", row(&found, "yield_condition"));
     }
 }
@@ -99,11 +94,7 @@ fn r_by_direction_is_its_mean_and_tells_the_ears() {
     assert_eq!(directions.stages, of("material.anisotropy=0.3625").stages);
     let mean = "(r0 + 2 r45 + r90)/4 of 0.525, 0.248 and 0.429";
     assert!(directions.derived.iter().any(|note| note.to_string().contains(mean)), "{:?}", directions.derived);
-    let ears = |case: Case| {
-        let solution = case.solve(&mut ());
-        let found = assess::after(&solution.case, &solution.stages);
-        found.into_iter().find(|finding| finding.key == "ears")
-    };
+    let ears = |case: Case| findings(&case.solve(&mut ())).into_iter().find(|finding| finding.key == "ears");
     let found = ears(directions).expect("ears");
     let is_likely = found.value().is_some_and(|height| (0.2..3.0).contains(&height));
     assert!(found.light == Light::Green && is_likely, "{found:?}");

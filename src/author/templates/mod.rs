@@ -28,8 +28,8 @@ use crate::assess::size;
 use crate::case::CaseError;
 use crate::geometry::Point;
 use crate::model::Geometry;
-use crate::units::{did_you_mean, rounded, rounded_up, significant, trimmed};
-use crate::writer::{Values, exact, joined, mm, plain, profile_text};
+use crate::units::{did_you_mean, joined, rounded, rounded_up, significant, trimmed};
+use crate::writer::{Values, exact, mm, plain, profile_text};
 use rules::Picked;
 use serde::Deserialize;
 use sizes::{draw_ratio, ensure, newtons, nose, throat};
@@ -121,8 +121,7 @@ impl Template {
     }
 }
 
-/// Returns the template of a name.
-/// Fails when there is none; the message names all.
+/// Returns the template of a name. Fails when there is none; the message names all.
 pub fn find(name: &str) -> Result<&'static Template, CaseError> {
     TEMPLATES.iter().find(|template| template.name == name).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();

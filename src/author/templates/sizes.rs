@@ -33,7 +33,7 @@ impl Values {
             Geometry::PlaneStrain => (0.05, format!("\"{force} N/mm\""), "per mm of depth, both sides together"),
         };
         self.lengths([("holder", &Picked::up(end, step, "where the die's shoulder ends"))]);
-        self.set("force", force, &joined(&[of, &pressure.why]));
+        self.set("force", force, &joined([of, &pressure.why], ", "));
         Ok(())
     }
 }

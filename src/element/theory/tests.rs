@@ -5,7 +5,7 @@ use super::{Geometry, Node, Theory, section::Section, surface::stations};
 use crate::equations::{Matrix, Random, Symbols, column};
 use crate::geometry::{Point, turned};
 use crate::material::PointLaw;
-use crate::material::flow::{PointSnapshot, StressUpdate, Tangent, Triple};
+use crate::material::flow::{PointSnapshot, StressUpdate, Tangent, Triple, tests::matrix};
 use crate::numerics::quadrature::midpoint;
 use std::{array::from_fn, f64::consts::PI};
 
@@ -33,18 +33,19 @@ pub fn stress(update: &StressUpdate) -> Matrix {
 }
 
 /// Tangent of a thickness part.
-pub fn tangent(t: &Tangent) -> Matrix {
-    let ([ss, st, tt, sg, tg, gg], [xx, xy, yy], a) = (t.own, t.coupling, t.across);
-    let [first, second, third] = [[ss, st, xx, xy, sg], [st, tt, xy, yy, tg], [xx, xy, a * ss, a * st, 0.0]];
-    let rows = [first, second, third, [xy, yy, a * st, a * tt, 0.0], [sg, tg, 0.0, 0.0, gg]];
-    let [g, h] = t.outer.map(|v| column(&v));
-    Matrix::from_row_slice(5, 5, &rows.concat()) + &g * h.transpose() + h * g.transpose()
+pub fn tangent(tangent: &Tangent) -> Matrix {
+    Matrix::from_column_slice(5, 5, matrix(tangent).as_slice())
+}
+
+/// Nodes of an element.
+fn nodes(u: Random) -> [Node; 2] {
+    let a = [u(20.0, 30.0), u(-2.0, 2.0), u(-0.3, 0.3)];
+    [a, [a[0] + u(0.8, 1.5), a[1] + u(-1.0, 1.0), a[2] + u(-0.2, 0.2)]]
 }
 
 /// An element that moves, with five thickness parts.
 pub fn element(u: Random) -> Symbols {
-    let a: Node = [u(20.0, 30.0), u(-2.0, 2.0), u(-0.3, 0.3)];
-    let b: Node = [a[0] + u(0.8, 1.5), a[1] + u(-1.0, 1.0), a[2] + u(-0.2, 0.2)];
+    let [a, b] = nodes(u);
     let [da, db] = [0; 2].map(|_| [0; 3].map(|_| u(-0.1, 0.1)));
     let [p, q]: [Node; 2] = [from_fn(|d| a[d] + da[d]), from_fn(|d| b[d] + db[d])];
     let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, a, b);
@@ -98,8 +99,7 @@ pub fn element(u: Random) -> Symbols {
 
 /// An element on which tools act.
 pub fn surface(u: Random) -> Symbols {
-    let a: Node = [u(20.0, 30.0), u(-2.0, 2.0), u(-0.3, 0.3)];
-    let b: Node = [a[0] + u(0.8, 1.5), a[1] + u(-1.0, 1.0), a[2] + u(-0.2, 0.2)];
+    let [a, b] = nodes(u);
     let (along, thickness) = (Point::new(b[0] - a[0], b[1] - a[1]), u(0.5, 2.0));
     let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, a, b);
     let mut known = Symbols::default();

@@ -3,6 +3,7 @@
 use super::*;
 use crate::material::{Hill48, Hosford, yield_condition::differences};
 use approx::assert_relative_eq;
+use nalgebra::{SMatrix, SVector};
 
 const INCREMENTS: [Layer; 6] = [
     [1e-2, -5e-3, 0.0, 0.0, 0.0],
@@ -23,21 +24,20 @@ fn flow(hardening: &Hardening, criterion: YieldCriterion, matrix: Iteration) -> 
     FlowLaw { hardening, rate: None, softening, criterion, voids, matrix, cutoff: 1e-6, duration: 0.1 }
 }
 
-/// Stress and moment, and C, by the strains in the plane, their spread and the shear.
+/// C by the strains in the plane, their spread and the shear.
+pub(crate) fn matrix(tangent: &Tangent) -> SMatrix<f64, 5, 5> {
+    let Tangent { own: [ss, st, tt, sg, tg, gg], coupling: [xx, xy, yy], across: a, outer } = *tangent;
+    let [first, second, third] = [[ss, st, xx, xy, sg], [st, tt, xy, yy, tg], [xx, xy, a * ss, a * st, 0.0]];
+    let [g, h] = outer.map(SVector::from);
+    let c = SMatrix::from([first, second, third, [xy, yy, a * st, a * tt, 0.0], [sg, tg, 0.0, 0.0, gg]]);
+    c + g * h.transpose() + h * g.transpose()
+}
+
+/// Stress and moment, and C.
 fn at(law: &FlowLaw, iterate: &mut Iterate, point: &PointState, u: Layer) -> (Layer, [Layer; 5]) {
     let (update, tangent) = law.respond(point, iterate, [u[0], u[1], u[4]], [u[2], u[3]]);
     let ([s, t, shear], [ms, mt]) = (update.stress, update.moment);
-    let Tangent { own: [ss, st, tt, sg, tg, gg], coupling: [xx, xy, yy], outer: [g, h], .. } = tangent;
-    let third = MEAN_SQUARE;
-    let c = [
-        [ss, st, xx, xy, sg],
-        [st, tt, xy, yy, tg],
-        [xx, xy, third * ss, third * st, 0.0],
-        [xy, yy, third * st, third * tt, 0.0],
-        [sg, tg, 0.0, 0.0, gg],
-    ];
-    let entry = |i: usize, j: usize| c[i][j] + g[i] * h[j] + h[i] * g[j];
-    ([s, t, ms, mt, shear], std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
+    ([s, t, ms, mt, shear], matrix(&tangent).into())
 }
 
 /// Trust: central differences with h = 1e-5 of the increment; truncation near 1e-10 of the entries, some thousand times that
@@ -85,7 +85,7 @@ fn primal_dual_matrix_is_newtons_at_the_stress_and_positive_semidefinite_along_a
                 assert_relative_eq!(newton, own, epsilon = 1e-9 * stress[0].hypot(stress[1]) / u[0].hypot(u[1]));
             }
             let c = at(&dual, &mut iterate, &point, u).1;
-            let m = nalgebra::SMatrix::<f64, 5, 5>::from_fn(|i, j| c[i][j]);
+            let m = SMatrix::<f64, 5, 5>::from(c);
             let smallest = m.symmetric_eigenvalues().min();
             assert!(smallest > -1e-9 * m.norm(), "{name}, {criterion} {smallest}");
         }

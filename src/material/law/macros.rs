@@ -134,8 +134,7 @@ macro_rules! parameters {
     (@new $law:ident; $($field:ident),+) => {};
     (@new $law:ident $trait:ident; $($field:ident),+) => {
         impl $law {
-            /// Law with these parameters, in MPa and 1.
-            /// Fails when they do not go together.
+            /// Law with these parameters, in MPa and 1. Fails when they do not go together.
             pub fn new($($field: f64),+) -> Result<Self, LawError> {
                 let mut law = Self { $($field),+ };
                 $trait::prepare(&mut law, None).map(|()| law)

@@ -7,7 +7,9 @@ pub use crate::common::{
     files::{below, files},
     page::{agreement, at_most, percent, plain, signed, told},
     random_die,
-    shipped::{self, DRAWN, last, made, parsed, peak, shipped_case, solve, solved, solved_once},
+    shipped::{
+        self, DRAWN, findings, last, loaded, made, owned, parsed, peak, row, shipped_case, solve, solved, solved_once,
+    },
     simple::{self, are_alike, drive_to},
 };
 pub use approx::assert_relative_eq;

@@ -23,9 +23,25 @@ pub fn shipped(name: &str, overrides: &[&str]) -> Model {
 
 /// A case of `cases/`, with overrides.
 pub fn shipped_case(name: &str, overrides: &[&str]) -> Case {
-    let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}"))
+    loaded(format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR")), overrides)
+}
+
+/// A case in a file, with overrides.
+pub fn loaded(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
+    case::load(path, &owned(overrides)).unwrap_or_else(|e| panic!("{}", e.render(false)))
+}
+
+pub fn owned(texts: &[&str]) -> Vec<String> {
+    texts.iter().map(|text| (*text).to_owned()).collect()
+}
+
+/// What a solution's verdict finds.
+pub fn findings(solution: &Solution) -> Vec<Finding> {
+    assess::after(&solution.case, &solution.stages)
+}
+
+pub fn row<'a>(findings: &'a [Finding], key: &str) -> &'a Finding {
+    findings.iter().find(|row| row.key == key).unwrap_or_else(|| panic!("no {key}: {findings:?}"))
 }
 
 /// A case of `cases/` as it is, solved once for all tests.
@@ -59,8 +75,7 @@ pub fn last(run: &StageSolution) -> &StepRecord {
 
 /// A case in `text`, with overrides.
 pub fn parsed(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::parse(text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)))
+    case::parse(text, "case.toml", &owned(overrides)).unwrap_or_else(|e| panic!("{}", e.render(false)))
 }
 
 /// The case of a template with these sizes, with overrides.
