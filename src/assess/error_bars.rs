@@ -225,10 +225,7 @@ impl ErrorBars {
 
     /// Origin of the bars in a few words.
     pub fn method(&self) -> String {
-        match self.runs {
-            0 => "no error bars".into(),
-            runs => format!("error bars from {runs} finer runs"),
-        }
+        if self.runs == 0 { "no error bars".into() } else { format!("error bars from {} finer runs", self.runs) }
     }
 
     /// Every number with its error bar.

@@ -61,9 +61,7 @@ impl Profile {
             return Err(OffsetError::TooTight { radius: 0.0, at });
         }
         let mut line = self.corner_on_axis(by, true).into_iter().collect::<Vec<_>>();
-        for piece in moved.into_iter().chain(self.corner_on_axis(by, false)) {
-            join(&mut line, piece, by);
-        }
+        moved.into_iter().chain(self.corner_on_axis(by, false)).for_each(|piece| join(&mut line, piece, by));
         let offset = Self::new(line).map_err(|_| OffsetError::TooTight { radius: 0.0, at: self.first() })?;
         match offset.fold() {
             Some(Fold::Back { at, .. } | Fold::Crossing { at, .. }) => Err(OffsetError::Crosses { at }),

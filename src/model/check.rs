@@ -120,10 +120,7 @@ impl Model {
         needs("stop.edge_limit", !self.stop.edge_limit || blank.edge_limit.is_some(), "blank.edge_limit")?;
         count("blank.elements", blank.elements, ELEMENTS)?;
         count("blank.layers", blank.layers, if blank.theory == Theory::Membrane { 1..=1 } else { POINTS })?;
-        match blank.edge {
-            Edge::Pulled { speed } => number("blank.edge.speed", speed, FINITE),
-            Edge::Free | Edge::Clamped => Ok(()),
-        }
+        if let Edge::Pulled { speed } = blank.edge { number("blank.edge.speed", speed, FINITE) } else { Ok(()) }
     }
 
     fn check_material(&self) -> Checked {
@@ -264,9 +261,8 @@ impl Stage {
     pub fn check(&self, before: Option<&Model>) -> Checked {
         self.model.check()?;
         optional("begin.trim", self.begin.trim, POSITIVE)?;
-        for role in &self.begin.meets {
-            needs("begin.meets", self.model.tool(*role).is_some(), role.name())?;
-        }
+        let is_there = |role: &Role| needs("begin.meets", self.model.tool(*role).is_some(), role.name());
+        self.begin.meets.iter().try_for_each(is_there)?;
         let Some(before) = before else { return Ok(()) };
         let (mine, theirs) = (&self.model.blank, &before.blank);
         agree("blank.layers", mine.layers as f64, "blank.layers of the stage before", theirs.layers as f64)?;

@@ -59,9 +59,7 @@ impl System {
 
     /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
     pub fn clear(&mut self) {
-        for blocks in [&mut self.lower, &mut self.diagonal, &mut self.upper] {
-            blocks.fill(Matrix3::zeros());
-        }
+        [&mut self.lower, &mut self.diagonal, &mut self.upper].iter_mut().for_each(|all| all.fill(Matrix3::zeros()));
         self.rhs.fill(Vector3::zeros());
         for border in self.columns.iter_mut().chain(&mut self.rows) {
             border[..self.shared].fill(Vector3::zeros());
@@ -92,9 +90,7 @@ impl System {
         }
         self.diagonal[node][(freedom, freedom)] = 1.0;
         self.rhs[node][freedom] = 0.0;
-        for column in &mut self.columns[node] {
-            column[freedom] = 0.0;
-        }
+        self.columns[node].iter_mut().for_each(|column| column[freedom] = 0.0);
     }
 
     /// Solves in place by block elimination and a Schur complement: x in `rhs`, y in `corner_rhs`. The matrix is lost.

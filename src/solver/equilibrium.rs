@@ -39,9 +39,7 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
 /// Adds the fading forces of removed tools; returns the largest initial one of a node.
 fn unload(step: &Step, out: &mut Evaluation) -> f64 {
     let left = step.unloading_left(step.end());
-    for (rhs, force) in out.system.rhs.iter_mut().zip(step.state.unloading.iter()) {
-        *rhs += force * left;
-    }
+    out.system.rhs.iter_mut().zip(step.state.unloading.iter()).for_each(|(rhs, force)| *rhs += force * left);
     largest(&step.state.unloading)
 }
 
@@ -76,9 +74,7 @@ fn constrain(step: &Step, out: &mut Evaluation) {
         out.system.fix(0, 1);
     }
     if edge != Edge::Free {
-        for freedom in 0..3 {
-            out.system.fix(last, freedom);
-        }
+        (0..3).for_each(|freedom| out.system.fix(last, freedom));
     }
 }
 

@@ -188,10 +188,7 @@ pub enum Origin {
 impl Drawn {
     /// Chain as it was written: for a file the chords between its points.
     fn written(&self) -> &Profile {
-        match &self.origin {
-            Origin::Points(points) => &points.chords,
-            _ => &self.profile,
-        }
+        if let Origin::Points(points) = &self.origin { &points.chords } else { &self.profile }
     }
 
     fn error(&self, piece: usize, source: &Source, what: String, help: impl Into<String>) -> CaseError {

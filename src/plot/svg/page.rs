@@ -28,9 +28,7 @@ pub(super) fn draw(chart: &Chart, width: f64, canvas: &Canvas) -> f64 {
     paragraph(&chart.title, TITLE, BLACK, &mut y);
     y = legend(chart, width, y + 0.5 * MARGIN, canvas) + 0.5 * MARGIN;
     y = panels(&chart.panels, width, y, canvas);
-    for note in &chart.notes {
-        paragraph(note, NOTE, GREY, &mut y);
-    }
+    chart.notes.iter().for_each(|note| paragraph(note, NOTE, GREY, &mut y));
     (y + MARGIN).ceil()
 }
 

@@ -72,9 +72,7 @@ impl NonlocalAverage {
 /// Running sums, beginning with 0.
 fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut sums = vec![0.0];
-    for value in values {
-        sums.push(sums[sums.len() - 1] + value);
-    }
+    values.for_each(|value| sums.push(sums[sums.len() - 1] + value));
     sums
 }
 
