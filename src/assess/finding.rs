@@ -144,8 +144,7 @@ impl Finding {
         let (amount, is_upper) = (quantity.amount, sense == Sense::AtMost);
         let text = |limit: f64| amount.with_value(limit).to(Digits::Given(2));
         let [most, beyond] = if is_upper { ["at most", "red above"] } else { ["at least", "red below"] };
-        let red_text =
-            red.filter(|red| *red != amber).map_or_else(String::new, |red| format!("{beyond} {}", text(red)));
+        let red_text = red.filter(|r| *r != amber).map_or_else(String::new, |red| format!("{beyond} {}", text(red)));
         // Also what is not a number is beyond a limit.
         let is_kept = |limit: f64| if is_upper { amount.value <= limit } else { amount.value >= limit };
         self.light = match red {

@@ -181,12 +181,8 @@ pub(super) fn is_own(text: &str) -> bool {
 /// Name, span of the key and value of each entry of a table or array; an array's keys are its values.
 fn entries<'a>(value: &'a DeValue<'a>) -> Vec<(String, Range<usize>, &'a Spanned<DeValue<'a>>)> {
     match value {
-        DeValue::Table(table) => {
-            table.iter().map(|(key, value)| (key.get_ref().to_string(), key.span(), value)).collect()
-        }
-        DeValue::Array(list) => {
-            list.iter().enumerate().map(|(i, value)| (i.to_string(), value.span(), value)).collect()
-        }
+        DeValue::Table(all) => all.iter().map(|(key, value)| (key.get_ref().to_string(), key.span(), value)).collect(),
+        DeValue::Array(all) => all.iter().enumerate().map(|(i, value)| (i.to_string(), value.span(), value)).collect(),
         _ => Vec::new(),
     }
 }

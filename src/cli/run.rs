@@ -37,8 +37,7 @@ pub fn run(args: &Args) -> Result<Code> {
     args.threads.apply()?;
     let progress = args.common.progress();
     // After an interrupt no other case begins.
-    let solve =
-        |(case, folder): (Case, _)| caught(&format!("case {}", case.name), || args.solve(case, folder, &progress));
+    let solve = |(case, dir): (Case, _)| caught(&format!("case {}", case.name), || args.solve(case, dir, &progress));
     finish(jobs.into_par_iter().filter(|_| !is_interrupted()).map(solve).collect(), failed, several)
 }
 

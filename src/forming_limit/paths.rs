@@ -75,9 +75,8 @@ impl Paths {
     /// The path of an element: minor and major strain at every instant, with the major direction of the end \[–\].
     pub fn of(&self, element: usize) -> Vec<[f64; 2]> {
         let hoop_is_major = self.hoop_is_major(element);
-        let ordered =
-            |[meridional, hoop]: [f64; 2]| if hoop_is_major { [meridional, hoop] } else { [hoop, meridional] };
-        self.instants.iter().map(|instant| ordered(instant.strains[element])).collect()
+        let sorted = |[meridional, hoop]: [f64; 2]| if hoop_is_major { [meridional, hoop] } else { [hoop, meridional] };
+        self.instants.iter().map(|instant| sorted(instant.strains[element])).collect()
     }
 
     /// Whether the hoop strain of an element is the larger one in the end.

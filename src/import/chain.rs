@@ -82,8 +82,7 @@ fn without_repeats(strokes: Vec<Chain>, frame: &Frame) -> Vec<Chain> {
     let distance = |stroke: &Chain, p: Point| {
         stroke.pieces().map(|piece| (piece.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min)
     };
-    let within =
-        |a: &Chain, b: &Chain| a.pieces().flat_map(|piece| piece.sample(4)).all(|p| distance(b, p) <= frame.join);
+    let within = |a: &Chain, b: &Chain| a.pieces().flat_map(|one| one.sample(4)).all(|p| distance(b, p) <= frame.join);
     let mut distinct: Vec<(Bounds, Chain)> = Vec::new();
     for stroke in strokes {
         let around = stroke.bounds();

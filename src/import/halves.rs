@@ -60,8 +60,7 @@ fn is_right(piece: &Piece) -> bool {
 
 fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
-        let points =
-            these.pieces.iter().flat_map(|(piece, source)| piece.sample(8).into_iter().map(move |p| (p, source)));
+        let points = these.pieces.iter().flat_map(|(one, source)| one.sample(8).into_iter().map(move |p| (p, source)));
         let others: Vec<(Bounds, &Piece)> = others.pieces().map(|piece| (piece.bounds(), piece)).collect();
         points.map(move |(p, source)| {
             let distance = others.iter().fold(f64::INFINITY, |least, (around, other)| {

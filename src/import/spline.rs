@@ -97,8 +97,7 @@ impl Curve {
         let tb = along_b.try_normalize(COINCIDENT).unwrap_or_else(|| (b - points[POINTS - 2]).normalize());
         if (b - a).norm() > COINCIDENT && turn(ta, b - a).abs() < TURN && turn(b - a, tb).abs() < TURN {
             let arcs = biarc(a, ta, b, tb);
-            let away =
-                |p: &Point| arcs.iter().map(|arc| (arc.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
+            let away = |p: &Point| arcs.iter().map(|a| (a.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
             if points.iter().all(|p| away(p) <= BETWEEN * self.tolerance) {
                 return Ok(arcs);
             }

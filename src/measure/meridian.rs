@@ -108,12 +108,10 @@ impl Meridian {
         let mut legs = Vec::new();
         for (i, inner) in bends.iter().enumerate() {
             let outer = bends.get(i + 1);
-            let turned =
-                |node: usize, bend: &Bend, share: f64| bend.sense * self.curvature[node] - share * bend.curvature;
+            let turned = |i: usize, bend: &Bend, share: f64| bend.sense * self.curvature[i] - share * bend.curvature;
             let is_leg =
                 |node: &usize| turned(*node, inner, FLAT) < 0.0 && outer.is_none_or(|o| turned(*node, o, CURLED) < 0.0);
-            let nodes: Vec<usize> =
-                (inner.sharpest..=outer.map_or(self.along.len() - 1, |bend| bend.sharpest)).collect();
+            let nodes: Vec<usize> = (inner.sharpest..=outer.map_or(self.along.len() - 1, |b| b.sharpest)).collect();
             let (mut stretches, mut between): (Vec<(Range<usize>, f64)>, _) = (Vec::new(), inner.sense * BEND);
             for run in nodes.chunk_by(|i, j| is_leg(i) == is_leg(j)) {
                 let run = run[0]..run[run.len() - 1] + 1;
@@ -132,8 +130,7 @@ impl Meridian {
                     None => nodes.end,
                 };
                 let start = self.crossing(nodes.start.saturating_sub(1), nodes.start, |i| turned(i, inner, FLAT));
-                let end =
-                    outer.map_or(self.along[end - 1], |bend| self.crossing(end, end - 1, |i| turned(i, bend, flat)));
+                let end = outer.map_or(self.along[end - 1], |b| self.crossing(end, end - 1, |i| turned(i, b, flat)));
                 legs.extend(self.leg([start, end], sense));
             }
         }

@@ -129,8 +129,7 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     let (model, state) = (step.model, step.state);
     let is_free = |i: &usize| {
         let around = STATIONS * ((*i).max(1) - 1)..STATIONS * (i + 1).min(state.thickness.len());
-        let pressed =
-            state.pressure.rows().any(|of_tool| of_tool[around.clone()].iter().any(|pressure| *pressure > 0.0));
+        let pressed = state.pressure.rows().any(|of_tool| of_tool[around.clone()].iter().any(|p| *p > 0.0));
         evaluation.gas_force[*i].norm() > 0.0 && !pressed
     };
     let speed = |i: usize| state.velocity[i][0].hypot(state.velocity[i][1]);

@@ -56,8 +56,7 @@ impl Termination {
         let throat = model.tool_index(Role::Die).map(|die| {
             let profile = &model.tools[die].profile;
             let (points, radius) = (profile.polyline(0.01), profile.least_r());
-            let lowest =
-                |within: f64| points.iter().filter(|p| p.x <= within).map(|p| p.y).fold(f64::INFINITY, f64::min);
+            let lowest = |r: f64| points.iter().filter(|p| p.x <= r).map(|p| p.y).fold(f64::INFINITY, f64::min);
             let end = lowest(radius + ROUND_OFF * model.blank.thickness);
             Throat { die, radius, face: lowest(f64::INFINITY), end }
         });

@@ -19,8 +19,7 @@ pub(super) fn hemispherical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Ca
         rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
     };
     // The blank and the clearance depend on each other: the ratio is that of a clearance t.
-    let ratio =
-        draw_ratio(|height| blank_for(height, t), [0.5 * radius, height], radius, ONE_DRAW, "a smaller --flange")?;
+    let ratio = draw_ratio(|h| blank_for(h, t), [0.5 * radius, height], radius, ONE_DRAW, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let why = "half of D, D² = 4 d h + D_f² − d²: the mid-surface keeps its area (Guldin), flange diameter D_f";
     let blank = Picked::nearest(blank_for(height, clearance.value), 0.05, why);

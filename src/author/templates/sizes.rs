@@ -60,9 +60,8 @@ impl Draw {
         let rule = || rules::holder_pressure(metal.pressure, *ratio, 2.0 * punch, flat, t, strength);
         let pressure = inputs.pick("holder-pressure", rule);
         let (limit, name) = (metal.ratios[0], metal.name);
-        let warning =
-            format!(" The draw ratio {ratio:.2} is above {limit} of {name} in one draw (4ming): it may tear.");
-        let warning = if *ratio > limit + ROUNDED_RATIO { warning } else { String::new() };
+        let doubt = format!(" The draw ratio {ratio:.2} is above {limit} of {name} in one draw (4ming): it may tear.");
+        let warning = if *ratio > limit + ROUNDED_RATIO { doubt } else { String::new() };
         let mut sizes = sheet.values(false);
         sizes.die(blank, &throat, shoulder, *corner);
         sizes.set("diameter", plain(2.0 * punch), "");

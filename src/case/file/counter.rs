@@ -103,14 +103,11 @@ impl Counter<'_> {
         let blank = self.context.blank;
         let die = line.shifted(depth).cavity(0.5 * blank.thickness, shoulder, REACH * blank.length);
         let die = die.map_err(|error| {
+            use CavityError::{Above, Below, Shoulder};
             let (key, help) = match error {
-                CavityError::Below { .. } => {
-                    ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
-                }
-                CavityError::Above { .. } => {
-                    ("shoulder", "draw the punch's wall further down, or close the tools earlier")
-                }
-                CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
+                Below { .. } => ("closed_at", "a cavity needs a travel of more than the thickness less `by`"),
+                Above { .. } => ("shoulder", "draw the punch's wall further down, or close the tools earlier"),
+                Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
             };
             let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
             self.error(key, format!("the die around the punch: {error}"), help)

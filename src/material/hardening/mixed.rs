@@ -25,8 +25,7 @@ impl Example for Mixed {
 
 impl HardeningLaw for Mixed {
     fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
-        let within =
-            |law: &'static str| move |error: LawError| LawError { key: format!("{law}.{}", error.key), ..error };
+        let within = |law: &'static str| move |e: LawError| LawError { key: format!("{law}.{}", e.key), ..e };
         self.swift.prepare(young).map_err(within("swift"))?;
         self.voce.prepare(young).map_err(within("voce"))
     }
