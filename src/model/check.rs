@@ -2,11 +2,9 @@
 //!
 //! Laws are checked by their values at a few places, so that a new law needs nothing here.
 
-use super::{Edge, Friction, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
+use super::*;
 use crate::contact::friction::Sliding;
 use crate::material::fracture::FractureStress;
-use crate::model::{Gas, Heat, Mode};
-use crate::numerics::PiecewiseLinear;
 use std::ops::RangeInclusive;
 
 /// Strains at which hardening laws are checked \[–\].

@@ -1,9 +1,6 @@
 //! Animation: the section coloured by thinning, its tools, and the load.
 
-use super::chart::{Chart, Panel, Series};
-use super::{StageView, load_travel, raster, sections, svg, thinning::Thinning};
-use crate::solver::solution::Frame;
-use crate::units::{Amount, Digits};
+use super::*;
 
 /// Number of pictures of a run.
 pub const PICTURES: usize = 50;

@@ -1,8 +1,7 @@
 //! Axes: label, unit and spacing.
 
-use super::chart::bounds;
-use crate::model::Extent;
-use crate::table::{Column, Field, Unit};
+use super::*;
+use crate::table::Column;
 use crate::units::DisplaySettings;
 use serde::Serialize;
 

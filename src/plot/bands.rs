@@ -1,10 +1,8 @@
 //! Thickness along the formed sheet, with the names of its bands: bottom, punch radius, wall, die radius, flange.
 
-use super::chart::{Annotation, Panel, Series, Style, bounds};
-use super::{StageView, palette::GREY};
+use super::*;
 use crate::measure::{along, bands};
-use crate::plot::{Axis, fields::element::THICKNESS};
-use crate::table::Unit;
+use crate::plot::fields::element::THICKNESS;
 
 const HEIGHT: f64 = 270.0;
 const BORDER: Style = Style::Line { color: GREY, width: 1.2, dash: &[4.0, 3.0] };

@@ -1,6 +1,6 @@
 //! Chart values: panels of series with labelled axes, a title and notes, free of any drawing library.
 
-use crate::plot::Axis;
+use super::*;
 use serde::Serialize;
 
 /// Picture: panels below each other, one legend above them, notes below.

@@ -1,12 +1,7 @@
 //! Section at the start with its dimensions.
 
-use super::chart::{Annotation, Chart, Series, Style, bounds};
-use super::palette::color;
 use super::sections::{flat, panel, tools, whole_sheet};
-use crate::geometry::Point;
-use crate::model::Model;
-use crate::solver::solution::Frame;
-use crate::units::Amount;
+use super::*;
 
 /// Size of the section, and its place in the drawing.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Layers of lines and arcs in true size, for CAD: as a picture with a group for each layer, and as a table.
 
 use super::sections::whole_sheet;
-use crate::geometry::{Bounds, Piece, Point};
-use crate::solver::solution::Frame;
+use super::*;
+use crate::geometry::Bounds;
 use crate::units::trimmed;
 use std::{f64::consts::PI, fmt::Write};
 

@@ -1,13 +1,9 @@
 //! Forming limit diagram: zones below and above the curve, and strain paths.
 
-use super::chart::{Chart, Color, Panel, Scale, Series, Style, bounds};
-use super::palette::{BLACK, GREY, color};
-use super::{Captions, StageView};
+use super::*;
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, Curve, Judged};
-use crate::plot::Axis;
-use crate::table::{Unit, worded};
-use crate::units::{Amount, Digits};
+use crate::table::worded;
 
 /// Points of a drawn path, and number of paths beside that of the least margin.
 const PATH_POINTS: usize = 60;

@@ -1,8 +1,8 @@
 //! Frames of a run for animation and ParaView; no step is made to land on them, so that the run stays the same.
 
 use super::animation::PICTURES;
-use crate::model::Model;
-use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
+use super::*;
+use crate::solver::solution::ThroughThickness;
 use crate::solver::{Observer, state::State};
 
 /// Files that are written on request only, from the frames of a [`FrameRecorder`].

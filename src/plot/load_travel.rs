@@ -1,12 +1,8 @@
 //! Forces over the punch travel, or the gas pressure over the height of the dome.
 
-use super::chart::{Annotation, Chart, Panel, Series, Style};
-use super::{Axis, StageView, palette::BLACK};
+use super::*;
 use crate::measure;
 use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
-use crate::solver::solution::StepRecord;
-use crate::table::Field;
-use crate::units::Amount;
 
 /// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.
 const NEAR: f64 = 2.0;

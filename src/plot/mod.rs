@@ -13,6 +13,7 @@ pub(crate) mod load_travel;
 pub mod palette;
 pub(crate) mod part;
 pub(crate) mod pressure_cycle;
+pub(crate) mod profiles;
 mod raster;
 pub mod residual_stress;
 pub(crate) mod sections;
@@ -21,8 +22,6 @@ pub(crate) mod shapes;
 mod sketch;
 pub mod springback;
 mod stage_view;
-
-pub(crate) mod profiles;
 mod svg;
 pub(crate) mod thinning;
 
@@ -35,3 +34,13 @@ pub use sketch::{SketchedTool, sketch};
 pub use stage_view::StageView;
 pub(crate) use stage_view::stop_text;
 pub use svg::svg;
+
+use crate::geometry::{Piece, Point, Profile};
+use crate::model::{Extent, Geometry, Model, Role};
+use crate::solver::solution::{ElementRecord, Frame, StageSolution, StepRecord};
+use crate::table::{Field, Unit};
+use crate::units::{Amount, Digits};
+use axis::capitalised;
+use chart::{Annotation, Color, Panel, Scale, Series, Style, bounds};
+use palette::{BLACK, GREY, WHITE, color, pale};
+use thinning::Thinning;

@@ -1,11 +1,9 @@
 //! The part: its whole section coloured by thinning, its thinnest place and the place of a tear.
 
-use super::chart::{Annotation, Chart};
 use super::sections::{panel, whole_tools, whole_window};
-use super::{StageView, thinning::Thinning};
+use super::*;
 use crate::assess::tears_at;
 use crate::measure::element_at;
-use crate::units::Amount;
 
 /// Width of the section \[px\].
 const WIDTH: f64 = 680.0;

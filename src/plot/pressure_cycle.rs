@@ -1,11 +1,6 @@
 //! Superplastic forming: gas pressure, strain rate, dome height and contact share over the time.
 
-use super::StageView;
-use super::chart::{Chart, Panel, Series, Style};
-use super::palette::{BLACK, GREY, color};
-use crate::plot::Axis;
-use crate::solver::solution::StepRecord;
-use crate::table::{Field, Unit};
+use super::*;
 
 /// Least length of a cycle that is drawn in minutes \[s\].
 const LONG: f64 = 600.0;

@@ -1,13 +1,9 @@
 //! Thickness, porosity, damage, temperature and strains over the blank at the kept frames, and thickness along the part.
 
-use super::chart::{Chart, Panel, Series, Style};
-use super::{StageView, bands};
-use crate::plot::axis::{Axis, capitalised};
+use super::*;
 use crate::plot::fields::element::{
     DAMAGE, POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEARING_INDEX_NOW, TEMPERATURE, THICKNESS,
 };
-use crate::solver::solution::ElementRecord;
-use crate::table::{Field, Unit};
 
 /// Least span of the axis of a thickness over the initial one and a damage \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
 const LEAST: f64 = 0.02;

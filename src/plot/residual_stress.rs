@@ -1,13 +1,9 @@
 //! Residual stress through the thickness at a few places.
 
-use super::StageView;
-use super::chart::{Chart, Panel, Series, Style};
+use super::*;
 use crate::measure::{Band, bands};
-use crate::plot::axis::{Axis, capitalised};
 use crate::plot::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
-use crate::solver::solution::{ElementRecord, Frame, PointRecord};
-use crate::table::Unit;
-use crate::units::Amount;
+use crate::solver::solution::PointRecord;
 
 /// Least span of a stress axis \[MPa\].
 const LEAST: f64 = 1.0;

@@ -1,11 +1,10 @@
 //! Outlines of sheet and tools in a section.
 
-use super::chart::{Panel, Scale, Series, Style, bounds};
-use super::palette::{GREY, PALE};
-use crate::geometry::{Piece, Point, Profile, on_axis};
-use crate::model::{Extent, Geometry, Model, Role};
+use super::palette::PALE;
+use super::*;
+use crate::geometry::on_axis;
 use crate::plot::fields::element::{R, Z};
-use crate::solver::solution::{Frame, NodeRecord};
+use crate::solver::solution::NodeRecord;
 use std::ops::Range;
 
 /// Largest angle of a chord of an arc \[rad\], and its largest distance from the arc over the picture's width.

@@ -1,7 +1,7 @@
 //! Picture settings: formats, width on paper, captions.
 
 use super::svg::{WIDTH, sized};
-use super::{chart::Chart, raster};
+use super::*;
 
 /// Picture file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,11 +1,8 @@
 //! Section over the travel, coloured by thinning, with the tools where they were then.
 
-use super::chart::{Chart, Panel, Series, Style};
 use super::sections::{flat, panel, tools, window};
-use super::{StageView, palette::color, stage_view::spread, thinning::Thinning};
-use crate::plot::axis::capitalised;
-use crate::solver::solution::Frame;
-use crate::units::Amount;
+use super::stage_view::spread;
+use super::*;
 
 const STATES: usize = 6;
 /// Width of a small panel \[px\].

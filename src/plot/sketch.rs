@@ -1,10 +1,7 @@
 //! Sketch of imported tools: their sections as drawn, and the ends of the drawn lines.
 
-use super::chart::{Chart, Panel, Series, Style, bounds};
-use super::palette::{color, pale};
 use super::sections::{SAGITTA, body, panel};
-use crate::geometry::{Piece, Point, Profile};
-use crate::model::{Geometry, Role};
+use super::*;
 
 /// Surroundings of the tools over their width.
 const AROUND: f64 = 0.1;

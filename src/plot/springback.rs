@@ -1,8 +1,6 @@
 //! Section before and after the release of the tools.
 
-use super::chart::{Chart, Series, Style};
-use super::palette::{BLACK, color, pale};
-use super::{StageView, sections};
+use super::*;
 use crate::measure::{self, FLANGE_ANGLE, Leg, Shape, WALL_ANGLE};
 
 /// Extension of the fitted lines at either end, over their length.

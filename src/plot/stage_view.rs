@@ -1,16 +1,12 @@
 //! Solved stage with what its pictures and tables need of its case.
 
-use super::chart::{Chart, Panel};
-use super::{Captions, Pictures, palette::COLORS, svg::text};
+use super::*;
+use super::{palette::COLORS, svg::text};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
-use crate::model::{Extent, Model};
-use crate::plot::axis::capitalised;
-use crate::solver::solution::{Frame, StageSolution, StopKind};
-use crate::table::Unit;
-use crate::units::{Amount, Digits};
+use crate::solver::solution::StopKind;
 use std::sync::OnceLock;
 use std::time::Duration;
 

@@ -1,11 +1,8 @@
 //! Thinning as colours: one scale for all pictures of a stage, the thinner the darker.
 
-use super::chart::{Color, Panel, Scale, Series, Style, bounds};
-use super::palette::{BLACK, viridis};
+use super::palette::viridis;
 use super::sections::{mirrored, sheet, whole_sheet};
-use crate::plot::Axis;
-use crate::solver::solution::Frame;
-use crate::table::Unit;
+use super::*;
 use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.

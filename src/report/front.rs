@@ -1,15 +1,12 @@
 //! First page: verdict, what to change, key numbers, the part and the load.
 
-use super::Report;
-use super::page::{figure_in_column, in_words, word};
-use super::results::{PART, plot};
+use super::page::in_words;
+use super::results::PART;
 use super::sections::warnings;
-use crate::assess::{Finding, Light, first_clause, judgements, tears_at};
+use super::*;
 use crate::plot::chart::{Series, Style, bounds};
-use crate::plot::{Chart, axis::capitalised, load_travel};
+use crate::plot::load_travel;
 use crate::solver::solution::StepRecord;
-use crate::units::joined;
-use maud::{Markup, html};
 
 /// Most issues and warnings that leave room for the pictures.
 const ISSUES: usize = 4;

@@ -15,12 +15,17 @@ pub use sizes::dimensions;
 
 use crate::assess::check::{self, Check};
 use crate::assess::error_bars::ErrorBars;
-use crate::assess::{self, Answer, Finding, Kind, judgements};
+use crate::assess::{self, Answer, Finding, Kind, Light, first_clause, judgements, tears_at};
 use crate::case::{Solution, TitleBlock};
-use crate::plot::{Captions, Dimension, StageView};
-use crate::results::Summary;
+use crate::model::{Model, Role, Tool, tool_sizes::extent};
+use crate::plot::{Captions, Chart, Dimension, StageView, axis::capitalised, dimensioned};
+use crate::results::{Summary, summary::Group};
+use crate::solver::solution::Frame;
 use crate::study::compare::SideBySide;
-use crate::units::rounded;
+use crate::units::{Amount, joined, rounded};
+use maud::{Markup, html};
+use page::{Row, Section, figure, figure_in_column, list, table, word};
+use results::plot;
 use serde_json::{Map, Value, json};
 use time::OffsetDateTime;
 

@@ -1,13 +1,11 @@
 //! HTML of the report: pictures and style inside, nothing fetched from elsewhere; a browser prints it on A4 pages.
 
-use super::{PROGRAM, Report, front, part, results, sections};
-use crate::assess::Light;
+use super::*;
 use crate::case::Case;
-use crate::model::{Geometry, Role, tool_sizes::extent};
-use crate::plot::{Chart, chart::Scale, svg, svg_on_paper};
+use crate::model::Geometry;
+use crate::plot::{chart::Scale, svg, svg_on_paper};
 use crate::results::REPORT_MARKER;
-use crate::units::{Amount, joined};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, PreEscaped};
 
 const STYLE: &str = include_str!("style.css");
 /// Longest cell that has room beside others on a phone \[letters\].

@@ -1,14 +1,8 @@
 //! Second page: stages with their peaks, sections at the start, thickness and forming limit.
 
-use super::page::{Row, Section, figure_in_column, table};
 use super::sizes::{dimensions, section};
-use super::{Report, results::plot};
+use super::*;
 use crate::assess::estimate::draw_ratio;
-use crate::model::{Model, Role, Tool, tool_sizes::extent};
-use crate::plot::{Dimension, dimensioned};
-use crate::solver::solution::Frame;
-use crate::units::Amount;
-use maud::{Markup, html};
 
 /// Columns of the table of stages, by the keys of the summary.
 const COLUMNS: [(&str, &str); 8] = [

@@ -1,13 +1,8 @@
 //! Results of every stage: lines of the summary, spring-back, and the pictures.
 
-use super::page::{Row, Section, figure, table};
-use super::{Report, front};
-use crate::assess::tears_at;
-use crate::plot::{Chart, StageView};
-use crate::results::{OUTPUTS, Summary, summary::Group, tables};
+use super::*;
+use crate::results::{OUTPUTS, tables};
 use crate::table::Unit;
-use crate::units::Amount;
-use maud::{Markup, html};
 
 pub(super) const PART: &str = "part.png";
 const TORN: &str = "the part coloured by thinning, its thinnest place and where it tears";

@@ -1,15 +1,12 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
-use super::page::{Row, Section, figure_in_column, list, table, word};
-use super::{PROGRAM, Report, results::figures};
+use super::results::figures;
+use super::*;
+use crate::assess::check::Line;
 use crate::assess::error_bars::{Number, Origin};
-use crate::assess::{Finding, Kind, Light, check::Line, first_clause, judgements};
 use crate::case::files::sha256;
-use crate::plot::{Chart, axis::capitalised};
-use crate::results::summary::{Group, section_of};
+use crate::results::summary::section_of;
 use crate::study::{Cell, compare::SideBySide};
-use crate::units::joined;
-use maud::{Markup, html};
 
 const WORST_FIRST: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
 

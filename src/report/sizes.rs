@@ -1,14 +1,10 @@
 //! Section at the start with its dimensions, of every stage that brings tools of its own.
 
-use super::page::{Section, figure, table};
+use super::*;
 use crate::geometry::{Arc, Piece, Point};
-use crate::model::tool_sizes::{extent, throat};
-use crate::model::{Model, Motion, Role, Tool};
-use crate::plot::{Dimension, dimensioned};
-use crate::solver::solution::Frame;
+use crate::model::Motion;
+use crate::model::tool_sizes::throat;
 use crate::table::worded;
-use crate::units::Amount;
-use maud::html;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;

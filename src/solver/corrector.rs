@@ -2,7 +2,6 @@
 
 use super::*;
 use super::{equilibrium::evaluate, evaluation::Linearisation};
-use crate::model::Norm;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 pub(super) const LARGEST_MOVE: f64 = 0.5;

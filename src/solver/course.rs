@@ -1,10 +1,10 @@
 //! Course of a run: steps from a state on, up to a reason to end.
 
 use super::no_equilibrium::{creeping, interrupted, no_equilibrium, squeezed, unheld};
+use super::termination::Termination;
 use super::time_step::{Budget, StepControl};
 use super::*;
-use super::{advance, termination::Termination};
-use crate::solver::solution::{Effort, Frame, ThroughThickness};
+use crate::solver::solution::{Frame, ThroughThickness};
 use std::mem::swap;
 
 /// Least progress of a run between two checkpoints \[–\]: twice the usual largest step.

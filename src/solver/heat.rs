@@ -11,7 +11,6 @@
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
 use super::*;
-use crate::model::Geometry;
 use std::f64::consts::TAU;
 
 /// Advances the temperatures of `state` by the plastic work of each element; `None` at constant temperature.

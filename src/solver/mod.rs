@@ -35,11 +35,14 @@ use crate::contact::penalty::Penalty;
 use crate::element::surface::stations;
 use crate::element::{Node, kinematics::Reference, surface::STATIONS};
 use crate::geometry::{Point, turned};
+use crate::material::Material;
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
-use crate::model::{Edge, Iteration, Mode, Model, Motion, Role, Settings, Theory, Tool};
-use crate::numerics::{Grid, ValueAndSlope, block_tridiagonal::System, quadrature::ThicknessPoint};
-use crate::solver::solution::{Heat, StepRecord};
-use crate::solver::state::{MaterialPoint, State};
+use crate::model::{
+    Edge, Geometry, Iteration, Mode, Model, Motion, Norm, Pressure, Role, Settings, Stage, Theory, Tool,
+};
+use crate::numerics::{Grid, ValueAndSlope, bisect, block_tridiagonal::System, quadrature::ThicknessPoint};
+use crate::solver::solution::{Effort, Heat, IterationRecord, StepRecord};
+use crate::solver::state::{MaterialPoint, State, waiting_displacement};
 use converged::Converged;
 use corrector::Outcome;
 use evaluation::Evaluation;

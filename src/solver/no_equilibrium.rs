@@ -2,7 +2,6 @@
 
 use super::ironing::is_between_walls;
 use super::*;
-use crate::model::Geometry;
 use crate::solver::solution::neck::neck;
 use crate::units::{Amount, joined};
 

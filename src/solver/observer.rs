@@ -5,8 +5,6 @@ use super::step::{CUT_OFF_ZONE, elastoplastic_law};
 use super::*;
 use crate::material::PointLaw;
 use crate::material::flow::PointSnapshot;
-use crate::model::Stage;
-use crate::solver::solution::IterationRecord;
 
 /// Receives the progress of a run and may end it; the solver itself never prints.
 pub trait Observer {

@@ -2,7 +2,6 @@
 
 use super::*;
 use super::{closing::Unseen, course::Course, no_equilibrium::reached};
-use crate::model::Norm;
 use crate::units::joined;
 
 /// Progress beyond the place without equilibrium at which the model's own settings come back \[–\]: the usual largest step; twice

@@ -3,7 +3,6 @@
 use super::corrector::{Pass, correct, patience};
 use super::*;
 use crate::model::ContactMethod;
-use crate::solver::solution::Effort;
 
 /// Starting point of the corrector; when one fails the next is tried before the step is halved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

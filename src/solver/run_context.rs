@@ -4,7 +4,6 @@ use super::*;
 use super::{closing::block_height, restraints::Grip, tearing_index::PlaneStrainStrength};
 use crate::contact::friction::Friction;
 use crate::geometry::Profile;
-use crate::model::Pressure;
 
 /// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;

@@ -27,7 +27,6 @@
 
 use super::ironing::is_between_walls;
 use super::*;
-use crate::material::Material;
 
 /// Least radius over the thickness, on a corner without one \[–\].
 const LEAST_RADIUS: f64 = 0.1;

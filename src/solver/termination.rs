@@ -4,9 +4,7 @@
 
 use super::no_equilibrium::reached;
 use super::*;
-use crate::numerics::bisect;
 use crate::solver::solution::neck::{Neck, Necked, neck};
-use crate::solver::state::waiting_displacement;
 use crate::units::Amount;
 
 /// Thickness left at which the sheet has failed, whatever its surroundings do \[–\].

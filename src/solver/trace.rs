@@ -6,8 +6,6 @@
 //! ```
 
 use super::*;
-use crate::model::Stage;
-use crate::solver::solution::IterationRecord;
 
 /// Step to trace and matrices to iterate with.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,9 @@
 //! Texts inside a panel.
 
-use super::Canvas;
 use super::shapes::{blank, dot, line};
 use super::text::{FLAG, MARK, SPACING, draw_line, width, wrapped};
-use crate::plot::chart::{AnnotationKind, Panel};
-use crate::plot::palette::{BLACK, GREY, WHITE};
+use super::*;
+use crate::plot::chart::AnnotationKind;
 use plotters::style::text_anchor::HPos;
 
 /// Distance between a flag's line and its text, and around texts.

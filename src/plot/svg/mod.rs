@@ -9,9 +9,9 @@ mod shapes;
 pub(crate) mod text;
 mod ticks;
 
-use super::chart::{Chart, Color};
+use super::*;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::style::{RGBColor, WHITE};
+use plotters::style::{self, RGBColor};
 use plotters::{backend::SVGBackend, coord::Shift};
 use text::FONT;
 
@@ -38,7 +38,7 @@ pub(super) fn sized(chart: &Chart, width: f64, paper: Option<f64>) -> String {
     let mut svg = String::new();
     let height = {
         let canvas = SVGBackend::with_string(&mut svg, (wide, TALL)).into_drawing_area();
-        canvas.fill(&WHITE).expect(IN_MEMORY);
+        canvas.fill(&style::WHITE).expect(IN_MEMORY);
         let height = page::draw(chart, width, &canvas);
         canvas.present().expect(IN_MEMORY);
         height

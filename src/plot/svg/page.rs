@@ -1,10 +1,9 @@
 //! Page layout: title, legend, panels and notes from the top down.
 
 use super::panel::{Frame, x_labels_height, y_labels_width};
-use super::text::{self, NOTE, SPACING, TICK, TITLE, wrapped};
-use super::{Canvas, shapes::sample, units};
-use crate::plot::chart::{Chart, Panel};
-use crate::plot::palette::{BLACK, GREY};
+use super::shapes::sample;
+use super::text::{NOTE, SPACING, TICK, TITLE, wrapped};
+use super::*;
 
 /// Space around every picture, and below every panel.
 const MARGIN: f64 = 14.0;

@@ -1,12 +1,10 @@
 //! One pair of axes: ranges, ticks, labels and series.
 
-use super::annotations::{self, Flags};
-use super::shapes::{self, clipped, pen};
+use super::annotations::Flags;
+use super::shapes::{clipped, pen};
 use super::text::{LABEL, SPACING, TICK, clean, style, width};
 use super::ticks::{Ticked, label, tick_count, values};
-use super::{Canvas, FINE, IN_MEMORY, units};
-use crate::plot::chart::{Color, Panel, Scale, Style};
-use crate::plot::palette::BLACK;
+use super::*;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 
 /// Most labels of the x axis, and the least width of each in a small panel.

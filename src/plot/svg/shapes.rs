@@ -1,8 +1,6 @@
 //! Lines, markers and areas, in a panel or as samples in the legend; polygons clipped at a window.
 
-use super::{Canvas, IN_MEMORY, rgb, units};
-use crate::plot::chart::{Color, Style};
-use crate::plot::palette::WHITE;
+use super::*;
 use kurbo::PathEl;
 use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::{Color as _, ShapeStyle};

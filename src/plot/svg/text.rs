@@ -1,7 +1,6 @@
 //! Built-in font: registration, text widths and line breaks.
 
-use super::{Canvas, FINE, IN_MEMORY, rgb, units};
-use crate::plot::{chart::Color, palette::BLACK};
+use super::*;
 use ab_glyph::{Font, FontRef};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontDesc, FontFamily, FontStyle, TextStyle, register_font};

@@ -1,6 +1,6 @@
 //! Ticks: their number, their values and their labels.
 
-use crate::plot::Axis;
+use super::*;
 use plotters::coord::ranged1d::{BoldPoints, DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
 

@@ -2,12 +2,9 @@
 
 use super::tests::{NEWTON, bare, with_step};
 use super::*;
-use crate::element::{Geometry, Theory, kinematics::Reference};
-use crate::geometry::{Piece, Point, Profile};
-use crate::material::{Hardening, Material, hardening::Swift};
-use crate::model::{Face, Gas, Model, Motion, Role, Settings, Tool};
-use crate::numerics::bisect;
-use crate::solver::state::State;
+use crate::geometry::{Piece, Profile};
+use crate::material::{Hardening, hardening::Swift};
+use crate::model::{Face, Gas};
 use std::f64::consts::FRAC_PI_2;
 
 /// Yield stress of a metal that does not harden \[MPa\].

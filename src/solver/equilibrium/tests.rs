@@ -1,16 +1,10 @@
 //! The whole matrix against differences.
 
 use super::*;
-use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
-use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw, hardening::Swift};
-use crate::model::{
-    Bead, Blank, Face, Friction, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl,
-    Role, Settings, Tool,
-};
-use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
-use crate::solver::{run, run_context::RunContext, state::State};
-use nalgebra::Vector3;
+use crate::material::{Elastic, Gtn, Hardening, Hill48, Rate, ThermalLaw, hardening::Swift};
+use crate::model::{Bead, Blank, Face, Friction, Gas, Grading, Heat, Press, RateControl};
+use crate::numerics::block_tridiagonal::MAX_SHARED;
 
 /// A blank of so many elements without tools, solved with Newton's matrix.
 pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, elements: usize) -> Model {

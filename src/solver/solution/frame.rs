@@ -1,9 +1,6 @@
 //! Kept instants of a run.
 
-use crate::geometry::Point;
-use crate::model::Model;
-use crate::numerics::quadrature::ThicknessPoint;
-use crate::solver::state::{MaterialPoint, State};
+use crate::solver::*;
 
 /// Element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! Detection of a neck: one place thins alone.
 
-use crate::model::{Model, Role, Settings};
-use crate::solver::state::{State, nonlocal_average::NonlocalAverage};
+use crate::solver::state::nonlocal_average::NonlocalAverage;
+use crate::solver::*;
 
 /// Least thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;

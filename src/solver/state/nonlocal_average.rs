@@ -3,8 +3,7 @@
 //! A sheet bent under tension thins, and its moment falls with the square of the thickness: without a length scale single
 //! elements bend on and neighbours thin in turn. So an element's section has the mean thickness of its neighbourhood.
 
-use super::State;
-use crate::model::Model;
+use crate::solver::*;
 
 /// Length of a neighbourhood along the meridian over the initial thickness \[–\]. From 1 to 2 the thinnest place of deep cups is
 /// the same within 0.1 %; below 1 neighbours of half a thickness still thin in turn.

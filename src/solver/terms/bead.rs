@@ -1,8 +1,8 @@
 //! Draw beads: line restraints across the flange, regularised like friction.
 
 use crate::contact::friction::direction;
-use crate::solver::evaluation::{BeadForce, Evaluation};
-use crate::solver::{step::Step, trial::Trial};
+use crate::solver::evaluation::BeadForce;
+use crate::solver::*;
 
 /// Closing force of the beads, taken from the holder's \[N, or N/mm\].
 pub fn closing_force(step: &Step) -> f64 {

@@ -4,14 +4,11 @@
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
 use crate::contact::{ContactLaw, ContactPoint};
-use crate::element::surface::{STATIONS, add_position_second, add_thickness_second};
+use crate::element::surface::{add_position_second, add_thickness_second};
 use crate::element::{Vector6, kinematics::Matrix6};
-use crate::geometry::Point;
-use crate::model::Iteration;
-use crate::numerics::ValueAndSlope;
-use crate::solver::evaluation::{Contact, ContactPosition, Evaluation, Linearisation};
-use crate::solver::{step::Step, trial::Trial};
-use nalgebra::{Matrix3, Vector3};
+use crate::solver::evaluation::{Contact, ContactPosition, Linearisation};
+use crate::solver::*;
+use nalgebra::Matrix3;
 
 /// Adds contact and friction of all tools; returns the largest force on a point.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {

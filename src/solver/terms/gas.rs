@@ -1,12 +1,9 @@
 //! Gas pressure on the faces of the sheet, given over time or controlled by a strain rate.
 
 use crate::element::{Vector6, kinematics::Matrix6};
-use crate::geometry::Point;
 use crate::material::flow::{Metric, YieldCondition};
-use crate::model::{Geometry, Pressure};
-use crate::solver::evaluation::{Evaluation, HeldRate};
-use crate::solver::{step::Step, trial::Trial};
-use nalgebra::Vector3;
+use crate::solver::evaluation::HeldRate;
+use crate::solver::*;
 use std::f64::consts::TAU;
 
 /// Adds the gas pressure on the current sheet; returns the largest force on a node.

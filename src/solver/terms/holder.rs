@@ -8,9 +8,8 @@
 //! the distance blocks; φ falls from 1 to 0 as the width b of the sheet under the tool runs out.
 
 use super::{bead, sheet::STABILISATION};
-use crate::model::{Motion, Role};
 use crate::solver::restraints::{Grip, fade, fading};
-use crate::solver::{evaluation::Evaluation, state::waiting_displacement, step::Step, trial::Trial};
+use crate::solver::*;
 
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let (context, model) = (step.context, step.model);

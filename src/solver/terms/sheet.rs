@@ -1,13 +1,12 @@
 //! Internal forces of the sheet: every element strained to the trial positions by the law of its metal.
 
 use crate::element::kinematics::{EPS_S, EPS_T};
-use crate::element::{Node, section::Section, surface::STATIONS};
+use crate::element::section::Section;
 use crate::material::PointLaw;
-use crate::model::{Iteration, Mode, Model, Theory};
-use crate::numerics::Grid;
-use crate::solver::evaluation::{Evaluation, Linearisation};
-use crate::solver::step::{Step, elastoplastic_law};
-use crate::solver::{corrector::LARGEST_MOVE, trial::Trial};
+use crate::solver::corrector::LARGEST_MOVE;
+use crate::solver::evaluation::Linearisation;
+use crate::solver::step::elastoplastic_law;
+use crate::solver::*;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; of the flow law it fades once the velocity norm is
 /// below [`SLACK_NORM`], of the elastic laws with the square of the last move.
