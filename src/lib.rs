@@ -109,6 +109,7 @@ pub mod numerics;
 pub mod part;
 #[cfg(feature = "app")]
 pub mod plot;
+pub mod press;
 #[cfg(feature = "app")]
 pub mod report;
 #[cfg(feature = "app")]

@@ -203,12 +203,16 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
     let amount = |force: f64| Amount::force(force, stages[i].model.extent().force_unit());
-    let pressed = Load::largest(stages)?;
+    let pressed = Load::largest(stages, &case.press)?;
     let error = if bar > (RESERVE - 1.0) * pressed.force() { ", or the load and its error bar" } else { "" };
-    let (press, reserve) = match case.press.force {
+    let (press, reserve) = match case.press.permitted(pressed.left()) {
         Some(rating) => {
             let share = Amount::share(pressed.force() / rating);
-            (format!("{share} of the press's {}", with_tonnes(amount(rating).to(Digits::Given(3)))), String::new())
+            let share = match &case.press.drive {
+                Some(_) => format!("{share} of the {} that the drive permits", with_tonnes(amount(rating))),
+                None => format!("{share} of the press's {}", with_tonnes(amount(rating).to(Digits::Given(3)))),
+            };
+            (share, String::new())
         }
         None => {
             (format!("press of at least {}", pressed.rating(bar)), format!("({RESERVE} × the load{error}, rounded up)"))

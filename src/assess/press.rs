@@ -1,6 +1,7 @@
 //! Press: force and energy against its ratings.
 
 use super::*;
+use crate::case::Press;
 use crate::table::{JOULES, Unit};
 use crate::units::{DisplaySettings, significant};
 
@@ -19,10 +20,17 @@ pub(super) struct Load<'a> {
 }
 
 impl<'a> Load<'a> {
-    /// Largest over all stages; `None` if no punch presses.
-    pub fn largest(stages: &'a [StageSolution]) -> Option<Self> {
+    /// Largest over all stages, of forces over what the press permits at their travel; `None` if no punch presses.
+    pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
         let steps = formed(stages).flat_map(|(stage, on)| on.steps.iter().map(move |step| Self { stage, on, step }));
-        steps.filter(|load| load.step.punch_force > 0.0).max_by(|a, b| a.force().total_cmp(&b.force()))
+        let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
+        let pressing = steps.filter(|load| load.step.punch_force > 0.0);
+        pressing.max_by(|a, b| share(a).total_cmp(&share(b)))
+    }
+
+    /// Travel left \[mm\].
+    pub fn left(&self) -> f64 {
+        self.on.model.travel - self.step.travel
     }
 
     /// Force of a holder that is pressed, with what its distance blocks bear \[N, or N/mm\].
@@ -60,16 +68,24 @@ pub(super) fn with_tonnes(force: Amount) -> String {
 }
 
 pub(super) fn force(run: &Run) -> Option<Finding> {
-    let load = Load::largest(run.stages)?;
+    let press = &run.case.press;
+    let load = Load::largest(run.stages, press)?;
+    let permitted = press.permitted(load.left());
     let amount = |force| Amount::force(force, load.on.model.extent().force_unit());
     let at = format!("{{}}{} at {} of travel", per_depth(amount(0.0)), Amount::place(load.step.travel));
     let parts = match load.holder() {
         0.0 => String::new(),
         holder => format!("punch {}, holder {}", amount(load.step.punch_force), amount(holder)),
     };
+    let angle = press.drive.as_ref().map(|drive| Amount::angle(drive.degrees(load.left())));
+    let at = angle.map_or(at.clone(), |angle| format!("{at}, {angle} before the bottom dead centre"));
     let at = joined([at, at_event(load.on, load.step)], " ");
     let text = run.of_stage(joined([at, parts], ": "), load.stage);
-    Some(rated(Finding::judged("press_force", "Press force", text), amount(load.force()), run.case.press.force))
+    let finding = rated(Finding::judged("press_force", "Press force", text), amount(load.force()), permitted);
+    Some(match permitted.filter(|_| press.drive.is_some()) {
+        Some(force) => finding.limit(format!("{} there, by the torque of the drive", with_tonnes(amount(force)))),
+        None => finding,
+    })
 }
 
 pub(super) fn energy(run: &Run) -> Option<Finding> {
@@ -78,8 +94,10 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let forms = |stage: &StageSolution| stage.model.release.is_none();
     let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
     let work = Amount::force(work, unit);
-    let text = run.of_stage(format!("{{}}{}", per_depth(work)), i);
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
+    let share =
+        rating.map_or(String::new(), |rating| format!(", {} of a stroke's", Amount::share(work.value / rating)));
+    let text = run.of_stage(format!("{{}}{}{share}", per_depth(work)), i);
     Some(rated(Finding::judged("energy", "Energy", text), work, rating))
 }
 

@@ -194,6 +194,8 @@ fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, fricti
         if before.holder.is_some() && now.holder.is_none() {
             values.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
         }
+        let why = "the die stands inside the part before: a reverse redraw";
+        now.is_reverse(before).then(|| values.set("turn_over", true, why));
         values.set("move", exact(now.travel.value), &now.travel.why);
         let (force, why) = force(before, now, pressure);
         values.set("force", force, &why);

@@ -25,11 +25,15 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
             let text = format!("peak {force} at {travel}");
             panel.annotations.push(Annotation::flag(text, (peak.travel, peak.punch_force)));
-            if let Some(rating) = view.case.and_then(|case| case.press.force) {
-                let label = format!("Press rating, {}", Amount::given_force(rating, unit));
-                if rating <= NEAR * peak.punch_force {
-                    let ends = [steps.first(), steps.last()].into_iter().flatten();
-                    panel = panel.with([Series::new(label, ends.map(|step| (step.travel, rating)).collect(), RATING)]);
+            if let Some((press, rating)) = view.case.and_then(|case| Some((&case.press, case.press.force?))) {
+                let of = if press.drive.is_some() { "Permitted by the drive, nominal force" } else { "Press rating," };
+                let label = format!("{of} {}", Amount::given_force(rating, unit));
+                let permitted =
+                    |step: &StepRecord| press.permitted(view.model().travel - step.travel).unwrap_or(rating);
+                let line = steps.iter().map(|step| (step.travel, permitted(step)));
+                let line: Vec<_> = line.filter(|(_, force)| *force <= NEAR * peak.punch_force).collect();
+                if !line.is_empty() {
+                    panel = panel.with([Series::new(label, line, RATING)]);
                 } else {
                     notes.push(format!("{label}: above the picture."));
                 }

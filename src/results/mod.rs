@@ -25,7 +25,7 @@ pub const OUTPUTS: &[Output] = &[
     output("summary.json", "the printed summary, versions and checksums", Make::Text(Summary::json)),
     picture("part.png", "the part coloured by thinning, and its thinnest place", part::plot),
     table("load_travel.csv", "forces, draw-in, energy and iterations of every step", |view| {
-        Some(tables::load_travel(view.stage))
+        Some(Table::new([tables::load_travel(view.stage).columns, tables::press(view)].concat()))
     }),
     table("profile.csv", "shape, thickness, strains and stresses of every kept frame", |view| {
         Some(tables::profile(view.model(), &view.stage.frames))

@@ -3,9 +3,11 @@
 use super::{Files, Results, csv::csv_with_texts};
 use crate::assess::largest;
 use crate::case::Solution;
+use crate::measure::part_height;
+use crate::model::{Role, stage::Beginning, tool_sizes};
 use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;
-use crate::solver::solution::{StageSolution, StepRecord, StopKind};
+use crate::solver::solution::{Frame, StageSolution, StepRecord, StopKind};
 use crate::table::{Column, Field, Table, Unit};
 use crate::units::Amount;
 
@@ -44,6 +46,18 @@ pub(super) fn files(results: &Results) -> Files {
     let edges = of_stage(&|stage| Some(edge(stage, stage.steps.last()?)));
     let field = |field: Field<StepRecord>| field.filled(extent, at_end(&field.value));
     let peaks = |force: fn(&StepRecord) -> f64| of_stage(&|stage| Some(largest(stage, force)));
+    let sizes = of_stage(&|stage| Some(2.0 * tool_sizes::extent(stage.model.tool(Role::Punch)?).1));
+    let blank = 2.0 * results.solution.case.model().blank.length;
+    let before = std::iter::once(blank).chain(sizes.iter().copied());
+    let ratios = sizes.iter().zip(before).map(|(now, before)| before / now).collect();
+    let radius = |role: Role| {
+        of_stage(&|stage| stage.model.tool(role)?.profile.corners().map(|arc| arc.radius).reduce(f64::min))
+    };
+    let formed = |value: fn(&Frame) -> Option<f64>| of_stage(&|stage| value(stage.frames.last()?));
+    let rims = formed(|frame| Some(frame.nodes.last()?.thickness));
+    let begins = |is: fn(&Beginning) -> bool| {
+        results.solution.case.stages.iter().map(|stage| f64::from(u8::from(is(&stage.begin)))).collect()
+    };
     let table = Table::new(vec![
         Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
         Column::new("end_time", "Time at the end", Unit::Second, at_end(&|step| step.time)),
@@ -55,6 +69,14 @@ pub(super) fn files(results: &Results) -> Files {
         field(POLE_HEIGHT),
         Column::new("punch_force_peak", "Largest punch force", extent.force_unit(), peaks(|step| step.punch_force)),
         Column::new("holder_force_peak", "Largest holder force", extent.force_unit(), peaks(|step| step.holder_force)),
+        Column::new("punch_width", "Width of the punch", Unit::Mm, sizes),
+        Column::new("draw_ratio", "Width before over that of the punch", Unit::None, ratios),
+        Column::new("punch_radius", "Smallest radius of the punch", Unit::Mm, radius(Role::Punch)),
+        Column::new("die_radius", "Smallest radius of the die", Unit::Mm, radius(Role::Die)),
+        Column::new("height", "Height over all", Unit::Mm, formed(part_height)),
+        Column::new("rim_thickness", "Thickness of the rim", Unit::Mm, rims),
+        Column::new("annealed", "Annealed before", Unit::None, begins(|begin| begin.anneal)),
+        Column::new("turned_over", "Turned over before", Unit::None, begins(|begin| begin.turn_over)),
     ]);
     let (names, stops) = lines.iter().map(|(name, stop, _)| (name.to_string(), stop.to_string())).unzip();
     vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]

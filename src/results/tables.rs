@@ -99,6 +99,21 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     Table::new(columns)
 }
 
+/// Crank angle before the bottom dead centre and permitted force at every step, of a press whose drive is given.
+pub(super) fn press(view: &StageView) -> Vec<Column> {
+    let press = view.case.filter(|_| view.model().release.is_none()).map(|case| &case.press);
+    let Some((press, drive)) = press.and_then(|press| Some((press, press.drive.as_ref()?))) else { return Vec::new() };
+    let column = |key, label, unit, value: &dyn Fn(f64) -> f64| {
+        let left = view.stage.steps.iter().map(|step| view.model().travel - step.travel);
+        Column::new(key, label, unit, left.map(value).collect())
+    };
+    let unit = view.extent().force_unit();
+    vec![
+        column("slide_angle", "Crank angle before the bottom dead centre", Unit::Degree, &|left| drive.degrees(left)),
+        column("permitted_force", "Permitted press force", unit, &|left| press.permitted(left).unwrap_or(f64::NAN)),
+    ]
+}
+
 /// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
 pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
     let label = worded(geometry, "Diameter at the edge", "Width between the edges");

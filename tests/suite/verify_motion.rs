@@ -71,3 +71,29 @@ fn force_follows_the_speed_to_the_power_of_the_rate() {
     }
     assert!(compared > 20, "{compared} steps at the higher speed");
 }
+
+/// Trust: closed forms. A crank of 50 mm without a rod comes down the last 25 mm from 60°, at 30 strokes a minute in a third of a
+/// second, and permits there sin 30°/sin 60° of what it bears from 30° on. The force of a rate-free sheet is that of any speed.
+#[test]
+fn a_punch_without_a_speed_follows_its_press() {
+    let drive = "press.drive={stroke=\"100 mm\", strokes_per_minute=30, nominal_angle=\"30 deg\"}";
+    let case = shipped_case("quickstart", &["press.force=100 kN", drive]);
+    let (model, permitted) = (case.model(), |left: f64| case.press.permitted(left).expect("a rating"));
+    assert!((model.duration - 1.0 / 3.0).abs() < 1e-12 && (model.speed - 75.0).abs() < 1e-9 && model.timed);
+    let speed = model.schedule.as_ref().expect("a schedule").slope_before(1e-3);
+    assert!((speed / (50.0 * PI * (PI / 3.0).sin()) - 1.0).abs() < 0.01, "{speed}");
+    assert!((permitted(25.0) / (100e3 * (PI / 6.0).sin() / (PI / 3.0).sin()) - 1.0).abs() < 1e-12);
+    assert_eq!(shipped_case("quickstart", &[drive, "tools.punch.speed=1 mm/s"]).model().schedule, None);
+
+    let solution = case.clone().solve(&mut ());
+    let (run, even) = (&solution.stages[0], &shipped::solved("quickstart").stages[0]);
+    assert!((peak(run) / peak(even) - 1.0).abs() < 2e-3);
+    let shares = run.steps.iter().map(|step| (step.punch_force + step.holder_force) / permitted(25.0 - step.travel));
+    let closest = shares.fold(0.0, f64::max);
+    let rows = assess::after(&case, &solution.stages);
+    let row = rows.iter().find(|row| row.key == "press_force").expect("a row");
+    let (load, limit) =
+        (row.quantity.as_ref().expect("a number").amount.value, row.limits().and_then(|limits| limits.red));
+    assert!((load / limit.expect("a limit") / closest - 1.0).abs() < 1e-9, "{load} {limit:?} {closest}");
+    assert!(row.sentence().contains("° before the bottom dead centre"), "{}", row.sentence());
+}

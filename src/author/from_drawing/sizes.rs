@@ -71,13 +71,19 @@ impl DrawnTools {
         tools.thickness = Picked::or(thickness, || tools.thickness_for());
         let edge = before.map(|before| before.blank.value).or(import.blank).or(drawn(1));
         let within = [drawn(0).unwrap_or(0.0), edge.unwrap_or_else(|| tools.reach())];
-        tools.drawn = tools.drawn_travel(within, before, operation.sheet_end.is_some());
+        let direct = before.filter(|before| !tools.is_reverse(before));
+        tools.drawn = tools.drawn_travel(within, direct, operation.sheet_end.is_some());
         tools.travel = Picked::or(import.travel.filter(|_| before.is_none()), || tools.travel_for(within[1]));
         tools.blank = Picked::or(edge, || tools.blank_for());
         Ok(tools)
     }
 
-    /// From the flat sheet, or from the punch of the operation before. Where no sheet is drawn, the tools leave room for one, and
+    /// True if the die stands inside the part before, which is turned over.
+    pub fn is_reverse(&self, before: &Self) -> bool {
+        extent(&self.die).1 < extent(&before.punch).1
+    }
+
+    /// From the flat sheet, from a part turned over that hangs on the die, or from the punch of the operation before. Where no sheet is drawn, the tools leave room for one, and
     /// the punch is as long as its travel.
     fn drawn_travel(&self, within: [f64; 2], before: Option<&Self>, has_sheet: bool) -> Option<f64> {
         let top = |tools: &Self| Some(tools.punch.profile.extreme(true, within)?.y);

@@ -33,6 +33,11 @@ pub struct Drive {
 }
 
 impl Drive {
+    pub fn of(schedule: PiecewiseLinear) -> Self {
+        let &(duration, travel) = schedule.points().last().expect("a history has points");
+        Self { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true }
+    }
+
     /// Time at a punch travel \[s\].
     pub fn time_at(&self, travel: f64) -> f64 {
         self.schedule.as_ref().map_or(travel / self.speed, |schedule| schedule.reaches(travel))
@@ -54,14 +59,16 @@ impl CaseFile {
         source.refuse("gas", &["duration"], "and a punch are both given", help)?;
         let Some(points) = &punch.motion else {
             let travel = punch.travel.ok_or_else(|| source.missing("tools.punch", "travel"))?.value();
+            let stroke = judged::stroke_of(self.press_drive(source)?.as_ref(), travel, source)?;
+            if let Some(schedule) = stroke.filter(|_| punch.speed.is_none()) {
+                return Ok(Drive::of(schedule));
+            }
             let (speed, timed) = (punch.speed.map_or(1.0, Dimensioned::value), punch.speed.is_some());
             return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
         };
         let help = "drop it: the motion says travel and speed";
         source.refuse("tools.punch", &["speed", "travel"], "and `motion` are both given", help)?;
-        let schedule = history(points, source)?;
-        let &(duration, travel) = schedule.points().last().expect("a history has points");
-        Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true })
+        Ok(Drive::of(history(points, source)?))
     }
 }
 

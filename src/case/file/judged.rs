@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::measure::Ring;
-use crate::units::{Angle, As, Energy, joined};
+use crate::press::{Drive, Linkage, Pace, from_below};
+use crate::units::{Angle, As, Energy, Number, joined};
 use serde::{Deserializer, de::Error};
 use std::fmt;
 
@@ -15,15 +16,46 @@ pub struct WrittenPress {
     force: Option<HolderForce>,
     /// Work of one stroke; in plane strain only with blank.depth.
     energy: Option<Positive<Energy>>,
+    /// Drive of a mechanical press: the force that it permits at every travel, and the punch's speed if that has none of its own.
+    drive: Option<PressDrive>,
+}
+
+/// Drive of a mechanical press, a crank or a link drive. The punch's full travel ends at the bottom dead centre.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PressDrive {
+    /// Stroke of a crank, twice its radius.
+    stroke: Option<Positive<Length>>,
+    /// Length of the crank's connecting rod; infinite when not given.
+    rod: Option<Positive<Length>>,
+    /// Heights of the slide of a link drive over the angle before the bottom dead centre, from 0 mm at 0 deg; instead of `stroke`.
+    heights: Option<Vec<(NonNegative<Angle>, NonNegative<Length>)>>,
+    /// Strokes per minute, of a crank that turns evenly.
+    strokes_per_minute: Option<Positive<Number>>,
+    /// Heights of the slide of a servo press over time, down to 0 mm; instead of `strokes_per_minute`.
+    motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
+    /// Height above the bottom dead centre down from which the press bears its force.
+    nominal_height: Option<Positive<Length>>,
+    /// Angle before the bottom dead centre at which that height is reached; instead of it.
+    nominal_angle: Option<Positive<Angle>>,
 }
 
 /// Rating of the press; `None` if the case has none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Press {
     /// Largest force, of the whole section as [`Extent`] has it \[N, or N/mm of depth\].
     pub force: Option<f64>,
     /// Work of one stroke \[mJ\].
     pub energy: Option<f64>,
+    /// Drive.
+    pub drive: Option<Drive>,
+}
+
+impl Press {
+    /// Permitted force with so much of the travel left \[mm\], as [`force`](Self::force).
+    pub fn permitted(&self, left: f64) -> Option<f64> {
+        Some(self.force? * self.drive.as_ref().map_or(1.0, |drive| drive.permitted(left)))
+    }
 }
 
 /// Title block of a report; only given entries are shown.
@@ -130,6 +162,14 @@ impl Springback {
     }
 }
 
+/// Travel over time by a press; `None` if it has no drive, or no motion in time.
+pub fn stroke_of(drive: Option<&Drive>, travel: f64, source: &Source) -> Result<Option<PiecewiseLinear>> {
+    let Some(drive) = drive else { return Ok(None) };
+    let what = format!("the slide comes from {} mm, the punch goes {} mm", rounded(drive.reach()), rounded(travel));
+    source.require(travel <= drive.reach(), "press.drive", what, "a longer stroke, or less travel")?;
+    Ok(drive.schedule(travel))
+}
+
 impl CaseFile {
     /// Rating of the press in the units of the run's forces and work.
     pub fn press_rating(&self, source: &Source) -> Result<Press> {
@@ -141,7 +181,43 @@ impl CaseFile {
         let what = "in plane strain the length of the part is not known";
         let help = "give blank.depth, or leave it out: the work per mm of depth is in the summary";
         source.require(known, "press.energy", what, help)?;
-        Ok(Press { force, energy: press.energy.map(Dimensioned::value) })
+        Ok(Press { force, energy: press.energy.map(Dimensioned::value), drive: self.press_drive(source)? })
+    }
+
+    pub fn press_drive(&self, source: &Source) -> Result<Option<Drive>> {
+        const PATH: &str = "press.drive";
+        let Some(written) = &self.press.drive else { return Ok(None) };
+        let pairs = [["stroke", "heights"], ["strokes_per_minute", "motion"], ["nominal_height", "nominal_angle"]];
+        pairs.iter().try_for_each(|pair| source.one_of(PATH, pair, "keep one of them"))?;
+        let curve = |points: Vec<(f64, f64)>, key: &str, help: &str| {
+            let what = "the slide does not change its height from each point to the next, down to 0 mm";
+            from_below(points).ok_or_else(|| source.error(&format!("{PATH}.{key}"), what, format!("such as {help}")))
+        };
+        let linkage = if let Some(heights) = &written.heights {
+            source.refuse(PATH, &["rod"], "is of a crank, and `heights` of a link drive are given", "drop it")?;
+            let points = heights.iter().map(|(angle, height)| (angle.value(), height.value())).collect();
+            Linkage::Link(curve(points, "heights", "[[\"0 deg\", \"0 mm\"], [\"30 deg\", \"9 mm\"]]")?)
+        } else {
+            let radius = 0.5 * written.stroke.ok_or_else(|| source.missing(PATH, "stroke"))?.value();
+            let ratio = written.rod.map_or(0.0, |rod| radius / rod.value());
+            let what = format!("a rod no longer than the crank's radius of {} mm", rounded(radius));
+            source.require(ratio < 1.0, "press.drive.rod", what, "write its length, or leave it out")?;
+            Linkage::Crank { radius, ratio }
+        };
+        let pace = match (&written.motion, written.strokes_per_minute) {
+            (Some(points), _) => {
+                let end = points.last().map_or(0.0, |(time, _)| time.value());
+                let points = points.iter().rev().map(|(time, height)| (end - time.value(), height.value())).collect();
+                Some(Pace::Servo(curve(points, "motion", "[[\"0 s\", \"80 mm\"], [\"1 s\", \"0 mm\"]]")?))
+            }
+            (None, rate) => rate.map(|rate| Pace::Strokes(rate.value())),
+        };
+        let angle = written.nominal_angle.map(|angle| linkage.height(angle.value()));
+        let height = written.nominal_height.map(Dimensioned::value);
+        let nominal_height = height.or(angle).ok_or_else(|| source.missing(PATH, "nominal_height"))?;
+        let what = format!("the stroke of {} mm ends below the nominal height", rounded(linkage.stroke()));
+        source.require(nominal_height < linkage.stroke(), PATH, what, "a few mm are usual")?;
+        Ok(Some(Drive { linkage, pace, nominal_height }))
     }
 
     pub fn springback_tolerances(&self, source: &Source) -> Result<Springback> {

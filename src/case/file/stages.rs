@@ -1,6 +1,6 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
-use super::drive::equally_spaced;
+use super::drive::{Drive, equally_spaced};
 use super::tools::{Die, Holder, Pad, Punch, ToolKeys};
 use super::*;
 use crate::model::{Beginning, Press, ReleaseStiffness};
@@ -92,7 +92,7 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
     let mut stages = vec![model::Stage { name, model: first, begin: Beginning::default() }];
-    let mut frictions = Frictions::new(file);
+    let (mut frictions, press) = (Frictions::new(file), file.press_drive(source)?);
     for (i, written) in file.stages.iter().enumerate() {
         let path = format!("stages.{i}");
         check_name(&written.name, &format!("{path}.name"), source)?;
@@ -105,8 +105,8 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
         let tools = Tools { punch, die, holder, pad, beads: Vec::new() };
         written.remove.iter().for_each(|role| frictions.tools[*role as usize] = None);
         tools.keys().for_each(|tool| frictions.add(&tool));
-        let (tools, frictions) = (&tools, &frictions);
-        stages.push(StageContext { written, tools, frictions, before, first, source, path }.stage()?);
+        let (tools, frictions, press) = (&tools, &frictions, press.as_ref());
+        stages.push(StageContext { written, tools, frictions, press, before, first, source, path }.stage()?);
     }
     source.enter_stage(None);
     Ok(stages)
@@ -130,6 +130,7 @@ struct StageContext<'a> {
     tools: &'a Tools,
     /// Those of the stages before, and this one's.
     frictions: &'a Frictions<'a>,
+    press: Option<&'a crate::press::Drive>,
     before: &'a Model,
     first: &'a Model,
     source: &'a Source<'a>,
@@ -216,6 +217,12 @@ impl StageContext<'_> {
         };
         model.travel = travel;
         model.timed = self.first.timed || speed.is_some() || duration.is_some();
+        let press = self.press.filter(|_| furthest == Role::Punch && travel > 0.0);
+        let stroke = judged::stroke_of(press, travel, self.source)?;
+        if let Some(schedule) = stroke.filter(|_| speed.is_none() && duration.is_none()) {
+            let Drive { schedule, speed, duration, .. } = Drive::of(schedule);
+            (model.schedule, model.speed, model.duration, model.timed) = (schedule, speed, duration, true);
+        }
         Ok(())
     }
 
