@@ -209,16 +209,9 @@ pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
 /// The usual one of the metal; [`siebel`]'s; or that of the force that holds a flange down while it is bent over a shoulder that
 /// ends at the radius a: the bend's full plastic moment R_m t²/4 per mm of circle, borne by the rim 8 t further out,
 /// F = π a R_m t/16. Derived here but for the 8 t, which are declared; with less force the rim of a short cup rises before.
-pub fn holder_pressure(
-    usual: f64,
-    ratio: f64,
-    diameter: f64,
-    [end, edge]: [f64; 2],
-    thickness: f64,
-    strength: f64,
-) -> Picked {
-    let siebel = siebel(ratio, diameter, thickness, strength);
-    let force = 2.0 * PI * end * 0.25 * strength * thickness / HELD_OUT;
+pub fn holder_pressure(usual: f64, ratio: f64, diameter: f64, [end, edge]: [f64; 2], t: f64, strength: f64) -> Picked {
+    let siebel = siebel(ratio, diameter, t, strength);
+    let force = 2.0 * PI * end * 0.25 * strength * t / HELD_OUT;
     // A blank that ends on the shoulder is refused elsewhere.
     let level = if edge > end { force / (PI * (edge * edge - end * end)) } else { 0.0 };
     let hinge =

@@ -107,16 +107,9 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
     let judged = |(e, &s0): (usize, &f64)| {
         let path = paths.of(e);
         let [minor, major] = path[path.len() - 1];
-        Judged {
-            s0,
-            minor,
-            major,
-            hoop_is_major: paths.hoop_is_major(e),
-            limit: curve.major_at(minor),
-            beyond_end: !curve.knows(minor),
-            of_edge: paths.is_of_edge(e),
-            crookedness: crookedness(&path),
-        }
+        let (hoop_is_major, of_edge, crookedness) = (paths.hoop_is_major(e), paths.is_of_edge(e), crookedness(&path));
+        let (limit, beyond_end) = (curve.major_at(minor), !curve.knows(minor));
+        Judged { s0, minor, major, hoop_is_major, limit, beyond_end, of_edge, crookedness }
     };
     let inner = paths.s0.iter().enumerate().filter(|(e, _)| !paths.is_of_edge(*e));
     let crossings = inner.filter_map(|(e, &s0)| crossing(curve, paths, e, s0));

@@ -60,13 +60,8 @@ pub struct PreviousRate {
 impl PointState {
     /// A point of ordinary metal at room temperature, by itself.
     pub fn at(strain: f64) -> Self {
-        Self {
-            strain,
-            porosity: 0.0,
-            temperature: ROOM_TEMPERATURE,
-            previous: PreviousRate::default(),
-            surroundings: Surroundings::default(),
-        }
+        let (porosity, previous, surroundings) = Default::default();
+        Self { strain, porosity, temperature: ROOM_TEMPERATURE, previous, surroundings }
     }
 
     /// Point of a sheet that goes on flowing: the last rate would strain it by `p`, with this spread, in the step.

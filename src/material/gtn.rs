@@ -175,14 +175,9 @@ impl Gtn {
     /// The yield condition at the porosity `f` \[–\].
     pub fn condition(&self, anisotropy: Hill48, f: f64) -> GtnCondition {
         let effective = self.effective(f);
-        GtnCondition {
-            anisotropy,
-            q2: self.q2,
-            q1f: self.q1 * effective,
-            top: 1.0 + self.q3 * effective * effective,
-            share: 1.0 / (1.0 - f),
-            c: anisotropy.direct + anisotropy.coupled,
-        }
+        let (q1f, top) = (self.q1 * effective, 1.0 + self.q3 * effective * effective);
+        let (share, c) = (1.0 / (1.0 - f), anisotropy.direct + anisotropy.coupled);
+        GtnCondition { anisotropy, q2: self.q2, q1f, top, share, c }
     }
 
     /// Porosity of a step, extrapolated from the last one and kept where the model holds \[–\].

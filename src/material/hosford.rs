@@ -57,12 +57,8 @@ impl Hosford {
     /// For r̄ > 0 and a ≥ 2.
     pub fn new(r: f64, exponent: f64) -> Self {
         let root = r.powf(1.0 / (exponent - 1.0));
-        Self {
-            quadratic: Hill48::new(r),
-            power: Power::new(exponent),
-            plane_strain: root / (1.0 + root),
-            inverse_weight: 1.0 / (1.0 + r),
-        }
+        let (plane_strain, inverse_weight) = (root / (1.0 + root), 1.0 / (1.0 + r));
+        Self { quadratic: Hill48::new(r), power: Power::new(exponent), plane_strain, inverse_weight }
     }
 
     /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10. Fails when one lies beyond.

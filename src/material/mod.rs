@@ -80,31 +80,15 @@ impl Material {
 
     /// An isotropic, rate-free sheet that does not feel its temperature.
     pub fn plain(hardening: Hardening) -> Self {
-        Self {
-            hardening,
-            fitted_up_to: None,
-            elastic: None,
-            rate: None,
-            thermal: None,
-            yield_criterion: YieldCriterion::default(),
-            chaboche: BackStresses::default(),
-            gtn: None,
-            fracture: None,
-        }
+        let (fitted_up_to, elastic, rate, thermal, yield_criterion, chaboche, gtn, fracture) = Default::default();
+        Self { hardening, fitted_up_to, elastic, rate, thermal, yield_criterion, chaboche, gtn, fracture }
     }
 
     /// Flow law of an iteration with `matrix`, in a step of `duration` \[s\] with the cut-off Δε₀ \[–\].
     pub fn flow_law(&self, matrix: Iteration, cutoff: f64, duration: f64) -> FlowLaw<'_> {
-        FlowLaw {
-            hardening: &self.hardening,
-            rate: self.rate.as_ref(),
-            softening: self.thermal.as_ref(),
-            criterion: self.yield_criterion,
-            voids: self.gtn.as_ref(),
-            matrix,
-            cutoff,
-            duration,
-        }
+        let Self { hardening, rate, thermal, yield_criterion: criterion, gtn, .. } = self;
+        let (rate, softening, voids) = (rate.as_ref(), thermal.as_ref(), gtn.as_ref());
+        FlowLaw { hardening, rate, softening, criterion: *criterion, voids, matrix, cutoff, duration }
     }
 
     /// Largest strain that the hardening was measured to: of the fit, else of a table's last point \[–\].

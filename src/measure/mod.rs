@@ -103,12 +103,8 @@ impl Shape {
         let meridian = Meridian::of(frame);
         let leg =
             |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Some(Leg::of(meridian, find(meridian)?)));
-        Self {
-            wall: leg(wall),
-            flange: leg(flange),
-            height: part_height(frame),
-            edge: frame.nodes.last().map(|edge| edge.r),
-        }
+        let edge = frame.nodes.last().map(|edge| edge.r);
+        Self { wall: leg(wall), flange: leg(flange), height: part_height(frame), edge }
     }
 
     /// Angle between the wall's chord and the direction of the punch \[°\]: 0 upright, positive opened.

@@ -133,11 +133,8 @@ impl Model {
         for rate in RATES.iter().filter_map(|rate| Some(material.rate?.at(*rate))) {
             number("material.rate", rate.value, POSITIVE)?;
         }
-        if let Some(elastic) = material.elastic {
-            numbers(
-                "material.elastic",
-                [("young", elastic.young, POSITIVE), ("poisson", elastic.poisson, [0.0, 0.5])],
-            )?;
+        if let Some(Elastic { young, poisson }) = material.elastic {
+            numbers("material.elastic", [("young", young, POSITIVE), ("poisson", poisson, [0.0, 0.5])])?;
         }
         number("material.yield_criterion", material.yield_criterion.ratio(), POSITIVE)?;
         for law in &material.chaboche {

@@ -75,18 +75,9 @@ fn missing_letters(title: &str) -> Option<Finding> {
 impl<'a> StageView<'a> {
     /// Single stage with its findings.
     pub fn alone(name: &str, stage: &'a StageSolution) -> Self {
-        Self {
-            name: name.to_owned(),
-            case: None,
-            findings: assess::of_stage(0, stage),
-            ring: None,
-            stage,
-            wall: None,
-            pictures: Pictures::default(),
-            bars: Vec::new(),
-            verdict: None,
-            assessment: OnceLock::new(),
-        }
+        let (case, ring, wall, pictures, bars, verdict, assessment) = Default::default();
+        let findings = assess::of_stage(0, stage);
+        Self { name: name.to_owned(), case, findings, ring, stage, wall, pictures, bars, verdict, assessment }
     }
 
     /// Opening of the slit ring \[mm\].
@@ -122,15 +113,10 @@ impl<'a> StageView<'a> {
     }
 
     /// Chart titled `Cup: sections`, or `Sections` if the case's title stands above; notes end in those of [`Self::notes`].
-    pub(crate) fn chart<T: Into<String>>(
-        &self,
-        subject: &str,
-        panels: Vec<Panel>,
-        notes: impl IntoIterator<Item = T>,
-    ) -> Chart {
+    pub(crate) fn chart(&self, of: &str, panels: Vec<Panel>, notes: impl IntoIterator<Item: Into<String>>) -> Chart {
         let title = match self.pictures.captions {
-            Captions::Own => capitalised(subject),
-            _ => format!("{}: {subject}", self.model().title),
+            Captions::Own => capitalised(of),
+            _ => format!("{}: {of}", self.model().title),
         };
         Chart::new(title, panels, notes.into_iter().map(Into::into).chain(self.notes()).collect())
     }

@@ -72,8 +72,7 @@ impl Thinning {
             // One element under the next colour, so that no paper shines through.
             let elements = from..(from + equal.len() + 1).min(levels.len());
             let style = Style::area(self.color(equal[0]));
-            series
-                .extend(parts(sheet(frame, elements, self.times)).into_iter().map(|part| Series::silent(part, style)));
+            series.extend(parts(sheet(frame, elements, self.times)).into_iter().map(|one| Series::silent(one, style)));
             from += equal.len();
         }
         for mut edge in parts(whole_sheet(frame, self.times)) {

@@ -37,15 +37,9 @@ pub(super) struct LineSearch {
 
 impl LineSearch {
     pub fn new(nodes: usize) -> Self {
-        Self {
-            residual: vec![Vector3::zeros(); nodes],
-            shared_residual: SVector::zeros(),
-            direction: vec![Vector3::zeros(); nodes],
-            shared: SVector::zeros(),
-            length: 0.0,
-            start: 0.0,
-            rounds: MOST,
-        }
+        let [residual, direction] = [(); 2].map(|()| vec![Vector3::zeros(); nodes]);
+        let (shared_residual, shared, length, start) = Default::default();
+        Self { residual, shared_residual, direction, shared, length, start, rounds: MOST }
     }
 
     pub fn aim(&mut self, system: &mut System) -> bool {

@@ -70,24 +70,18 @@ pub(super) fn solve<'s>(
     Err(outcome)
 }
 
-fn attempt(
-    step: &Step,
-    trial: &mut Trial,
-    evaluation: &mut Evaluation,
-    start: Start,
-    observer: &mut dyn Observer,
-) -> Outcome {
+fn attempt(step: &Step, trial: &mut Trial, out: &mut Evaluation, start: Start, observer: &mut dyn Observer) -> Outcome {
     let settings = &step.model.settings;
     let matrix = settings.iteration;
     let most = settings.max_iterations * patience(if trial.kept.is_some() { Iteration::Secant } else { matrix });
-    let mut correct = |trial: &mut Trial, evaluation: &mut Evaluation, matrix, most| {
-        correct(step, trial, evaluation, Pass { start, matrix, most }, observer)
+    let mut correct = |trial: &mut Trial, out: &mut Evaluation, matrix, most| {
+        correct(step, trial, out, Pass { start, matrix, most }, observer)
     };
     trial.predict(step, start != Start::Predictor);
     let mut spent = 0;
     for &softening in start.softening() {
         trial.softening = softening;
-        let soft = correct(trial, evaluation, matrix, most);
+        let soft = correct(trial, out, matrix, most);
         trial.softening = 1.0;
         if !soft.converged {
             return soft;
@@ -95,19 +89,19 @@ fn attempt(
         spent += soft.iterations;
     }
     if start == Start::Secant {
-        let secant = correct(trial, evaluation, Iteration::Secant, SECANT_START);
+        let secant = correct(trial, out, Iteration::Secant, SECANT_START);
         if secant.interrupted {
             return secant;
         }
         spent = secant.iterations;
     }
-    let mut outcome = correct(trial, evaluation, matrix, most);
+    let mut outcome = correct(trial, out, matrix, most);
     let most_rounds = if settings.contact == ContactMethod::AugmentedLagrangian { MOST_ROUNDS } else { 0 };
     let mut rounds = 1;
-    while rounds <= most_rounds && outcome.converged && augmented_lagrangian::shift(trial, evaluation, rounds - 1) {
+    while rounds <= most_rounds && outcome.converged && augmented_lagrangian::shift(trial, out, rounds - 1) {
         spent += outcome.iterations;
         rounds += 1;
-        outcome = correct(trial, evaluation, matrix, most);
+        outcome = correct(trial, out, matrix, most);
     }
     Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
 }

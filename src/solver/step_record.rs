@@ -72,12 +72,8 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
         }
     }
     let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
-    StepRecord {
-        rim_share: share(on_rim, held),
-        sticking: share(sticking as f64, touching as f64),
-        contact_changes,
-        ..StepRecord::default()
-    }
+    let (rim_share, sticking) = (share(on_rim, held), share(sticking as f64, touching as f64));
+    StepRecord { rim_share, sticking, contact_changes, ..StepRecord::default() }
 }
 
 /// Share of the current area inside the seal that lies on the punch or the die \[–\].

@@ -49,15 +49,9 @@ pub struct Evaluated {
 
 impl Run {
     pub(super) fn failed(design: &Design, inputs: String, responses: usize) -> Self {
-        Self {
-            index: design.index,
-            values: design.values.clone(),
-            inputs,
-            numbers: vec![f64::NAN; responses],
-            failures: vec![FailureMode::NoResult],
-            end: "not run".into(),
-            ..Self::default()
-        }
+        let (index, values) = (design.index, design.values.clone());
+        let (numbers, failures) = (vec![f64::NAN; responses], vec![FailureMode::NoResult]);
+        Self { index, values, inputs, numbers, failures, end: "not run".into(), ..Self::default() }
     }
 
     /// Whether it came to a result.

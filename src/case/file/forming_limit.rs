@@ -55,13 +55,7 @@ impl FormingLimit {
     }
 
     /// Curve that the case gives; `None` if it wants none.
-    pub fn curve(
-        &self,
-        material: &Material,
-        thickness: f64,
-        heat: Option<&Heat>,
-        source: &Source,
-    ) -> Result<Option<Curve>> {
+    pub fn curve(&self, material: &Material, t: f64, heat: Option<&Heat>, source: &Source) -> Result<Option<Curve>> {
         let n = self.n.map(Dimensioned::value);
         if let Some(groove) = &self.marciniak_kuczynski {
             groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
@@ -91,7 +85,7 @@ impl FormingLimit {
         let what = format!("`strain` has no part in `{name}`, whose strains are logarithmic");
         source.require(self.strain.is_none() || is_points, "forming_limit.strain", what, "drop it")?;
         let temperature = heat.map_or(ROOM_TEMPERATURE, |heat| heat.initial.smallest());
-        let sheet = Sheet { material, thickness, temperature };
+        let sheet = Sheet { material, thickness: t, temperature };
         let curve =
             kind.curve(&sheet).map_err(|e| source.error(&format!("forming_limit.{name}"), e.message, e.help))?;
         curve.notes.iter().for_each(|note| source.note(note.clone()));

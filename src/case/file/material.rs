@@ -171,17 +171,9 @@ impl Material {
         if let Some(gtn) = &mut gtn {
             gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
         }
-        Ok(material::Material {
-            hardening,
-            fitted_up_to: self.fitted_up_to.map(Dimensioned::value),
-            elastic,
-            rate,
-            thermal,
-            yield_criterion,
-            chaboche: self.back_stresses(source)?,
-            gtn,
-            fracture,
-        })
+        let (fitted_up_to, chaboche) = (self.fitted_up_to.map(Dimensioned::value), self.back_stresses(source)?);
+        let own = material::Material { fitted_up_to, elastic, rate, thermal, ..material::Material::plain(hardening) };
+        Ok(material::Material { yield_criterion, chaboche, gtn, fracture, ..own })
     }
 
     /// r-values by direction, with a note on the mean that is taken.

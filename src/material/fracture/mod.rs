@@ -42,10 +42,7 @@ pub struct FractureStress {
 impl FractureStress {
     /// Invariants of the in-plane stress `s` less the normal stress, and of a normal stress \[MPa\], negative for pressure.
     pub fn new(criterion: &YieldCriterion, s: Triple, normal: f64) -> Self {
-        Self {
-            largest: s[0].max(s[1]).max(0.0) + normal,
-            mean: (s[0] + s[1]) / 3.0 + normal,
-            equivalent: criterion.equivalent_stress(s),
-        }
+        let (largest, mean) = (s[0].max(s[1]).max(0.0) + normal, (s[0] + s[1]) / 3.0 + normal);
+        Self { largest, mean, equivalent: criterion.equivalent_stress(s) }
     }
 }

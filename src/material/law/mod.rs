@@ -56,15 +56,9 @@ pub(crate) fn require_or(key: &str, ok: bool, help: &'static str, message: impl 
 }
 
 /// Checks that a parameter lies in a range; it is named by its key in the law's table and by its key in messages.
-pub(crate) fn require_range(
-    [key, name]: [&str; 2],
-    value: f64,
-    [least, most]: [f64; 2],
-    help: &'static str,
-) -> Checked {
-    require_or(key, (least..=most).contains(&value), help, || {
-        format!("`{name}` must lie between {least} and {most}, found {value}")
-    })
+pub(crate) fn require_range([key, name]: [&str; 2], value: f64, [low, high]: [f64; 2], help: &'static str) -> Checked {
+    let what = || format!("`{name}` must lie between {low} and {high}, found {value}");
+    require_or(key, (low..=high).contains(&value), help, what)
 }
 
 /// Laws of one kind, of which a case names one. Made by `family!`.
