@@ -4,7 +4,7 @@ use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
-use crate::measure::{OPENING_ANGLE, Shape, part_height, wall_at};
+use crate::measure::{OPENING_ANGLE, Shape, part_height, stripping_force, wall_at};
 use crate::table::{Unit, worded};
 use serde::Serialize;
 
@@ -164,6 +164,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.last().and_then(hole),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
+        stages.last().and_then(stripping),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         stages.last().filter(|_| !is_torn).and_then(height),
@@ -254,6 +255,14 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
     let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
     let force = force.to(Digits::Significant(3));
     Some(Quantity::new("holder_force", "Holder", force).at("at its largest"))
+}
+
+/// Stripping force of a cup that has left its die.
+fn stripping(stage: &StageSolution) -> Option<Quantity> {
+    let force = stripping_force(stage).filter(|force| *force > 0.0 && stage.stop.kind == StopKind::LeftDie)?;
+    let force = Amount::force(force, stage.model.extent().force_unit());
+    let about = "to pull the punch out, if its wall keeps the pressure of the last step (declared)";
+    Some(Quantity::new("stripping_force", "Stripping", force).at(about))
 }
 
 fn blank(model: &Model) -> Quantity {

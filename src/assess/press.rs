@@ -95,8 +95,8 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
     let work = Amount::force(work, unit);
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    let share =
-        rating.map_or(String::new(), |rating| format!(", {} of a stroke's", Amount::share(work.value / rating)));
+    let share = rating
+        .map_or(String::new(), |rating| format!(", {} of what a stroke gives", Amount::share(work.value / rating)));
     let text = run.of_stage(format!("{{}}{}{share}", per_depth(work)), i);
     Some(rated(Finding::judged("energy", "Energy", text), work, rating))
 }

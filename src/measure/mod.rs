@@ -26,12 +26,15 @@ mod meridian;
 mod moment;
 mod ring;
 mod shape_measure;
+mod stripping;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::moment_error;
 pub use ring::{CutRing, Ring};
 pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
+
+pub use stripping::stripping_force;
 
 use crate::solver::solution::{Frame, NodeRecord};
 use meridian::{ENDS, Meridian, Stretch as Between};

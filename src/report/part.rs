@@ -64,7 +64,15 @@ fn tools(report: &Report) -> Markup {
     let all = 0..stages.len();
     let sizes = TOOLS.map(|(label, of)| (label, all.clone().map(|k| find(k, of)).collect()));
     let heights = stages.iter().map(|i| value(report, *i, "part_height")).collect();
-    let columns = [("Ratio", ratios.collect())].into_iter().chain(sizes).chain([("Height", heights)]);
+    let before = |i: &usize| {
+        let begin = &report.solution.case.stages[*i].begin;
+        let does = [(begin.turn_over, "turned over"), (begin.anneal, "annealed")];
+        let does = does.into_iter().filter(|(is, _)| *is).map(|(_, what)| what.to_owned());
+        Some(joined(does, ", ")).filter(|text| !text.is_empty())
+    };
+    let before = stages.iter().map(before).collect();
+    let columns = [("Ratio", ratios.collect())].into_iter().chain(sizes);
+    let columns = columns.chain([("Height", heights), ("Before", before)]);
     by_stage(report, &stages, columns.collect())
 }
 

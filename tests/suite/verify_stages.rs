@@ -1,7 +1,7 @@
 //! Operations after one another: what a stage takes over from the one before, and what its tools do to the sheet.
 
 use crate::common::prelude::*;
-use stampflow::solver::solve;
+use stampflow::{measure::stripping_force, solver::solve};
 
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
 fn cup(travel: f64) -> Model {
@@ -280,5 +280,15 @@ fn a_reverse_redraw_draws_the_cup_inside_out() {
         let [bottom, rim] = [0, passes[1].end.nodes.len() - 1].map(|i| passes[1].end.nodes[i]);
         assert!(bottom[1] - rim[1] > 60.0 && rim[0] < 31.5, "{mode:?}: {bottom:?} {rim:?}");
         assert!(last(&passes[1]).work.imbalance().abs() < 0.01);
+
+        let mut cup = passes[1].clone();
+        assert_eq!(stripping_force(&cup).map(|force| force > 0.0), (mode != Mode::Flow).then_some(true));
+        // By hand: 1 MPa on a tube of 30 mm, friction 0.08.
+        let length = (cup.end.nodes.len() - 1) as f64;
+        let tube = |i: usize| [30.0, -(i as f64), -0.5 * PI];
+        cup.end.nodes.iter_mut().enumerate().for_each(|(i, node)| *node = tube(i));
+        cup.end.pressure.row_mut(0).fill(1.0);
+        let force = stripping_force(&cup).unwrap_or(0.08 * 2.0 * PI * 30.0 * length);
+        assert!((force / (0.08 * 2.0 * PI * 30.0 * length) - 1.0).abs() < 1e-12, "{force}");
     }
 }
