@@ -42,6 +42,7 @@ mod observer;
 mod openings;
 mod outputs;
 mod package;
+mod press;
 mod profiles;
 mod report;
 mod result_folder;
