@@ -92,6 +92,7 @@
 
 pub mod assess;
 pub mod author;
+pub mod bead;
 pub mod case;
 pub mod contact;
 pub mod element;

@@ -26,6 +26,8 @@ pub struct CaseError {
     source_code: SourceCode,
     #[label("{label}")]
     span: Option<SourceSpan>,
+    /// True if the case is sound, and a run that it needs stopped early: that of a bead's strip.
+    pub is_stopped_run: bool,
 }
 
 impl CaseError {
@@ -33,13 +35,14 @@ impl CaseError {
         // A place that spans lines is shown by its first.
         let first_line = source.inner().get(span.clone()).and_then(|text| text.find('\n'));
         let span = span.start..first_line.map_or(span.end, |length| span.start + length);
-        let help = (!help.is_empty()).then(|| shortened(&help));
-        Self { what: shortened(&what), label: shortened(&label), help, source_code: source, span: Some(span.into()) }
+        let error = Self::bare(shortened(&what), shortened(&help));
+        Self { label: shortened(&label), source_code: source, span: Some(span.into()), ..error }
     }
 
     pub(crate) fn bare(what: String, help: String) -> Self {
         let source_code = Arc::new(NamedSource::new("", String::new()));
-        Self { what, label: String::new(), help: (!help.is_empty()).then_some(help), source_code, span: None }
+        let help = (!help.is_empty()).then_some(help);
+        Self { what, label: String::new(), help, source_code, span: None, is_stopped_run: false }
     }
 
     pub(super) fn unreadable(path: &Path, error: &io::Error) -> Self {
@@ -105,6 +108,7 @@ impl CaseError {
             help: self.help.as_deref().map(shown),
             source_code: Arc::new(NamedSource::new(shown(self.source_code.name()), shown(text))),
             span,
+            ..self.clone()
         };
         let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();

@@ -42,6 +42,9 @@ pub fn unusable(option: &str) -> impl Fn(WriteError) -> anyhow::Error {
 
 impl Code {
     pub fn of(error: &anyhow::Error) -> Self {
+        if of_case(error).is_some_and(|error| error.is_stopped_run) {
+            return Self::StoppedEarly;
+        }
         let of_files = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();
         if of_files || error.is::<StudyError>() || error.is::<BadInput>() { Self::BadInput } else { Self::Failed }
     }

@@ -2,6 +2,7 @@
 
 use super::Geometry;
 use crate::numerics::PiecewiseLinear;
+use crate::units::{As, Length, Positive};
 
 /// Draw bead: line restraint on the flange whose closing force is taken from the holder's.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +13,27 @@ pub struct Bead {
     pub restraining: PiecewiseLinear,
     /// Closing force per length of the line \[N/mm\].
     pub closing: f64,
+    /// Section that both forces are computed from; `None` where they are given.
+    pub round: Option<Round>,
+}
+
+/// Round bead in the holder, groove in the die; both forces come from a strip that is bent into them and pulled through.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Round {
+    /// Radius of the bead.
+    #[serde(with = "As::<Positive<Length>>")]
+    pub radius: f64,
+    /// Height of the bead over the holder's face; above the radius its flanks are straight. It closes until the faces of holder
+    /// and die are 1.02 thicknesses apart, or at the holder's gap.
+    #[serde(with = "As::<Positive<Length>>")]
+    pub height: f64,
+    /// Radius of the groove's edges.
+    #[serde(with = "As::<Positive<Length>>")]
+    pub shoulder: f64,
+    /// Distance between the bead's foot and the groove's wall on each side; 1.1 thicknesses when not given, as declared.
+    #[serde(default, with = "As::<Positive<Length>>")]
+    pub clearance: Option<f64>,
 }
 
 impl Bead {

@@ -18,7 +18,7 @@ pub use blank::{Blank, Edge, EdgeLimit, Grading, ThicknessRule};
 pub use check::ModelError;
 pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
-pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
+pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl, Round};
 pub use mode::{Mode, ReleaseStiffness};
 pub use role_names::operation_in;
 pub use settings::{ContactMethod, Norm, Settings, StopRules};

@@ -27,6 +27,7 @@ pub const OUTPUTS: &[Output] = &[
     table("load_travel.csv", "forces, draw-in, energy and iterations of every step", |view| {
         Some(Table::new([tables::load_travel(view.stage).columns, tables::press(view)].concat()))
     }),
+    table("beads.csv", "forces and thinning of beads by their section", |view| crate::bead::table(view.model())),
     table("profile.csv", "shape, thickness, strains and stresses of every kept frame", |view| {
         Some(tables::profile(view.model(), &view.stage.frames))
     }),

@@ -92,7 +92,8 @@ impl<'a> Reference<'a> {
     }
 
     fn body(&mut self, path: &str, node: &'a Value) {
-        let _ = write!(self.text, "\n{}\n", str_of(node, "description"));
+        let paragraphs = str_of(node, "description").split("\n\n").map(|text| text.replace('\n', " "));
+        let _ = write!(self.text, "\n{}\n", paragraphs.collect::<Vec<_>>().join("\n\n"));
         let mut inner = Inner::new();
         for form in alternatives(node) {
             let kind = self.kind(form, path, &mut inner);

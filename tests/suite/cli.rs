@@ -21,7 +21,7 @@ fn a_run_writes_every_file_and_a_trace() {
     let dir = folder(CUP);
     check_calls(dir.path(), &[(&["run", "cases/cup.toml", "--trace", "trace.csv", "--verbose"], 0, "")]);
     let absent = "pressure_cycle porosity damage temperature springback residual_stress stages.csv \
-                  compare_ section.pvd shapes.gif error_bars";
+                  compare_ section.pvd shapes.gif error_bars beads";
     for output in stampflow::results::OUTPUTS {
         let path = dir.path().join("out/cup").join(output.file);
         let is_absent = absent.split(' ').any(|begin| output.file.starts_with(begin));
@@ -75,6 +75,7 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
     let stuck = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002", "-q"];
     let with = |args: &[&'static str]| [args, &stuck].concat();
     let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 52mm -o torn.toml";
+    let bead = "tools.beads=[{at=\"46 mm\",round={radius=\"1 mm\",height=\"7 mm\",shoulder=\"1 mm\",friction=0.2}}]";
     // Between the forming limit and the neck that ends the run.
     let before = "tools.punch.travel=29mm";
     check_calls(
@@ -83,6 +84,7 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
             (&with(&["run", "cases/cup.toml"]), 3, ""),
             (&with(&["check", "cases/cup.toml", "--run"]), 3, ""),
             (&with(&["verify", "cases/cup.toml", "--out", "bars"]), 3, ""),
+            (&["check", "cases/cup.toml", "--set", bead], 3, "no strip comes through the bead at 46 mm"),
             (&torn.split(' ').collect::<Vec<_>>(), 0, ""),
             (&["run", "torn.toml", "-q", "--no-advice", "--set", before], 0, ""),
             (&["run", "torn.toml", "-q", "--no-advice", "--set", before, "--strict", "--out", "strict"], 4, ""),

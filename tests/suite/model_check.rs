@@ -31,7 +31,7 @@ fn cup() -> Model {
     model.settings.max_step = 0.2;
     model.settings.min_step = 1e-3;
     model.settings.first_step = 0.05;
-    model.beads = vec![Bead { at: 16.0, restraining: 10.0.into(), closing: 1.0 }];
+    model.beads = vec![Bead { at: 16.0, restraining: 10.0.into(), closing: 1.0, round: None }];
     model.gas = vec![Gas { face: Face::Lower, pressure: 0.1.into(), within: 9.0 }];
     let flow = HeatFlow {
         capacity: 3.6,

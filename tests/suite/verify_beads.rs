@@ -1,7 +1,10 @@
-//! Draw beads that are drawn in holder and die: the holder closes over the sheet before the punch comes, and the bead holds
-//! the sheet back.
+//! Draw beads: those drawn in holder and die, over which the holder closes before the punch comes, and those given by their
+//! section, whose forces come from a strip that is pulled through.
 
+use crate::common::page::{agreement, percent};
 use crate::common::prelude::*;
+use stampflow::bead::{self, Drawn};
+use stampflow::model::Round;
 use stampflow::solver::{closing_way, solve};
 
 /// Radii of the bead's tip and of its foot, and its height \[mm\].
@@ -53,7 +56,7 @@ fn sections(gap: f64) -> [String; 2] {
 }
 
 /// A strip, or a cup, of mild steel without friction, drawn 25 mm under a holder of this force.
-fn drawn(geometry: &str, force: &str, [holder, die]: &[String; 2], more: &str) -> (Vec<StageSolution>, Vec<Finding>) {
+fn drawn(geometry: &str, hold: &str, [holder, die]: &[String; 2], more: &str) -> (Vec<StageSolution>, Vec<Finding>) {
     let (length, half) = match geometry {
         "axisymmetric" => ("radius = \"80 mm\"", "radius"),
         _ => ("half_length = \"115 mm\"", "half_width"),
@@ -73,7 +76,7 @@ fn drawn(geometry: &str, force: &str, [holder, die]: &[String; 2], more: &str) -
         [tools]
         punch = {{ flat = {{ {half} = "30 mm", nose = "8 mm" }}, friction = 0.0, travel = "25 mm" }}
         die = {{ friction = 0.0, {die} }}
-        holder = {{ friction = 0.0, force = "{force}", {holder} }}
+        holder = {{ friction = 0.0, {hold}, {holder} }}
         {more}
         "#
     );
@@ -88,7 +91,7 @@ fn drawn(geometry: &str, force: &str, [holder, die]: &[String; 2], more: &str) -
 #[test]
 fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     let strip = |sections: &[String; 2], more: &str| {
-        let (stages, found) = drawn("plane_strain", "2000 N/mm", sections, more);
+        let (stages, found) = drawn("plane_strain", "force = \"2000 N/mm\"", sections, more);
         assert!(stages[0].stop.is_complete(), "{}", stages[0].stop);
         (stages, found)
     };
@@ -114,7 +117,7 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
 /// would say of a flange that it does not press means nothing.
 #[test]
 fn a_holder_that_stays_open_is_said_and_its_lights_are_grey() {
-    let (stages, found) = drawn("axisymmetric", "15 kN", &sections(1.05), "");
+    let (stages, found) = drawn("axisymmetric", "force = \"15 kN\"", &sections(1.05), "");
     let closing = stages[0].closing.expect("the holder closes");
     assert!(closing.gap > 0.3 && (closing.force / 15e3 - 1.0).abs() < 1e-2, "{closing:?}");
     assert!(!stages[0].steps.is_empty(), "{}", stages[0].stop);
@@ -133,4 +136,133 @@ fn holders_that_lie_flat_on_the_sheet_do_not_close_first() {
     for path in files("cases", "toml") {
         assert_eq!(closing_way(loaded(&path, &[]).model()), None, "{}", path.display());
     }
+}
+
+/// Bead and shoulders of 5 mm, so high that the sheet of 1 mm wraps a half of the one and a quarter of each other.
+fn rollers(friction: f64) -> Round {
+    Round { radius: 5.0, height: 12.0, shoulder: 5.0, clearance: 1.2, friction: [friction.into(); 2] }
+}
+
+/// A case with a rigid-perfectly plastic sheet of 1 mm and 300 MPa.
+fn perfectly_plastic() -> Model {
+    let material = Material::plain(Hardening::Ludwik(Ludwik::new(300.0, 0.0, 1.0).expect("valid")));
+    Model { material, ..simple::pulled(Geometry::PlaneStrain, Theory::Bending, 1.0) }
+}
+
+fn pulled_through(case: &Model, round: &Round, finer: usize) -> Drawn {
+    let mut stages = bead::stages(case, round, 50.0, round.height);
+    stages.iter_mut().for_each(|stage| stage.model.blank.elements *= finer);
+    bead::drawn(round, &solve(&stages, &mut ())).expect("it comes through")
+}
+
+/// Restraint of the rollers, and the thickness left, by hand. With S = 2/√3 σ_y, the moment of a strip of thickness t under the
+/// tension T is M = S (t²/4 − e²), its neutral line e = T/(2 S) off its middle. Bending to the curvature κ stretches the middle
+/// by e κ, so that t falls by its share and the work per length is M κ + T e κ; T does T e κ of it, and grows by M κ. Unbending
+/// does the same. Over a wrap of θ friction multiplies T by exp(μ θ).
+fn by_hand(friction: f64) -> [f64; 2] {
+    let (s, mut tension, mut t) = (2.0 / 3f64.sqrt() * 300.0, 0.0, 1.0);
+    for wrap in [FRAC_PI_2, PI, FRAC_PI_2] {
+        for then in [wrap, 0.0] {
+            let curvature = 1.0 / (5.0 + 0.5 * t);
+            let rise = |tension: f64| s * curvature * (0.25 * t * t - (tension / (2.0 * s)).powi(2));
+            let mean: f64 = tension + 0.5 * rise(tension);
+            tension = (tension + rise(mean)) * (friction * then).exp();
+            t *= 1.0 - curvature * mean / (2.0 * s);
+        }
+    }
+    [tension, t]
+}
+
+/// Trust: the work of bending and unbending of a rigid-perfectly plastic strip, in closed form.
+#[test]
+fn a_strip_is_pulled_over_rollers_by_the_work_of_bending() {
+    let case = perfectly_plastic();
+    let [tension, t] = by_hand(0.0);
+    let strips = [1, 2].map(|finer| pulled_through(&case, &rollers(0.0), finer));
+    let misses = strips.map(|strip| strip.restraining / tension - 1.0);
+    assert!(misses.iter().all(|miss| miss.abs() < 0.03) && (misses[1] - misses[0]).abs() < 0.01, "{misses:?}");
+    assert!((1.0 - strips[0].thinning - t).abs() < 0.01, "{strips:?} {t}");
+    let rubbed = pulled_through(&case, &rollers(0.1), 1);
+    let [with_friction, _] = by_hand(0.1);
+    let miss = rubbed.restraining / with_friction - 1.0;
+    // All of the tension over the whole wrap is more than there can be.
+    assert!(miss.abs() < 0.03 && rubbed.restraining < tension * (0.1 * 2.0 * PI).exp(), "{rubbed:?} {with_friction}");
+    let figures = [percent(&misses, 1), percent(&[miss], 1)];
+    agreement(
+        "strip over three frictionless rollers, its bending and unbending in closed form",
+        &[format!("{} with 1 and 2 times the elements; with friction 0.1 over each wrap {}", figures[0], figures[1])],
+    );
+}
+
+/// The bead of `round` at [`AT`] drawn in holder and die, their faces `gap` apart \[mm\].
+fn drawn_round([radius, height, shoulder, clearance]: [f64; 4], gap: f64) -> [String; 2] {
+    let half = (radius * radius - (radius - height).powi(2)).sqrt();
+    let (wall, edge) = (half + clearance, half + clearance + shoulder);
+    let (start, top) = (gap + shoulder, gap + shoulder + height + 1.0);
+    let to = |x: f64, z: f64| format!("{{ to = {} }}", point(x, z));
+    let from = |x: f64, z: f64| format!("{{ from = {} }}", point(x, z));
+    let holder = [
+        from(36.0, -20.0),
+        to(36.0, 0.0),
+        to(AT - half, 0.0),
+        arc([AT + half, 0.0], [AT, height - radius], "right"),
+        to(END, 0.0),
+    ];
+    let die = [
+        from(END, gap),
+        to(AT + edge, gap),
+        arc([AT + wall, start], [AT + edge, start], "right"),
+        to(AT + wall, top),
+        to(AT - wall, top),
+        to(AT - wall, start),
+        arc([AT - edge, gap], [AT - edge, start], "right"),
+        to(39.4, gap),
+        arc([31.4, gap + 8.0], [39.4, gap + 8.0], "right"),
+        to(31.4, gap + 80.0),
+    ];
+    [&holder[..], &die].map(|steps| format!("profile = [{}]", steps.join(", ")))
+}
+
+/// Trust: the bead that is given by its section and the same bead drawn in holder and die, both by the flow law and with one
+/// gap, hold a strip back alike; the drawn one has half as many points through the thickness.
+#[test]
+fn a_bead_by_its_section_holds_the_strip_back_as_a_drawn_one() {
+    let strip = |sections: &[String; 2], more: &str| {
+        let (stages, _) = drawn("plane_strain", "gap = \"1.02 mm\"", sections, more);
+        assert!(stages[0].stop.is_complete(), "{}", stages[0].stop);
+        stages
+    };
+    let modelled = strip(&drawn_round([5.0, 4.0, 5.0, 1.2], 1.02), "");
+    let flat = ["inner_half_width = \"36 mm\"".to_owned(), "throat = \"31.4 mm\", shoulder = \"8 mm\"".to_owned()];
+    let line = "[[tools.beads]]\nat = \"58 mm\"\n\
+                round = { radius = \"5 mm\", height = \"4 mm\", shoulder = \"5 mm\", clearance = \"1.2 mm\" }";
+    let as_line = strip(&flat, line);
+    let free = strip(&flat, "");
+    let [bead, line] = [&modelled, &as_line].map(|stages| peak(&stages[0]) - peak(&free[0]));
+    assert!(bead > 3.0 * peak(&free[0]) && (bead / line - 1.0).abs() < 0.1, "{bead} {line}");
+    let what =
+        "bead by its section on a strip, over the same bead drawn in holder and die: what it adds to the punch force";
+    agreement(what, &[percent(&[line / bead - 1.0], 0)]);
+}
+
+/// Trust: forces and thinning grow with the penetration; a bead that tears its strip names itself, and is a run that stopped.
+#[test]
+fn a_bead_has_its_table_and_tears_a_strip_that_is_bent_too_much() {
+    let base = fs::read_to_string("cases/quickstart.toml").expect("a case");
+    let with = |round: &str| {
+        case::parse(
+            &base,
+            "cup.toml",
+            &[format!("tools.beads=[{{ at = \"48 mm\", round = {round} }}]"), "tools.holder.force=200 kN".into()],
+        )
+    };
+    let case = with("{ radius = \"3 mm\", height = \"1.5 mm\", shoulder = \"2 mm\" }").expect("a sound bead");
+    let table = bead::table(case.model()).expect("a table");
+    for key in ["penetration", "restraining", "thinning"] {
+        assert!(table.column(key).values.is_sorted() && table.rows() == 4, "{key} {table:?}");
+    }
+    let [line] = &case.model().beads[..] else { panic!("one bead") };
+    assert_eq!(line.restraining.largest(), table.column("restraining").values[3]);
+    let torn = with("{ radius = \"1 mm\", height = \"7 mm\", shoulder = \"1 mm\", friction = 0.2 }").expect_err("torn");
+    assert!(torn.is_stopped_run && torn.key() == "tools.beads.0.round", "{torn:?}");
 }

@@ -46,7 +46,7 @@ fn capstan_with_every_friction_law() {
         let mut model = simple::capstan(0.0, 2.0, 20);
         model.tools[1].friction = law;
         model.tools[2].friction = 0.0.into();
-        model.beads = vec![Bead { at: 60.0, restraining: restraint.into(), closing: 0.0 }];
+        model.beads = vec![Bead { at: 60.0, restraining: restraint.into(), closing: 0.0, round: None }];
         let run = solve(&model);
         let on_flange = |r: &StepRecord, v: f64| {
             let width = 120.0 - r.draw_in - 41.3;
@@ -152,7 +152,7 @@ fn bead_restrains_while_the_sheet_passes_it() {
     let mut model = simple::capstan(0.0, 200.0, 10);
     model.tools[0].friction = 0.0.into();
     model.tools[2].friction = 0.05.into();
-    model.beads = vec![Bead { at: 100.0, restraining: 40.0.into(), closing: 0.0 }];
+    model.beads = vec![Bead { at: 100.0, restraining: 40.0.into(), closing: 0.0, round: None }];
     let run = solve(&model);
     let wall = |r: &StepRecord| {
         let (dr, dz) = (41.3 - 20.0, r.travel - 21.0);
@@ -179,7 +179,7 @@ fn bead_restrains_while_the_sheet_passes_it() {
 fn closing_a_bead_takes_force_from_the_holder() {
     let mut model = shipped("quickstart", &[]);
     let closing = 10.0;
-    model.beads = vec![Bead { at: 45.0, restraining: 0.0.into(), closing }];
+    model.beads = vec![Bead { at: 45.0, restraining: 0.0.into(), closing, round: None }];
     let first = &solve(&model).steps[5];
     let wanted = 10e3 - closing * 2.0 * PI * 45.0;
     assert!((first.holder_force / wanted - 1.0).abs() < 0.01, "{} {wanted}", first.holder_force);

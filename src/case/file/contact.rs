@@ -3,12 +3,13 @@
 use super::tools::{Holder, Pad, ToolKeys};
 use super::*;
 use super::{material::only, values::Stiffness};
+use crate::bead;
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;
 use crate::model::Press;
 use crate::units::{Digits, LineForce, Unit};
 
-/// Draw bead as a line restraint: it holds the sheet back while the sheet passes it.
+/// Draw bead as a line restraint that holds the sheet back while it passes, by given forces or those of its section.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [{ "required": ["at"] }, { "required": ["diameter"] }]))]
@@ -19,9 +20,11 @@ pub struct Bead {
     diameter: Option<Positive<Length>>,
     /// Restraining force per length of the line, of which a plane section has one on each side. Or its history over the punch
     /// travel, as of a bead that closes late and stretches the wall: [["37 mm", "0 N/mm"], ["38 mm", "700 N/mm"]].
-    restraining: History<NonNegative<Length>, NonNegative<LineForce>>,
+    restraining: Option<History<NonNegative<Length>, NonNegative<LineForce>>>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
     closing: Option<NonNegative<LineForce>>,
+    /// Instead of both forces: a round bead by its section.
+    round: Option<model::Round>,
 }
 
 /// Soft holder or pad.
@@ -100,28 +103,40 @@ fn pressed(
     Ok(Motion::Pressed(press))
 }
 
-pub fn beads(tools: &[Tool], context: &ToolContext) -> Result<Vec<model::Bead>> {
-    let ToolContext { extent, source, .. } = *context;
-    let tool = |role: Role| tools.iter().find(|t| t.role == role);
-    let (geometry, edge) = (extent.geometry(), context.blank.length);
+/// Beads for the sheet and the tools of a model.
+pub fn beads(written: &[Bead], model: &Model, source: &Source) -> Result<Vec<model::Bead>> {
+    let (extent, geometry, edge) = (model.extent(), model.geometry, model.blank.length);
     let mut beads = Vec::new();
-    for (i, bead) in context.written.beads.iter().enumerate() {
+    for (i, bead) in written.iter().enumerate() {
         let path = format!("tools.beads.{i}");
+        let help = "keep the forces, or the section that they are computed from";
+        ["restraining", "closing"].into_iter().try_for_each(|key| source.one_of(&path, &[key, "round"], help))?;
         let lengths = [bead.at, bead.diameter, bead.at];
         let (key, at) = radius_of(source, &path, geometry, ["at", "diameter", "at"], lengths)?;
-        let what = "a bead needs a die to sit on";
-        let die = tool(Role::Die).ok_or_else(|| source.error(&path, what, "add [tools.die], or drop the bead"))?;
+        let help = "add [tools.die], or drop the bead";
+        let die = model.tool(Role::Die).ok_or_else(|| source.error(&path, "a bead needs a die to sit on", help))?;
         let flat = shoulder_end(die);
         let flange = format!("the flange, from the die's shoulder at {flat:.3} mm to the edge at {edge} mm");
         let what = format!("a bead at {at} mm is not on {flange}");
         source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
-        let restraining = format!("{path}.restraining");
-        let restraining = bead.restraining.curve(&restraining, "travels", source, |force, _| Ok(force.value()))?;
+        if let Some(round) = bead.round {
+            let drawn = bead::closed(model, &round, at).map_err(|(what, help, is_stopped_run)| {
+                let mut error = source.error(&format!("{path}.round"), what, help);
+                error.is_stopped_run = is_stopped_run;
+                error
+            })?;
+            source.note(drawn.note());
+            beads.push(drawn.line(round));
+            continue;
+        }
+        let restraining = bead.restraining.as_ref().ok_or_else(|| source.missing(&path, "restraining"))?;
+        let path = format!("{path}.restraining");
+        let restraining = restraining.curve(&path, "travels", source, |force, _| Ok(force.value()))?;
         let closing = bead.closing.map_or(0.0, Dimensioned::value);
-        beads.push(model::Bead { at, restraining, closing });
+        beads.push(model::Bead { at, restraining, closing, round: None });
     }
     let closing: f64 = beads.iter().map(|bead| bead.closing * (extent.times() * bead.line(geometry))).sum();
-    if let Some(Motion::Pressed(press)) = tool(Role::Holder).map(|holder| &holder.motion) {
+    if let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) {
         let (unit, least) = (extent.force_unit().symbol(), press.force.smallest());
         let what = format!("closing the beads takes {closing:.0} {unit}, the holder has only {least:.0} {unit}");
         let help = "raise the holder's force, or lower the closing force";

@@ -143,10 +143,9 @@ impl CaseFile {
         let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
         let timed =
             drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || self.gas.is_some();
-        let beads = contact::beads(&tools, &context)?;
         drive::check_settings(&self.solver, source)?;
         drive::check_stop(&self.stop, &tools, source)?;
-        let model = Model {
+        let mut model = Model {
             title: self.title.clone(),
             notes: self.notes.clone(),
             geometry: self.geometry,
@@ -155,7 +154,7 @@ impl CaseFile {
             blank,
             material,
             tools,
-            beads,
+            beads: Vec::new(),
             gas: gas.unwrap_or_default(),
             heat,
             travel: drive.travel,
@@ -169,6 +168,7 @@ impl CaseFile {
             release: None,
             forming_limit,
         };
+        model.beads = contact::beads(&written.beads, &model, source)?;
         fit::check(&model, source)?;
         drive::of_model(&model, &drive::frames_key(0, source), source)?;
         fit::collisions(&model, source)?;

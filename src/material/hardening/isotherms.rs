@@ -14,6 +14,7 @@ pub struct Isotherms {
     extrapolation: Extrapolation,
 }
 
+/// One curve.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Isotherm {

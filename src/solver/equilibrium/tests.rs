@@ -47,7 +47,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
             tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
             tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(press)),
         ],
-        beads: vec![Bead { at: 21.0, restraining: 20.0.into(), closing: 5.0 }],
+        beads: vec![Bead { at: 21.0, restraining: 20.0.into(), closing: 5.0, round: None }],
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
         travel: 6.0,
         duration: 6.0,
