@@ -96,7 +96,7 @@ fn sections(bead: &Round, t: f64, at: f64, end: f64) -> [Profile; 2] {
 }
 
 /// Penetration of a closed bead \[mm\]: its height, less what holder and die are more than one thickness apart.
-pub fn penetration(case: &Model, bead: &Round) -> f64 {
+fn penetration(case: &Model, bead: &Round) -> f64 {
     let apart = match case.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => *gap,
         _ => APART * case.blank.thickness,
@@ -221,10 +221,7 @@ pub fn drawn(bead: &Round, at: f64, solved: &[StageSolution]) -> Result<Drawn, S
 }
 
 /// Solves the strip of a bead of a case at `at` that is closed by `way` \[mm\], the same strip once.
-///
-/// # Errors
-/// As [`drawn`].
-pub fn solve(case: &Model, bead: &Round, at: f64, way: f64) -> Result<Drawn, Stop> {
+fn solve(case: &Model, bead: &Round, at: f64, way: f64) -> Result<Drawn, Stop> {
     type Solved = ([Stage; 2], Result<Drawn, Stop>);
     static SOLVED: Mutex<Vec<Solved>> = Mutex::new(Vec::new());
     let all = || SOLVED.lock().unwrap_or_else(PoisonError::into_inner);

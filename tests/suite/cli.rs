@@ -75,7 +75,7 @@ fn early_ends_and_red_lights_have_their_codes_and_keep_their_results() {
     let stuck = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002", "-q"];
     let with = |args: &[&'static str]| [args, &stuck].concat();
     let torn = "new hemispherical-cup --material aa6016 --friction 0.15 --height 52mm -o torn.toml";
-    let bead = "tools.beads=[{at=\"46 mm\",round={radius=\"1 mm\",height=\"7 mm\",shoulder=\"1 mm\",friction=0.2}}]";
+    let bead = "tools.beads=[{at=\"46 mm\",round={radius=\"1 mm\",height=\"9 mm\",shoulder=\"1 mm\"}}]";
     // Between the forming limit and the neck that ends the run.
     let before = "tools.punch.travel=29mm";
     check_calls(

@@ -139,20 +139,18 @@ fn holders_that_lie_flat_on_the_sheet_do_not_close_first() {
 }
 
 /// Bead and shoulders of 5 mm, so high that the sheet of 1 mm wraps a half of the one and a quarter of each other.
-fn rollers(friction: f64) -> Round {
-    Round { radius: 5.0, height: 12.0, shoulder: 5.0, clearance: 1.2, friction: [friction.into(); 2] }
-}
+const ROLLERS: Round = Round { radius: 5.0, height: 12.0, shoulder: 5.0, clearance: Some(1.2) };
 
-/// A case with a rigid-perfectly plastic sheet of 1 mm and 300 MPa.
-fn perfectly_plastic() -> Model {
+/// A strip of 1 mm, rigid-perfectly plastic at 300 MPa, over the rollers with so many times the elements.
+fn pulled_through(friction: f64, finer: usize) -> Drawn {
     let material = Material::plain(Hardening::Ludwik(Ludwik::new(300.0, 0.0, 1.0).expect("valid")));
-    Model { material, ..simple::pulled(Geometry::PlaneStrain, Theory::Bending, 1.0) }
-}
-
-fn pulled_through(case: &Model, round: &Round, finer: usize) -> Drawn {
-    let mut stages = bead::stages(case, round, 50.0, round.height);
-    stages.iter_mut().for_each(|stage| stage.model.blank.elements *= finer);
-    bead::drawn(round, &solve(&stages, &mut ())).expect("it comes through")
+    let case = Model { material, ..simple::pulled(Geometry::PlaneStrain, Theory::Bending, 1.0) };
+    let mut stages = bead::stages(&case, &ROLLERS, 50.0, ROLLERS.height);
+    for model in stages.iter_mut().map(|stage| &mut stage.model) {
+        model.blank.elements *= finer;
+        model.tools.iter_mut().for_each(|tool| tool.friction = friction.into());
+    }
+    bead::drawn(&ROLLERS, 50.0, &solve(&stages, &mut ())).expect("it comes through")
 }
 
 /// Restraint of the rollers, and the thickness left, by hand. With S = 2/√3 σ_y, the moment of a strip of thickness t under the
@@ -176,13 +174,12 @@ fn by_hand(friction: f64) -> [f64; 2] {
 /// Trust: the work of bending and unbending of a rigid-perfectly plastic strip, in closed form.
 #[test]
 fn a_strip_is_pulled_over_rollers_by_the_work_of_bending() {
-    let case = perfectly_plastic();
     let [tension, t] = by_hand(0.0);
-    let strips = [1, 2].map(|finer| pulled_through(&case, &rollers(0.0), finer));
+    let strips = [1, 2].map(|finer| pulled_through(0.0, finer));
     let misses = strips.map(|strip| strip.restraining / tension - 1.0);
     assert!(misses.iter().all(|miss| miss.abs() < 0.03) && (misses[1] - misses[0]).abs() < 0.01, "{misses:?}");
     assert!((1.0 - strips[0].thinning - t).abs() < 0.01, "{strips:?} {t}");
-    let rubbed = pulled_through(&case, &rollers(0.1), 1);
+    let rubbed = pulled_through(0.1, 1);
     let [with_friction, _] = by_hand(0.1);
     let miss = rubbed.restraining / with_friction - 1.0;
     // All of the tension over the whole wrap is more than there can be.
@@ -262,7 +259,7 @@ fn a_bead_has_its_table_and_tears_a_strip_that_is_bent_too_much() {
         assert!(table.column(key).values.is_sorted() && table.rows() == 4, "{key} {table:?}");
     }
     let [line] = &case.model().beads[..] else { panic!("one bead") };
-    assert_eq!(line.restraining.largest(), table.column("restraining").values[3]);
-    let torn = with("{ radius = \"1 mm\", height = \"7 mm\", shoulder = \"1 mm\", friction = 0.2 }").expect_err("torn");
+    assert!((line.restraining.largest() / table.column("restraining").values[3] - 1.0).abs() < 5e-3, "{line:?}");
+    let torn = with("{ radius = \"1 mm\", height = \"9 mm\", shoulder = \"1 mm\" }").expect_err("torn");
     assert!(torn.is_stopped_run && torn.key() == "tools.beads.0.round", "{torn:?}");
 }
