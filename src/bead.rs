@@ -104,51 +104,35 @@ fn penetration(case: &Model, bead: &Round) -> f64 {
     bead.height + case.blank.thickness - apart
 }
 
-impl Drawn {
-    /// Line restraint of the bead \[N/mm\].
-    pub fn line(&self, round: Round) -> Bead {
-        let [force, closing] = [self.restraining, self.uplift].map(|force| significant(force, 3));
-        Bead { at: self.at, restraining: force.into(), closing, round: Some(round) }
-    }
-
-    /// Forces and thinning in a sentence.
-    pub fn note(&self) -> String {
-        let [force, uplift] = [self.restraining, self.uplift].map(|force| Amount::force(force, Unit::NPerMm));
-        let (at, thinning) = (Amount::drawn(self.at), Amount::share(self.thinning));
-        let forces = format!("the bead at {at} restrains by {force}, and takes {uplift} from the holder");
-        format!("{forces}, as a strip that is pulled through it; its thinning by {thinning} is left out")
-    }
-}
-
-/// Solves the closed bead at `at` \[mm\] of a case.
+/// Solves the closed bead at `at` \[mm\] of a case: its line restraint, and a sentence on it.
 ///
 /// # Errors
-/// Mistake and remedy of a bead that fits neither the sheet, the flange nor its groove, or through which no strip comes: then
-/// true, its run stopped.
-pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<Drawn, (String, &'static str, bool)> {
+/// Mistake and remedy of a bead that does not fit sheet, flange or groove, or of one, then true, in which the strip's run stops.
+pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, String), (String, &'static str, bool)> {
     let (t, end, way) = (case.blank.thickness, case.blank.length, penetration(case, bead));
     let (flat, half) = (case.tool(Role::Die).map_or(0.0, shoulder_end), widths(bead, t).1[2]);
     let [groove, ridge] = sections(bead, t, at, at + 2.0 * half);
     let room = rounded(ridge.distance_to(&groove, Point::new(0.0, way)).0);
-    let (what, help) = if bead.radius.min(bead.shoulder) < t {
-        (format!("a radius is less than the sheet's thickness, {t} mm"), "check the unit; a shell bends no sharper")
+    let refused = |what: String, help| Err((what, help, false));
+    if bead.radius.min(bead.shoulder) < t {
+        return refused(format!("a radius is less than the sheet's thickness, {t} mm"), "check the unit");
     } else if at - half < flat || at + half > end {
-        let reach = format!("the groove reaches {} mm to each side", rounded(half));
-        (
-            format!("{reach}, beyond the flange from {flat:.3} to {end} mm"),
-            "smaller radii, or another place of the bead",
-        )
+        let flange = format!("the flange from {flat:.3} to {end} mm");
+        return refused(format!("the groove of {} mm is wider than {flange}", rounded(2.0 * half)), "smaller radii");
     } else if way < 0.01 * t {
-        ("the holder stays too far off for the bead".into(), "a higher bead, or a smaller gap of the holder")
+        return refused("the holder stays too far off".into(), "a higher bead, or a smaller gap of the holder");
     } else if room < 0.999 * t {
-        (format!("the sheet of {t} mm has only {room} mm between bead and groove"), "a larger clearance")
-    } else {
-        return solve(case, bead, at, way).map_err(|stop| {
-            let what = format!("no strip comes through the bead at {at} mm: {stop}");
-            (what, "a lower bead, larger radii, more clearance or less friction", true)
-        });
-    };
-    Err((what, help, false))
+        return refused(format!("{room} mm between bead and groove are less than {t} mm"), "a larger clearance");
+    }
+    let drawn = solve(case, bead, at, way).map_err(|stop| {
+        let what = format!("no strip comes through the bead at {at} mm: {stop}");
+        (what, "a lower bead, larger radii, more clearance or less friction", true)
+    })?;
+    let [force, closing] = [drawn.restraining, drawn.uplift].map(|force| significant(force, 3));
+    let forces = format!("the bead at {at} mm restrains by {force} N/mm, and takes {closing} N/mm from the holder");
+    let thinning = format!("its thinning by {} is left out", Amount::share(drawn.thinning));
+    let line = Bead { at, restraining: force.into(), closing, round: Some(*bead) };
+    Ok((line, format!("{forces}, as a strip that is pulled through it; {thinning}")))
 }
 
 /// Closing of a bead of a case at `place` by `way`, and the pull through it \[mm\], of a strip of the case's sheet: elastic where its
@@ -226,11 +210,13 @@ fn solve(case: &Model, bead: &Round, at: f64, way: f64) -> Result<Drawn, Stop> {
     static SOLVED: Mutex<Vec<Solved>> = Mutex::new(Vec::new());
     let all = || SOLVED.lock().unwrap_or_else(PoisonError::into_inner);
     let stages = stages(case, bead, at, way);
-    let known = all().iter().find(|(strip, _)| *strip == stages).map(|(_, known)| known.clone());
-    let drawn = known.unwrap_or_else(|| drawn(bead, at, &crate::solver::solve(&stages, &mut ())));
+    if let Some((_, known)) = all().iter().find(|(strip, _)| *strip == stages) {
+        return known.clone().map(|drawn| Drawn { at, ..drawn });
+    }
+    let drawn = drawn(bead, at, &crate::solver::solve(&stages, &mut ()));
     all().insert(0, (stages, drawn.clone()));
     all().truncate(REMEMBERED);
-    drawn.map(|drawn| Drawn { at, ..drawn })
+    drawn
 }
 
 /// Forces and thinning over the penetration of the beads of a case that are given by their section; `None` without any.

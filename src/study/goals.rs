@@ -156,8 +156,7 @@ fn over_bend(case: &Case) -> Result<Goal> {
 }
 
 fn bead_force(model: &Model) -> Result<Goal> {
-    let is_given = model.beads.first().is_some_and(|bead| bead.round.is_none());
-    need(is_given, "a bead: [[tools.beads]] with at and restraining")?;
+    need(!model.beads.is_empty(), "a bead: [[tools.beads]] with at and restraining")?;
     Ok(Goal::reach(restraints(model, BEAD_FORCE), "draw_in"))
 }
 

@@ -120,13 +120,13 @@ pub fn beads(written: &[Bead], model: &Model, source: &Source) -> Result<Vec<mod
         let what = format!("a bead at {at} mm is not on {flange}");
         source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
         if let Some(round) = bead.round {
-            let drawn = bead::closed(model, &round, at).map_err(|(what, help, is_stopped_run)| {
+            let (line, note) = bead::closed(model, &round, at).map_err(|(what, help, is_stopped_run)| {
                 let mut error = source.error(&format!("{path}.round"), what, help);
                 error.is_stopped_run = is_stopped_run;
                 error
             })?;
-            source.note(drawn.note());
-            beads.push(drawn.line(round));
+            source.note(note);
+            beads.push(line);
             continue;
         }
         let restraining = bead.restraining.as_ref().ok_or_else(|| source.missing(&path, "restraining"))?;
