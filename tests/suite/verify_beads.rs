@@ -184,11 +184,10 @@ fn a_strip_is_pulled_over_rollers_by_the_work_of_bending() {
     let miss = rubbed.restraining / with_friction - 1.0;
     // All of the tension over the whole wrap is more than there can be.
     assert!(miss.abs() < 0.03 && rubbed.restraining < tension * (0.1 * 2.0 * PI).exp(), "{rubbed:?} {with_friction}");
-    let figures = [percent(&misses, 1), percent(&[miss], 1)];
-    agreement(
-        "strip over three frictionless rollers, its bending and unbending in closed form",
-        &[format!("{} with 1 and 2 times the elements; with friction 0.1 over each wrap {}", figures[0], figures[1])],
-    );
+    let [by_elements, with_friction] = [percent(&misses, 1), percent(&[miss], 1)];
+    let figure =
+        format!("{by_elements} with 1 and 2 times the elements; with friction 0.1 over each wrap {with_friction}");
+    agreement("strip over three frictionless rollers, its bending and unbending in closed form", &[figure]);
 }
 
 /// The bead of `round` at [`AT`] drawn in holder and die, their faces `gap` apart \[mm\].
@@ -196,26 +195,21 @@ fn drawn_round([radius, height, shoulder, clearance]: [f64; 4], gap: f64) -> [St
     let half = (radius * radius - (radius - height).powi(2)).sqrt();
     let (wall, edge) = (half + clearance, half + clearance + shoulder);
     let (start, top) = (gap + shoulder, gap + shoulder + height + 1.0);
-    let to = |x: f64, z: f64| format!("{{ to = {} }}", point(x, z));
     let from = |x: f64, z: f64| format!("{{ from = {} }}", point(x, z));
-    let holder = [
-        from(36.0, -20.0),
-        to(36.0, 0.0),
-        to(AT - half, 0.0),
-        arc([AT + half, 0.0], [AT, height - radius], "right"),
-        to(END, 0.0),
-    ];
+    let to = |points: &[[f64; 2]]| {
+        points.iter().map(|[x, z]| format!("{{ to = {} }}", point(*x, *z))).collect::<Vec<_>>().join(", ")
+    };
+    let tip = arc([AT + half, 0.0], [AT, height - radius], "right");
+    let holder = [from(36.0, -20.0), to(&[[36.0, 0.0], [AT - half, 0.0]]), tip, to(&[[END, 0.0]])];
     let die = [
         from(END, gap),
-        to(AT + edge, gap),
+        to(&[[AT + edge, gap]]),
         arc([AT + wall, start], [AT + edge, start], "right"),
-        to(AT + wall, top),
-        to(AT - wall, top),
-        to(AT - wall, start),
+        to(&[[AT + wall, top], [AT - wall, top], [AT - wall, start]]),
         arc([AT - edge, gap], [AT - edge, start], "right"),
-        to(39.4, gap),
+        to(&[[39.4, gap]]),
         arc([31.4, gap + 8.0], [39.4, gap + 8.0], "right"),
-        to(31.4, gap + 80.0),
+        to(&[[31.4, gap + 80.0]]),
     ];
     [&holder[..], &die].map(|steps| format!("profile = [{}]", steps.join(", ")))
 }
@@ -227,32 +221,27 @@ fn a_bead_by_its_section_holds_the_strip_back_as_a_drawn_one() {
     let strip = |sections: &[String; 2], more: &str| {
         let (stages, _) = drawn("plane_strain", "gap = \"1.02 mm\"", sections, more);
         assert!(stages[0].stop.is_complete(), "{}", stages[0].stop);
-        stages
+        peak(&stages[0])
     };
-    let modelled = strip(&drawn_round([5.0, 4.0, 5.0, 1.2], 1.02), "");
     let flat = ["inner_half_width = \"36 mm\"".to_owned(), "throat = \"31.4 mm\", shoulder = \"8 mm\"".to_owned()];
-    let line = "[[tools.beads]]\nat = \"58 mm\"\n\
-                round = { radius = \"5 mm\", height = \"4 mm\", shoulder = \"5 mm\", clearance = \"1.2 mm\" }";
-    let as_line = strip(&flat, line);
+    let round = "{ radius = \"5 mm\", height = \"4 mm\", shoulder = \"5 mm\", clearance = \"1.2 mm\" }";
     let free = strip(&flat, "");
-    let [bead, line] = [&modelled, &as_line].map(|stages| peak(&stages[0]) - peak(&free[0]));
-    assert!(bead > 3.0 * peak(&free[0]) && (bead / line - 1.0).abs() < 0.1, "{bead} {line}");
-    let what =
-        "bead by its section on a strip, over the same bead drawn in holder and die: what it adds to the punch force";
-    agreement(what, &[percent(&[line / bead - 1.0], 0)]);
+    let line = strip(&flat, &format!("[[tools.beads]]\nat = \"58 mm\"\nround = {round}")) - free;
+    let bead = strip(&drawn_round([5.0, 4.0, 5.0, 1.2], 1.02), "") - free;
+    assert!(bead > 3.0 * free && (bead / line - 1.0).abs() < 0.1, "{bead} {line}");
+    let miss = percent(&[line / bead - 1.0], 0);
+    agreement(
+        "punch force that a bead by its section adds, over that of the same bead drawn in holder and die",
+        &[miss],
+    );
 }
 
 /// Trust: forces and thinning grow with the penetration; a bead that tears its strip names itself, and is a run that stopped.
 #[test]
 fn a_bead_has_its_table_and_tears_a_strip_that_is_bent_too_much() {
-    let base = fs::read_to_string("cases/quickstart.toml").expect("a case");
-    let with = |round: &str| {
-        case::parse(
-            &base,
-            "cup.toml",
-            &[format!("tools.beads=[{{ at = \"48 mm\", round = {round} }}]"), "tools.holder.force=200 kN".into()],
-        )
-    };
+    let base = fs::read_to_string("cases/quickstart.toml").expect("a case").replace("10 kN", "200 kN");
+    let beads = |round: &str| format!("tools.beads=[{{ at = \"48 mm\", round = {round} }}]");
+    let with = |round: &str| case::parse(&base, "cup.toml", &[beads(round)]);
     let case = with("{ radius = \"3 mm\", height = \"1.5 mm\", shoulder = \"2 mm\" }").expect("a sound bead");
     let table = bead::table(case.model()).expect("a table");
     for key in ["penetration", "restraining", "thinning"] {

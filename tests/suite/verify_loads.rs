@@ -3,7 +3,6 @@
 use crate::common::prelude::*;
 use crate::common::shipped::shipped;
 use crate::observer::Stopper;
-use proptest::prelude::*;
 use stampflow::contact::friction::Sliding;
 use stampflow::material::hardening::Hardening;
 use stampflow::model::PressureCap;
@@ -439,34 +438,4 @@ fn localisation_ends_the_run_where_it_happens() {
     on.push("stop.localised=false");
     let run = solver::run(&shipped("quickstart", &on), &mut ());
     assert_ne!(run.stop.kind, StopKind::Localised);
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// Trust: central differences; h = 1e-5 of the smallest length in the law, truncation near 1e-9 of the entry. Friction takes
-    /// power, is odd in the slip and stays below the law's largest coefficient.
-    #[test]
-    fn friction_opposes_sliding_and_its_derivatives_agree_with_differences(
-        (pressure, slip, scale) in (1e-3..500.0, -0.3..0.3, 1e-4..1e-2),
-        (duration, shear_yield) in (1e-3..1.0, 20.0..400.0),
-    ) {
-        let at = Sliding { pressure, slip, scale, duration, shear_yield };
-        for (name, law) in Friction::examples() {
-            let drag = law.at(&at);
-            let difference = |value: &dyn Fn(f64) -> Sliding, x: f64, h: f64| {
-                (law.at(&value(x + h)).value - law.at(&value(x - h)).value) / (2.0 * h)
-            };
-            let by_slip = difference(&|slip| Sliding { slip, ..at }, slip, 1e-5 * scale);
-            prop_assert!((by_slip - drag.by_slip).abs() < 1e-6 * drag.value.abs() / scale, "{name} by slip");
-            let by_pressure = difference(&|pressure| Sliding { pressure, ..at }, pressure, 1e-5 * pressure);
-            let error = (by_pressure - drag.by_pressure).abs();
-            prop_assert!(error < 1e-6 * drag.value.abs() / pressure, "{name} by pressure");
-            prop_assert!(drag.value * slip >= 0.0, "{name}");
-            prop_assert_eq!(law.at(&Sliding { slip: -slip, ..at }).value, -drag.value);
-            let viscous = if let Friction::Stribeck(s) = law { s.viscous * slip.abs() / duration } else { 0.0 };
-            let most = (law.largest_coefficient() + viscous) * pressure;
-            prop_assert!(drag.value.abs() <= most * (1.0 + 1e-12), "{name}");
-        }
-    }
 }
