@@ -29,19 +29,11 @@ impl Penalty {
     }
 
     /// Gap beyond which the pressure is zero \[mm\].
-    #[inline]
     pub fn reach(&self) -> f64 {
         Self::REACH * self.smoothing
     }
 
-    /// Pressure where tool and sheet just touch \[MPa\]: k δ/20.
-    #[inline]
-    pub fn at_touch(&self) -> f64 {
-        self.stiffness * self.smoothing * (-Self::TOUCH).exp().ln_1p()
-    }
-
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; zero out of reach.
-    #[inline]
     pub fn at(&self, gap: f64) -> ValueAndSlope {
         if gap > self.reach() {
             return ValueAndSlope::default();
@@ -58,7 +50,6 @@ impl Penalty {
     /// Pressure as [`Self::at`], with the slope of the chord to the gap where the law gives the pressure `carried` \[MPa\].
     ///
     /// Newton's method moves by one δ an iteration along the exponential foot of the law; the chord reaches `carried` at once.
-    #[inline]
     pub fn towards(&self, gap: f64, carried: f64) -> ValueAndSlope {
         let here = self.at(gap);
         let share = carried / (self.stiffness * self.smoothing);

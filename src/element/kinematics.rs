@@ -113,7 +113,6 @@ impl Reference {
     /// The element after its nodes have moved by `a` and `b`; `None` when it has collapsed or crossed the axis.
     ///
     /// Strains are formed from the moves: where the sheet hardly flows, differences of positions would be round-off.
-    #[inline]
     pub fn moved(&self, a: [f64; 3], b: [f64; 3]) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
@@ -182,7 +181,6 @@ impl Current {
     }
 
     /// Bᵀ C B of a symmetric C.
-    #[inline]
     pub fn stiffness(&self, c: &SMatrix<f64, 5, 5>) -> Matrix6 {
         let half: [Vector6; 5] = std::array::from_fn(|j| self.nodal_forces(&c.column(j).into_owned()));
         let row = |i: usize| self.nodal_forces(&half.map(|column| column[i]).into());
@@ -194,7 +192,6 @@ impl Current {
     /// ```text
     /// ∂² ln l = (I − 2 ttᵀ)/l²,  ∂²φ = −(ntᵀ + tnᵀ)/l²,  ∂² ln r = −(∂ ln r)²,  ∂² sin θ = −sin θ
     /// ```
-    #[inline]
     pub fn geometric_stiffness(&self, s: &Generalised) -> Matrix6 {
         let (reference, [x, y], hoop) = (&self.reference, self.along, self.hoop);
         let shear = if reference.bending { s[GAMMA] } else { 0.0 };
@@ -213,7 +210,6 @@ impl Current {
     }
 
     /// Stiffness of a membrane force against moves across the element.
-    #[inline]
     pub fn transverse_stiffness(&self, force: f64) -> Matrix6 {
         let [c, s] = self.along;
         let across = Vector6::from([s, -c, 0.0, -s, c, 0.0]);
@@ -221,7 +217,6 @@ impl Current {
     }
 
     /// ∂(Δε_s + Δε_θ) by the element's freedoms \[1/mm\].
-    #[inline]
     pub fn stretch_rows(&self) -> Vector6 {
         let ([c, s], hoop) = (self.along, self.hoop);
         [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()

@@ -27,7 +27,6 @@ pub struct Section<'a, L> {
 /// Stiffness C of a section, by its strains.
 type Matrix5 = SMatrix<f64, 5, 5>;
 
-#[inline]
 fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
     let [s, t, shear] = stress.map(|stress| v * stress);
     [s, t, zeta * s, zeta * t, shear].into()
@@ -35,7 +34,6 @@ fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
 
 /// Adds the lower triangle of C of a point at ζ that acts on the volume `v`, in the middle of a part of the thickness of
 /// 2 `half`.
-#[inline]
 fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     let [ss, st, tt, sg, tg, gg] = tangent.own.map(|entry| v * entry);
     let (own, coupling) = ([ss, st, tt], tangent.coupling.map(|entry| v * half * entry));

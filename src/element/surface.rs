@@ -37,7 +37,6 @@ const ENDS: [Station; STATIONS] = [Station::at(-1.0, -1.0 / 12.0), Station::at(1
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// The contact points of an element that bends or is a membrane.
-#[inline]
 pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
     if bends { &INSIDE } else { &ENDS }
 }
@@ -48,7 +47,6 @@ impl Station {
     }
 
     /// Its position on the element between `a` and `b` \[mm\].
-    #[inline]
     pub fn position(&self, a: &Node, b: &Node) -> Point {
         let bow = self.bow * (b[2] - a[2]);
         let [p, q] = self.shape;
@@ -56,7 +54,6 @@ impl Station {
     }
 
     /// Derivatives of r and of z by the element's freedoms.
-    #[inline]
     pub fn slopes(&self, a: &Node, b: &Node) -> [Vector6; 2] {
         let ([p, q], turn) = (self.shape, self.bow * (b[2] - a[2]));
         let (dr, dz) = (self.bow * (b[0] - a[0]), self.bow * (b[1] - a[1]));
@@ -65,7 +62,6 @@ impl Station {
 }
 
 /// Adds Σ F·∂²x by the element's freedoms to a matrix, from `bowed` = Σ ⅛(1−ξ²) F.
-#[inline]
 pub fn add_position_second(matrix: &mut Matrix6, bowed: Point) {
     let (r, z) = (bowed.x, bowed.y);
     for (turn, r, z) in [(2, r, z), (5, -r, -z)] {
@@ -81,7 +77,6 @@ pub fn add_position_second(matrix: &mut Matrix6, bowed: Point) {
 /// ```text
 /// ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ),   ∂t = −t ∂(ε_s + ε_θ)
 /// ```
-#[inline]
 pub fn add_thickness_second(matrix: &mut Matrix6, first: &Vector6, thickness: f64, q: f64) {
     // By r₁+r₂, r₂−r₁ and z₂−z₁.
     let [hoop, r, z] = [0.5 * (first[0] + first[3]), 0.5 * (first[3] - first[0]), first[4]];

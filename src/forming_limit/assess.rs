@@ -84,8 +84,7 @@ impl Assessment {
 
     /// The element that is strained most of those that the curve, having ended, does not judge.
     pub fn open(&self) -> Option<&Judged> {
-        let open = self.elements.iter().filter(|element| element.is_open());
-        open.max_by(|a, b| a.ratio().total_cmp(&b.ratio()))
+        self.elements.iter().filter(|element| element.is_open()).max_by(|a, b| a.ratio().total_cmp(&b.ratio()))
     }
 
     /// Whether every element was judged, and none came to the limit.

@@ -50,7 +50,6 @@ impl Points {
             Strain::Logarithmic => "logarithmic as given",
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
-        let notes = vec![format!("Forming limit: points of the case, {measure}.")];
-        Curve::new("Points", points, notes)
+        Curve::new("Points", points, vec![format!("Forming limit: points of the case, {measure}.")])
     }
 }

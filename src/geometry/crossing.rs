@@ -75,8 +75,7 @@ impl Piece {
         for point in common(self, &axis).into_iter().filter(far_from_ends) {
             let on = |part: &Piece| (part.closest_point(point) - point).norm() < 1e-6;
             if let Some(i) = parts.iter().position(on) {
-                let halves = parts[i].split(point).into_iter().flatten();
-                parts.splice(i..=i, halves.collect::<Vec<_>>());
+                parts.splice(i..=i, parts[i].split(point).into_iter().flatten().collect::<Vec<_>>());
             }
         }
         parts
@@ -97,10 +96,7 @@ pub(super) fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
         (Piece::Segment(s), Piece::Segment(t)) => {
             let (d, e) = (a.tangent(false), b.tangent(false));
             let sine = d.perp(&e);
-            if sine.abs() < 1e-12 {
-                return Vec::new();
-            }
-            vec![s.from + (t.from - s.from).perp(&e) / sine * d]
+            if sine.abs() < 1e-12 { vec![] } else { vec![s.from + (t.from - s.from).perp(&e) / sine * d] }
         }
         (Piece::Segment(s), Piece::Arc(c)) | (Piece::Arc(c), Piece::Segment(s)) => {
             let along = (s.to - s.from).normalize();

@@ -25,8 +25,7 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     let sides: Vec<Piece> = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
     // Tangent length per radius; 0 at the ends.
     let at_vertex = |w: &[Piece]| (0.5 * turn(w[0].tangent(true), w[1].tangent(false)).abs()).tan();
-    let inner = sides.windows(2).map(at_vertex);
-    let tangent: Vec<f64> = [0.0].into_iter().chain(inner).chain([0.0]).collect();
+    let tangent: Vec<f64> = [0.0].into_iter().chain(sides.windows(2).map(at_vertex)).chain([0.0]).collect();
     for (i, side) in sides.iter().enumerate() {
         if radii[i] * tangent[i] + radii[i + 1] * tangent[i + 1] > side.length() * (1.0 + 1e-12) {
             let larger = |j: usize| if tangent[j] > 0.0 { radii[j] } else { 0.0 };

@@ -77,8 +77,7 @@ impl Profile {
             return Err(CavityError::Below(face - self.first().y));
         }
         let plane = Piece::line(Point::new(reach, face), Point::new(0.0, face));
-        let crossing = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty());
-        let Some(crossed) = crossing else {
+        let Some(crossed) = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty()) else {
             return Err(CavityError::Above(self.last().y - face));
         };
         // The shoulder may use up the pieces next to the face.
@@ -121,8 +120,7 @@ fn join(line: &mut Vec<Piece>, piece: Piece, by: f64) {
     }
     if turn < 0.0 {
         let normal = turned(a);
-        let vertex = last.last() - by * normal;
-        line.push(Piece::arc(vertex, by, normal.y.atan2(normal.x), turn));
+        line.push(Piece::arc(last.last() - by * normal, by, normal.y.atan2(normal.x), turn));
         return line.push(piece);
     }
     let near = |p: &Point| (p - last.last()).norm_squared();

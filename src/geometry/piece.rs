@@ -105,7 +105,6 @@ impl Arc {
     }
 
     /// 1 if the sheet lies outside the circle, −1 inside.
-    #[inline]
     fn side(&self) -> f64 {
         if self.sweep < 0.0 { 1.0 } else { -1.0 }
     }
@@ -150,10 +149,7 @@ impl Piece {
     pub fn tangent(&self, last: bool) -> Point {
         match self {
             Piece::Segment(s) => s.direction,
-            Piece::Arc(a) => {
-                let angle = a.start + if last { a.sweep } else { 0.0 };
-                a.sweep.signum() * turned(direction(angle))
-            }
+            Piece::Arc(a) => a.sweep.signum() * turned(direction(a.start + if last { a.sweep } else { 0.0 })),
         }
     }
 
@@ -231,7 +227,6 @@ impl Piece {
         }
     }
 
-    #[inline]
     pub(super) fn foot(&self, x: Point) -> Foot {
         match self {
             Piece::Segment(s) => {
@@ -256,7 +251,6 @@ impl Piece {
     }
 
     /// Outward normal, and curvature of the distance \[1/mm\], at a point whose foot lies inside the piece.
-    #[inline]
     pub(super) fn facing(&self, x: Point) -> (Point, f64) {
         match self {
             Piece::Segment(s) => (turned(s.direction), 0.0),

@@ -132,17 +132,12 @@ impl Profile {
                 Foot::Interior { distance } => distance * distance,
                 Foot::End { point, .. } => (x - point).norm_squared(),
             };
-            if its < square {
-                (piece, square, next) = (index, its, square);
-            } else {
-                next = next.min(its);
-            }
+            if its < square { (piece, square, next) = (index, its, square) } else { next = next.min(its) }
         }
         Nearest { piece, room: 0.5 * (next.sqrt() - square.sqrt()) }
     }
 
     /// Closest point of a piece, with the side of a line that goes on straight beyond its ends.
-    #[inline]
     fn on_line(&self, x: Point, piece: usize) -> Closest {
         match self.pieces[piece].foot(x) {
             Foot::Interior { distance } => {

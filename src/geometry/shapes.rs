@@ -226,8 +226,7 @@ impl Profile {
     pub fn land(&self) -> Option<[f64; 2]> {
         let [.., Piece::Segment(land), Piece::Segment(relief)] = self.pieces() else { return None };
         let [land, relief] = [land, relief].map(|line| line.to - line.from);
-        let is_land = land.x.abs() < SAME && relief.y > SAME && relief.x > SAME;
-        is_land.then(|| [land.y, relief.x.atan2(relief.y)])
+        (land.x.abs() < SAME && relief.y > SAME && relief.x > SAME).then(|| [land.y, relief.x.atan2(relief.y)])
     }
 
     /// Angle of the cone between a die's face and its throat to the axis \[rad\].

@@ -188,8 +188,7 @@ fn rows<T: Dimensioned>(
         if place == sources.len() {
             sources.push(format!("{}: {}", place + 1, limit.source));
         }
-        let number = (place + 1).to_string();
-        [name.to_owned() + &gauge, end(limit.min), end(limit.max), kind, limit.grade.clone(), number]
+        [name.to_owned() + &gauge, end(limit.min), end(limit.max), kind, limit.grade.clone(), (place + 1).to_string()]
     };
     limits.iter().map(row).collect()
 }

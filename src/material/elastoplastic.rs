@@ -223,10 +223,8 @@ impl ElastoplasticLaw<'_> {
     fn return_mapping(&self, hardening: &Hardening, point: &Carried, tried: Triple, guess: f64) -> Option<Return> {
         let Operators { stiffness, compliance, quadratic, hosford } = &self.operators;
         let start = self.shifted(0.0, tried, point).1;
-        let size = match hosford {
-            Some(hosford) => hosford.equivalent_stress(start),
-            None => dot(start, times(*quadratic, start)).sqrt(),
-        };
+        let size =
+            hosford.map_or_else(|| dot(start, times(*quadratic, start)).sqrt(), |law| law.equivalent_stress(start));
         if size <= point.yield_stress {
             return None;
         }
@@ -248,11 +246,7 @@ impl ElastoplasticLaw<'_> {
             let shift = times(*compliance, each(|j| measure_slope * n[j] - recovered[j]));
             let turn = times(soft, each(|j| -shift[j] - normal[j]));
             let square = dot(n, normal);
-            if square > 1.0 {
-                low = x
-            } else {
-                high = x
-            }
+            (low, high) = if square > 1.0 { (x, high) } else { (low, x) };
             let mut next = x - (square.sqrt() - 1.0) * square / dot(normal, turn);
             if !(next >= low && next <= high) {
                 next = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * x };
@@ -293,10 +287,7 @@ impl Operators {
     pub fn new(elastic: Elastic, criterion: YieldCriterion) -> Self {
         let [sum, difference, shear] = elastic.moduli();
         let stiffness = [0.5 * (sum + difference), 0.5 * (sum - difference), 0.5 * (sum + difference), shear];
-        let hosford = match criterion {
-            YieldCriterion::Hill48(_) => None,
-            YieldCriterion::Hosford(hosford) => Some(hosford),
-        };
+        let hosford = if let YieldCriterion::Hosford(hosford) = criterion { Some(hosford) } else { None };
         let quadratic = [1.0, -criterion.quadratic().coupling, 1.0, SHEAR_INVERSE];
         Self { stiffness, compliance: inverse(stiffness), quadratic, hosford }
     }
@@ -322,11 +313,7 @@ impl Operators {
         for _ in 0..MOST {
             let flexibility = self.flexibility(m, increment, p(x));
             let [s, t, _] = times(self.stiffness, times(flexibility, [1.0, x, 0.0]));
-            if t > ratio * s {
-                high = x
-            } else {
-                low = x
-            }
+            (low, high) = if t > ratio * s { (low, x) } else { (x, high) };
             let [s, t, _] = times(inverse(flexibility), pull);
             let (next, last) = (t / s, x);
             x = if next >= low && next <= high { next } else { 0.5 * (low + high) };

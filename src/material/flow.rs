@@ -215,8 +215,7 @@ impl Iterate {
         let e = [0, 1, 2].map(|i| steep * strain[i] - past[i]);
         let k = [0, 1].map(|i| steep * spread[i] - past_spread[i]);
         let flow = [e[0], e[1], k[0], k[1], e[2]];
-        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let carried = goes_on.then(|| self.carried_to(flow));
+        let carried = (law.matrix == Iteration::PrimalDual && self.fluidity > 0.0).then(|| self.carried_to(flow));
         let metric = condition.layer(e, k, carried);
         let (g, increment) = (metric.gradient, metric.square.sqrt());
         let inverse_square = 1.0 / (metric.square + law.cutoff * law.cutoff);
@@ -224,8 +223,7 @@ impl Iterate {
         let hardening = (share * increment + equivalent) / steep;
         let FlowStress { stress, slope } = law.hardening.at_temperature(point.strain + hardening, point.temperature);
         let yielding = FlowStress { stress, slope: slope / steep };
-        let rate = share / inverse / law.duration;
-        let yielding = yielding.at_rate(law.rate, rate, increment * inverse / law.duration);
+        let yielding = yielding.at_rate(law.rate, share / inverse / law.duration, increment * inverse / law.duration);
         let softening = law.softening.map_or(1.0, |softening| softening.at(point.temperature));
         let yielding = point.surroundings.held(yielding, share * increment).times(softening);
         let FlowStress { stress: yield_stress, slope } = yielding;
@@ -234,8 +232,7 @@ impl Iterate {
         if law.matrix == Iteration::PrimalDual {
             let w = carried.unwrap_or(self.carried);
             let square = condition.stress_square(&metric, w);
-            let beyond = square > yield_stress * yield_stress;
-            let back = if beyond { yield_stress / square.sqrt() } else { 1.0 };
+            let back = if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 };
             self.carried = w.map(|w| back * w);
         }
         *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };

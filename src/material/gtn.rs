@@ -207,9 +207,7 @@ impl Gtn {
             let k2 = at(k1, 0.5 * h);
             let k3 = at(k2, 0.5 * h);
             let k4 = at(k3, h);
-            for i in 0..3 {
-                y[i] += h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-            }
+            y = [0, 1, 2].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
         }
         Evolution { porosity: y[0].max(0.0), strain: y[1], volume: y[2] }
     }

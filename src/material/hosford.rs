@@ -113,11 +113,7 @@ impl Hosford {
         let (mut low, mut high) = (-1.0, 1.0);
         let (mut x, mut value) = (start, first);
         for _ in 0..MOST {
-            if value > 0.0 {
-                high = x
-            } else {
-                low = x
-            }
+            (low, high) = if value > 0.0 { (low, x) } else { (x, high) };
             let next = x - step;
             let settled = step.abs() <= ROUND_OFF.max(LAST * (x * (1.0 - x)).abs());
             x = if settled || next >= low && next <= high { next } else { 0.5 * (low + high) };

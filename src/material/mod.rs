@@ -68,14 +68,12 @@ impl Material {
     pub fn describe(&self) -> String {
         let rate = self.rate.map(|rate| format!(" times {rate}"));
         let thermal = self.thermal.map(|thermal| format!(" times {thermal}"));
-        let criterion = Some(self.yield_criterion).filter(|criterion| *criterion != YieldCriterion::default());
-        let criterion = criterion.map(|criterion| format!("; {criterion}"));
+        let criterion = self.yield_criterion;
+        let criterion = (criterion != YieldCriterion::default()).then(|| format!("; {criterion}"));
         let gtn = self.gtn.map(|gtn| format!("; {gtn}"));
         let fracture = self.fracture.map(|fracture| format!("; fracture at {fracture}"));
-        [rate, thermal, criterion, gtn, fracture]
-            .into_iter()
-            .flatten()
-            .fold(self.hardening.to_string(), |text, more| text + &more)
+        let others = [rate, thermal, criterion, gtn, fracture].into_iter().flatten();
+        others.fold(self.hardening.to_string(), |text, more| text + &more)
     }
 
     /// An isotropic, rate-free sheet that does not feel its temperature.
@@ -100,10 +98,8 @@ impl Material {
     /// and they; without rate and softening \[MPa\].
     pub fn monotonic(&self, strain: f64, temperature: f64) -> FlowStress {
         let left = self.hardening.at_temperature(strain, temperature);
-        self.chaboche
-            .iter()
-            .map(|law| law.in_tension(strain))
-            .fold(left, |sum, shift| FlowStress { stress: sum.stress + shift.stress, slope: sum.slope + shift.slope })
+        let shifts = self.chaboche.iter().map(|law| law.in_tension(strain));
+        shifts.fold(left, |sum, shift| FlowStress { stress: sum.stress + shift.stress, slope: sum.slope + shift.slope })
     }
 
     /// Load maximum of a stretch whose equivalent strain is `ratio` times as large (A. Considère, 1885), at a temperature \[K\]: the

@@ -47,20 +47,13 @@ pub enum Band {
     Flange,
 }
 
+const NAMES: [&str; 9] =
+    ["bottom", "dome", "punch radius", "wall", "unsupported", "die corner", "die radius", "holder radius", "flange"];
+
 impl Band {
     /// Name: `punch radius`.
     pub fn name(self) -> &'static str {
-        match self {
-            Band::Bottom => "bottom",
-            Band::Dome => "dome",
-            Band::PunchRadius => "punch radius",
-            Band::Wall => "wall",
-            Band::Unsupported => "unsupported",
-            Band::DieCorner => "die corner",
-            Band::DieRadius => "die radius",
-            Band::HolderRadius => "holder radius",
-            Band::Flange => "flange",
-        }
+        NAMES[self as usize]
     }
 }
 

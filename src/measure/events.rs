@@ -44,32 +44,29 @@ pub enum EventKind {
 
 impl EventKind {
     /// Name in files.
-    pub fn key(self) -> &'static str {
-        self.key_and_label().0
+    pub fn key(self) -> String {
+        let (key, _, role) = self.names();
+        key.to_owned() + role.map_or("", Role::name)
     }
 
     /// Label in tables and on curves.
-    pub fn label(self) -> &'static str {
-        self.key_and_label().1
+    pub fn label(self) -> String {
+        let (_, label, role) = self.names();
+        label.to_owned() + role.map_or("", Role::name)
     }
 
-    fn key_and_label(self) -> (&'static str, &'static str) {
+    /// Key and label, which end in the role.
+    fn names(self) -> (&'static str, &'static str, Option<Role>) {
         match self {
-            Self::RimMeetsDie => ("rim_meets_die", "rim meets the die"),
-            Self::RimOnShoulder => ("rim_on_shoulder", "rim runs onto the die's shoulder"),
-            Self::RimInThroat => ("rim_in_throat", "rim enters the die's throat"),
-            Self::BottomMeets(Role::Punch) => ("bottom_meets_punch", "bottom meets the punch"),
-            Self::BottomMeets(Role::Die) => ("bottom_meets_die", "bottom meets the die"),
-            Self::BottomMeets(Role::Holder) => ("bottom_meets_holder", "bottom meets the holder"),
-            Self::BottomMeets(Role::Pad) => ("bottom_meets_pad", "bottom meets the pad"),
-            Self::SheetLeaves(Role::Punch) => ("sheet_leaves_punch", "sheet leaves the punch"),
-            Self::SheetLeaves(Role::Die) => ("sheet_leaves_die", "sheet leaves the die"),
-            Self::SheetLeaves(Role::Holder) => ("sheet_leaves_holder", "sheet leaves the holder"),
-            Self::SheetLeaves(Role::Pad) => ("sheet_leaves_pad", "sheet leaves the pad"),
-            Self::HolderOnBlocks => ("holder_on_blocks", "holder comes to rest on its distance blocks"),
-            Self::IroningBegins => ("ironing_begins", "ironing begins"),
-            Self::LimitReached => ("limit_reached", "forming limit reached"),
-            Self::Tears => ("tears", "sheet tears"),
+            Self::RimMeetsDie => ("rim_meets_die", "rim meets the die", None),
+            Self::RimOnShoulder => ("rim_on_shoulder", "rim runs onto the die's shoulder", None),
+            Self::RimInThroat => ("rim_in_throat", "rim enters the die's throat", None),
+            Self::BottomMeets(role) => ("bottom_meets_", "bottom meets the ", Some(role)),
+            Self::SheetLeaves(role) => ("sheet_leaves_", "sheet leaves the ", Some(role)),
+            Self::HolderOnBlocks => ("holder_on_blocks", "holder comes to rest on its distance blocks", None),
+            Self::IroningBegins => ("ironing_begins", "ironing begins", None),
+            Self::LimitReached => ("limit_reached", "forming limit reached", None),
+            Self::Tears => ("tears", "sheet tears", None),
         }
     }
 }

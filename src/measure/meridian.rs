@@ -160,8 +160,7 @@ impl Meridian {
     fn leg(&self, ends: [f64; 2], sense: f64) -> Option<Stretch> {
         let [from, to] = [ENDS, 1.0 - ENDS].map(|share| ends[0] + share * (ends[1] - ends[0]));
         let nodes = self.along.partition_point(|s| *s < from)..self.along.partition_point(|s| *s <= to);
-        let is_long = nodes.len() >= 3 && to - from >= LEAST * self.thickness;
-        is_long.then_some(Stretch { ends, sense })
+        (nodes.len() >= 3 && to - from >= LEAST * self.thickness).then_some(Stretch { ends, sense })
     }
 
     /// Point at a length from the axis \[mm\].

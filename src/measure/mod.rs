@@ -148,8 +148,7 @@ fn wall(meridian: &Meridian) -> Option<Between> {
         let [from, to] = leg.ends.map(|end| meridian.point_at(end));
         (from - to).y / (from - to).norm()
     };
-    let down = meridian.legs().into_iter().filter(|leg| leg.sense < 0.0);
-    down.max_by(|a, b| descent(a).total_cmp(&descent(b)))
+    meridian.legs().into_iter().filter(|leg| leg.sense < 0.0).max_by(|a, b| descent(a).total_cmp(&descent(b)))
 }
 
 /// Outermost leg, if behind a bend that brought the sheet back.

@@ -72,15 +72,11 @@ pub(crate) fn has_room(punch: &Tool, die: &Tool, [edge, thickness]: [f64; 2], tr
 /// Radius where the die's shoulder ends \[mm\]: at the innermost line on the level of its outermost one, so that the groove of a
 /// bead is no shoulder; else where its last corner ends.
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {
-    let level = flat_level(die);
-    let at_level = flats(die).filter(|flat| level.is_some_and(|level| (flat.to.y - level).abs() < ROUNDED));
-    let inner = at_level.map(|flat| flat.from.x.min(flat.to.x)).reduce(f64::min);
-    inner.filter(|_| throat(die).is_some()).unwrap_or_else(|| corners_end(die))
-}
-
-/// Level of the outermost flat of a tool \[mm\].
-fn flat_level(tool: &Tool) -> Option<f64> {
-    flats(tool).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x))).map(|flat| flat.to.y)
+    let outermost = flats(die).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x)));
+    let at_level = flats(die).filter(|flat| outermost.is_some_and(|outer| (flat.to.y - outer.to.y).abs() < ROUNDED));
+    let inner = at_level.map(|flat| flat.from.x.min(flat.to.x)).reduce(f64::min).filter(|_| throat(die).is_some());
+    let corners = die.profile.corners().map(|arc| arc.at(0.0).x.max(arc.at(1.0).x));
+    inner.unwrap_or_else(|| corners.fold(extent(die).0, f64::max))
 }
 
 fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
@@ -88,8 +84,4 @@ fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
         Piece::Segment(line) if (line.to.y - line.from.y).abs() < ROUNDED => Some(*line),
         _ => None,
     })
-}
-
-fn corners_end(die: &Tool) -> f64 {
-    die.profile.corners().map(|a| a.at(0.0).x.max(a.at(1.0).x)).fold(extent(die).0, f64::max)
 }

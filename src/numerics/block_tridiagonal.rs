@@ -7,6 +7,7 @@ pub const MAX_SHARED: usize = 3;
 
 type Corner = SMatrix<f64, MAX_SHARED, MAX_SHARED>;
 type Shared = SVector<f64, MAX_SHARED>;
+type Border = SMatrix<f64, 3, MAX_SHARED>;
 
 /// ```text
 /// [ H  C ] [ x ]   [ f ]      H: one 3×3 block a node on three diagonals, not symmetric
@@ -99,50 +100,33 @@ impl System {
     #[must_use]
     pub fn solve(&mut self) -> bool {
         let n = self.rhs.len();
+        let mut columns: Vec<Border> = self.columns.iter().map(|columns| Border::from_columns(columns)).collect();
         for i in 0..n {
             if i > 0 {
-                let l = self.lower[i];
+                let (l, above, border) = (self.lower[i], self.rhs[i - 1], columns[i - 1]);
                 self.diagonal[i] -= l * self.upper[i - 1];
-                let above = self.rhs[i - 1];
                 self.rhs[i] -= l * above;
-                for k in 0..self.shared {
-                    let above = self.columns[i - 1][k];
-                    self.columns[i][k] -= l * above;
-                }
+                columns[i] -= l * border;
             }
             let Some(inverse) = self.diagonal[i].try_inverse() else { return false };
             self.upper[i] = inverse * self.upper[i];
             self.rhs[i] = inverse * self.rhs[i];
-            for k in 0..self.shared {
-                self.columns[i][k] = inverse * self.columns[i][k];
-            }
+            columns[i] = inverse * columns[i];
         }
         for i in (0..n - 1).rev() {
-            let u = self.upper[i];
-            let below = self.rhs[i + 1];
+            let (u, below, border) = (self.upper[i], self.rhs[i + 1], columns[i + 1]);
             self.rhs[i] -= u * below;
-            for k in 0..self.shared {
-                let below = self.columns[i + 1][k];
-                self.columns[i][k] -= u * below;
-            }
+            columns[i] -= u * border;
         }
         if self.shared > 0 {
-            for i in 0..n {
-                for k in 0..self.shared {
-                    let row = self.rows[i][k];
-                    self.corner_rhs[k] -= row.dot(&self.rhs[i]);
-                    for j in 0..self.shared {
-                        self.corner[(k, j)] -= row.dot(&self.columns[i][j]);
-                    }
-                }
+            for (rows, (x, border)) in self.rows.iter().zip(self.rhs.iter().zip(&columns)) {
+                let rows = Border::from_columns(rows);
+                self.corner_rhs -= rows.tr_mul(x);
+                self.corner -= rows.tr_mul(border);
             }
             let Some(inverse) = self.corner.try_inverse() else { return false };
             self.corner_rhs = inverse * self.corner_rhs;
-            for i in 0..n {
-                for k in 0..self.shared {
-                    self.rhs[i] -= self.columns[i][k] * self.corner_rhs[k];
-                }
-            }
+            self.rhs.iter_mut().zip(&columns).for_each(|(x, border)| x.gemv(-1.0, border, &self.corner_rhs, 1.0));
         }
         self.rhs.iter().all(|x| x.iter().all(|v| v.is_finite())) && self.corner_rhs.iter().all(|v| v.is_finite())
     }

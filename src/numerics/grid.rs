@@ -3,7 +3,7 @@
 use std::ops::{Deref, DerefMut, Index, IndexMut};
 
 /// Values by row and column over one vector, row after row; as a slice, all of them in that order.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Grid<T> {
     columns: usize,
     values: Vec<T>,
@@ -19,12 +19,6 @@ impl<T: Clone> Grid<T> {
     pub fn truncate_columns(&mut self, columns: usize) {
         let columns = columns.min(self.columns);
         *self = Self { columns, values: self.rows().flat_map(|row| &row[..columns]).cloned().collect() };
-    }
-}
-
-impl<T> Default for Grid<T> {
-    fn default() -> Self {
-        Self { columns: 0, values: Vec::new() }
     }
 }
 
@@ -45,13 +39,11 @@ impl<T> Grid<T> {
     }
 
     /// One row.
-    #[inline]
     pub fn row(&self, row: usize) -> &[T] {
         &self.values[row * self.columns..(row + 1) * self.columns]
     }
 
     /// One row, to be changed.
-    #[inline]
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.values[row * self.columns..(row + 1) * self.columns]
     }
@@ -70,14 +62,12 @@ impl<T> Grid<T> {
 impl<T> Deref for Grid<T> {
     type Target = [T];
 
-    #[inline]
     fn deref(&self) -> &[T] {
         &self.values
     }
 }
 
 impl<T> DerefMut for Grid<T> {
-    #[inline]
     fn deref_mut(&mut self) -> &mut [T] {
         &mut self.values
     }
@@ -86,14 +76,12 @@ impl<T> DerefMut for Grid<T> {
 impl<T> Index<(usize, usize)> for Grid<T> {
     type Output = T;
 
-    #[inline]
     fn index(&self, (row, column): (usize, usize)) -> &T {
         &self.row(row)[column]
     }
 }
 
 impl<T> IndexMut<(usize, usize)> for Grid<T> {
-    #[inline]
     fn index_mut(&mut self, (row, column): (usize, usize)) -> &mut T {
         &mut self.row_mut(row)[column]
     }

@@ -20,7 +20,6 @@ impl Power {
     }
 
     /// x^(a − 2).
-    #[inline]
     pub fn less_two(&self, x: f64) -> f64 {
         let square = x * x;
         match self.whole {
@@ -32,7 +31,6 @@ impl Power {
     }
 
     /// y^(1/a).
-    #[inline]
     pub fn root(&self, y: f64) -> f64 {
         match self.whole {
             Some(8) => y.sqrt().sqrt().sqrt(),
@@ -43,7 +41,6 @@ impl Power {
     }
 
     /// y^(−2/a).
-    #[inline]
     pub fn inverse_square(&self, y: f64) -> f64 {
         match self.whole {
             Some(8) => 1.0 / y.sqrt().sqrt(),

@@ -255,16 +255,12 @@ pub(crate) fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 /// Least range of the values with a margin, zero included if leaving it out would save less than half.
 fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
-    let (mut low, mut high) = bounds(values);
+    let (low, high) = bounds(values);
     if low > high {
         return (0.0, 1.0);
     }
-    if low > 0.0 && low < 0.5 * high {
-        low = 0.0;
-    }
-    if high < 0.0 && high > 0.5 * low {
-        high = 0.0;
-    }
+    let low = if low > 0.0 && low < 0.5 * high { 0.0 } else { low };
+    let high = if high < 0.0 && high > 0.5 * low { 0.0 } else { high };
     let is_point = high - low <= 1e-9 * high.abs().max(low.abs());
     let pad = if is_point { 0.5 * high.abs().max(1e-6) } else { margin * (high - low) };
     (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })

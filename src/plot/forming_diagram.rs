@@ -98,11 +98,9 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
 }
 
 fn worst_label(worst: &Judged) -> String {
-    let s0 = Amount::place(worst.s0);
-    if worst.is_open() {
-        return format!("Most strained beyond the end of the limit, s0 = {s0}");
-    }
-    format!("Nearest to the limit, {} of it, s0 = {s0}", percent(worst.ratio()))
+    let most = format!("Nearest to the limit, {} of it", percent(worst.ratio()));
+    let most = if worst.is_open() { "Most strained beyond the end of the limit" } else { &most };
+    format!("{most}, s0 = {}", Amount::place(worst.s0))
 }
 
 fn percent(share: f64) -> Amount {
@@ -111,8 +109,7 @@ fn percent(share: f64) -> Amount {
 
 /// Element with the least margin, or the one strained most beyond the end of the curve if none has reached it.
 fn worst(assessment: &Assessment) -> usize {
-    let open = assessment.open().filter(|_| assessment.reached.is_none());
-    let worst = open.unwrap_or_else(|| assessment.worst());
+    let worst = assessment.open().filter(|_| assessment.reached.is_none()).unwrap_or_else(|| assessment.worst());
     assessment.elements.iter().position(|element| element == worst).unwrap_or(0)
 }
 

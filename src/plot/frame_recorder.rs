@@ -33,8 +33,7 @@ impl FrameRecorder {
     /// Frames of a stage, counted from 0, up to its end.
     pub fn of_stage<'a>(&'a self, i: usize, stage: &'a StageSolution) -> Vec<&'a Frame> {
         let mut frames: Vec<&Frame> = self.stages.get(i).into_iter().flatten().collect();
-        let end = stage.frames.last().filter(|end| frames.last().is_none_or(|last| last.time < end.time));
-        frames.extend(end);
+        frames.extend(stage.frames.last().filter(|end| frames.last().is_none_or(|last| last.time < end.time)));
         frames
     }
 }

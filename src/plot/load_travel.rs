@@ -60,6 +60,5 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
         Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
     };
-    let panel = Panel::fit(over.axis(extent), y, height, 0.0);
-    Some(panel.with(fields.iter().enumerate().map(curve)))
+    Some(Panel::fit(over.axis(extent), y, height, 0.0).with(fields.iter().enumerate().map(curve)))
 }

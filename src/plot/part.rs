@@ -25,7 +25,6 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         let torn = &frame.elements[torn];
         section.annotations.push(Annotation::flag("tears here", (-torn.r, torn.z)));
     }
-    let tools = if is_released { "" } else { " Grey: the tools at the end." };
-    let note = thinning.note() + tools;
+    let note = thinning.note() + if is_released { "" } else { " Grey: the tools at the end." };
     Some(view.chart("the part and its thinning", vec![section, thinning.scale()], [note]))
 }

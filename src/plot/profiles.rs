@@ -48,14 +48,12 @@ fn over_blank(view: &StageView, subject: &str, field: &Field<ElementRecord>, lea
         Series::new(view.progress_at(frame).to_string(), S0.against(field, &frame.elements), Style::curve(i))
     });
     let panel = Panel::fit(S0.axis(extent), field.axis(extent), HEIGHT, least).with(curves);
-    let legend = capitalised(view.progress());
-    Some(Chart { legend, ..view.chart(subject, vec![panel], view.frames_note()) })
+    Some(Chart { legend: capitalised(view.progress()), ..view.chart(subject, vec![panel], view.frames_note()) })
 }
 
 pub(crate) fn strains(view: &StageView) -> Option<Chart> {
     let (extent, last) = (view.extent(), view.stage.frames.last()?);
-    let values = STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value));
-    if view.is_level(0.0, values, LEAST_STRAIN) {
+    if view.is_level(0.0, STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value)), LEAST_STRAIN) {
         return None;
     }
     let earlier = view.shown_frames().into_iter().rev().skip(1).map(|frame| (frame, true));

@@ -41,8 +41,7 @@ pub(super) fn png(svg: &str, width: f64, dpi: Option<f64>) -> Vec<u8> {
     encoder.set_compression(png::Compression::Fast);
     if let Some(dpi) = dpi {
         let per_metre = (dpi / INCH).round() as u32;
-        let unit = png::Unit::Meter;
-        encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit }));
+        encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
     }
     let mut writer = encoder.write_header().expect(IN_MEMORY);
     writer.write_image_data(&rgb).expect(IN_MEMORY);

@@ -22,17 +22,14 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let state = |frame: &&Frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, false));
     let mut panels: Vec<Panel> = states.iter().map(state).collect();
     if panels.is_empty() {
-        let sheet = Series::silent(flat(model), Style::area(color(0)));
-        panels.push(small(Amount::size(0.0), None, vec![sheet]));
+        panels.push(small(Amount::size(0.0), None, vec![Series::silent(flat(model), Style::area(color(0)))]));
     } else {
         panels.push(thinning.scale());
     }
-    let notes = [Some(thinning.note()), view.frames_note()];
-    Some(view.chart("sections", panels, notes.into_iter().flatten()))
+    Some(view.chart("sections", panels, [Some(thinning.note()), view.frames_note()].into_iter().flatten()))
 }
 
 fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
     let shown = spread(&view.stage.frames, STATES);
-    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len()));
-    start.into_iter().chain(shown).collect()
+    view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len())).into_iter().chain(shown).collect()
 }

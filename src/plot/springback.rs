@@ -28,7 +28,9 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     for ((angle, style), leg) in [(WALL_ANGLE, WALL), (FLANGE_ANGLE, FLANGE)].into_iter().zip(legs) {
         let mut label = changes.iter().find(|change| change.quantity.key == angle.key).map(text);
         for leg in shapes.iter().rev().filter_map(leg) {
-            lines.push(Series { label: label.take(), points: extended(leg), style });
+            let [[r0, z0], [r1, z1]] = leg.line;
+            let points = [-LONGER, 1.0 + LONGER].map(|f| (r0 + f * (r1 - r0), z0 + f * (z1 - z0))).to_vec();
+            lines.push(Series { label: label.take(), points, style });
         }
     }
     let is_in_legend = |key| key == WALL_ANGLE.key || key == FLANGE_ANGLE.key;
@@ -37,9 +39,4 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let tools = sections::tools(model, Some(before), window[0].1);
     let panel = sections::panel(model.geometry, window).with(tools).with(sheets).with(lines);
     Some(view.chart("spring-back", vec![panel], std::iter::once(note).chain(others)))
-}
-
-fn extended(leg: &Leg) -> Vec<(f64, f64)> {
-    let [[r0, z0], [r1, z1]] = leg.line;
-    [-LONGER, 1.0 + LONGER].map(|f| (r0 + f * (r1 - r0), z0 + f * (z1 - z0))).to_vec()
 }

@@ -64,7 +64,6 @@ fn issue_of(issue: &Finding) -> Markup {
     }
 }
 
-/// The part at the end, and the load of the stage that tears or takes most of it.
 pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {
     let part = report.stages.len().checked_sub(1).and_then(|stage| {
         let view = &report.stages[stage].0;
@@ -72,8 +71,7 @@ pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {
         Some(picture(report, stage, file, chart, about))
     });
     let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
-    let load = torn.or_else(|| heaviest(report)).and_then(|stage| forces(report, stage));
-    [part, load].into_iter().flatten()
+    [part, torn.or_else(|| heaviest(report)).and_then(|stage| forces(report, stage))].into_iter().flatten()
 }
 
 fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, about: &str) -> FrontPicture {

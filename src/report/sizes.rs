@@ -99,19 +99,16 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
 
 fn named(role: Role, arc: &Arc) -> String {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < NONE);
-    match (role, arc.sweep < 0.0) {
-        (Role::Punch, true) if on_axis => "Punch crown",
-        (Role::Punch, true) => "Punch nose",
-        (Role::Die, true) => "Die shoulder",
-        (Role::Die, false) if on_axis => "Die bottom",
-        (Role::Holder, true) => "Holder",
-        (Role::Punch, false) => "Punch hollow",
-        (Role::Die, false) => "Die hollow",
-        (Role::Holder, false) => "Holder hollow",
-        (Role::Pad, true) => "Pad edge",
-        (Role::Pad, false) => "Pad hollow",
-    }
-    .into()
+    let place = match (role, arc.sweep < 0.0) {
+        (Role::Punch, true) if on_axis => " crown",
+        (Role::Punch, true) => " nose",
+        (Role::Die, true) => " shoulder",
+        (Role::Die, false) if on_axis => " bottom",
+        (Role::Holder, true) => "",
+        (Role::Pad, true) => " edge",
+        (_, false) => " hollow",
+    };
+    capitalised(role.name()) + place
 }
 
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {

@@ -48,7 +48,7 @@ impl<'a> Converged<'a> {
                 damage: point.damage,
             }
         });
-        let points_of_contact = state.contact_points();
+        let pressures = evaluation.contacts.iter().map(|contact| contact.pressure.value);
         let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
         let tool_moves = trial.tools.iter().zip(&state.tools);
         let velocity: Vec<Node> = trial.moves.iter().map(|u| u.map(|u| u / dt)).collect();
@@ -65,23 +65,10 @@ impl<'a> Converged<'a> {
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
             tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
-            pressure: Grid::from_values(
-                points_of_contact,
-                evaluation.contacts.iter().map(|contact| contact.pressure.value),
-            ),
-            shift: Grid::from_values(points_of_contact, trial.contacts.iter().map(|memory| memory.shift)),
+            pressure: Grid::from_values(state.contact_points(), pressures),
+            shift: Grid::from_values(state.contact_points(), trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),
-            volume: state.volume.clone(),
-            dilation: state.dilation.clone(),
-            dilation_rate: state.dilation_rate.clone(),
-            temperature: state.temperature.clone(),
-            temperature_rates: state.temperature_rates.clone(),
-            ironed: state.ironed.clone(),
-            face_damage: state.face_damage.clone(),
-            nose_curvature: state.nose_curvature.clone(),
-            tearing_index: state.tearing_index.clone(),
-            s0: state.s0.clone(),
-            unloading: state.unloading.clone(),
+            ..state.clone()
         };
         mark_steady(step, evaluation, &mut next);
         if let Some(elastic) = model.elasticity() {

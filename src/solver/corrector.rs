@@ -62,11 +62,6 @@ impl Outcome {
         self.velocity_left = if falls { norm * ratio / (1.0 - ratio) } else { f64::INFINITY };
         self.velocity_norm = norm;
     }
-
-    fn foresees_end(&self, model: &Model) -> bool {
-        let settings = &model.settings;
-        settings.norm == Norm::Velocity && self.velocity_norm.min(self.velocity_left) <= settings.tolerance
-    }
 }
 
 #[derive(Clone, Copy)]
@@ -76,65 +71,67 @@ pub(super) struct Pass {
     pub most: usize,
 }
 
-pub(super) fn correct(
-    step: &Step,
-    trial: &mut Trial,
-    evaluation: &mut Evaluation,
-    pass: Pass,
-    observer: &mut dyn Observer,
-) -> Outcome {
-    let (model, Pass { matrix, most, .. }) = (step.model, pass);
-    let mut outcome = Outcome::BEGUN;
-    let searches = model.mode != Mode::Flow && trial.kept.is_none();
-    loop {
-        // The last evaluation needs no matrix; it is repeated with one if it was not the last.
-        let foreseen = trial.kept.is_none() && outcome.foresees_end(model);
-        if !judge(step, trial, matrix, foreseen, evaluation, &mut outcome)
-            || (foreseen && !outcome.converged && !judge(step, trial, matrix, false, evaluation, &mut outcome))
-        {
-            return outcome;
-        }
-        observer.iteration(&Iterate { step, pass, trial, evaluation, outcome: &outcome });
-        let looks_back = searches && (1..most).contains(&outcome.iterations) && outcome.residual_norm > ROUND_OFF;
-        if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
-            trial.advance(step.context, -back);
-            outcome.iterations += 1;
-            outcome.moved(velocity_norm(model, trial, back), false);
-            continue;
-        }
-        if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
-            outcome.converged &= !has_negative_pressure(step.context, trial);
-            return outcome;
-        }
-        if observer.wants_to_stop() {
-            outcome.interrupted = true;
-            return outcome;
-        }
-        outcome.iterations += 1;
-        let share = allowed_share(step.context, trial);
-        trial.line.length = share;
-        trial.advance(step.context, share);
-        // A capped increment says nothing of how far the answer still is.
-        outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
-    }
+/// A step that is solved, and what its iterations change.
+pub(super) struct Corrector<'s, 'o> {
+    pub step: &'s Step<'s>,
+    pub trial: &'s mut Trial,
+    pub evaluation: &'s mut Evaluation,
+    pub observer: &'o mut dyn Observer,
 }
 
-/// Evaluates a trial and its convergence; `false` when an element has collapsed.
-fn judge(
-    step: &Step,
-    trial: &mut Trial,
-    matrix: Iteration,
-    residual_alone: bool,
-    evaluation: &mut Evaluation,
-    outcome: &mut Outcome,
-) -> bool {
-    let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
-    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration, velocity_norm }, evaluation);
-    if sound {
-        outcome.residual_norm = evaluation.residual_norm;
-        outcome.converged = is_converged(step.model, evaluation, outcome);
+impl Corrector<'_, '_> {
+    pub fn correct(&mut self, pass: Pass) -> Outcome {
+        let (Step { model, context, .. }, Pass { matrix, most, .. }) = (self.step, pass);
+        let mut outcome = Outcome::BEGUN;
+        let searches = model.mode != Mode::Flow && self.trial.kept.is_none();
+        loop {
+            // The last evaluation needs no matrix; it is repeated with one if it was not the last.
+            let is_near = outcome.velocity_norm.min(outcome.velocity_left) <= model.settings.tolerance;
+            let foreseen = self.trial.kept.is_none() && model.settings.norm == Norm::Velocity && is_near;
+            if !self.judge(matrix, foreseen, &mut outcome)
+                || (foreseen && !outcome.converged && !self.judge(matrix, false, &mut outcome))
+            {
+                return outcome;
+            }
+            let Self { step, trial, evaluation, observer } = self;
+            observer.iteration(&Iterate { step, pass, trial, evaluation, outcome: &outcome });
+            let looks_back = searches && (1..most).contains(&outcome.iterations) && outcome.residual_norm > ROUND_OFF;
+            if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
+                trial.advance(context, -back);
+                outcome.iterations += 1;
+                outcome.moved(velocity_norm(model, trial, back), false);
+                continue;
+            }
+            if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
+                // Under a negative pressure that holds a strain rate the sheet bulges to the wrong side.
+                let mut held = context.gas_shared.iter().zip(&trial.gas).filter(|(shared, _)| shared.is_some());
+                outcome.converged &= !held.any(|(_, pressure)| *pressure < 0.0);
+                return outcome;
+            }
+            if observer.wants_to_stop() {
+                outcome.interrupted = true;
+                return outcome;
+            }
+            outcome.iterations += 1;
+            let share = allowed_share(context, trial);
+            trial.line.length = share;
+            trial.advance(context, share);
+            // A capped increment says nothing of how far the answer still is.
+            outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
+        }
     }
-    sound
+
+    /// Evaluates the trial and its convergence; `false` when an element has collapsed.
+    fn judge(&mut self, matrix: Iteration, residual_alone: bool, outcome: &mut Outcome) -> bool {
+        let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
+        let at = Linearisation { matrix, residual_alone, iteration, velocity_norm };
+        let sound = evaluate(self.step, self.trial, &at, self.evaluation);
+        if sound {
+            outcome.residual_norm = self.evaluation.residual_norm;
+            outcome.converged = is_converged(self.step.model, self.evaluation, outcome);
+        }
+        sound
+    }
 }
 
 fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
@@ -147,11 +144,6 @@ fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bo
         Norm::Both => still && small(outcome.residual_norm),
     };
     converged && evaluation.held_rate.beyond_cap <= CAP
-}
-
-/// True if a strain-rate-controlled gas pressure came out negative: the sheet bulges to the wrong side.
-fn has_negative_pressure(context: &RunContext, trial: &Trial) -> bool {
-    context.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
 pub(super) fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {

@@ -1,5 +1,6 @@
 //! Course of a run: steps from a state on, up to a reason to end.
 
+use super::corrector::Corrector;
 use super::no_equilibrium::{creeping, interrupted, no_equilibrium, squeezed, unheld};
 use super::termination::Termination;
 use super::time_step::{Budget, StepControl};
@@ -10,7 +11,6 @@ use std::mem::swap;
 /// Least progress of a run between two checkpoints \[–\]: twice the usual largest step.
 const CHECKPOINT_EVERY: f64 = 0.02;
 
-/// State that a run can go back to, with its last record and its rules of termination.
 #[derive(Clone)]
 pub(super) struct Checkpoint {
     pub state: State,
@@ -116,7 +116,8 @@ impl Course {
                 self.loses(stop, squeezed(&step, &before));
                 break;
             }
-            let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
+            let corrector = Corrector { step: &step, trial: &mut trial, evaluation: &mut evaluation, observer };
+            let (start, converged) = match corrector.solve(&mut rejected) {
                 Ok(solved) => solved,
                 Err(outcome) if outcome.interrupted => {
                     self.ends(interrupted(&self.now.state));

@@ -73,24 +73,20 @@ fn late(before: f64, excess: f64, dt: f64) -> f64 {
     dt * excess / (excess - before)
 }
 
+/// Trust: the instant is given; it is found from above within a thousandth of the step, in a handful of repetitions.
 #[cfg(test)]
-mod tests {
-    use super::EndSearch;
-
-    /// Trust: the instant is given; it is found from above within a thousandth of the step, in a handful of repetitions.
-    #[test]
-    fn the_instant_is_found_from_above_within_a_thousandth_of_the_step() {
-        let end = std::f64::consts::FRAC_1_SQRT_2;
-        let jump = |t: f64| if t < end { -1.0 } else { 3.0 };
-        for (curve, most) in [(&(|t: f64| (t / end).powi(8) - 1.0) as &dyn Fn(f64) -> f64, 8), (&jump, 16)] {
-            let (mut search, mut time, mut repeated) = (EndSearch::new(1e-9), 0.0, 0);
-            while curve(time) < 0.0 {
-                let dt = search.step(time).unwrap_or(0.3);
-                let again = search.look(time, dt, curve(time + dt));
-                repeated += usize::from(again);
-                time += if again { 0.0 } else { dt };
-            }
-            assert!((0.0..1.5e-3 * 0.3).contains(&(time - end)) && (1..=most).contains(&repeated), "{time} {repeated}");
+#[test]
+fn the_instant_is_found_from_above_within_a_thousandth_of_the_step() {
+    let end = std::f64::consts::FRAC_1_SQRT_2;
+    let jump = |t: f64| if t < end { -1.0 } else { 3.0 };
+    for (curve, most) in [(&(|t: f64| (t / end).powi(8) - 1.0) as &dyn Fn(f64) -> f64, 8), (&jump, 16)] {
+        let (mut search, mut time, mut repeated) = (EndSearch::new(1e-9), 0.0, 0);
+        while curve(time) < 0.0 {
+            let dt = search.step(time).unwrap_or(0.3);
+            let again = search.look(time, dt, curve(time + dt));
+            repeated += usize::from(again);
+            time += if again { 0.0 } else { dt };
         }
+        assert!((0.0..1.5e-3 * 0.3).contains(&(time - end)) && (1..=most).contains(&repeated), "{time} {repeated}");
     }
 }

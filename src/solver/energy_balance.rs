@@ -41,11 +41,10 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
             let before = [s * shrinks, t * shrinks, shear * shrinks];
             // Metal that is not elastic bears its flow stress from the first on.
             let before = if !is_elastic && before == [0.0; 3] { update.stress } else { before };
-            let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
-            let power = power + update.work_across;
+            let along: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
             let volume = volume * at.weight;
             let elastic = if is_elastic { model.stored(update.stress) - model.stored(before) } else { 0.0 };
-            let plastic = volume * (power - elastic);
+            let plastic = volume * (along + update.work_across - elastic);
             done.elastic += volume * elastic;
             done.plastic += plastic;
             plastic_of[e] += plastic;

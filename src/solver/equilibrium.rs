@@ -25,22 +25,16 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
     bead::add(step, trial, out);
     sheet::stabilise(step, trial, out);
     let gas = gas::add(step, trial, out);
-    let unloading = unload(step, out);
+    let left = step.unloading_left(step.end());
+    out.system.rhs.iter_mut().zip(step.state.unloading.iter()).for_each(|(rhs, force)| *rhs += force * left);
     if let Some(kept) = &mut trial.kept {
         if at.iteration == 0 { kept.take_matrix(&out.system) } else { out.system.take_matrix(kept) }
     }
     gas::hold_rate(step, trial, out);
     holder::add(step, trial, out);
     constrain(step, out);
-    measure_residual(step, internal.max(contact).max(gas).max(unloading), out);
+    measure_residual(step, internal.max(contact).max(gas).max(largest(&step.state.unloading)), out);
     true
-}
-
-/// Adds the fading forces of removed tools; returns the largest initial one of a node.
-fn unload(step: &Step, out: &mut Evaluation) -> f64 {
-    let left = step.unloading_left(step.end());
-    out.system.rhs.iter_mut().zip(step.state.unloading.iter()).for_each(|(rhs, force)| *rhs += force * left);
-    largest(&step.state.unloading)
 }
 
 /// Nodal forces that keep an elastic sheet at rest in equilibrium at the beginning of a run: those of removed tools \[N, N mm\].
@@ -58,7 +52,6 @@ pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
     }
 }
 
-/// Symmetry on the axis, the held edge, and no rotations where no element resists them.
 fn constrain(step: &Step, out: &mut Evaluation) {
     let (last, edge) = (out.nodes.len() - 1, step.model.blank.edge);
     out.edge_reaction = -out.system.rhs[last];

@@ -56,11 +56,7 @@ impl Contact {
     }
 
     pub fn is_active(&self, penalty: &Penalty) -> bool {
-        self.pressure.value > LIGHT * penalty.at_touch()
-    }
-
-    pub fn lies_on(&self, penalty: &Penalty) -> bool {
-        self.gap < penalty.lying()
+        self.pressure.value > LIGHT * penalty.at(0.0).value
     }
 }
 

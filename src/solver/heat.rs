@@ -22,7 +22,7 @@ pub(super) fn advance(converged: &Converged, plastic: &[f64], state: &mut State)
     let mut exchange = vec![[0.0; 2]; n];
     for (j, tool) in flow.tools.iter().filter_map(|tool| Some((model.tool_index(tool.role)?, tool))) {
         for (i, contact) in evaluation.contacts.row(j).iter().enumerate() {
-            if contact.lies_on(&step.context.penalty) {
+            if contact.gap < step.context.penalty.lying() {
                 let exchanged = dt * tool.transfer * step.areas[i];
                 exchange[i / STATIONS][0] += exchanged;
                 exchange[i / STATIONS][1] += exchanged * tool.temperature;

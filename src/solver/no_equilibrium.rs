@@ -16,17 +16,14 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
     let worst = evaluation.worst_node;
     mechanism(step, evaluation, worst, steps).unwrap_or_else(|| {
         let norm = |norm: f64| if norm.is_finite() { Amount::norm(norm).to_string() } else { "not known".into() };
-        let s0 = step.state.s0[worst];
+        let [velocity, residual] = [outcome.increment, outcome.residual_norm].map(norm);
+        let (at, dt, s0) = (reached(step.state), Amount::time(step.dt), step.state.s0[worst]);
         let text = format!(
-            "no equilibrium found at {} with steps down to {} (velocity norm {}, residual norm {}, worst at s0 = {})",
-            reached(step.state),
-            Amount::time(step.dt),
-            norm(outcome.increment),
-            norm(outcome.residual_norm),
-            Amount::place(s0),
+            "no equilibrium found at {at} with steps down to {dt} (velocity norm {velocity}, residual norm {residual}, worst \
+             at s0 = {})",
+            Amount::place(s0)
         );
-        let text = joined([text, symptoms(step, evaluation, worst, steps)], "; ");
-        Stop::at(StopKind::NoEquilibrium, s0, text)
+        Stop::at(StopKind::NoEquilibrium, s0, joined([text, symptoms(step, evaluation, worst, steps)], "; "))
     })
 }
 
@@ -53,8 +50,7 @@ pub(super) fn creeping(
 }
 
 pub(super) fn interrupted(state: &State) -> Stop {
-    let text = format!("interrupted at {}: the results up to there are kept", reached(state));
-    Stop::new(StopKind::Interrupted, text)
+    Stop::new(StopKind::Interrupted, format!("interrupted at {}: the results up to there are kept", reached(state)))
 }
 
 pub(super) fn reached(state: &State) -> String {
@@ -142,12 +138,10 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * way;
     let sheet_runs = last.work.external - before.work.external > RUNAWAY * share * last.work.external;
     (place_runs || sheet_runs).then(|| {
+        let (pressure, [place, height]) = (Amount::stress(last.pressure.abs()), [s0, z].map(Amount::place));
         let text = format!(
-            "pressure maximum reached: no equilibrium beyond {}, where the sheet at s0 = {} is at a height of {}; it would run \
-             away there, to burst or to fold",
-            Amount::stress(last.pressure.abs()),
-            Amount::place(s0),
-            Amount::place(z)
+            "pressure maximum reached: no equilibrium beyond {pressure}, where the sheet at s0 = {place} is at a height of \
+             {height}; it would run away there, to burst or to fold"
         );
         Stop::at(StopKind::PressureMaximum, s0, text)
     })

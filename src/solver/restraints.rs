@@ -37,8 +37,7 @@ impl Grip {
     pub fn new(inner: f64, displacement: Point, nodes: &[Node], theory: Theory) -> Self {
         let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
         let weights = stations(theory == Theory::Bending)[1].shape;
-        let outermost = weights[0] * a[0] + weights[1] * b[0];
-        Self { width: outermost - inner - displacement.x, weights }
+        Self { width: weights[0] * a[0] + weights[1] * b[0] - inner - displacement.x, weights }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Starts from which a step is tried before it is halved.
 
-use super::corrector::{Pass, correct, patience};
+use super::corrector::{Corrector, Pass, patience};
 use super::*;
 use crate::model::ContactMethod;
 
@@ -47,63 +47,60 @@ const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
 const MOST_ROUNDS: usize = 40;
 
-/// Tries a step from each start until one converges; counts the others in `rejected`.
-pub(super) fn solve<'s>(
-    step: &'s Step<'s>,
-    trial: &'s mut Trial,
-    evaluation: &'s mut Evaluation,
-    rejected: &mut usize,
-    observer: &mut dyn Observer,
-) -> Result<(Start, Converged<'s>), Outcome> {
-    let mut outcome = Outcome::BEGUN;
-    let from_rest = step.number == 1 || !step.model.settings.predictor;
-    for &start in if from_rest { Start::FIRST } else { Start::USUAL } {
-        outcome = attempt(step, trial, evaluation, start, observer);
-        if outcome.converged {
-            return Ok((start, Converged::new(step, trial, evaluation, outcome)));
+impl<'s> Corrector<'s, '_> {
+    /// Tries the step from each start until one converges; counts the others in `rejected`.
+    pub fn solve(mut self, rejected: &mut usize) -> Result<(Start, Converged<'s>), Outcome> {
+        let mut outcome = Outcome::BEGUN;
+        let from_rest = self.step.number == 1 || !self.step.model.settings.predictor;
+        for &start in if from_rest { Start::FIRST } else { Start::USUAL } {
+            outcome = self.attempt(start);
+            if outcome.converged {
+                return Ok((start, Converged::new(self.step, self.trial, self.evaluation, outcome)));
+            }
+            *rejected += 1;
+            if outcome.interrupted {
+                break;
+            }
         }
-        *rejected += 1;
-        if outcome.interrupted {
-            break;
-        }
+        Err(outcome)
     }
-    Err(outcome)
-}
 
-fn attempt(step: &Step, trial: &mut Trial, out: &mut Evaluation, start: Start, observer: &mut dyn Observer) -> Outcome {
-    let settings = &step.model.settings;
-    let matrix = settings.iteration;
-    let most = settings.max_iterations * patience(if trial.kept.is_some() { Iteration::Secant } else { matrix });
-    let mut correct = |trial: &mut Trial, out: &mut Evaluation, matrix, most| {
-        correct(step, trial, out, Pass { start, matrix, most }, observer)
-    };
-    trial.predict(step, start != Start::Predictor);
-    let mut spent = 0;
-    for &softening in start.softening() {
-        trial.softening = softening;
-        let soft = correct(trial, out, matrix, most);
-        trial.softening = 1.0;
-        if !soft.converged {
-            return soft;
+    fn attempt(&mut self, start: Start) -> Outcome {
+        let settings = &self.step.model.settings;
+        let matrix = settings.iteration;
+        let slowest = if self.trial.kept.is_some() { Iteration::Secant } else { matrix };
+        let pass = Pass { start, matrix, most: settings.max_iterations * patience(slowest) };
+        self.trial.predict(self.step, start != Start::Predictor);
+        let mut spent = 0;
+        for &softening in start.softening() {
+            self.trial.softening = softening;
+            let soft = self.correct(pass);
+            self.trial.softening = 1.0;
+            if !soft.converged {
+                return soft;
+            }
+            spent += soft.iterations;
         }
-        spent += soft.iterations;
-    }
-    if start == Start::Secant {
-        let secant = correct(trial, out, Iteration::Secant, SECANT_START);
-        if secant.interrupted {
-            return secant;
+        if start == Start::Secant {
+            let secant = self.correct(Pass { matrix: Iteration::Secant, most: SECANT_START, ..pass });
+            if secant.interrupted {
+                return secant;
+            }
+            spent = secant.iterations;
         }
-        spent = secant.iterations;
+        let mut outcome = self.correct(pass);
+        let most = if settings.contact == ContactMethod::AugmentedLagrangian { MOST_ROUNDS } else { 0 };
+        let mut rounds = 1;
+        while rounds <= most
+            && outcome.converged
+            && augmented_lagrangian::shift(self.trial, self.evaluation, rounds - 1)
+        {
+            spent += outcome.iterations;
+            rounds += 1;
+            outcome = self.correct(pass);
+        }
+        Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
     }
-    let mut outcome = correct(trial, out, matrix, most);
-    let most_rounds = if settings.contact == ContactMethod::AugmentedLagrangian { MOST_ROUNDS } else { 0 };
-    let mut rounds = 1;
-    while rounds <= most_rounds && outcome.converged && augmented_lagrangian::shift(trial, out, rounds - 1) {
-        spent += outcome.iterations;
-        rounds += 1;
-        outcome = correct(trial, out, matrix, most);
-    }
-    Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
 }
 
 /// Solves the `number`-th step of a run by itself, `dt` \[s\] long; only the first guesses of elastoplastic points differ.
@@ -115,6 +112,6 @@ pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: 
     }
     let (mut trial, mut evaluation) = (Trial::new(&context, &state), Evaluation::new(&context, &state));
     let step = Step::new(&context, &state, dt, number);
-    let solved = solve(&step, &mut trial, &mut evaluation, &mut 0, observer);
-    solved.ok().map(|(_, converged)| converged.advanced())
+    let corrector = Corrector { step: &step, trial: &mut trial, evaluation: &mut evaluation, observer };
+    corrector.solve(&mut 0).ok().map(|(_, converged)| converged.advanced())
 }

@@ -73,8 +73,8 @@ impl<'a> Step<'a> {
         // v₀ of friction is a share of the process speed, which is at least one thickness per run.
         let least_speed = model.speed.max(model.blank.thickness / model.duration);
         let (flow_points, elastoplastic_points) = match model.mode {
-            Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around), Grid::default()),
-            _ => (Grid::default(), elastoplastic_points(model, state, dt, &around)),
+            Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around), Grid::from_values(0, [])),
+            _ => (Grid::from_values(0, []), elastoplastic_points(model, state, dt, &around)),
         };
         Self {
             context,
@@ -133,8 +133,7 @@ fn surroundings(context: &RunContext, state: &State, time: f64, near: &NonlocalA
     let floor = FLOOR * model.settings.cutoff_strain * time / (Settings::CUTOFF_STEP * model.duration);
     let mut around = Grid::new(state.thickness.len(), state.points.columns(), Surroundings::default());
     for k in 0..state.points.columns() {
-        let rates = near.means(|e| state.points[(e, k)].equivalent_rate);
-        for (e, rate) in rates.into_iter().enumerate() {
+        for (e, rate) in near.means(|e| state.points[(e, k)].equivalent_rate).into_iter().enumerate() {
             let others = 1.0 - near.own_share(e);
             if others > 0.0 {
                 let increment = time * rate;
@@ -146,13 +145,7 @@ fn surroundings(context: &RunContext, state: &State, time: f64, near: &NonlocalA
     around
 }
 
-fn flow_points(
-    context: &RunContext,
-    state: &State,
-    dt: f64,
-    speed_ratio: f64,
-    around: &Grid<Surroundings>,
-) -> Grid<PointState> {
+fn flow_points(context: &RunContext, state: &State, dt: f64, ratio: f64, around: &[Surroundings]) -> Grid<PointState> {
     let (rule, columns) = (&context.rule, state.points.columns());
     let (voids, criterion) = (context.model.material.gtn.as_ref(), context.model.material.yield_criterion);
     let temperatures: Vec<f64> = (0..state.thickness.len()).map(|e| state.foreseen_temperature(e, dt)).collect();
@@ -165,9 +158,9 @@ fn flow_points(
     let mut points = Grid::from_values(columns, point_states);
     for (e, row) in points.rows_mut().enumerate() {
         if state.steady[e] {
-            let weight = dt / (dt + state.last_step / speed_ratio);
+            let weight = dt / (dt + state.last_step / ratio);
             let lasts = state.points.row(e);
-            let expected = |rate: Triple| rate.map(|rate| speed_ratio * rate * dt);
+            let expected = |rate: Triple| rate.map(|rate| ratio * rate * dt);
             let (first, last) = (expected(lasts[0].strain_rate), expected(lasts[columns - 1].strain_rate));
             let height = rule[columns - 1].xi - rule[0].xi;
             for ((point, before), at) in row.iter_mut().zip(lasts).zip(rule) {

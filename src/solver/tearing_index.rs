@@ -116,15 +116,11 @@ fn curvature(state: &State, e: usize) -> f64 {
     (0.5 * (first + second)).abs()
 }
 
+/// Trust: by hand, ρ ln(1 + 1/ρ) of inner radii of 1.5, 3 and 6 mm on a sheet of 1 mm.
 #[cfg(test)]
-mod tests {
-    use super::bent_strength;
-
-    /// Trust: by hand, ρ ln(1 + 1/ρ) of inner radii of 1.5, 3 and 6 mm on a sheet of 1 mm.
-    #[test]
-    fn a_bent_sheet_bears_less() {
-        for (inner, expected) in [(1.5, 0.76624), (3.0, 0.86305), (6.0, 0.92490)] {
-            assert!((bent_strength(1.0 / (inner + 0.5), 1.0) - expected).abs() < 1e-5);
-        }
+#[test]
+fn a_bent_sheet_bears_less() {
+    for (inner, expected) in [(1.5, 0.76624), (3.0, 0.86305), (6.0, 0.92490)] {
+        assert!((bent_strength(1.0 / (inner + 0.5), 1.0) - expected).abs() < 1e-5);
     }
 }

@@ -84,8 +84,7 @@ impl Termination {
             if record.punch_force >= now.peak {
                 now.rate_at_peak = neck.rate;
             }
-            let has_fallen = record.punch_force < (1.0 - FALLEN) * now.peak;
-            let fades = has_fallen && neck.rate > now.rate_at_peak.max(0.0);
+            let fades = record.punch_force < (1.0 - FALLEN) * now.peak && neck.rate > now.rate_at_peak.max(0.0);
             now.fading_since = since(fades, self.fading_since);
             now.neck = Some(neck);
             now.excess = now.excesses(model, state, record).into_iter().map(|(excess, _)| excess).fold(-1.0, f64::max);
@@ -142,35 +141,29 @@ impl Termination {
             return None;
         }
         let (_, kind) = self.excesses(model, state, record).into_iter().find(|(excess, _)| *excess >= 0.0)?;
-        let travel = Amount::place(state.travel);
+        let [travel, hole] = [state.travel, record.hole].map(Amount::place);
+        let at = format!("at {travel} of travel");
         let text = match kind {
             StopKind::ToolsClosed => {
-                let (travel, at) = self.closed?;
-                let [travel, r, z] = [travel, at.x, at.y].map(Amount::place);
+                let (travel, place) = self.closed?;
+                let [travel, r, z] = [travel, place.x, place.y].map(Amount::place);
                 format!(
                     "tools closed: at {travel} of travel punch and die are half the sheet's thickness apart, near r = {r}, \
                      z = {z}"
                 )
             }
             StopKind::LeftDie => {
-                format!(
-                    "drawn through: at {travel} of travel the rim has left the die's shoulder: strip it off the punch"
-                )
+                format!("drawn through: {at} the rim has left the die's shoulder: strip it off the punch")
             }
-            StopKind::DrawnThrough => {
-                format!("drawn through: the blank's edge has passed the die's throat at {travel} of travel")
-            }
+            StopKind::DrawnThrough => format!("drawn through: the blank's edge has passed the die's throat {at}"),
             StopKind::Coalesced => {
                 let (s0, voids) = (Amount::place(record.porous_s0), Amount::share(record.porosity));
                 let text = format!(
-                    "voids grown together at {travel} of travel: the sheet tears at s0 = {s0}, where {voids} of its volume are \
-                     voids"
+                    "voids grown together {at}: the sheet tears at s0 = {s0}, where {voids} of its volume are voids"
                 );
                 return Some(Stop::at(kind, record.porous_s0, text));
             }
-            StopKind::EdgeLimit => {
-                format!("edge cracked: at {travel} the hole is Ø {}, its limit", Amount::place(record.hole))
-            }
+            StopKind::EdgeLimit => format!("edge cracked: at {travel} the hole is Ø {hole}, its limit"),
             StopKind::ContactShare => {
                 let (share, limit) = (Amount::share(record.contact_share), model.stop.contact_share?);
                 let (at, limit) = (reached(state), Amount::given_share(limit));
@@ -179,7 +172,7 @@ impl Termination {
             StopKind::LoadMaximum => {
                 let drop = Amount::share(1.0 - record.punch_force / self.peak);
                 let peak = Amount::force(self.peak, model.extent().force_unit());
-                format!("load maximum passed: at {travel} of travel the load is {drop} below its peak of {peak}")
+                format!("load maximum passed: {at} the load is {drop} below its peak of {peak}")
             }
             StopKind::Localised => return Some(localised(model, state, &self.neck?)),
             _ => format!("holder closed: it has reached its force after {travel}"),
@@ -195,13 +188,11 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
         Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
         _ => "where no tool supports it".into(),
     };
+    let ([travel, s0], left) = ([state.travel, neck.s0].map(Amount::place), Amount::share(neck.share));
     let text = format!(
-        "ended at {} of travel by a neck at s0 = {}, where {} of its thickness is left; {place}, one place takes all the \
-         stretching while the sheet beside it has stopped. Less holder force or friction, or a larger radius there, lets it \
-         go deeper",
-        Amount::place(state.travel),
-        Amount::place(neck.s0),
-        Amount::share(neck.share),
+        "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {place}, one place takes \
+         all the stretching while the sheet beside it has stopped. Less holder force or friction, or a larger radius there, \
+         lets it go deeper"
     );
     Stop::at(StopKind::Localised, neck.s0, text)
 }

@@ -113,8 +113,7 @@ fn approach(before: &Evaluation, converged: &Converged) -> f64 {
         let pairs = before.contacts.row(j).iter().zip(evaluation.contacts.row(j)).enumerate();
         for (i, (before, now)) in pairs.filter(|(_, (_, now))| now.normal == 0.0) {
             let closing = (before.gap - now.gap) / step.dt;
-            let thickness = evaluation.thickness[i / STATIONS];
-            let room = now.gap + TOO_FAR * thickness;
+            let room = now.gap + TOO_FAR * evaluation.thickness[i / STATIONS];
             soonest = if closing > 0.0 { soonest.min(room / closing) } else { soonest };
         }
     }

@@ -106,7 +106,6 @@ impl Record {
         self.fields.get(column).unwrap_or("").chars().take(LONGEST).collect()
     }
 
-    /// Checks that this line names columns, with `first` below it.
     fn names_columns(&self, first: Option<&Self>, name: &str, example: &str) -> Result<(), CsvError> {
         let is_number = |field: &str| field.parse::<f64>().is_ok();
         if self.fields.iter().all(is_number) {

@@ -69,8 +69,7 @@ impl Ring {
             ];
             // Two arcs that meet leave no flat between them.
             let flat = usize::from(self.outer - corner - self.throat - self.shoulder > 1e-3);
-            let steps = [&lip[..2 + flat], &throat].concat();
-            return profile_text(Point::new(self.outer, 4.0 * far), &steps, mm);
+            return profile_text(Point::new(self.outer, 4.0 * far), &[&lip[..2 + flat], &throat].concat(), mm);
         }
         let steps = [&[(start, None)], &throat[..]].concat();
         profile_text(Point::new(far, start.y - (far - start.x) * CONE.to_radians().tan()), &steps, mm)

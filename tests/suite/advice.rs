@@ -18,10 +18,8 @@ fn row(solution: &Solution, has_advice: bool, key: &str) -> Finding {
 /// Trust: a press that is used to 80 % between the forces of friction 0.08 and 0.10; with a larger one nothing changes.
 #[test]
 fn friction_is_amber_if_a_line_hangs_on_it() {
-    let [own, more] = ["friction=0.08", "friction=0.1"].map(|friction| {
-        let press = row(&solved(&[friction]), false, "press_force");
-        press.value().expect("a force")
-    });
+    let [own, more] = ["friction=0.08", "friction=0.1"]
+        .map(|friction| row(&solved(&[friction]), false, "press_force").value().expect("a force"));
     assert!(more > 1.01 * own, "{own} {more}");
     for (rating, light, text) in [
         (0.5 * (own + more) / 0.8, Light::Amber, "0.08; at 0.1 Press force is amber"),
@@ -53,8 +51,7 @@ fn hardening_beyond_its_fit_is_judged_by_a_run_with_half_of_it() {
 /// Trust: each advice is set in the case by its words, which is solved and judged again.
 #[test]
 fn advice_does_what_it_says() {
-    let overrides = ["tools.holder.force=2 kN", "tools.punch.travel=10 mm"];
-    let solution = solved(&overrides);
+    let solution = solved(&["tools.holder.force=2 kN", "tools.punch.travel=10 mm"]);
     assert_eq!(row(&solution, false, "wrinkling").advice, "");
     let advised = row(&solution, true, "wrinkling").advice;
     let all: Vec<&str> = advised.split("; or ").collect();
@@ -106,8 +103,7 @@ fn advice_goes_with_practice_and_beyond_the_error() {
 #[test]
 fn new_cases_are_green_with_their_defaults() {
     for template in TEMPLATES.iter().filter(|template| template.name != "erichsen") {
-        let solution = solved_once(&made(template.name, &[], &[]));
-        let (answer, findings) = judge(solution, None, false, &());
+        let (answer, findings) = judge(solved_once(&made(template.name, &[], &[])), None, false, &());
         let open = assess::judgements(&findings).filter(|row| row.light > Light::Green).map(|row| row.key);
         let expected = match template.name {
             "hemispherical-cup" | "conical-cup" => &["tearing"][..],

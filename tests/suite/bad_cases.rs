@@ -14,8 +14,7 @@ fn patched(base: &str, patch: &[&str]) -> String {
         let (kind, line) = change.split_at_checked(2).unwrap_or((change, ""));
         let kind = kind.trim_end();
         if kind != "+" {
-            let skipped = rest.by_ref().take_while(|next| *next != line).map(|next| format!("{next}\n"));
-            text.extend(skipped);
+            text.extend(rest.by_ref().take_while(|next| *next != line).map(|next| format!("{next}\n")));
         }
         if kind != "-" {
             text += &format!("{line}\n");

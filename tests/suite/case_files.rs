@@ -104,8 +104,7 @@ fn with_a_depth_forces_are_of_the_whole_part() {
     let text = include_str!("../../cases/strip_draw.toml").split("[[compare]]").next().unwrap();
     for stiffness in ["50 N/mm^2", "25 kN/mm"] {
         let spring = format!("spring = {{ preload = \"10 kN\", stiffness = \"{stiffness}\" }}");
-        let text = text.replace("force = \"2600 N/mm\"", &spring);
-        let case = parsed(&text, &[depth]);
+        let case = parsed(&text.replace("force = \"2600 N/mm\"", &spring), &[depth]);
         let model = case.model();
         let press = Motion::Pressed(Press { force: 10e3.into(), stiffness: 25e3 });
         assert_eq!(model.tool(Role::Holder).unwrap().motion, press, "{stiffness}");
@@ -200,8 +199,7 @@ fn diameters_and_lengths_in_thicknesses_are_radii_in_millimetres() {
         .replace("throat = \"31.25 mm\", shoulder = \"6 mm\"", "throat_diameter = \"62.5 mm\", shoulder = \"6 t\"")
         .replace("inner_radius = \"32 mm\"", "inner_diameter = \"64 mm\"");
     assert_eq!(across.matches("diameter").count(), 4, "{across}");
-    let across = parsed(&across, &[]);
-    assert_eq!(across.model(), radii.model());
+    assert_eq!(parsed(&across, &[]).model(), radii.model());
     let set = shipped_case("quickstart", &["blank.diameter=104 mm"]);
     let pressed = shipped_case("quickstart", &["tools.holder.pressure=2 MPa"]);
     assert!(pressed.text.contains("2 MPa") && !pressed.text.contains("10 kN"), "an override replaces the force");
@@ -277,8 +275,7 @@ release = "constant"
         "[material.hardening",
         "[material]\nyoung = \"210 GPa\"\npoisson = 0.3\nmode = \"elasto_viscoplastic\"\n[material.hardening",
     );
-    let elastic = elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\"");
-    let case = parsed(&elastic, &[]);
+    let case = parsed(&elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\""), &[]);
     let modes: Vec<Mode> = case.stages.iter().map(|stage| stage.model.mode).collect();
     let elastoplastic = Mode::ElastoViscoplastic;
     assert_eq!(modes, [elastoplastic, elastoplastic, elastoplastic, Mode::Elastic, Mode::Elastic]);

@@ -1,7 +1,6 @@
 //! Reference of case files as Markdown, generated from the JSON schema.
 
 use crate::common::prelude::*;
-use std::fmt::Write;
 
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 

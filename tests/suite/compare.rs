@@ -53,8 +53,7 @@ fn spec(quantity: ComparedQuantity, columns: &[&str], csv: &str) -> Spec {
 #[test]
 fn forces_at_equal_travel_are_interpolated_and_converted() {
     let csv = "# comment\ntravel_mm, punch_force_kN\n1.5, 3\n4, 8.16\n# between\n12,16\n";
-    let spec = spec(ComparedQuantity::PunchForce, &["travel_mm", "punch_force_kN"], csv);
-    let c = against_drawn(&spec, true);
+    let c = against_drawn(&spec(ComparedQuantity::PunchForce, &["travel_mm", "punch_force_kN"], csv), true);
     let values: Vec<_> = c.points.iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
     assert_eq!(values, [(1.5, 3000.0, 3000.0), (4.0, 8160.0, 8000.0), (12.0, 16000.0, 16000.0)]);
     assert_eq!(c.verdict, Verdict::In);
@@ -140,8 +139,7 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
     let elements = [0.9, 0.8].map(|thickness| ElementRecord { thickness, ..ElementRecord::default() });
     let csv = "major_true,minor_true\n0.2,0.1\n0.35,0.170\n0.45,0.2\n";
     let spec = spec(ComparedQuantity::StrainPath, &["major_true", "minor_true"], csv);
-    let spec = Spec { range: Some((0.0, 0.4)), ..spec };
-    let c = against(&spec, &history(), false, Some((&paths, &elements)));
+    let c = against(&Spec { range: Some((0.0, 0.4)), ..spec }, &history(), false, Some((&paths, &elements)));
     let values: Vec<_> = c.points.iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();
     assert_eq!((values, c.verdict), (vec![Some(0.1), Some(0.175), Some(0.2)], Verdict::In));
 }

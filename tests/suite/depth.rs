@@ -7,8 +7,7 @@ const STRIP: &str = include_str!("../../cases/strip_draw.toml");
 
 /// A case without its references.
 fn solved(text: &str, overrides: &[&str]) -> Solution {
-    let text = text.split("[[compare]]").next().unwrap();
-    parsed(text, overrides).solve(&mut ())
+    parsed(text.split("[[compare]]").next().unwrap(), overrides).solve(&mut ())
 }
 
 /// Trust: a part is as many sections as it has millimetres of depth, each pressed alike: the run is the same to the last digits

@@ -1,9 +1,8 @@
 //! Drawings by other programs: each gives the profile that was drawn, a faulty one says what is wrong and where.
 
 use crate::common::prelude::*;
-use stampflow::import::{DrawingUnit, Sections, read};
+use stampflow::import::{Sections, read};
 use stampflow::model::tool_sizes::extent;
-use std::fmt::Write;
 
 fn sections(drawing: &str, options: &Options) -> Sections {
     let bytes = fs::read(Path::new("tests/drawings").join(drawing)).unwrap();
@@ -52,8 +51,7 @@ fn assert_is(sections: &Sections, role: Role, expected: &[Piece], drawing: &str)
 fn assert_same(found: &Profile, expected: &[Piece], drawing: &str) {
     assert_eq!(found.pieces().len(), expected.len(), "{drawing}: {found:?}");
     for (a, b) in found.pieces().iter().zip(expected) {
-        let off = (a.first() - b.first()).norm().max((a.last() - b.last()).norm());
-        assert!(off < 1e-6, "{drawing}: {a:?} {b:?}");
+        assert!((a.first() - b.first()).norm().max((a.last() - b.last()).norm()) < 1e-6, "{drawing}: {a:?} {b:?}");
         assert_bends(a, b, Point::zeros(), drawing);
     }
 }
@@ -110,8 +108,7 @@ fn drawings_give_the_profiles_that_were_drawn() {
             None => assert!(found.operations[0].tool(Role::Holder).is_none(), "{drawing}"),
         }
     }
-    let whole = sections("faulty/whole_off_the_axis.dxf", &axis(30.0));
-    assert_is(&whole, Role::Punch, &halves.0, "whole_off_the_axis");
+    assert_is(&sections("faulty/whole_off_the_axis.dxf", &axis(30.0)), Role::Punch, &halves.0, "whole_off_the_axis");
 }
 
 /// Points along the lines and arcs of a profile.
@@ -271,7 +268,7 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
     let args = ["--travel", "25 mm", "--blank-radius", "91 mm"];
     let (given, _) = imported(dir.path(), "ezdxf_cone_inches.dxf", &args);
     let slope = 0.36_f64.atan();
-    let mouth = 25.4 * (0.95 + 0.25 * (std::f64::consts::FRAC_PI_4 - 0.5 * slope).tan()) + 0.36 * 25.0;
+    let mouth = 25.4 * (0.95 + 0.25 * (FRAC_PI_4 - 0.5 * slope).tan()) + 0.36 * 25.0;
     assert!((check_value(&given, "draw ratio") - 91.0 / mouth).abs() < 6e-4);
     // The cone and the shoulder, a circle of 0.25 in: the distance of its centre from the cone, less the radius.
     let (r, z) = (50.8, 0.5 + 6.35);

@@ -2,8 +2,6 @@
 
 use crate::common::prelude::*;
 use crate::scripts::json;
-use stampflow::assess::error_bars::answered;
-use stampflow::study::verify::verify;
 
 /// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
 #[test]

@@ -71,8 +71,7 @@ fn events_stand_where_other_figures_have_them() {
     let edge = cup.model.blank.length - cup.steps.iter().find(|s| s.travel >= found[1].travel).unwrap().draw_in;
     assert!(edge < begins && edge > begins - 1.5, "{edge} {begins}");
 
-    let limit = shipped::solved("stretch_limit");
-    let stage = &limit.stages[0];
+    let stage = &shipped::solved("stretch_limit").stages[0];
     let reached = stampflow::forming_limit::assess(stage.model.forming_limit.as_ref().unwrap(), &stage.paths).unwrap();
     let found = events(stage);
     let at = found.iter().find(|event| event.kind == EventKind::LimitReached).map(|event| event.travel);

@@ -2,9 +2,8 @@
 
 use crate::common::prelude::*;
 use crate::drawings::assert_bends;
-use stampflow::author::Import;
 use stampflow::export::{Drawing, Format};
-use stampflow::import::{self, DrawingUnit, Operation};
+use stampflow::import::{self, Operation};
 
 fn unsolved(case: Case) -> Solution {
     Solution { case, stages: vec![], wall: None }

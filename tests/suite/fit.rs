@@ -3,7 +3,6 @@
 use crate::common::prelude::*;
 use stampflow::numerics::least_squares::Ended;
 use stampflow::study::fit::{CaseFit, CaseFitRequest, Estimate, LawFits, fit_case, flow_curves, material_text};
-use std::fmt::Write;
 
 /// Laws as they are common for sheet, with the parameters in the order of their estimates.
 fn truths() -> [(HardeningKind, Vec<f64>); 4] {

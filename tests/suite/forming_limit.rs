@@ -1,6 +1,6 @@
 use crate::common::prelude::*;
 use stampflow::forming_limit::{Kind, Swift, assess, uniform_strain};
-use stampflow::material::hardening::{Swift as SwiftLaw, Voce};
+use stampflow::material::hardening::Swift as SwiftLaw;
 
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
@@ -38,8 +38,7 @@ fn hill_is_a_line_of_constant_thickness_strain_on_the_left() {
 /// 2n (2 − α)(1 − α + α²)/(4 − 3α − 3α² + 4α³) with α = σ₂/σ₁ = (1 + 2β)/(2 + β), as textbooks have it.
 #[test]
 fn swift_is_its_textbook_formula() {
-    let material = power(0.2, 1.0);
-    let curve = Kind::Swift(Swift { n: Some(0.2) }).curve(&sheet(&material)).expect("a curve");
+    let curve = Kind::Swift(Swift { n: Some(0.2) }).curve(&sheet(&power(0.2, 1.0))).expect("a curve");
     for &[minor, major] in curve.points() {
         let beta = minor / major;
         let a = (1.0 + 2.0 * beta) / (2.0 + beta);
@@ -134,8 +133,7 @@ fn the_groove_in_plane_strain_is_the_closed_form() {
             n * a.ln() - a - f.ln() - n * b.ln() + b
         };
         let [low, _] = bisect(0.6 * n, n, 100, |b| missing(b) * missing(n) <= 0.0);
-        let material = power(n, 1.0);
-        let found = groove(f).limit(&sheet(&material), 0.0).expect("a limit").major;
+        let found = groove(f).limit(&sheet(&power(n, 1.0)), 0.0).expect("a limit").major;
         assert_relative_eq!(found, a_of(low), max_relative = 2.0 * 2e-3);
     }
 }
@@ -206,8 +204,7 @@ fn the_groove_in_biaxial_stretching_is_what_small_steps_give() {
 fn the_groove_is_monotone_and_has_its_rate_free_limit() {
     let limit = |n: f64, m: f64, f: f64, beta: f64| {
         let rate = (m > 0.0).then_some(Rate::PowerRate(PowerRate { exponent: m, reference: 1e-3 }));
-        let material = Material { rate, ..power(n, 1.3) };
-        groove(f).limit(&sheet(&material), beta).expect("a limit").major
+        groove(f).limit(&sheet(&Material { rate, ..power(n, 1.3) }), beta).expect("a limit").major
     };
     for beta in [-0.3, 0.0, 0.5] {
         assert!(limit(0.15, 0.0, 0.99, beta) < limit(0.2, 0.0, 0.99, beta));

@@ -2,13 +2,11 @@
 
 use crate::common::prelude::*;
 use proptest::prelude::*;
-use stampflow::geometry::{CavityError, Closest, Fold, Nearest, OffsetError, fillet};
-use std::f64::consts::FRAC_PI_4;
+use stampflow::geometry::{CavityError, Fold, Nearest, OffsetError, fillet};
 
 /// Chords in place of arcs, so many in 90°.
 fn chords(profile: &Profile, per_quarter: f64) -> Profile {
-    let points = profile.polyline(FRAC_PI_2 / per_quarter);
-    Profile::new(points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect()).expect("a chain")
+    chain(&profile.polyline(FRAC_PI_2 / per_quarter).into_iter().map(Into::into).collect::<Vec<_>>())
 }
 
 fn all() -> Vec<Profile> {
@@ -49,10 +47,7 @@ fn normal_and_curvature_are_derivatives_of_the_distance() {
         for i in 0..80 {
             let x = Point::new(0.7 + i as f64 * 0.83, ((i * 7) % 11) as f64 * 0.31 - 1.1);
             let c = profile.closest(x);
-            let near: Vec<Closest> = [(h, 0.0), (-h, 0.0), (0.0, h), (0.0, -h)]
-                .iter()
-                .map(|d| profile.closest(x + Point::new(d.0, d.1)))
-                .collect();
+            let near = [(h, 0.0), (-h, 0.0), (0.0, h), (0.0, -h)].map(|d| profile.closest(x + Point::new(d.0, d.1)));
             if near.iter().any(|n| (n.normal - c.normal).norm() > 0.01 || n.piece != c.piece) {
                 continue; // a kink of the distance field (medial axis) has no derivative
             }
@@ -62,8 +57,7 @@ fn normal_and_curvature_are_derivatives_of_the_distance() {
             let tangent = Point::new(c.normal.y, -c.normal.x);
             let (a, b) = (profile.closest(x + h * tangent), profile.closest(x - h * tangent));
             if a.piece == c.piece && b.piece == c.piece {
-                let dn = (a.normal - b.normal) / (2.0 * h);
-                assert_relative_eq!(dn, c.curvature * tangent, epsilon = 1e-5);
+                assert_relative_eq!((a.normal - b.normal) / (2.0 * h), c.curvature * tangent, epsilon = 1e-5);
             }
         }
     }
@@ -142,23 +136,13 @@ fn no_sampled_point_lies_beyond() {
 
 #[test]
 fn a_slope_is_cut_at_the_edge_of_the_sheet() {
-    let slope = Profile::new(vec![Piece::Segment(Segment::new(Point::new(100.0, 0.0), Point::new(20.0, 40.0)))]);
-    let slope = slope.unwrap();
+    let slope = chain(&[[100.0, 0.0], [20.0, 40.0]]);
     assert_relative_eq!(slope.extreme(false, [0.0, 60.0]).unwrap(), Point::new(60.0, 20.0), epsilon = 1e-9);
     assert_eq!(slope.extreme(false, [0.0, 10.0]), None);
 }
 
-fn line(x: [f64; 4]) -> Piece {
-    Piece::Segment(Segment::new(Point::new(x[0], x[1]), Point::new(x[2], x[3])))
-}
-
-fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
-    Piece::Arc(Arc::new(Point::new(center[0], center[1]), radius, start, sweep))
-}
-
 fn chain(points: &[[f64; 2]]) -> Profile {
-    let lines = points.windows(2).map(|w| line([w[0][0], w[0][1], w[1][0], w[1][1]]));
-    Profile::new(lines.collect()).unwrap()
+    Profile::new(points.windows(2).map(|ends| Piece::line(ends[0].into(), ends[1].into())).collect()).unwrap()
 }
 
 #[test]
@@ -169,16 +153,15 @@ fn folds_are_found_with_their_place() {
     assert!(matches!(touches.fold(), Some(Fold::Crossing { pieces: [0, 2], .. })));
     let spur = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 0.1], [4.0, -9.0]]);
     assert!(matches!(spur.fold(), Some(Fold::Back { after: 0, .. })));
-    let narrow = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 1.0], [4.0, 9.0]]);
-    assert_eq!(narrow.fold(), None);
+    assert_eq!(chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 1.0], [4.0, 9.0]]).fold(), None);
 }
 
 /// Trust: by hand. The circle about (8, 1) through (9, 0) comes down again at (7, 0), after three quarters.
 #[test]
 fn an_arc_that_swings_round_through_its_neighbour_is_found() {
     let with_sweep = |sweep: f64| {
-        let round = arc([8.0, 1.0], 2.0_f64.sqrt(), -FRAC_PI_4, sweep);
-        Profile::new(vec![line([0.0, 0.0, 9.0, 0.0]), round]).unwrap().fold()
+        let round = Piece::arc(Point::new(8.0, 1.0), 2.0_f64.sqrt(), -FRAC_PI_4, sweep);
+        Profile::new(vec![Piece::line(Point::zeros(), Point::new(9.0, 0.0)), round]).unwrap().fold()
     };
     assert_eq!(with_sweep(3.0 * FRAC_PI_2 - 0.1), None);
     let Some(Fold::Crossing { at, pieces: [0, 1] }) = with_sweep(3.0 * FRAC_PI_2 + 0.1) else {
@@ -227,7 +210,7 @@ fn falling(x: f64, y: f64) -> impl Iterator<Item = Point> {
 }
 
 fn points(list: &[[f64; 2]]) -> Vec<Point> {
-    list.iter().map(|p| Point::new(p[0], p[1])).collect()
+    list.iter().map(|p| Point::from(*p)).collect()
 }
 
 /// Trust: the flat punch is three points and one fillet.
@@ -276,8 +259,7 @@ proptest! {
         share in 0.05..0.95_f64,
     ) {
         let chain = chain_of(&steps);
-        let huge = vec![1e9; chain.len()];
-        let largest = match fillet(&chain, &huge) {
+        let largest = match fillet(&chain, &vec![1e9; chain.len()]) {
             Err(error) => error.largest,
             Ok(_) => return Ok(()), // straight
         };
@@ -302,8 +284,7 @@ proptest! {
 #[test]
 fn the_offset_of_a_punch_is_a_larger_punch() {
     let offset = Profile::flat_punch(50.0, 9.0, 1.0).offset(1.2).unwrap();
-    let larger = Profile::flat_punch(51.2, 10.2, 1.0).shifted(1.2);
-    assert!(are_alike(&offset, &larger, 1e-9, falling(0.0, 4.0)));
+    assert!(are_alike(&offset, &Profile::flat_punch(51.2, 10.2, 1.0).shifted(1.2), 1e-9, falling(0.0, 4.0)));
 }
 
 /// Trust: around a tip on the axis the offset is an arc of radius `by`, its top above the tip.
@@ -314,8 +295,7 @@ fn a_tip_on_the_axis_is_a_corner() {
     assert_relative_eq!(offset.first(), Point::new(0.0, 2.0), epsilon = 1e-12);
     let dish = chain(&[[0.0, -10.0], [10.0, 0.0]]);
     assert!(matches!(dish.offset(2.0), Err(OffsetError::TooTight { radius: 0.0, .. })));
-    let from_outside = cone.mirrored();
-    assert_relative_eq!(from_outside.offset(2.0).unwrap().last(), Point::new(0.0, -2.0), epsilon = 1e-12);
+    assert_relative_eq!(cone.mirrored().offset(2.0).unwrap().last(), Point::new(0.0, -2.0), epsilon = 1e-12);
 }
 
 #[test]
@@ -359,10 +339,8 @@ proptest! {
 /// Trust: the standard die, where the cavity has a straight wall.
 #[test]
 fn a_wall_and_a_shoulder_are_the_standard_die() {
-    let cavity = Profile::flat_punch(31.25, 7.0, 1.0).shifted(25.5);
-    let die = cavity.cavity(0.5, 6.0, 500.0).unwrap();
-    let standard = Profile::die(31.25, 6.0, 1.0);
-    assert!(are_alike(&die, &standard, 1e-9, falling(25.0, 10.0).take(100)));
+    let die = Profile::flat_punch(31.25, 7.0, 1.0).shifted(25.5).cavity(0.5, 6.0, 500.0).unwrap();
+    assert!(are_alike(&die, &Profile::die(31.25, 6.0, 1.0), 1e-9, falling(25.0, 10.0).take(100)));
     // Its bottom: 25 mm above the face.
     assert_relative_eq!(die.closest(Point::new(0.0, 5.0)).distance, 20.5 - 0.5, epsilon = 1e-9);
     assert_eq!(die.fold(), None);
@@ -372,8 +350,7 @@ fn a_wall_and_a_shoulder_are_the_standard_die() {
 /// Trust: a shallow bowl is left on its arc: the shoulder touches the sphere from outside.
 #[test]
 fn a_shoulder_may_run_into_an_arc() {
-    let bowl = Profile::hemispherical_punch(50.0, 0.0).shifted(20.0);
-    let die = bowl.cavity(0.0, 8.0, 500.0).unwrap();
+    let die = Profile::hemispherical_punch(50.0, 0.0).shifted(20.0).cavity(0.0, 8.0, 500.0).unwrap();
     let corner = die.corners().next().unwrap();
     assert_relative_eq!((corner.center - Point::new(0.0, -30.0)).norm(), 58.0, epsilon = 1e-9);
     assert_relative_eq!(corner.center.y, 8.0, epsilon = 1e-9);
@@ -382,7 +359,7 @@ fn a_shoulder_may_run_into_an_arc() {
 
 #[test]
 fn lines_that_are_no_cavity_are_refused() {
-    let short = Profile::new(vec![Piece::Segment(Segment::new(Point::new(0.0, 9.0), Point::new(20.0, 2.0)))]).unwrap();
+    let short = chain(&[[0.0, 9.0], [20.0, 2.0]]);
     assert_eq!(short.cavity(0.5, 6.0, 500.0), Err(CavityError::Above(1.5)));
     assert_eq!(short.cavity(10.0, 6.0, 500.0), Err(CavityError::Below(1.0)));
     assert!(matches!(short.cavity(4.0, 200.0, 500.0), Err(CavityError::Shoulder { .. })));

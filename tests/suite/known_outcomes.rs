@@ -1,7 +1,6 @@
 //! Parts whose outcome on the press is known, against the program's lights; `UPDATE=1` writes the page's two tables anew.
 
 use crate::common::prelude::*;
-use std::fmt::Write;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/known_outcomes");
 const TABLE: &str = include_str!("../../reference_data/known_outcomes.csv");

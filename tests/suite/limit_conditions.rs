@@ -71,8 +71,7 @@ fn a_computed_curve_of_hill_1948_ends_where_r_is_below_one() {
         assert!(kind.curve(&sheet(&hosford)).expect("a curve").knows(0.1));
         assert!(kind.curve(&sheet(&sheet_of(Hill48::default()))).expect("a curve").ends_at().is_none());
     }
-    let steels = Kind::KeelerBrazier(KeelerBrazier { n: Some(0.2), thickness: None });
-    for kind in [Kind::Points(points), steels] {
+    for kind in [Kind::Points(points), Kind::KeelerBrazier(KeelerBrazier { n: Some(0.2), thickness: None })] {
         assert!(kind.curve(&sheet(&low)).expect("a curve").ends_at().is_none());
     }
 }
@@ -81,8 +80,7 @@ fn a_computed_curve_of_hill_1948_ends_where_r_is_below_one() {
 /// is, and one on its left that goes above it has reached the limit.
 #[test]
 fn beyond_the_end_of_a_curve_nothing_is_judged() {
-    let low = sheet_of(Hill48::new(0.6));
-    let curve = Kind::Hill(Hill { n: Some(0.2) }).curve(&sheet(&low)).expect("a curve");
+    let curve = Kind::Hill(Hill { n: Some(0.2) }).curve(&sheet(&sheet_of(Hill48::new(0.6)))).expect("a curve");
     let found = |strains: &[[f64; 2]]| {
         let mut paths = Paths::starting((0..strains.len()).map(|i| i as f64).collect());
         paths.record(Instant { time: 0.0, travel: 0.0, strains: vec![[0.0, 0.0]; strains.len()] });

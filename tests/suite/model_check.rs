@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
-use stampflow::model::Stage;
 use stampflow::solver::solve;
 
 const NUMBERS: [f64; 8] = [f64::NAN, 0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300];

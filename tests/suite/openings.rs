@@ -1,7 +1,6 @@
 //! Openings of dies: cone, tractrix, land and relief.
 
 use crate::common::prelude::*;
-use stampflow::geometry::{Entry, Opening};
 use std::f64::consts::FRAC_PI_6;
 
 fn opening(entry: Entry) -> Opening {

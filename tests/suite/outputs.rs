@@ -1,7 +1,6 @@
 //! What is made from a run: tables, files and pictures, over the whole list of outputs.
 
 use crate::common::prelude::*;
-use stampflow::assess::error_bars::answered;
 use stampflow::case::files::sha256;
 use stampflow::plot::StageView;
 use stampflow::report::Report;

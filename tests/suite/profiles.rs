@@ -1,7 +1,6 @@
 //! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
 
 use crate::common::prelude::*;
-use std::fmt::Write;
 
 const FLAT: &str = r#"flat = { radius = "30 mm", nose = "6 mm" }"#;
 const DIE: &str = r#"throat = "31.25 mm", shoulder = "6 mm""#;

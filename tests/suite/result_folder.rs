@@ -78,8 +78,7 @@ fn written(dir: &Path, output: &str) -> Tree {
 }
 
 fn line([args, other, _]: [&'static str; 3], is_other: bool) -> Vec<&'static str> {
-    let more = if is_other { arguments(other) } else { Vec::new() };
-    [arguments(args), more].concat()
+    [arguments(args), if is_other { arguments(other) } else { Vec::new() }].concat()
 }
 
 fn done(dir: &Path, verb: [&'static str; 3], is_other: bool) -> Tree {

@@ -14,8 +14,7 @@ fn scatter_of(set: &[&str], vary: &[&str], runs: u64, seed: u32) -> Result<Scatt
 }
 
 fn values(scatter: &mut Scatter) -> Vec<Vec<f64>> {
-    let settings = Evaluation { threads: 2, shard: Shard::WHOLE, watch: &() };
-    let table = begin(scatter, &settings).expect("a run");
+    let table = begin(scatter, &Evaluation { threads: 2, shard: Shard::WHOLE, watch: &() }).expect("a run");
     let designs = (0..scatter.known(&table)).map(|index| scatter.design(index));
     designs.map(|design| design.values.iter().map(|text| text.parse().expect("a number")).collect()).collect()
 }

@@ -126,8 +126,7 @@ fn a_groove_fitted_at_two_widths_gives_the_others_by_hosfords_condition() {
 /// Trust: a hemispherical cup is held against what was measured, and nothing of it is computed.
 #[test]
 fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
-    let given = [("material", "aa6016a-surfalex"), ("thickness", "1.5 mm")];
-    let case = made("hemispherical-cup", &given, &[]);
+    let case = made("hemispherical-cup", &[("material", "aa6016a-surfalex"), ("thickness", "1.5 mm")], &[]);
     let text = case.text.clone();
     assert!(text.contains("Forming limit: measured on the library's sheet"), "{text}");
     let curve = case.model().forming_limit.clone().expect("a limit");

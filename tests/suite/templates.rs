@@ -92,8 +92,7 @@ fn a_part_has_its_height_and_diameter_after_trimming() {
 #[test]
 fn a_tear_of_coarse_runs_does_not_end_a_plan() {
     let sizes = [("punch-diameter", "38 mm"), ("height", "66 mm"), ("material", "1.4301"), ("thickness", "0.8 mm")];
-    let can = [&sizes[..], &[("last-clearance", "0.95 mm")]].concat();
-    let case = made("cup", &can, &[]);
+    let case = made("cup", &[&sizes[..], &[("last-clearance", "0.95 mm")]].concat(), &[]);
     let found = assess::after(&case, solved(&case));
     let light = |key: &str| found.iter().find(|row| row.key == key).map(|row| row.light);
     assert_eq!([light("trim_allowance"), light("tearing")], [Some(Light::Green), Some(Light::Amber)]);

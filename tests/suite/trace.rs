@@ -44,8 +44,7 @@ fn a_step_is_repeated_as_the_run_took_it() {
         let [history] = traced.histories.as_slice() else { panic!("one history") };
         assert!(history.end.is_some() && traced.record.step == step, "{} {step}", case.name);
         // The tries of a step that was halved first come before it.
-        let of_run = &seen.kept[seen.kept.len() - history.rows.len()..];
-        for (found, expected) in history.rows.iter().zip(of_run) {
+        for (found, expected) in history.rows.iter().zip(&seen.kept[seen.kept.len() - history.rows.len()..]) {
             assert_eq!((found.iteration, found.start), (expected.iteration, expected.start), "{} {step}", case.name);
             let norms = |row: &IterationRecord| [row.velocity_norm, row.residual_norm, row.share];
             for (found, expected) in norms(found).into_iter().zip(norms(expected)) {

@@ -1,7 +1,6 @@
 //! The hydraulic bulge of a clamped disc against Hill's special solution, and its largest pressure found in two ways.
 
 use crate::common::prelude::*;
-use stampflow::material::hardening::Hardening;
 
 /// Radius of the disc \[mm\].
 const A: f64 = 50.0;
@@ -103,8 +102,7 @@ fn special_metal_follows_hills_solution() {
         }
         let off = |p: &Pole| (p[1] / hill(p[0])[1] - 1.0).abs().max((p[2] / hill(p[0])[2] - 1.0).abs());
         let worst = poles.iter().filter(|p| (0.1..1.0).contains(&p[0])).map(off).fold(0.0, f64::max);
-        let misses = heights.map(|h| [1, 2].map(|k| at(&poles, h)[k] / hill(h)[k] - 1.0));
-        (worst, misses)
+        (worst, heights.map(|h| [1, 2].map(|k| at(&poles, h)[k] / hill(h)[k] - 1.0)))
     });
     let worst = found.map(|(worst, _)| worst);
     let within = worst.map(|share| format!("{:.2}", 100.0 * share));

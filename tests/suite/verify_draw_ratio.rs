@@ -8,7 +8,6 @@
 
 use crate::common::page::{self, listed};
 use crate::common::prelude::*;
-use crate::common::shipped::shipped;
 
 /// Punch radius of the quickstart's cup \[mm\].
 const PUNCH: f64 = 30.0;
@@ -30,8 +29,7 @@ const RESOLVED: f64 = 1e-3;
 fn limit(set: &[&str]) -> f64 {
     let drawn = |ratio: f64| {
         let blank = format!("blank.radius={} mm", ratio * PUNCH);
-        let model = shipped("quickstart", &[&TOOLS, set, &[&blank]].concat());
-        match solver::run(&model, &mut ()).stop.kind {
+        match solver::run(&shipped("quickstart", &[&TOOLS, set, &[&blank]].concat()), &mut ()).stop.kind {
             StopKind::DrawnThrough | StopKind::FullTravel => true,
             StopKind::Localised => false,
             kind => panic!("{set:?}, draw ratio {ratio}: {kind:?}"),
@@ -100,10 +98,8 @@ fn it_rises_with_the_friction_of_the_punch_and_falls_with_that_of_die_and_holder
     let punch = limits("tools.punch.friction", &["0.02", "0.08", "0.2"], &[]);
     told("friction of the punch", &["0.02", "0.08", "0.2"], &punch);
     assert!(rises(&punch), "{punch:?}");
-    let mut flange = ["0.02", "0.08", "0.12"].map(|mu| {
-        let holder = format!("tools.holder.friction={mu}");
-        limits("tools.die.friction", &[mu], &[&holder])[0]
-    });
+    let mut flange = ["0.02", "0.08", "0.12"]
+        .map(|mu| limits("tools.die.friction", &[mu], &[&format!("tools.holder.friction={mu}")])[0]);
     told("friction of die and holder", &["0.02", "0.08", "0.12"], &flange);
     flange.reverse();
     assert!(rises(&flange), "{flange:?}");

@@ -1,8 +1,6 @@
 //! The elastoplastic law against closed forms, other programs and the flow law.
 
 use crate::common::prelude::*;
-use crate::common::shipped::shipped;
-use stampflow::element::{kinematics::Reference, section::Section};
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 
 /// Incompressible in its elasticity too: only then does plane strain yield at (2/√3) Y and stay there, as the closed forms
@@ -40,8 +38,7 @@ impl Strip {
         };
         let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + LENGTH, 0.0, 0.0]);
         let half = 0.5 * curvature * LENGTH;
-        let stretch = strain.exp_m1() * LENGTH;
-        let end = start.moved([0.0, 0.0, -half], [stretch, 0.0, half]).expect("sound");
+        let end = start.moved([0.0, 0.0, -half], [strain.exp_m1() * LENGTH, 0.0, half]).expect("sound");
         let n = self.layers.len();
         for at in &mut self.points {
             at.yield_stress = point.yield_stress(at);
@@ -161,8 +158,7 @@ fn bending_under_tension_is_the_closed_form() {
     for curvature in [2.0, 5.0, 12.0].map(|k| k * first) {
         for share in [0.1, 0.4, 0.8] {
             // The neutral line lies at −share t/2 from the middle.
-            let strain = curvature * share * 0.5 * T;
-            let [force, moment] = Strip::new(51).strain(strain, curvature);
+            let [force, moment] = Strip::new(51).strain(curvature * share * 0.5 * T, curvature);
             let elastic = s / (modulus * curvature);
             let neutral = -share * 0.5 * T;
             let (low, high) = ((neutral - elastic).max(-0.5 * T), (neutral + elastic).min(0.5 * T));
@@ -383,8 +379,7 @@ fn elastoplastic_law_and_flow_law_agree_on_drawn_cups() {
             assert!(run.steps.last().expect("steps").work.imbalance().abs() < 0.002, "{name}");
         }
     }
-    let row = "15 layers | Woo {} % at most, Chalmers {} % |";
-    told("docs/agreement.md", row, &signed(&largest, 1));
+    told("docs/agreement.md", "15 layers | Woo {} % at most, Chalmers {} % |", &signed(&largest, 1));
 }
 
 /// The opening angle of the bent strip before and after it is let go [°].

@@ -1,7 +1,6 @@
 //! Ductile fracture: damage against closed forms, from stage to stage, and its light.
 
 use crate::common::prelude::*;
-use crate::common::shipped::shipped;
 use stampflow::material::fracture::{CockcroftLatham, FractureStress, Oyane, RiceTracey};
 use stampflow::solver::state::State;
 
@@ -168,8 +167,7 @@ fn fracture_has_its_light() {
         let profile = tables::profile(&stages[0].model, &stages[0].frames);
         let largest = profile.column("damage").values.iter().fold(0.0, |a: f64, b| a.max(*b));
         assert!(!picture.files(&solution.views()[0]).is_empty() && largest == last(&stages[0]).damage);
-        let breaks = answer.sentence.starts_with("it breaks ");
-        assert_eq!(breaks, light == Light::Red, "{}", answer.sentence);
+        assert_eq!(answer.sentence.starts_with("it breaks "), light == Light::Red, "{}", answer.sentence);
     }
     let whole = shipped_case("quickstart", &["tools.punch.travel=3 mm"]).solve(&mut ());
     assert!(findings(&whole).iter().all(|finding| finding.key != "fracture"));

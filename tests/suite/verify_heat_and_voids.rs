@@ -79,8 +79,7 @@ fn a_given_temperature_scales_the_strength() {
     let force = solve(&warm).steps.last().expect("steps").edge_force;
     assert!((force / cold / (-0.39f64).exp() - 1.0).abs() < 1e-9, "{force} {cold}");
     let field = PiecewiseLinear::new(vec![(10.0, 300.0), (30.0, 400.0)]).expect("rising");
-    let run = solve(&heated(model, field, None));
-    for e in &run.frames[0].elements {
+    for e in &solve(&heated(model, field, None)).frames[0].elements {
         assert!((e.temperature - (300.0 + 5.0 * (e.s0 - 10.0)).clamp(300.0, 400.0)).abs() < 1e-9, "{e:?}");
     }
 }
@@ -108,8 +107,7 @@ fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<Pi
 #[test]
 fn a_sheet_between_two_tools_cools_as_by_hand() {
     let transfer = 1.4; // 1.4 kW/(m² K) = 1.4 N/(mm s K)
-    let seconds = 2.0 * CAPACITY / (2.0 * transfer);
-    let run = solve(&pressed(seconds, 0.0, transfer, 493.15));
+    let run = solve(&pressed(2.0 * CAPACITY / (2.0 * transfer), 0.0, transfer, 493.15));
     let last = run.steps.last().expect("steps");
     let middle = run.frames[0].elements.iter().find(|e| e.s0 > 20.0).expect("an element");
     let exact = 293.15 + 200.0 * (-2.0f64).exp();
@@ -179,8 +177,7 @@ fn no_porosity_gives_the_plain_run() {
         let plain = solve(&model);
         let mut voided = model;
         voided.material.gtn = Some(Gtn { initial: 0.0, nucleation: None, coalescence: None, ..Gtn::example() });
-        let run = solve(&voided);
-        for (a, b) in run.steps.iter().zip(&plain.steps) {
+        for (a, b) in solve(&voided).steps.iter().zip(&plain.steps) {
             assert!((a.edge_force / b.edge_force - 1.0).abs() < 1e-12, "{} {}", a.edge_force, b.edge_force);
             assert!((a.thinnest / b.thinnest - 1.0).abs() < 1e-12);
             assert_eq!(a.porosity, 0.0);

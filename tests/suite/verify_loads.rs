@@ -1,10 +1,8 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
 use crate::common::prelude::*;
-use crate::common::shipped::shipped;
 use crate::observer::Stopper;
 use stampflow::contact::friction::Sliding;
-use stampflow::material::hardening::Hardening;
 use stampflow::model::PressureCap;
 
 /// Shear yield stress of the rope's material, Y = 150 MPa [MPa].
@@ -34,15 +32,11 @@ fn behind_arc(law: &Friction, tension: f64, rho: f64, wrap: f64, v: f64) -> f64 
 fn capstan_with_every_friction_law() {
     let (restraint, rho) = (60.0, 10.5);
     let mut errors = Vec::new();
-    for (name, law) in Friction::examples() {
+    for (name, mut law) in Friction::examples() {
         // Weak shear yield and little back tension put Tresca's law in the middle of its passage.
-        let law = match law {
-            Friction::Tresca(mut law) => {
-                (law.factor, law.coefficient) = (0.05, 0.15);
-                Friction::Tresca(law)
-            }
-            other => other,
-        };
+        if let Friction::Tresca(law) = &mut law {
+            (law.factor, law.coefficient) = (0.05, 0.15);
+        }
         let mut model = simple::capstan(0.0, 2.0, 20);
         model.tools[1].friction = law;
         model.tools[2].friction = 0.0.into();
@@ -59,8 +53,7 @@ fn capstan_with_every_friction_law() {
             let v = (w[1].draw_in - w[0].draw_in) / (w[1].time - w[0].time);
             0.5 * w[1].punch_force / (behind_arc(&law, restraint + on_flange(&w[1], v), rho, wrap, v) * wrap.sin())
         });
-        let (sum, count) = ratios.fold((0.0, 0.0), |(sum, count), ratio| (sum + ratio, count + 1.0));
-        let error: f64 = sum / count - 1.0;
+        let error = mean(ratios) - 1.0;
         assert!(error.abs() < 5e-3, "{name}: {error:e}");
         errors.push((name, error));
     }
@@ -166,7 +159,7 @@ fn bead_restrains_while_the_sheet_passes_it() {
     // die's edge.
     let passed = run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 198.0);
     let walls: Vec<f64> = passed.map(wall).collect();
-    let mean = walls.iter().sum::<f64>() / walls.len() as f64;
+    let mean = mean(walls.iter().copied());
     assert!((mean / 5.0 - 1.0).abs() < 0.01, "{mean} N/mm");
     assert!(walls.iter().all(|wall| (wall / 5.0 - 1.0).abs() < 0.1), "{walls:?}");
     assert!(last(&run).draw_in > 21.0, "the edge has to pass the bead for this test to mean something");
@@ -337,8 +330,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
 /// The shipped box: gas fills the corner of a die, ends there, and leaves the sheet thinnest in the corner.
 #[test]
 fn superplastic_box_is_blown_into_its_corner() {
-    let model = shipped("superplastic_box", &[]);
-    let run = solve(&model);
+    let run = solve(&shipped("superplastic_box", &[]));
     assert!(run.stop.kind == StopKind::ContactShare && last(&run).contact_share >= 0.95, "{}", run.stop);
     let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
     let failed = rejected - run.effort.overstepped;
@@ -436,6 +428,5 @@ fn localisation_ends_the_run_where_it_happens() {
     assert!(run.stop.s0.is_some_and(|s0| s0 < 37.25) && last(&run).thinnest < 0.8 && run.end.travel < 25.0);
     let mut on = weak.to_vec();
     on.push("stop.localised=false");
-    let run = solver::run(&shipped("quickstart", &on), &mut ());
-    assert_ne!(run.stop.kind, StopKind::Localised);
+    assert_ne!(solver::run(&shipped("quickstart", &on), &mut ()).stop.kind, StopKind::Localised);
 }

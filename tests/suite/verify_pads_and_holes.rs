@@ -1,7 +1,6 @@
 //! A pad under a bottom, and the free edge of a hole.
 
 use crate::common::prelude::*;
-use stampflow::{model::Blank, solver::solution::ElementRecord};
 
 /// Trust: the pad's position is an unknown of its own equation, which converges with the others to 1e-5 of the largest force.
 /// The bow without a pad is what a strip keeps that leaves the nose at its curvature.

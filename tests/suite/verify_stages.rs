@@ -114,8 +114,7 @@ fn a_draw_in_two_stages_is_the_draw_in_one() {
     let apart = (last(two).punch_force / last(one).punch_force - 1.0).abs();
     let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let thickness = largest(&one.end.thickness, &two.end.thickness);
-    let z = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs());
-    let shape = z.fold(0.0, f64::max);
+    let shape = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs()).fold(0.0, f64::max);
     assert!((one.end.tools[0] - two.end.tools[0]).norm() < 1e-9);
     assert!(apart < 5e-3 && thickness < 2e-3 && shape < 2e-2);
     let imbalance = two.steps.last().expect("steps").work.imbalance();

@@ -1,7 +1,6 @@
 //! Verification of the steps in time: what is read off a run does not hang on their length.
 
 use crate::common::prelude::*;
-use crate::common::shipped::shipped;
 
 /// Overrides that divide the usual steps.
 fn divided(by: f64) -> [String; 2] {
@@ -33,8 +32,7 @@ fn thickness_force_and_pressure_do_not_hang_on_the_step() {
             let thinnest = end.thinnest / model.blank.thickness;
             [thinnest, peak(&run), end.time, end.pressure, end.pole_height, model.blank.length - end.draw_in]
         };
-        let quarter = divided(4.0);
-        let (usual, fine) = (figures(&[]), figures(&quarter.each_ref().map(String::as_str)));
+        let (usual, fine) = (figures(&[]), figures(&divided(4.0).each_ref().map(String::as_str)));
         let errors = [0, 1, 2, 3, 4, 5].map(|i| {
             let scale = if i == 0 { 1.0 } else { fine[i].abs().max(1e-9) };
             (usual[i] - fine[i]) / scale

@@ -33,8 +33,7 @@ fn the_brite_part_hangs_on_its_friction() {
 
     let torn = with("0.1");
     assert_eq!(torn.stages[0].stop.kind, StopKind::Localised);
-    let travel = torn.stages[0].end.travel;
-    let ended = plain(&[wall(&torn.case), travel], 0);
+    let ended = plain(&[wall(&torn.case), torn.stages[0].end.travel], 0);
     told(AGREEMENT, "which tears at {} kN: the run ends localised at {} mm.", &ended);
     let held = 2.0 * 0.1 * 748.0 * (0.1 * FRAC_PI_2).exp();
     told(AGREEMENT, "the holder alone holds back {} kN at the wall,", &plain(&[held], 0));
@@ -128,8 +127,7 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     let text = include_str!("../../cases/hat_springback.toml").replace("travel = \"70 mm\"", "travel = \"60 mm\"");
     let finish =
         "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
-    let text = text.replacen("[[stages]]\n", finish, 1);
-    let two = parsed(&text, &["material.mode=flow", "blank.layers=15"]);
+    let two = parsed(&text.replacen("[[stages]]\n", finish, 1), &["material.mode=flow", "blank.layers=15"]);
     assert!(two.stages[0].model.mode == Mode::Flow && two.stages[1].model.mode == Mode::ElastoViscoplastic);
     let at_last = let_go(&two.solve(&mut ()));
     for i in 0..2 {

@@ -10,12 +10,6 @@ pub struct Coulomb {
     pub coefficient: f64,
 }
 
-impl From<f64> for Coulomb {
-    fn from(coefficient: f64) -> Self {
-        Self { coefficient }
-    }
-}
-
 impl Example for Coulomb {
     fn example() -> Self {
         Self { coefficient: 0.12 }
@@ -27,7 +21,6 @@ impl FrictionLaw for Coulomb {
         self.coefficient.to_string()
     }
 
-    #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         FrictionStress::regularised(self.coefficient * at.pressure, self.coefficient, at)
     }

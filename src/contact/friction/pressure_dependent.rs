@@ -28,7 +28,6 @@ impl FrictionLaw for PressureDependent {
         format!("{} (p/{} MPa)^({} − 1)", self.coefficient, self.reference, self.exponent)
     }
 
-    #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let q = at.pressure / self.reference;
         let square = q * q + Self::LIGHT * Self::LIGHT;

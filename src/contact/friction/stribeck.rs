@@ -36,7 +36,6 @@ impl FrictionLaw for Stribeck {
         format!("{at_rest} at rest, {sliding} sliding well beyond {speed} mm/s{viscous}")
     }
 
-    #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let phi = direction(at.slip, at.scale);
         let v = at.slip / at.duration;

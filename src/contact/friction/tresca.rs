@@ -31,7 +31,6 @@ impl FrictionLaw for Tresca {
         format!("{:.3} under light pressure, at most {} k", self.coefficient, self.factor)
     }
 
-    #[inline]
     fn at(&self, at: &Sliding) -> FrictionStress {
         let limit = self.factor * at.shear_yield;
         if limit <= 0.0 {

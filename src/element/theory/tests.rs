@@ -37,7 +37,6 @@ pub fn tangent(tangent: &Tangent) -> Matrix {
     Matrix::from_column_slice(5, 5, matrix(tangent).as_slice())
 }
 
-/// Nodes of an element.
 fn nodes(u: Random) -> [Node; 2] {
     let a = [u(20.0, 30.0), u(-2.0, 2.0), u(-0.3, 0.3)];
     [a, [a[0] + u(0.8, 1.5), a[1] + u(-1.0, 1.0), a[2] + u(-0.2, 0.2)]]

@@ -76,11 +76,10 @@ impl<'a> Groove<'a> {
         if fastest >= MarciniakKuczynski::CRITICAL {
             return Ok(Some(now.sheet));
         }
+        let (strain, beta) = (now.sheet, self.path.strain[1] / self.path.strain[0]);
         let what = format!(
-            "the groove's equations have no solution beyond an equivalent strain of {:.4}, where it strains {ratio:.1} \
-             times as fast as the sheet, at a strain ratio of {:.3}",
-            now.sheet,
-            self.path.strain[1] / self.path.strain[0]
+            "the groove's equations have no solution beyond an equivalent strain of {strain:.4}, where it strains \
+             {ratio:.1} times as fast as the sheet, at a strain ratio of {beta:.3}"
         );
         Err(LawError::new(what, "use hill or points; an imperfection nearer to 1 may help"))
     }
@@ -148,7 +147,6 @@ impl<'a> Groove<'a> {
     }
 
     fn yield_stress(&self, strain: f64, rate: f64) -> f64 {
-        let factor = self.sheet.material.rate.map_or(1.0, |law| law.at(rate).value);
-        self.sheet.hardening(strain).stress * factor
+        self.sheet.hardening(strain).stress * self.sheet.material.rate.map_or(1.0, |law| law.at(rate).value)
     }
 }

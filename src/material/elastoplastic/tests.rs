@@ -46,7 +46,6 @@ fn criteria() -> [YieldCriterion; 6] {
     [hill(1.0), hill(0.6), hill(2.0), hosford(0.4, 8.0), hosford(1.6, 6.0), hosford(0.8, 12.5)]
 }
 
-/// Every hardening law with every set of back-stresses and yield condition and every rate law, or none.
 fn for_every_law(look: impl Fn(&str, BackStresses, YieldCriterion, &ElastoplasticLaw)) {
     let rates = Rate::examples();
     for (name, hardening) in Hardening::examples() {

@@ -33,7 +33,6 @@ pub(crate) fn matrix(tangent: &Tangent) -> SMatrix<f64, 5, 5> {
     c + g * h.transpose() + h * g.transpose()
 }
 
-/// Stress and moment, and C.
 fn at(law: &FlowLaw, iterate: &mut Iterate, point: &PointState, u: Layer) -> (Layer, [Layer; 5]) {
     let (update, tangent) = law.respond(point, iterate, [u[0], u[1], u[4]], [u[2], u[3]]);
     let ([s, t, shear], [ms, mt]) = (update.stress, update.moment);
@@ -84,8 +83,7 @@ fn primal_dual_matrix_is_newtons_at_the_stress_and_positive_semidefinite_along_a
             for (newton, own) in newton.as_flattened().iter().zip(own.as_flattened()) {
                 assert_relative_eq!(newton, own, epsilon = 1e-9 * stress[0].hypot(stress[1]) / u[0].hypot(u[1]));
             }
-            let c = at(&dual, &mut iterate, &point, u).1;
-            let m = SMatrix::<f64, 5, 5>::from(c);
+            let m = SMatrix::<f64, 5, 5>::from(at(&dual, &mut iterate, &point, u).1);
             let smallest = m.symmetric_eigenvalues().min();
             assert!(smallest > -1e-9 * m.norm(), "{name}, {criterion} {smallest}");
         }

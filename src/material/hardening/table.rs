@@ -131,8 +131,7 @@ impl Monotone {
 
     pub fn example(factor: f64) -> Self {
         let points = [(0.0, 150.0), (0.02, 210.0), (0.1, 290.0), (0.3, 360.0), (0.8, 420.0)];
-        let points = points.map(|(strain, stress)| (strain, factor * stress));
-        Self::new(&points, Extrapolation::Slope).expect("valid")
+        Self::new(&points.map(|(strain, stress)| (strain, factor * stress)), Extrapolation::Slope).expect("valid")
     }
 
     pub fn last_strain(&self) -> f64 {

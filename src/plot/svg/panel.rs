@@ -120,8 +120,7 @@ impl Frame {
         }
         self.flags.draw(&plot, y_px, height, is_section);
         annotations::draw(&plot, panel, to_px);
-        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0)];
-        shapes::line(&plot, &corners, BLACK, AXIS);
+        shapes::line(&plot, &[(0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0)], BLACK, AXIS);
     }
 }
 

@@ -15,31 +15,14 @@ const ELEMENTS: usize = 160;
 /// Angle from the pole to the edge \[rad\].
 const SWEEP: f64 = 1.2;
 
-/// A cap of a sphere, or half an arch of a tube, pressed by a concentric tool of the radius `inside` \[mm\] or by a gas \[MPa\].
-fn shell(geometry: Geometry, thickness: f64, load: Load) -> Model {
+/// A cap of a sphere, or half an arch of a tube.
+fn shell(geometry: Geometry, thickness: f64) -> Model {
     let mut model = bare(geometry, Theory::Bending, RADIUS, thickness, ELEMENTS);
-    match load {
-        Load::Contact { inside } => {
-            let profile =
-                Profile::new(vec![Piece::arc(Point::zeros(), inside, FRAC_PI_2 + 0.1, -1.5)]).expect("one arc");
-            model.tools = vec![Tool { role: Role::Punch, profile, friction: 0.0.into(), motion: Motion::Fixed }];
-        }
-        Load::Gas { pressure } => {
-            model.gas = vec![Gas { face: Face::Lower, pressure: pressure.into(), within: RADIUS }];
-        }
-    }
     model.material = Material::plain(Hardening::Swift(Swift::new(YIELD, 1e-9, 1e-3).expect("valid")));
     model.settings = Settings { cutoff_strain: 1e-9, ..model.settings };
     model
 }
 
-#[derive(Clone, Copy)]
-enum Load {
-    Contact { inside: f64 },
-    Gas { pressure: f64 },
-}
-
-/// Its state, every node on the mid-surface.
 fn curved(model: &Model) -> State {
     let angle = |i: usize| SWEEP * i as f64 / ELEMENTS as f64;
     let mut state = State::flat(model, (0..=ELEMENTS).map(|i| RADIUS * angle(i)).collect());
@@ -80,9 +63,17 @@ fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
         for (geometry, factor) in [(Geometry::Axisymmetric, 2.0), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt())] {
             let exact = factor * YIELD * f64::ln((1.0 + 0.5 * slender) / (1.0 - 0.5 * slender));
             let (thickness, bound) = (slender * RADIUS, 0.4 * slender * slender + 5e-5);
-            let gas = |pressure: f64| on_a_node(&shell(geometry, thickness, Load::Gas { pressure })).0;
+            let plain = shell(geometry, thickness);
+            let gas = |pressure: f64| {
+                let gas = vec![Gas { face: Face::Lower, pressure: pressure.into(), within: RADIUS }];
+                on_a_node(&Model { gas, ..plain.clone() }).0
+            };
+            // A concentric tool.
             let tool = |deep: f64| {
-                on_a_node(&shell(geometry, thickness, Load::Contact { inside: RADIUS - 0.5 * thickness + deep }))
+                let arc = Piece::arc(Point::zeros(), RADIUS - 0.5 * thickness + deep, FRAC_PI_2 + 0.1, -1.5);
+                let profile = Profile::new(vec![arc]).expect("one arc");
+                let tool = Tool { role: Role::Punch, profile, friction: 0.0.into(), motion: Motion::Fixed };
+                on_a_node(&Model { tools: vec![tool], ..plain.clone() })
             };
             let deep = bisect(-0.1 * thickness, 0.1 * thickness, 60, |deep| tool(deep).0 < 0.0)[0];
             for limit in [bisect(0.0, 2.0 * YIELD, 60, |pressure| gas(pressure) < 0.0)[0], tool(deep).1] {

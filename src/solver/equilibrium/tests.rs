@@ -135,7 +135,6 @@ fn column(system: &System, k: usize) -> Vec<f64> {
     (0..n).flat_map(|i| <[f64; 3]>::from(block(i))).chain((0..MAX_SHARED).map(border)).collect()
 }
 
-/// Compares every column of the matrix with central differences of the residual, off equilibrium.
 fn check(model: &Model, state: &State) {
     with_step(model, state, (0.05, false), |step, trial, evaluation| {
         for (i, x) in trial.moves.iter_mut().enumerate() {

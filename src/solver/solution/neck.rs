@@ -70,8 +70,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     }
     let former = before.map(section);
     let rate = |e: usize| {
-        let then = before.zip(former.as_ref());
-        then.map_or(0.0, |(before, former)| {
+        before.zip(former.as_ref()).map_or(0.0, |(before, former)| {
             (former[e] / thickness[e]).ln() - (state.ironed[e][1] - before.ironed[e][1])
         })
     };
@@ -84,8 +83,7 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     for other in 0..n {
         let away = (state.middle(other) - neck.s0).abs();
         // On a coarse mesh the next but one stands for the surroundings.
-        let near = (least..most).contains(&away) || (other.abs_diff(e) == 2 && away >= most);
-        if near {
+        if (least..most).contains(&away) || (other.abs_diff(e) == 2 && away >= most) {
             sum += strains[other];
             rates += rate(other).abs();
             count += 1.0;

@@ -75,26 +75,21 @@ fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
     sums
 }
 
+/// Trust: 1.5 mm on either side of the middle of an element of 1 mm are itself and its two neighbours; half of the
+/// second one's neighbour on the axis is its own mirror image.
 #[cfg(test)]
-mod tests {
-    use super::NonlocalAverage;
-    use approx::assert_relative_eq;
-
-    /// Trust: 1.5 mm on either side of the middle of an element of 1 mm are itself and its two neighbours; half of the
-    /// second one's neighbour on the axis is its own mirror image.
-    #[test]
-    fn the_mean_is_that_of_the_length_within_reach() {
-        let values = [4.0, 1.0, 7.0, 2.0];
-        let unequal = 0.25 * 4.0 + 0.5 + 0.25 * 7.0;
-        for (lengths, reach, e, mean) in [
-            ([2.0; 4], 1.0, 2, 7.0),
-            ([1.0; 4], 1.5, 1, (4.0 + 1.0 + 7.0) / 3.0),
-            ([1.0; 4], 1.5, 0, (4.0 + 4.0 + 1.0) / 3.0),
-            ([1.0; 4], 1.5, 3, (2.0 + 7.0) / 2.0),
-            ([2.0, 1.0, 2.0, 1.0], 1.0, 1, unequal),
-        ] {
-            let windows = NonlocalAverage::over(lengths.into_iter(), reach);
-            assert_relative_eq!(windows.means(|k| values[k])[e], mean, max_relative = 1e-14);
-        }
+#[test]
+fn the_mean_is_that_of_the_length_within_reach() {
+    let values = [4.0, 1.0, 7.0, 2.0];
+    let unequal = 0.25 * 4.0 + 0.5 + 0.25 * 7.0;
+    for (lengths, reach, e, mean) in [
+        ([2.0; 4], 1.0, 2, 7.0),
+        ([1.0; 4], 1.5, 1, (4.0 + 1.0 + 7.0) / 3.0),
+        ([1.0; 4], 1.5, 0, (4.0 + 4.0 + 1.0) / 3.0),
+        ([1.0; 4], 1.5, 3, (2.0 + 7.0) / 2.0),
+        ([2.0, 1.0, 2.0, 1.0], 1.0, 1, unequal),
+    ] {
+        let windows = NonlocalAverage::over(lengths.into_iter(), reach);
+        approx::assert_relative_eq!(windows.means(|k| values[k])[e], mean, max_relative = 1e-14);
     }
 }

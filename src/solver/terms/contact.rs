@@ -116,14 +116,12 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
 }
 
 /// G: derivatives of r and z of contact point `i` and of its element's thickness by the element's freedoms.
-#[inline]
 fn gradient(step: &Step, i: usize, out: &Evaluation) -> [Vector6; 3] {
     let (e, station) = (i / STATIONS, &step.stations()[i % STATIONS]);
     let [r, z] = station.slopes(&out.nodes[e], &out.nodes[e + 1]);
     [r, z, out.thickness_rows[e]]
 }
 
-/// Adds Gᵀ f and Gᵀ K G of every contact point, and the second derivatives of its position and thickness.
 fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     for e in 0..step.references.len() {
         let (mut forces, mut matrix) = (Vector6::zeros(), Matrix6::zeros());

@@ -70,15 +70,12 @@ fn add_elements<L: PointLaw>(
     true
 }
 
-/// True for an elastic membrane, which has no stiffness across itself where nothing stretches it: a holder's pressure alone
-/// makes the span inside it longer than the way from punch to die.
-fn may_be_slack(model: &Model) -> bool {
-    model.mode != Mode::Flow && model.blank.theory != Theory::Bending
-}
-
 /// Keeps a sheet from floating along z once the tools that go away have left it, and a slack membrane.
 pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
-    if !step.model.may_be_left() && !may_be_slack(step.model) {
+    // An elastic membrane has no stiffness across itself where nothing stretches it: a holder's pressure alone makes the span
+    // inside it longer than the way from punch to die.
+    let may_be_slack = step.model.mode != Mode::Flow && step.model.blank.theory != Theory::Bending;
+    if !step.model.may_be_left() && !may_be_slack {
         return;
     }
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {

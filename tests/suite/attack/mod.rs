@@ -11,11 +11,10 @@ mod promises;
 
 use crate::common::prelude::*;
 use mutate::mutated;
-use stampflow::author::Import;
 use stampflow::case::CaseError;
 use stampflow::plot::svg;
 use stampflow::results::{Results, comparison::comparisons, csv};
-use std::{fmt::Write, sync::mpsc::channel, time::Instant};
+use std::{sync::mpsc::channel, time::Instant};
 
 /// A cup without its punch's section, and what is read beside it.
 const CUP: &str = r#"

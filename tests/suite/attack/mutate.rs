@@ -54,8 +54,7 @@ fn by_text(text: &str, rng: &mut Rng) -> String {
         _ => {
             // What is larger than 10 MB is not read anyway.
             let times = [2, 2_500, 110_000][rng.usize(..3)].min(10_000_000 / lines[one].len().max(1));
-            let copies = vec![lines[one]; times];
-            drop(lines.splice(one..one, copies));
+            drop(lines.splice(one..one, vec![lines[one]; times]));
         }
     }
     lines.join("\n")
@@ -74,8 +73,7 @@ fn by_bytes(mut bytes: Vec<u8>, rng: &mut Rng) -> Vec<u8> {
         2 => bytes.truncate(at),
         3 => drop(bytes.splice(at..at, std::iter::repeat_n(rng.u8(..), rng.usize(1..500)))),
         _ => {
-            let again = bytes[at..end].repeat(rng.usize(1..200));
-            drop(bytes.splice(at..at, again));
+            drop(bytes.splice(at..at, bytes[at..end].repeat(rng.usize(1..200))));
         }
     }
     bytes

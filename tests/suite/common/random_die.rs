@@ -101,8 +101,7 @@ fn conical_punch(radius: f64, nose: f64, angle: f64, height: f64, t: f64) -> Pro
     // The cone reaches `radius` at `height` above the face; the corner starts where the flat ends.
     let run = (height - nose * (1.0 - angle.sin())) * angle.tan();
     let flat = radius - nose * angle.cos() - run;
-    let center = Point::new(flat, top - nose);
-    let corner = Arc::new(center, nose, FRAC_PI_2, -sweep);
+    let corner = Arc::new(Point::new(flat, top - nose), nose, FRAC_PI_2, -sweep);
     let start = corner.at(1.0);
     let end = Point::new(radius, start.y - run / angle.tan());
     let pieces = vec![

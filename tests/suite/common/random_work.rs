@@ -60,12 +60,10 @@ pub fn random_work(seed: u64, elastic: bool) -> RandomWork {
         .find(|die| sections.contains(&die.process))
         .expect("all kinds occur");
     let t = model.blank.thickness;
-    let coarse = rng.bool();
-    if coarse {
+    if rng.bool() {
         model.blank.elements = rng.usize(20..=40);
     }
-    let hardly_hardens = rng.usize(0..3) == 0;
-    if hardly_hardens {
+    if rng.usize(0..3) == 0 {
         let law = Swift::new(between(rng, 150.0, 1200.0), 0.02, 1e-3).expect("in range");
         model.material.hardening = Hardening::Swift(law);
     }
@@ -152,8 +150,7 @@ fn bend(rng: &mut Rng, model: &mut Model, two: bool) -> String {
     let mut punch = Vec::new();
     let mut top = Arc::new(Point::new(0.0, -0.5 * t - nose), nose, FRAC_PI_2, -turn);
     if two {
-        let center = Point::new(middle, -0.5 * t - nose);
-        top = Arc::new(center, nose, PI - lean, 2.0 * lean - PI);
+        top = Arc::new(Point::new(middle, -0.5 * t - nose), nose, PI - lean, 2.0 * lean - PI);
         let start = top.at(0.0) - Point::new(sin, cos) * flank;
         let radius = hump + gap;
         punch.push(Piece::Arc(Arc::new(start + Point::new(-cos, sin) * radius, radius, -FRAC_PI_2, turn)));

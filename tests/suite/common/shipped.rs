@@ -68,6 +68,11 @@ pub fn peak(run: &StageSolution) -> f64 {
     run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max)
 }
 
+pub fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
+}
+
 /// The last step.
 pub fn last(run: &StageSolution) -> &StepRecord {
     run.steps.last().expect("steps")

@@ -1,7 +1,6 @@
 //! Small models built in code, for tests against closed forms.
 
 use crate::common::prelude::*;
-use stampflow::model::Blank;
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
 pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
