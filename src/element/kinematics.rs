@@ -70,15 +70,9 @@ impl Reference {
     /// The element between `a` (nearer the axis) and `b`, of its own theory: bending or membrane.
     pub fn new(geometry: Geometry, theory: Theory, a: Node, b: Node) -> Self {
         let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
-        Self {
-            hoop: geometry == Geometry::Axisymmetric,
-            bending: theory == Theory::Bending,
-            dr,
-            dz,
-            fibre: UnitComplex::new(0.5 * (a[2] + b[2])),
-            length: (dr * dr + dz * dz).sqrt(),
-            radius: 0.5 * (a[0] + b[0]),
-        }
+        let (hoop, bending) = (geometry == Geometry::Axisymmetric, theory == Theory::Bending);
+        let (length, radius) = ((dr * dr + dz * dz).sqrt(), 0.5 * (a[0] + b[0]));
+        Self { hoop, bending, dr, dz, fibre: UnitComplex::new(0.5 * (a[2] + b[2])), length, radius }
     }
 
     /// Mid-surface area \[mm², or mm per mm of depth\].

@@ -65,15 +65,9 @@ impl Segment {
 impl Arc {
     /// Arc about `center` \[mm\] starting at angle `start` \[rad\] and turning by `sweep` \[rad\].
     pub fn new(center: Point, radius: f64, start: f64, sweep: f64) -> Self {
-        Self {
-            center,
-            radius,
-            start,
-            sweep,
-            middle: direction(start + 0.5 * sweep),
-            ends: [center + radius * direction(start), center + radius * direction(start + sweep)],
-            cos_half_sweep: (0.5 * sweep).abs().min(PI).cos(),
-        }
+        let ends = [start, start + sweep].map(|angle| center + radius * direction(angle));
+        let (middle, cos_half_sweep) = (direction(start + 0.5 * sweep), (0.5 * sweep).abs().min(PI).cos());
+        Self { center, radius, start, sweep, middle, ends, cos_half_sweep }
     }
 
     /// Arc from `start` to `end` about `center` \[mm\], and how far the centre had to move to be equally far from both \[mm\].

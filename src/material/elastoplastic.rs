@@ -253,15 +253,9 @@ impl ElastoplasticLaw<'_> {
             }
             let step = next - x;
             if step.abs() <= last * x || round == MOST {
-                return Some(Return {
-                    increment: next,
-                    direction: each(|j| n[j] + step * turn[j]),
-                    curvature,
-                    measure: m + step * measure_slope,
-                    measure_slope,
-                    recovered,
-                    radius: radius.stress + step * radius.slope,
-                });
+                let (increment, direction) = (next, each(|j| n[j] + step * turn[j]));
+                let (measure, radius) = (m + step * measure_slope, radius.stress + step * radius.slope);
+                return Some(Return { increment, direction, curvature, measure, measure_slope, recovered, radius });
             }
             x = next;
         }

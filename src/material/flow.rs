@@ -236,14 +236,9 @@ impl Iterate {
             self.carried = w.map(|w| back * w);
         }
         *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };
-        let moment = [f * g[2], f * g[3]];
-        let update = StressUpdate {
-            stress: [f * g[0], f * g[1], f * g[4]],
-            moment,
-            increment: hardening,
-            yield_stress,
-            work_across: moment[0] * spread[0] + moment[1] * spread[1],
-        };
+        let (stress, moment) = ([f * g[0], f * g[1], f * g[4]], [f * g[2], f * g[3]]);
+        let work_across = moment[0] * spread[0] + moment[1] * spread[1];
+        let update = StressUpdate { stress, moment, increment: hardening, yield_stress, work_across };
         (update, self.tangent(law, point))
     }
 
@@ -256,12 +251,9 @@ impl Iterate {
             Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
             Iteration::PrimalDual => std::array::from_fn(|i| 0.5 * (h * g[i] - inverse_square * self.carried[i])),
         };
-        Tangent {
-            own: metric.own.map(|entry| steep * f * entry),
-            coupling: metric.coupling.map(|entry| steep * f * entry),
-            across: if law.voids.is_none() { MEAN_SQUARE } else { 0.0 },
-            outer: [g, b.map(|b| steep * b)],
-        }
+        let (own, coupling) = (metric.own.map(|a| steep * f * a), metric.coupling.map(|a| steep * f * a));
+        let across = if law.voids.is_none() { MEAN_SQUARE } else { 0.0 };
+        Tangent { own, coupling, across, outer: [g, b.map(|b| steep * b)] }
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.

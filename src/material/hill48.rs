@@ -80,12 +80,8 @@ impl YieldCondition for Hill48 {
 
     fn layer(&self, e: Triple, k: [f64; 2], _: Option<Layer>) -> LayerMetric {
         let (a, [ks, kt, _]) = (self.apply(e), self.apply([k[0], k[1], 0.0]).map(|b| MEAN_SQUARE * b));
-        LayerMetric {
-            gradient: [a[0], a[1], ks, kt, a[2]],
-            own: self.matrix(),
-            coupling: [0.0; 3],
-            square: dot(e, a) + ks * k[0] + kt * k[1],
-        }
+        let (gradient, square) = ([a[0], a[1], ks, kt, a[2]], dot(e, a) + ks * k[0] + kt * k[1]);
+        LayerMetric { gradient, own: self.matrix(), coupling: [0.0; 3], square }
     }
 
     fn stress_square(&self, _: &LayerMetric, [s, t, ms, mt, shear]: Layer) -> f64 {

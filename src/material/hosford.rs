@@ -97,11 +97,7 @@ impl Hosford {
         let unit = self.power.root(sum / (1.0 + r)) / sum;
         let square = unit * unit;
         let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own));
-        [
-            square * (along * along + bend * x * x),
-            square * (along * across - bend * x),
-            square * (across * across + bend),
-        ]
+        [along * along + bend * x * x, along * across - bend * x, across * across + bend].map(|entry| square * entry)
     }
 
     /// The ratio x whose normal goes with 1 and β, x'(β) or the chord from the carried ratio `w`, and 1/φ²; `sum` is 1 + β,

@@ -83,14 +83,10 @@ impl Leg {
         let [inner, middle, outer] = [ends[0], 0.5, ends[1]].map(at);
         let chord = outer - inner;
         let sides = (middle - inner).norm() * (outer - middle).norm() * chord.norm();
-        Self {
-            line: [inner, outer].map(|p| [p.x, meridian.up * p.y]),
-            slope: direction(ends[0], ends[1]),
-            end_slopes: ends.map(|share| direction(share - 0.5 * ENDS, share + 0.5 * ENDS)),
-            curvature: 2.0 * (middle - inner).perp(&chord) / sides,
-            length: chord.norm(),
-            thickness: meridian.thickness,
-        }
+        let (line, slope) = ([inner, outer].map(|p| [p.x, meridian.up * p.y]), direction(ends[0], ends[1]));
+        let end_slopes = ends.map(|share| direction(share - 0.5 * ENDS, share + 0.5 * ENDS));
+        let curvature = 2.0 * (middle - inner).perp(&chord) / sides;
+        Self { line, slope, end_slopes, curvature, length: chord.norm(), thickness: meridian.thickness }
     }
 
     /// Radius of that circle \[mm\], with the sign of the curvature; infinite for a straight leg.

@@ -32,11 +32,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         let curves = places.iter().enumerate().map(|(i, &(band, element))| {
             let points = frame.through.elements().nth(element).unwrap_or_default();
             let label = format!("{}, s0 = {}", capitalised(band.name()), Amount::place(elements[element].s0));
-            Series {
-                label: Some(label).filter(|_| n == 0),
-                points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
-                style: Style::curve(i),
-            }
+            let points = layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect();
+            Series { label: Some(label).filter(|_| n == 0), points, style: Style::curve(i) }
         });
         Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
     });

@@ -62,17 +62,11 @@ impl<'a> Report<'a> {
         views.iter_mut().for_each(|view| view.bars = bars.map_or_else(Vec::new, ErrorBars::amounts));
         views.iter_mut().for_each(|view| view.pictures.captions = Captions::Own);
         let summarised = |view: StageView<'a>| (view.clone(), Summary::of(&view));
-        Self {
-            solution,
-            stages: views.into_iter().map(summarised).collect(),
-            check: check::report(&solution.case),
-            dimensions: sizes::dimensions(solution.case.model(), None),
-            findings: before.into_iter().chain(after).collect(),
-            answer,
-            title_block: solution.case.title_block.clone(),
-            bars,
-            versus: None,
-        }
+        let stages = views.into_iter().map(summarised).collect();
+        let (check, dimensions) = (check::report(&solution.case), sizes::dimensions(solution.case.model(), None));
+        let findings = before.into_iter().chain(after).collect();
+        let title_block = solution.case.title_block.clone();
+        Self { solution, stages, check, dimensions, findings, answer, title_block, bars, versus: None }
     }
 
     /// Replaces the date of the title block.

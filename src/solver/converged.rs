@@ -36,17 +36,9 @@ impl<'a> Converged<'a> {
                 None => (iterate.carried(), point.back),
                 Some(memory) => (update.stress, memory.back),
             };
-            MaterialPoint {
-                strain: point.strain + update.increment,
-                stress: update.stress,
-                carried,
-                back,
-                porosity: point.porosity,
-                porosity_rate: point.porosity_rate,
-                strain_rate: iterate.strain().map(|strain| strain / dt),
-                equivalent_rate: update.increment / step.process_time,
-                damage: point.damage,
-            }
+            let (strain, strain_rate) = (point.strain + update.increment, iterate.strain().map(|strain| strain / dt));
+            let (stress, equivalent_rate) = (update.stress, update.increment / step.process_time);
+            MaterialPoint { strain, stress, carried, back, strain_rate, equivalent_rate, ..*point }
         });
         let pressures = evaluation.contacts.iter().map(|contact| contact.pressure.value);
         let strains = state.membrane.iter().zip(&evaluation.membrane_increment);

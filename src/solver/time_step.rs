@@ -143,13 +143,10 @@ impl Budget {
         let settings = &model.settings;
         let finer = (Settings::default().strain_step / settings.strain_step).max(1.0);
         let landings = model.frames.len() + model.schedule.as_ref().map_or(0, |schedule| schedule.points().len());
-        Self {
-            tries: 0,
-            begun: (0.0, 0),
-            stretch: settings.max_step.min(Settings::CUTOFF_STEP),
-            in_a_stretch: (IN_A_STRETCH as f64 * finer) as usize + landings,
-            in_all: PLANNED * ((finer / settings.max_step) as usize + landings) + SPARE,
-        }
+        let stretch = settings.max_step.min(Settings::CUTOFF_STEP);
+        let in_a_stretch = (IN_A_STRETCH as f64 * finer) as usize + landings;
+        let in_all = PLANNED * ((finer / settings.max_step) as usize + landings) + SPARE;
+        Self { tries: 0, begun: (0.0, 0), stretch, in_a_stretch, in_all }
     }
 
     /// Counts a try at this progress \[–\]; `false` when the budget is spent.

@@ -250,15 +250,9 @@ fn elastic(u: Random) -> Symbols {
     let elastic = Elastic { young: u(7e4, 2e5), poisson: u(0.2, 0.4) };
     let back = BackStress { modulus: u(500.0, 3000.0), dynamic_recovery: u(5.0, 30.0) };
     let (hill, [start, shift]) = (Hill48::default(), [0; 2].map(|_| [0; 3].map(|_| u(-30.0, 30.0))));
-    let law = ElastoplasticLaw {
-        hardening: Some(&hardening),
-        operators: Operators::new(elastic, hill.into()),
-        kinematic: Some([back, BackStress::default()]),
-        rate: None,
-        softening: None,
-        secant: false,
-        duration: 0.1,
-    };
+    let (operators, kinematic) = (Operators::new(elastic, hill.into()), Some([back, BackStress::default()]));
+    let (hardening, rate, softening) = (Some(&hardening), None, None);
+    let law = ElastoplasticLaw { hardening, operators, kinematic, rate, softening, secant: false, duration: 0.1 };
     let mut point = Carried { strain: u(0.01, 0.1), stress: start, back: [shift, [0.0; 3]], ..Carried::default() };
     point.yield_stress = law.yield_stress(&point);
     let (e, mut trial) = ([0; 3].map(|_| u(3e-3, 1e-2)), Trial::default());

@@ -44,11 +44,8 @@ impl FrictionLaw for Stribeck {
         let mu = self.sliding + drop;
         let mu_by_slip = -2.0 * x * drop / (self.speed * at.duration);
         let value = mu * phi.value + self.viscous * v;
-        FrictionStress {
-            value: at.pressure * value,
-            by_pressure: value,
-            by_slip: at.pressure * (mu * phi.slope + mu_by_slip * phi.value + self.viscous / at.duration),
-        }
+        let by_slip = at.pressure * (mu * phi.slope + mu_by_slip * phi.value + self.viscous / at.duration);
+        FrictionStress { value: at.pressure * value, by_pressure: value, by_slip }
     }
 
     fn largest_coefficient(&self) -> f64 {

@@ -12,15 +12,9 @@ const KINEMATICS: [BackStresses; 3] = [
 ];
 
 fn law(hardening: &Hardening) -> ElastoplasticLaw<'_> {
-    ElastoplasticLaw {
-        hardening: Some(hardening),
-        operators: Operators::new(STEEL, YieldCriterion::default()),
-        kinematic: shifting(KINEMATICS[0]),
-        rate: None,
-        softening: None,
-        secant: false,
-        duration: 0.1,
-    }
+    let (operators, kinematic) = (Operators::new(STEEL, YieldCriterion::default()), shifting(KINEMATICS[0]));
+    let (hardening, rate, softening) = (Some(hardening), None, None);
+    ElastoplasticLaw { hardening, operators, kinematic, rate, softening, secant: false, duration: 0.1 }
 }
 
 fn start(law: &ElastoplasticLaw) -> Carried {

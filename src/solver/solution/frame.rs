@@ -132,13 +132,9 @@ impl State {
             let [stress_meridional, stress_hoop, _] = model.cauchy(p.stress);
             PointRecord { stress_meridional, stress_hoop, strain_equivalent: p.strain }
         });
-        Frame {
-            time: self.time,
-            travel: self.travel,
-            elements: (0..self.thickness.len()).map(element).collect(),
-            nodes: (0..self.nodes.len()).map(node).collect(),
-            through: ThroughThickness { points: points.collect(), layers },
-            tool_displacement: self.tools.clone(),
-        }
+        let elements = (0..self.thickness.len()).map(element).collect();
+        let nodes = (0..self.nodes.len()).map(node).collect();
+        let through = ThroughThickness { points: points.collect(), layers };
+        Frame { time: self.time, travel: self.travel, elements, nodes, through, tool_displacement: self.tools.clone() }
     }
 }

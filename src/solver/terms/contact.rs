@@ -3,7 +3,7 @@
 //! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face. Q acts as a
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
-use crate::contact::{ContactLaw, ContactPoint};
+use crate::contact::{ContactForce, ContactLaw, ContactPoint};
 use crate::element::surface::{add_position_second, add_thickness_second};
 use crate::element::{Vector6, kinematics::Matrix6};
 use crate::solver::evaluation::{Contact, ContactPosition, Linearisation};
@@ -85,15 +85,9 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             shear_yield: step.shear_yield[e],
         });
         (memory.gap, memory.pressure) = (gap, force.pressure);
-        *contact = Contact {
-            gap: gap + 0.5 * going,
-            closing: 0.5 * going,
-            normal: force.normal,
-            tangential: force.tangential,
-            slip: force.slip,
-            pressure: force.pressure,
-            facing: closest.normal,
-        };
+        let ContactForce { normal, tangential, slip, pressure, .. } = force;
+        let (closing, facing) = (0.5 * going, closest.normal);
+        *contact = Contact { gap: gap + closing, closing, normal, tangential, slip, pressure, facing };
         largest = largest.max(force.force.xy().norm());
         out.tool_force[j] += force.force.xy();
         out.active_contacts += usize::from(gap < 0.0);
