@@ -114,10 +114,8 @@ impl<'a> StageView<'a> {
 
     /// Chart titled `Cup: sections`, or `Sections` if the case's title stands above; notes end in those of [`Self::notes`].
     pub(crate) fn chart(&self, of: &str, panels: Vec<Panel>, notes: impl IntoIterator<Item: Into<String>>) -> Chart {
-        let title = match self.pictures.captions {
-            Captions::Own => capitalised(of),
-            _ => format!("{}: {of}", self.model().title),
-        };
+        let is_own = self.pictures.captions == Captions::Own;
+        let title = if is_own { capitalised(of) } else { format!("{}: {of}", self.model().title) };
         Chart::new(title, panels, notes.into_iter().map(Into::into).chain(self.notes()).collect())
     }
 

@@ -108,10 +108,8 @@ impl Frame {
         let to_px = |p: (f64, f64)| (width * share(p.0, self.x), y_px(p.1));
         let near = |v: f64, range: (f64, f64)| share(v, range).abs() < FAR;
         for series in &panel.series {
-            let points = match series.style {
-                Style::Area { .. } => clipped(&series.points, self.x, self.y),
-                _ => series.points.clone(),
-            };
+            let is_area = matches!(series.style, Style::Area { .. });
+            let points = if is_area { clipped(&series.points, self.x, self.y) } else { series.points.clone() };
             let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).map(to_px);
             let points: Vec<(f64, f64)> = points.collect();
             if !points.is_empty() {
